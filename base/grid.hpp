@@ -78,4 +78,11 @@ inline double wavevector(int wavenumber, double length) {
   return 2.0 * std::numbers::pi * wavenumber / length;
 }
 
+/// |q| [rad/m] of row jy and column jx of the half spectrum.
+inline double wavevector_size(const Grid& grid, int jx, int jy) {
+  return std::hypot(
+      wavevector(jx, grid.length_x),
+      wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y));
+}
+
 } // namespace asperity

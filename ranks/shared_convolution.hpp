@@ -3,13 +3,14 @@
 // This file computes the convolution of convolution.hpp for a field whose rows
 // are shared by several processes.
 
+#include "base/convolution.hpp"
+
 #include <complex>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "base/convolution.hpp"
 #include "ranks/shared_rows.hpp"
 
 namespace asperity {

@@ -56,8 +56,10 @@ public:
     const std::span<Value> before = rows.first(n);
     const std::span<Value> after = rows.last(n);
     if (ranks_ == nullptr) {
-      std::ranges::copy(last, before.begin());
-      std::ranges::copy(first, after.begin());
+      for (std::size_t i = 0; i < n; ++i) {
+        before[i] = last[i];
+        after[i] = first[i];
+      }
     } else {
       ranks_->swap_edges({std::as_bytes(first), std::as_bytes(last),
                           std::as_writable_bytes(before),

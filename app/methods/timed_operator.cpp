@@ -21,6 +21,10 @@ const Grid& TimedOperator::grid() const {
   return measured_->grid();
 }
 
+const SharedRows* TimedOperator::shared_rows() const {
+  return measured_->shared_rows();
+}
+
 std::span<const double> TimedOperator::nodal_weights() const {
   return measured_->nodal_weights();
 }

@@ -26,6 +26,7 @@ public:
 
   std::unique_ptr<contact::SurfaceOperator> clone() const override;
   const Grid& grid() const override;
+  const SharedRows* shared_rows() const override;
   std::span<const double> nodal_weights() const override;
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override;

@@ -1,19 +1,22 @@
 #pragma once
 
 // This file contains loops and sums over the nodes whose results are bitwise
-// the same on any number of threads.
+// the same on any number of threads and ranks.
 
+#include "base/maximum.hpp"
 #include "base/parallel_rows.hpp"
+#include "contact/operators/workers.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <type_traits>
 #include <vector>
 
 namespace asperity::contact {
-
-/// Number of nodes in one chunk, which one thread sums.
-inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
 
 /// The value of one sum over a loop.
 struct Sum {
@@ -37,32 +40,57 @@ struct SeveralSums {
   }
 };
 
-/// Calls do_chunk(begin, end) -> Sums for each chunk of 0..nodes-1 and adds the
-/// results in the order of the chunks, so that the result is bitwise
-/// independent of the number of threads and of their scheduling. Sums needs
-/// operator+=.
-template <class Sums, class DoChunk>
-Sums chunked_sum(std::size_t nodes, int threads, const DoChunk& do_chunk) {
-  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
-  std::vector<Sums> partial(chunks);
-  parallel_rows(static_cast<int>(chunks), threads, [&](int chunk) {
-    const std::size_t begin = static_cast<std::size_t>(chunk) * chunk_nodes;
-    partial[static_cast<std::size_t>(chunk)] =
-        do_chunk(begin, std::min(nodes, begin + chunk_nodes));
-  });
-  Sums total{};
-  for (const Sums& sums : partial)
-    total += sums;
-  return total;
-}
+/// The larger of several values over one loop; NaN if any is NaN.
+struct Largest {
+  double value = -std::numeric_limits<double>::infinity();
 
-/// The same loop without a sum; it calls do_chunk(begin, end).
+  Largest& operator+=(const Largest& other) {
+    value = maximum(value, other.value);
+    return *this;
+  }
+};
+
+/// Calls do_chunk(begin, end) for each chunk of 0..nodes-1.
+/// @param threads  >= 1
 template <class DoChunk>
 void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
-  chunked_sum<Sum>(nodes, threads, [&](std::size_t begin, std::size_t end) {
-    do_chunk(begin, end);
-    return Sum{};
+  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
+  parallel_rows(static_cast<int>(chunks), threads, [&](int chunk) {
+    const std::size_t begin = static_cast<std::size_t>(chunk) * chunk_nodes;
+    do_chunk(begin, std::min(nodes, begin + chunk_nodes));
   });
+}
+
+/// Calls do_chunk(begin, end) -> Sums for each chunk of the nodes of this
+/// process and adds the results in the order of the chunks, first those of each
+/// group, then the groups of all ranks. The result is bitwise independent of
+/// the numbers of threads and ranks and of their scheduling. Collective over
+/// the ranks. Sums needs operator+=.
+/// @param nodes  number of nodes of this process
+template <class Sums, class DoChunk>
+Sums chunked_sum(std::size_t nodes, const Workers& workers,
+                 const DoChunk& do_chunk) {
+  static_assert(std::is_trivially_copyable_v<Sums>);
+  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
+  std::vector<Sums> partial(chunks);
+  chunked(nodes, workers.threads, [&](std::size_t begin, std::size_t end) {
+    partial[begin / chunk_nodes] = do_chunk(begin, end);
+  });
+
+  const std::size_t length = chunks_in_group(workers.all_nodes(nodes));
+  std::vector<Sums> groups((chunks + length - 1) / length);
+  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
+    groups[chunk / length] += partial[chunk];
+  if (workers.rows != nullptr) {
+    const std::vector<std::byte> all = gathered_sums(
+        *workers.rows, std::as_bytes(std::span(groups)), sizeof(Sums));
+    groups.resize(all.size() / sizeof(Sums));
+    std::memcpy(groups.data(), all.data(), all.size());
+  }
+  Sums total{};
+  for (const Sums& sums : groups)
+    total += sums;
+  return total;
 }
 
 } // namespace asperity::contact

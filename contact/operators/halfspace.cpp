@@ -81,35 +81,29 @@ double uniform_compliance(double wavevector,
   return 2.0 * factor / (block.contact_modulus * wavevector);
 }
 
-template <class Compliance>
-std::vector<double> on_half_spectrum(const Grid& grid,
-                                     const Compliance& compliance_at) {
-  const int columns = grid.points_x / 2 + 1;
-  std::vector<double> compliance(grid.half_spectrum_size(), 0.0);
-  for (int jy = 0; jy < grid.points_y; ++jy) {
-    const double qy =
-        wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y);
-    for (int jx = jy == 0 ? 1 : 0; jx < columns; ++jx)
-      compliance[static_cast<std::size_t>(jy) *
-                     static_cast<std::size_t>(columns) +
-                 static_cast<std::size_t>(jx)] =
-          compliance_at(std::hypot(wavevector(jx, grid.length_x), qy));
-  }
-  return compliance;
-}
-
 } // namespace
 
-std::vector<double> block_compliance(const Grid& grid,
-                                     const mechanics::ElasticBlock& block) {
+std::function<double(double)>
+compliance_function(const mechanics::ElasticBlock& block) {
   require_positive("contact_modulus", block.contact_modulus, "Pa");
   if (!(block.thickness > 0.0))
     refuse_argument("thickness", block.thickness, "> 0 [m], or infinite");
   if (block.layers.empty())
-    return on_half_spectrum(
-        grid, [&](double q) { return uniform_compliance(q, block); });
-  const LayerStack stack(block);
-  return on_half_spectrum(grid, [&](double q) { return stack.compliance(q); });
+    return [block](double q) { return uniform_compliance(q, block); };
+  return [stack = LayerStack(block)](double q) { return stack.compliance(q); };
+}
+
+std::vector<double> block_compliance(const Grid& grid,
+                                     const mechanics::ElasticBlock& block) {
+  const std::function<double(double)> compliance = compliance_function(block);
+  std::vector<double> values(grid.half_spectrum_size(), 0.0);
+  const int columns = grid.points_x / 2 + 1;
+  std::size_t at = 0;
+  for (int jy = 0; jy < grid.points_y; ++jy)
+    for (int jx = 0; jx < columns; ++jx, ++at)
+      if (at > 0)
+        values[at] = compliance(wavevector_size(grid, jx, jy));
+  return values;
 }
 
 FourierOperator halfspace_operator(const Grid& grid,

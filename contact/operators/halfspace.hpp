@@ -8,6 +8,7 @@
 #include "contact/operators/fourier_operator.hpp"
 #include "mechanics/elastic_block.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace asperity::contact {
@@ -33,8 +34,13 @@ double slab_compliance_factor(double reduced_wavevector,
                               mechanics::FarBoundary far_boundary,
                               double poisson_ratio);
 
-/// C(q) [m/Pa] on the half spectrum of the grid: 2 factor(q d) / (E* q), or the
-/// compliance of LayerStack if there are layers. The uniform mode is set to 0.
+/// C(q) [m/Pa] as a function of q [rad/m] > 0: 2 factor(q d) / (E* q), or the
+/// compliance of LayerStack if there are layers.
+/// @throws std::domain_error  a number of the block is outside its range
+std::function<double(double)>
+compliance_function(const mechanics::ElasticBlock& block);
+
+/// C(q) [m/Pa] on the half spectrum of the grid. The uniform mode is set to 0.
 /// @throws std::domain_error  a number of the block is outside its range
 std::vector<double> block_compliance(const Grid& grid,
                                      const mechanics::ElasticBlock& block);

@@ -1,7 +1,7 @@
 #pragma once
 
 // This file computes weighted sums over all nodes of a field, bitwise the same
-// on any number of threads.
+// on any number of threads and ranks.
 
 #include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/node_weights.hpp"
@@ -11,14 +11,13 @@
 
 namespace asperity::contact {
 
-/// sum_i weight_i term(i) over the nodes 0..nodes-1.
+/// sum_i weight_i term(i) over the nodes 0..nodes-1 of each rank.
 /// @param weights  nodal areas relative to their mean; empty if all are equal
-/// @param threads  >= 1
 template <class Term>
 double weighted_sum(std::span<const double> weights, std::size_t nodes,
-                    int threads, const Term& term) {
+                    const Workers& workers, const Term& term) {
   return with_weights(weights, [&](const auto weight) {
-    return chunked_sum<Sum>(nodes, threads,
+    return chunked_sum<Sum>(nodes, workers,
                             [=](std::size_t begin, std::size_t end) {
                               double total = 0.0;
                               for (std::size_t i = begin; i < end; ++i)
@@ -31,16 +30,18 @@ double weighted_sum(std::span<const double> weights, std::size_t nodes,
 
 /// sum_i weight_i field_i
 inline double weighted_sum(std::span<const double> weights,
-                           std::span<const double> field, int threads = 1) {
-  return weighted_sum(weights, field.size(), threads,
+                           std::span<const double> field,
+                           const Workers& workers = 1) {
+  return weighted_sum(weights, field.size(), workers,
                       [f = field.data()](std::size_t i) { return f[i]; });
 }
 
 /// sum_i weight_i left_i right_i; the two fields have the same size.
 inline double weighted_dot(std::span<const double> weights,
                            std::span<const double> left,
-                           std::span<const double> right, int threads = 1) {
-  return weighted_sum(weights, left.size(), threads,
+                           std::span<const double> right,
+                           const Workers& workers = 1) {
+  return weighted_sum(weights, left.size(), workers,
                       [a = left.data(), b = right.data()](std::size_t i) {
                         return a[i] * b[i];
                       });

@@ -5,6 +5,7 @@
 // Finite elements, half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
+#include "contact/operators/workers.hpp"
 
 #include <memory>
 #include <span>
@@ -17,8 +18,8 @@ namespace asperity::contact {
 /// Sign and gauge: `pressure` >= 0 pushes the block away from the rigid
 /// counter-surface; `displacement` is positive in the same direction. On a
 /// periodic surface the mean of the displacement, weighted by nodal_weights(),
-/// is removed, so that the mean gap equals the separation of the mean planes. On
-/// a surface with free boundaries the displacement vanishes at infinity, and
+/// is removed, so that the mean gap equals the separation of the mean planes.
+/// On a surface with free boundaries the displacement vanishes at infinity, and
 /// only loads by pressure can be prescribed: a prescribed mean gap would not be
 /// the minimum of an energy.
 /// Symmetry means: sum_i weight_i p_i (C q)_i = sum_i weight_i (C p)_i q_i.
@@ -33,6 +34,16 @@ public:
 
   virtual const Grid& grid() const = 0;
 
+  /// The rows of the grid that this process holds, if several ranks share them;
+  /// null if it holds all. All fields have the nodes of these rows only, and
+  /// the calls that transform fields are collective.
+  virtual const SharedRows* shared_rows() const { return nullptr; }
+
+  /// Number of nodes that this process holds.
+  std::size_t n_nodes() const {
+    return shared_rows() != nullptr ? shared_rows()->size() : grid().size();
+  }
+
   /// Whether the surface continues periodically; otherwise it is pressed inside
   /// the rectangle of the grid only, and its displacement vanishes at infinity.
   virtual bool is_periodic() const { return true; }
@@ -42,8 +53,8 @@ public:
 
   /// Computes displacement = C pressure [m]; if it is periodic, without its
   /// mean.
-  /// @param pressure     grid().size() values [Pa]
-  /// @param displacement grid().size() values, overwritten
+  /// @param pressure     n_nodes() values [Pa]
+  /// @param displacement n_nodes() values, overwritten
   virtual void displacement(std::span<const double> pressure,
                             std::span<double> displacement) = 0;
 
@@ -71,6 +82,9 @@ public:
   /// Number of threads that each application uses, and the contact solver with
   /// it.
   virtual int threads() const { return 1; }
+
+  /// Threads and ranks, for sums over the nodes.
+  Workers workers() const { return {threads(), shared_rows()}; }
 
   /// The operator of the same block on every second node in both directions,
   /// for a coarse-to-fine initial guess; null if there is none.

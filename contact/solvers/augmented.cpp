@@ -1,4 +1,3 @@
-#include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "contact/operators/node_sums.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -17,12 +16,16 @@ constexpr int max_rounds = 200;
 constexpr double largest_reduced_compliance = 0.01;
 
 /// Largest gap in contact, or overlap at any node [m].
-double wall_error(const ContactSolution& solution) {
-  double error = 0.0;
-  for (std::size_t i = 0; i < solution.gap.size(); ++i)
-    if (!(solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0))
-      error = maximum(error, std::abs(solution.gap[i]));
-  return error;
+double wall_error(const ContactSolution& solution, const Workers& workers) {
+  const auto error = chunked_sum<Largest>(
+      solution.gap.size(), workers, [&](std::size_t begin, std::size_t end) {
+        Largest own{0.0};
+        for (std::size_t i = begin; i < end; ++i)
+          if (!(solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0))
+            own += {std::abs(solution.gap[i])};
+        return own;
+      });
+  return error.value;
 }
 
 /// Near full contact under gap control the multipliers may converge too slowly.
@@ -51,6 +54,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
                                 const mechanics::LoadTarget& target,
                                 std::span<const double> initial_pressure) {
   require_positive("local_compliance", problem.local_compliance, "m/Pa");
+  const Workers workers = elasticity.workers();
   const double compliance =
       std::min(problem.local_compliance,
                largest_reduced_compliance * elasticity.short_wave_compliance());
@@ -66,14 +70,15 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
   int iterations = solution.iterations;
   int transforms = solution.transforms;
   int n_rounds = 1;
-  while (solution.converged && wall_error(solution) > problem.gap_tolerance &&
+  while (solution.converged &&
+         wall_error(solution, workers) > problem.gap_tolerance &&
          n_rounds < max_rounds) {
     for (std::size_t i = 0; i < heights.size(); ++i)
       heights[i] = problem.heights[i] + compliance * solution.pressure[i];
     const double mean_rise =
         compliance *
-        weighted_sum(elasticity.nodal_weights(), solution.pressure) /
-        static_cast<double>(heights.size());
+        weighted_sum(elasticity.nodal_weights(), solution.pressure, workers) /
+        static_cast<double>(workers.all_nodes(heights.size()));
     if (target.control == mechanics::Control::mean_gap)
       round_target.amount = target.amount - mean_rise;
 
@@ -90,7 +95,7 @@ ContactSolution solve_augmented(SurfaceOperator& elasticity,
   }
   solution.iterations = iterations;
   solution.transforms = transforms;
-  solution.gap_error = wall_error(solution);
+  solution.gap_error = wall_error(solution, workers);
   if (solution.converged && solution.gap_error > problem.gap_tolerance)
     return finished_by_hard_contact(elasticity, problem, target, solution,
                                     n_rounds);

@@ -16,17 +16,17 @@ constexpr float diagonal_weight = 0.5F; ///< weight of a diagonal neighbour
 
 constexpr int rows_a_turn = 16;
 
-int turns_of(const Grid& grid) {
-  return (grid.points_y + rows_a_turn - 1) / rows_a_turn;
+int turns_of(const SharedRows& rows) {
+  return (rows.count() + rows_a_turn - 1) / rows_a_turn;
 }
 
 /// Calls do_word(turn, iy, word) for each word of the bit field; one thread
 /// processes the rows of one turn.
 template <class DoWord>
-void each_word(const Grid& grid, const NodeBits& bits, int threads,
+void each_word(const SharedRows& rows, const NodeBits& bits, int threads,
                const DoWord& do_word) {
-  parallel_rows(turns_of(grid), threads, [&](int turn) {
-    const int end = std::min(grid.points_y, (turn + 1) * rows_a_turn);
+  parallel_rows(turns_of(rows), threads, [&](int turn) {
+    const int end = std::min(rows.count(), (turn + 1) * rows_a_turn);
     for (int iy = turn * rows_a_turn; iy < end; ++iy)
       for (int word = 0; word < bits.words_a_row(); ++word)
         do_word(static_cast<std::size_t>(turn), iy, word);
@@ -54,21 +54,25 @@ float share_of(const std::array<NodeBits::Word, 8>& neighbours, int bit) {
 
 } // namespace
 
-BoundaryExtension::BoundaryExtension(const Grid& grid, int threads)
-    : grid_(grid), threads_(threads), rings_(layers + 1) {}
+BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers)
+    : rows_(workers.rows != nullptr ? *workers.rows : SharedRows(grid)),
+      threads_(workers.threads),
+      rings_(layers + 1) {}
 
 void BoundaryExtension::build(std::span<const std::uint8_t> is_free) {
-  work_.resize(grid_.size()); // all 0 between calls
-  NodeBits seen(grid_), before(grid_), ring(grid_);
-  const auto width = static_cast<std::size_t>(grid_.points_x);
-  parallel_rows(turns_of(grid_), threads_, [&](int turn) {
-    const int end = std::min(grid_.points_y, (turn + 1) * rows_a_turn);
+  const std::size_t width = rows_.width();
+  work_.resize(rows_.size() + 2 * width); // all 0 between calls
+  NodeBits seen(rows_), before(rows_), ring(rows_);
+  parallel_rows(turns_of(rows_), threads_, [&](int turn) {
+    const int end = std::min(rows_.count(), (turn + 1) * rows_a_turn);
     for (int iy = turn * rows_a_turn; iy < end; ++iy)
-      seen.assign_row(iy, is_free.subspan(grid_.index(0, iy), width));
+      seen.assign_row(
+          iy, is_free.subspan(static_cast<std::size_t>(iy) * width, width));
   });
+  seen.fill_ghost_rows();
 
   // Ring 0: active nodes with an inactive neighbour.
-  each_word(grid_, seen, threads_, [&](std::size_t, int iy, int word) {
+  each_word(rows_, seen, threads_, [&](std::size_t, int iy, int word) {
     const NodeBits::Word own = seen.at(iy, word);
     if (own == 0)
       return;
@@ -80,7 +84,8 @@ void BoundaryExtension::build(std::span<const std::uint8_t> is_free) {
   collect(ring, before, rings_[0]);
   for (std::size_t l = 1; l < rings_.size(); ++l) {
     std::swap(ring, before);
-    each_word(grid_, seen, threads_, [&](std::size_t, int iy, int word) {
+    before.fill_ghost_rows();
+    each_word(rows_, seen, threads_, [&](std::size_t, int iy, int word) {
       NodeBits::Word touched = 0;
       for (const NodeBits::Word neighbour : before.neighbours(iy, word))
         touched |= neighbour;
@@ -94,6 +99,9 @@ void BoundaryExtension::build(std::span<const std::uint8_t> is_free) {
   for (const Ring& kept : rings_)
     longest = std::max(longest, kept.nodes.size());
   values_.resize(longest);
+  size_ = total_count(
+      Workers(threads_, rows_.ranks() != nullptr ? &rows_ : nullptr),
+      rings_[0].nodes.size());
   is_built_ = true;
 }
 
@@ -103,9 +111,9 @@ void BoundaryExtension::collect(const NodeBits& members, const NodeBits& before,
     std::size_t inside = 0, border = 0;
   };
 
-  const auto turns = static_cast<std::size_t>(turns_of(grid_));
+  const auto turns = static_cast<std::size_t>(turns_of(rows_));
   std::vector<Place> places(turns + 1); // counts, later the start of each turn
-  each_word(grid_, members, threads_, [&](std::size_t turn, int iy, int word) {
+  each_word(rows_, members, threads_, [&](std::size_t turn, int iy, int word) {
     const NodeBits::Word bits = members.at(iy, word);
     const NodeBits::Word border = bits & members.border(iy, word);
     Place& count = places[turn + 1];
@@ -119,12 +127,12 @@ void BoundaryExtension::collect(const NodeBits& members, const NodeBits& before,
   kept.n_inside = places[turns].inside;
   kept.nodes.resize(kept.n_inside + places[turns].border);
   kept.share.resize(kept.nodes.size());
-  each_word(grid_, members, threads_, [&](std::size_t turn, int iy, int word) {
+  each_word(rows_, members, threads_, [&](std::size_t turn, int iy, int word) {
     const NodeBits::Word bits = members.at(iy, word);
     if (bits == 0)
       return;
     const auto neighbours = before.neighbours(iy, word);
-    const std::size_t first = grid_.index(64 * word, iy);
+    const std::size_t first = rows_.grid().index(64 * word, iy);
     const auto put = [&](std::size_t& place, NodeBits::Word some) {
       each_bit(some, [&](int bit) {
         kept.nodes[place] =
@@ -145,7 +153,7 @@ inline float BoundaryExtension::around(const Ring& ring, std::size_t k,
   const std::size_t i = ring.nodes[k];
   if (k >= ring.n_inside)
     return around_border(i, field);
-  const auto width = static_cast<std::size_t>(grid_.points_x);
+  const std::size_t width = rows_.width();
   const float* const at = field + i;
   return at[1] + *(at - 1) + at[width] + *(at - width) +
          diagonal_weight * (at[width + 1] + at[width - 1] + *(at - width + 1) +
@@ -154,16 +162,19 @@ inline float BoundaryExtension::around(const Ring& ring, std::size_t k,
 
 float BoundaryExtension::around_border(std::size_t node,
                                        const float* field) const {
-  const auto width = static_cast<std::size_t>(grid_.points_x);
-  const int ix = static_cast<int>(node % width);
-  const int iy = static_cast<int>(node / width);
+  const std::size_t width = rows_.width();
+  const std::size_t ix = node % width;
+  const std::size_t west = ix > 0 ? ix - 1 : width - 1;
+  const std::size_t east = ix + 1 < width ? ix + 1 : 0;
+  const float* row = field + (node - ix) - width;
   float sum = 0.0F;
-  for (int dy = -1; dy <= 1; ++dy)
-    for (int dx = -1; dx <= 1; ++dx)
-      if (dx != 0 || dy != 0)
-        sum += (dx != 0 && dy != 0 ? diagonal_weight : 1.0F) *
-               field[grid_.index((ix + dx + grid_.points_x) % grid_.points_x,
-                                 (iy + dy + grid_.points_y) % grid_.points_y)];
+  for (int dy = -1; dy <= 1; ++dy, row += width) {
+    const bool is_level = dy == 0;
+    sum += (is_level ? 1.0F : diagonal_weight) * row[west];
+    if (!is_level)
+      sum += row[ix];
+    sum += (is_level ? 1.0F : diagonal_weight) * row[east];
+  }
   return sum;
 }
 
@@ -177,19 +188,22 @@ void BoundaryExtension::extend(double reach,
                                std::span<const std::uint8_t> is_free,
                                std::span<float> field) {
   const float factor = static_cast<float>(reach);
+  float* const work = own_work();
   for (std::size_t l = 0; l < rings_.size(); ++l) {
     const Ring& ring = rings_[l];
-    if (l > 0)
+    if (l > 0) {
+      rows_.fill_ghost_rows(std::span(work_));
       each_chunk(ring, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-          values_[k] = factor * ring.share[k] * around(ring, k, work_.data());
+          values_[k] = factor * ring.share[k] * around(ring, k, work);
       });
+    }
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t node = ring.nodes[k];
         if (l > 0 && is_free[node] == 0)
           field[node] = values_[k];
-        work_[node] = field[node];
+        work[node] = field[node];
       }
     });
   }
@@ -197,11 +211,15 @@ void BoundaryExtension::extend(double reach,
 }
 
 void BoundaryExtension::clear_work() {
+  float* const work = own_work();
   for (const Ring& ring : rings_)
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
-        work_[ring.nodes[k]] = 0.0F;
+        work[ring.nodes[k]] = 0.0F;
     });
+  const auto width = static_cast<std::ptrdiff_t>(rows_.width());
+  std::fill(work_.begin(), work_.begin() + width, 0.0F);
+  std::fill(work_.end() - width, work_.end(), 0.0F);
 }
 
 void BoundaryExtension::clear(std::span<const std::uint8_t> is_free,
@@ -220,19 +238,22 @@ void BoundaryExtension::fold(double reach,
                              std::span<const std::uint8_t> is_free,
                              std::span<float> field) {
   const float factor = static_cast<float>(reach);
+  float* const work = own_work();
   for (std::size_t l = rings_.size(); l-- > 0;) {
     const Ring& ring = rings_[l];
+    if (l + 1 < rings_.size())
+      rows_.fill_ghost_rows(std::span(work_));
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         float& value = field[ring.nodes[k]];
-        value += around(ring, k, work_.data());
+        value += around(ring, k, work);
         values_[k] = value;
       }
     });
     each_chunk(ring, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         if (l > 0 && is_free[ring.nodes[k]] == 0)
-          work_[ring.nodes[k]] = factor * ring.share[k] * values_[k];
+          work[ring.nodes[k]] = factor * ring.share[k] * values_[k];
     });
   }
   clear_work();

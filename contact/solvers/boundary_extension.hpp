@@ -4,7 +4,7 @@
 // boundary, and applies the transpose to the result, which makes the masked
 // preconditioner efficient.
 
-#include "base/grid.hpp"
+#include "contact/operators/workers.hpp"
 
 #include <cstdint>
 #include <span>
@@ -32,13 +32,16 @@ class BoundaryExtension {
 public:
   static constexpr int layers = 3;
 
-  BoundaryExtension(const Grid& grid, int threads);
+  /// @param workers  whose ranks share the rows of the grid, if there are any
+  BoundaryExtension(const Grid& grid, const Workers& workers);
 
-  /// Finds the rings around the active nodes, those with is_free[i] > 0.
+  /// Finds the rings around the active nodes, those with is_free[i] > 0. This
+  /// and the other calls are collective; fields have the nodes of this process.
   void build(std::span<const std::uint8_t> is_free);
 
-  /// Number of active nodes at the contact boundary when the rings were built.
-  std::size_t size() const { return rings_[0].nodes.size(); }
+  /// Number of active nodes at the contact boundary on all ranks when the rings
+  /// were built.
+  std::size_t size() const { return size_; }
 
   bool is_built() const { return is_built_; }
 
@@ -59,7 +62,7 @@ public:
 
 private:
   struct Ring {
-    std::vector<std::uint32_t> nodes; ///< those off the grid border first
+    std::vector<std::uint32_t> nodes; ///< those off the grid's border first
     std::size_t n_inside = 0;         ///< number of those off the border
     std::vector<float> share;         ///< 1 / sum of w over the previous ring
   };
@@ -69,19 +72,25 @@ private:
                Ring& kept) const;
   void clear_work();
 
+  /// Values of work_ at the nodes of this process.
+  float* own_work() { return work_.data() + rows_.width(); }
+
   /// Sum of w field over the eight neighbours of node k of the ring.
   float around(const Ring& ring, std::size_t k, const float* field) const;
-  /// The same for a node on the border of the grid's storage.
+  /// The same for a node on the border of the grid.
   float around_border(std::size_t node, const float* field) const;
   template <class DoNodes>
   void each_chunk(const Ring& ring, const DoNodes& do_nodes) const;
 
-  Grid grid_;
+  SharedRows rows_;
   int threads_;
+  std::size_t size_ = 0;
   bool is_built_ = false;
   std::vector<Ring> rings_; ///< 0: the active nodes adjacent to ring 1
   std::vector<float> values_;
-  std::vector<float> work_; ///< shares of the completed rings; otherwise 0
+  /// Shares of the completed rings, otherwise 0; from the row before those of
+  /// this process to the row after them.
+  std::vector<float> work_;
 };
 
 } // namespace asperity::contact

@@ -40,7 +40,7 @@ void ContactState::update_residual() {
   if (is_computed_) {
     computed_error_ = gap_error;
   } else if (is_converged() || gap_error < recurrence_range * computed_error_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
+    scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
     compute_raw_gap();
     measure_residual();
     computed_error_ = gap_error;
@@ -60,7 +60,7 @@ void ContactState::measure_residual() {
   const auto sums =
       with_weights(elasticity.nodal_weights(), [&](const auto weight) {
         return chunked_sum<ResidualSums>(
-            pressure.size(), threads, [&](std::size_t begin, std::size_t end) {
+            pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
               ResidualSums total;
               each_block(
                   begin, end,

@@ -45,7 +45,7 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       raw_gap(pressure.size()),
       residual(pressure.size()),
       freedom(pressure.size()),
-      threads(elasticity_.threads()),
+      workers(elasticity_.workers()),
       active(blocks_of(pressure.size()), 1),
       written_(active.size(), 0),
       previous_written_(active.size(), 0),
@@ -54,8 +54,8 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
       change_written_(active.size(), 0),
       previous_residual_(pressure.size()) {
   mean_height_ =
-      weighted_sum(elasticity.nodal_weights(), problem.heights, threads) /
-      static_cast<double>(pressure.size());
+      weighted_sum(elasticity.nodal_weights(), problem.heights, workers) /
+      static_cast<double>(workers.all_nodes(pressure.size()));
   compute_raw_gap();
 }
 
@@ -65,7 +65,7 @@ void ContactState::compute_raw_gap() {
   is_computed_ = true;
   const double* const w = raw_gap.data();
   const double* const h = problem.heights.data();
-  change_gap(raw_gap, threads, lowest_,
+  change_gap(raw_gap, workers.threads, lowest_,
              [=](std::size_t i) { return w[i] - h[i]; });
   contact_sums_ = contact_sums();
 }
@@ -74,7 +74,7 @@ void ContactState::add_to_gap(float factor, std::span<const float> field) {
   const double* const w = raw_gap.data();
   const float* const f = field.data();
   const double scale = static_cast<double>(factor);
-  change_gap(raw_gap, threads, lowest_, [=](std::size_t i) {
+  change_gap(raw_gap, workers.threads, lowest_, [=](std::size_t i) {
     return w[i] + scale * static_cast<double>(f[i]);
   });
 }
@@ -85,7 +85,7 @@ ContactState::ContactSums ContactState::contact_sums() const {
   const double* const u = raw_gap.data();
   return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
     return flagged_sum<ContactSums>(
-        active, pressure.size(), threads,
+        active, pressure.size(), workers,
         [=](std::size_t begin, std::size_t end) {
           double sum = 0.0, total = 0.0;
 #pragma omp simd reduction(+ : sum, total)
@@ -105,7 +105,7 @@ float ContactState::free_mean(std::span<const float> field) const {
   const float* const z = field.data();
   const std::uint8_t* const free = freedom.data();
   const double sum = flagged_weighted_sum(
-      elasticity.nodal_weights(), active, field.size(), threads,
+      elasticity.nodal_weights(), active, field.size(), workers,
       [=](std::size_t i) {
         return static_cast<double>(free[i] > fixed ? z[i] : 0.0F);
       });
@@ -120,7 +120,7 @@ ContactState::Slopes ContactState::slopes(std::span<const float> field,
   const float* const before = previous_residual_.data();
   return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
     return flagged_sum<Slopes>(
-        active, field.size(), threads, [=](std::size_t begin, std::size_t end) {
+        active, field.size(), workers, [=](std::size_t begin, std::size_t end) {
           double now = 0.0, change = 0.0;
 #pragma omp simd reduction(+ : now, change)
           for (std::size_t i = begin; i < end; ++i) {
@@ -145,7 +145,7 @@ void ContactState::advance(float step, std::span<const float> direction,
   const auto sums =
       with_weights(elasticity.nodal_weights(), [&](const auto weight) {
         return flagged_sum<SeveralSums<2>>(
-            active, pressure.size(), threads,
+            active, pressure.size(), workers,
             [=](std::size_t begin, std::size_t end) {
               double total = 0.0, cuts = 0.0;
 #pragma omp simd reduction(+ : total, cuts)
@@ -175,10 +175,11 @@ void ContactState::advance(float step, std::span<const float> direction,
 void ContactState::restore_load(double pressure_sum) {
   if (!by_pressure())
     return;
-  const double scale = load_scale(target, pressure.size(), pressure_sum);
+  const double scale =
+      load_scale(target, workers.all_nodes(pressure.size()), pressure_sum);
   double* const p = pressure.data();
   float* const dp = change_.data();
-  flagged(active, pressure.size(), threads,
+  flagged(active, pressure.size(), workers.threads,
           [=](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
               dp[i] += static_cast<float>((scale - 1.0) * p[i]);
@@ -189,7 +190,7 @@ void ContactState::restore_load(double pressure_sum) {
 
 ContactSolution ContactState::solution() && {
   if (!is_computed_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure, threads);
+    scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
     compute_raw_gap();
   }
   std::vector<double> all_displacements(pressure.size());
@@ -197,12 +198,13 @@ ContactSolution ContactState::solution() && {
   double* const gap = raw_gap.data();
   const double* const h = problem.heights.data();
   const double rigid = rigid_distance_;
-  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      displacement[i] = gap[i] + h[i];
-      gap[i] += rigid;
-    }
-  });
+  chunked(pressure.size(), workers.threads,
+          [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+              displacement[i] = gap[i] + h[i];
+              gap[i] += rigid;
+            }
+          });
   return solution_of(std::move(raw_gap), std::move(all_displacements));
 }
 

@@ -76,7 +76,7 @@ public:
   std::vector<float> residual;       ///< gap + c p [m] on active nodes, else 0
   std::vector<std::uint8_t> freedom; ///< Freedom of each node
   double free_weight = 0.0;          ///< total weight of the active nodes
-  int threads = 1;
+  Workers workers;
   /// Blocks with an active node. Residual and freedom are 0 in the others.
   BlockFlags active;
   double freed = 0.0; ///< cumulative number of changes of the active set

@@ -15,9 +15,9 @@ namespace asperity::contact {
 template <class Term>
 double flagged_weighted_sum(std::span<const double> weights,
                             const BlockFlags& flags, std::size_t nodes,
-                            int threads, const Term& term) {
+                            const Workers& workers, const Term& term) {
   return with_weights(weights, [&](const auto weight) {
-    return flagged_sum<Sum>(flags, nodes, threads,
+    return flagged_sum<Sum>(flags, nodes, workers,
                             [=](std::size_t begin, std::size_t end) {
                               double total = 0.0;
 #pragma omp simd reduction(+ : total)

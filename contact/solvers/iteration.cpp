@@ -36,11 +36,11 @@ bool Iteration::is_at_end() const {
 ContactSolution Iteration::solution_of(std::vector<double> gap,
                                        std::vector<double> displacement) {
   const std::span<const double> weights = elasticity.nodal_weights();
-  const int threads = elasticity.threads();
-  const auto nodes = static_cast<double>(pressure.size());
+  const Workers workers = elasticity.workers();
+  const auto nodes = static_cast<double>(workers.all_nodes(pressure.size()));
   ContactSolution answer;
-  answer.nominal_pressure = weighted_sum(weights, pressure, threads) / nodes;
-  answer.mean_gap = weighted_sum(weights, gap, threads) / nodes;
+  answer.nominal_pressure = weighted_sum(weights, pressure, workers) / nodes;
+  answer.mean_gap = weighted_sum(weights, gap, workers) / nodes;
   answer.pressure = std::move(pressure);
   answer.gap = std::move(gap);
   answer.displacement = std::move(displacement);

@@ -1,8 +1,7 @@
 #include "contact/solvers/load_sequence.hpp"
 
-#include "base/field_sums.hpp"
 #include "base/require.hpp"
-#include "contact/operators/chunked_sum.hpp"
+#include "contact/operators/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +72,14 @@ double reachable_tolerance(double gap_tolerance,
   return std::max(gap_tolerance, rounding * depth);
 }
 
-bool has_load(std::span<const double> pressure) {
-  return std::any_of(pressure.begin(), pressure.end(),
-                     [](double value) { return value > 0.0; });
+double rms_height_of(std::span<const double> heights, const Workers& workers) {
+  const auto nodes = static_cast<double>(workers.all_nodes(heights.size()));
+  const double mean = weighted_sum({}, heights, workers) / nodes;
+  return std::sqrt(weighted_sum({}, heights.size(), workers,
+                                [=, h = heights.data()](std::size_t i) {
+                                  return (h[i] - mean) * (h[i] - mean);
+                                }) /
+                   nodes);
 }
 
 } // namespace
@@ -94,6 +98,13 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
     require_positive("penalty", interface_.penalty, "Pa/m");
 }
 
+bool LoadSequence::has_load(std::span<const double> pressure) const {
+  const auto carries = [](double value) { return value > 0.0; };
+  return total_count(elasticity_->workers(),
+                     static_cast<std::size_t>(
+                         std::ranges::count_if(pressure, carries))) > 0;
+}
+
 double LoadSequence::local_compliance() const {
   return interface_.law == mechanics::ContactLaw::penalty
              ? 1.0 / interface_.penalty
@@ -108,7 +119,7 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   ContactProblem problem{heights_, local_compliance(),
                          reachable_tolerance(gap_tolerance_, target,
                                              local_compliance(),
-                                             heights_.size()),
+                                             elasticity_->grid().size()),
                          max_iterations_};
   ContactSolution solution;
   if (interface_.law == mechanics::ContactLaw::augmented) {
@@ -185,7 +196,9 @@ LoadSequence::start_for(const mechanics::LoadTarget& target) {
                                max_iterations_};
   std::vector<double> start = coarse_start(
       *elasticity_, problem, target,
-      std::max(gap_tolerance_, coarse_accuracy * rms_height(heights_)));
+      std::max(gap_tolerance_,
+               coarse_accuracy *
+                   rms_height_of(heights_, elasticity_->workers())));
   if (start.empty() && !history_.empty())
     for (const double value : history_.back().state)
       start.push_back(std::max(0.0, value));

@@ -27,7 +27,7 @@ namespace asperity::contact {
 class LoadSequence {
 public:
   /// @param elasticity     C; owned by this object, its scratch is used
-  /// @param heights        h [m], grid.size() values
+  /// @param heights        h [m], elasticity.n_nodes() values
   /// @param gap_tolerance  [m] > 0, see ContactProblem; for a soft penalty
   ///                       it is raised to the roundoff (8 + N/8) eps of the
   ///                       penetration c p_0, on N nodes
@@ -44,7 +44,7 @@ public:
   std::vector<double> memory() const;
 
   /// Restores the state saved by memory().
-  /// @param memory  from a sequence on an equal grid
+  /// @param memory  from a sequence on an equal grid, and on equal ranks
   /// @throws std::domain_error  its size or a value is invalid
   void recall(std::span<const double> memory);
 
@@ -65,6 +65,8 @@ private:
   std::vector<double> start_for(const mechanics::LoadTarget& target);
   void remember(const mechanics::LoadTarget& target,
                 const ContactSolution& solution);
+  /// Whether a pressure is positive at some node of any rank.
+  bool has_load(std::span<const double> pressure) const;
 
   std::unique_ptr<SurfaceOperator> elasticity_;
   std::vector<double> heights_;

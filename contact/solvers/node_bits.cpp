@@ -21,15 +21,16 @@ std::uint64_t packed(const std::uint8_t* flags) {
 
 } // namespace
 
-NodeBits::NodeBits(const Grid& grid)
-    : width_(grid.points_x),
-      height_(grid.points_y),
+NodeBits::NodeBits(const SharedRows& rows)
+    : rows_(&rows),
+      width_(rows.grid().points_x),
       words_((width_ + word_bits - 1) / word_bits),
       last_valid_(~Word{} >> (words_ * word_bits - width_)),
-      bits_(index(height_, 0)) {}
+      bits_(index(rows.count() + 1, 0)) {}
 
 NodeBits::Word NodeBits::border(int iy, int word) const {
-  if (iy == 0 || iy + 1 == height_)
+  const int row_of_grid = rows_->first() + iy;
+  if (row_of_grid == 0 || row_of_grid + 1 == rows_->grid().points_y)
     return valid(word);
   const Word first = word == 0 ? 1U : 0U;
   const Word last =
@@ -65,9 +66,9 @@ NodeBits::Row NodeBits::row(int iy, int word) const {
 }
 
 std::array<NodeBits::Word, 8> NodeBits::neighbours(int iy, int word) const {
-  const Row below = row(iy > 0 ? iy - 1 : height_ - 1, word);
+  const Row below = row(iy - 1, word);
   const Row level = row(iy, word);
-  const Row above = row(iy + 1 < height_ ? iy + 1 : 0, word);
+  const Row above = row(iy + 1, word);
   return {level.west, level.east, below.here, above.here,
           below.west, below.east, above.west, above.east};
 }

@@ -2,7 +2,7 @@
 
 // This file provides loops over the blocks of nodes in which something happens,
 // so that the nodes far from the contact cost nothing. Their sums are bitwise
-// the same on any number of threads.
+// the same on any number of threads and ranks.
 
 #include "contact/operators/chunked_sum.hpp"
 
@@ -35,11 +35,11 @@ void each_block(std::size_t begin, std::size_t end, const DoBlock& do_block) {
 /// As chunked_sum, over the flagged blocks: calls do_run(begin, end) -> Sums
 /// for each run of adjacent flagged blocks of a chunk.
 template <class Sums, class DoRun>
-Sums flagged_sum(const BlockFlags& flags, std::size_t nodes, int threads,
-                 const DoRun& do_run) {
+Sums flagged_sum(const BlockFlags& flags, std::size_t nodes,
+                 const Workers& workers, const DoRun& do_run) {
   const std::uint8_t* const flag = flags.data();
   return chunked_sum<Sums>(
-      nodes, threads, [&, flag](std::size_t begin, std::size_t end) {
+      nodes, workers, [&, flag](std::size_t begin, std::size_t end) {
         Sums total{};
         const std::size_t last = blocks_of(end);
         for (std::size_t block = begin / block_nodes; block < last; ++block) {

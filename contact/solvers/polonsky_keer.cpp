@@ -7,16 +7,16 @@ namespace asperity::contact {
 namespace {
 
 /// Adds overlapping nodes to the contact with -step * residual; returns true if
-/// there are any.
+/// there are any on any rank.
 bool admit_overlaps(const ProjectedState& state,
                     std::vector<double>& direction) {
-  bool has_entered = false;
+  std::size_t entered = 0;
   for (std::size_t i = 0; i < direction.size(); ++i)
     if (state.pressure[i] == 0.0 && state.residual[i] < 0.0) {
       direction[i] = state.residual[i];
-      has_entered = true;
+      ++entered;
     }
-  return has_entered;
+  return total_count(state.elasticity.workers(), entered) > 0;
 }
 
 /// The residual on the nodes in contact only.

@@ -13,7 +13,7 @@ namespace {
 void require_size(const char* name, std::size_t size, std::size_t expected) {
   if (size != expected)
     refuse_argument(name, static_cast<double>(size),
-                    "the number of grid nodes, " + std::to_string(expected));
+                    "the number of nodes, " + std::to_string(expected));
 }
 
 void require_problem(const ContactProblem& problem,
@@ -37,13 +37,19 @@ void require_problem(const ContactProblem& problem,
 /// the residual of a uniform pressure is uniform and does not determine its
 /// magnitude.
 bool is_apart(std::span<const double> heights, std::span<const double> weights,
-              const mechanics::LoadTarget& target) {
+              const mechanics::LoadTarget& target, const Workers& workers) {
   if (target.control != mechanics::Control::mean_gap)
     return false;
-  const double highest = *std::max_element(heights.begin(), heights.end());
-  const double mean =
-      weighted_sum(weights, heights) / static_cast<double>(heights.size());
-  return target.amount >= highest - mean;
+  const Largest highest = chunked_sum<Largest>(
+      heights.size(), workers, [&](std::size_t begin, std::size_t end) {
+        Largest own;
+        for (const double height : heights.subspan(begin, end - begin))
+          own += {height};
+        return own;
+      });
+  const double mean = weighted_sum(weights, heights, workers) /
+                      static_cast<double>(workers.all_nodes(heights.size()));
+  return target.amount >= highest.value - mean;
 }
 
 } // namespace
@@ -53,14 +59,15 @@ starting_pressure(const SurfaceOperator& elasticity,
                   const ContactProblem& problem,
                   const mechanics::LoadTarget& target,
                   std::span<const double> initial_pressure) {
-  const std::size_t nodes = elasticity.grid().size();
+  const std::size_t nodes = elasticity.n_nodes();
   require_problem(problem, target, nodes);
   if (target.control == mechanics::Control::mean_gap &&
       !elasticity.is_periodic())
     refuse_argument("mean_gap", target.amount,
                     "replaced by a nominal pressure: the operator has free "
                     "boundaries");
-  if (is_apart(problem.heights, elasticity.nodal_weights(), target))
+  if (is_apart(problem.heights, elasticity.nodal_weights(), target,
+               elasticity.workers()))
     return std::vector<double>(nodes, 0.0);
   std::vector<double> pressure;
   if (initial_pressure.empty()) {
@@ -84,9 +91,9 @@ starting_pressure(const SurfaceOperator& elasticity,
   const std::span<const double> weights = elasticity.nodal_weights();
   if (target.control == mechanics::Control::nominal_pressure)
     require_positive("sum of initial_pressure",
-                     weighted_sum(weights, pressure, elasticity.threads()),
+                     weighted_sum(weights, pressure, elasticity.workers()),
                      "Pa");
-  scale_to_target(target, weights, pressure, elasticity.threads());
+  scale_to_target(target, weights, pressure, elasticity.workers());
   return pressure;
 }
 
@@ -100,16 +107,17 @@ double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
 
 void scale_to_target(const mechanics::LoadTarget& target,
                      std::span<const double> weights,
-                     std::span<double> pressure, int threads) {
+                     std::span<double> pressure, const Workers& workers) {
   if (target.control != mechanics::Control::nominal_pressure)
     return;
-  const double scale = load_scale(target, pressure.size(),
-                                  weighted_sum(weights, pressure, threads));
+  const double scale = load_scale(target, workers.all_nodes(pressure.size()),
+                                  weighted_sum(weights, pressure, workers));
   double* const p = pressure.data();
-  chunked(pressure.size(), threads, [=](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      p[i] *= scale;
-  });
+  chunked(pressure.size(), workers.threads,
+          [=](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              p[i] *= scale;
+          });
 }
 
 } // namespace asperity::contact

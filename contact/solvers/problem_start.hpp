@@ -27,9 +27,9 @@ double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
 /// Scales the pressure to the mean pressure of the target, if the target
 /// prescribes one. If no node carries a load, the pressure, and hence its
 /// residual, becomes NaN.
-/// @param threads  >= 1; the result does not depend on it
+/// @param workers  the result does not depend on their number
 void scale_to_target(const mechanics::LoadTarget& target,
                      std::span<const double> weights,
-                     std::span<double> pressure, int threads = 1);
+                     std::span<double> pressure, const Workers& workers = 1);
 
 } // namespace asperity::contact

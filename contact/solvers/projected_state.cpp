@@ -1,6 +1,5 @@
 #include "contact/solvers/projected_state.hpp"
 
-#include "base/maximum.hpp"
 #include "contact/operators/node_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
@@ -16,7 +15,8 @@ ProjectedState::ProjectedState(SurfaceOperator& elasticity_,
       displacement(pressure.size()),
       residual(pressure.size()),
       is_free(pressure.size()),
-      weights_(elasticity_.nodal_weights()) {
+      weights_(elasticity_.nodal_weights()),
+      workers_(elasticity_.workers()) {
   compute_displacement();
 }
 
@@ -28,7 +28,7 @@ void ProjectedState::compute_displacement() {
 
 double ProjectedState::dot(std::span<const double> a,
                            std::span<const double> b) const {
-  return weighted_dot(weights_, a, b);
+  return weighted_dot(weights_, a, b, workers_);
 }
 
 void ProjectedState::update_residual() {
@@ -43,53 +43,65 @@ void ProjectedState::measure_residual() {
   const std::size_t nodes = pressure.size();
   const double compliance = problem.local_compliance;
   const std::span<const double> heights = problem.heights;
-  double sum = 0.0;
-  double contact_weight = 0.0;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    residual[i] = displacement[i] - heights[i] + compliance * pressure[i];
-    if (pressure[i] > 0.0) {
-      sum += weight(i) * residual[i];
-      contact_weight += weight(i);
-    }
-  }
+  const auto sums = chunked_sum<SeveralSums<2>>(
+      nodes, workers_, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0, contact_weight = 0.0;
+        for (std::size_t i = begin; i < end; ++i) {
+          residual[i] = displacement[i] - heights[i] + compliance * pressure[i];
+          if (pressure[i] > 0.0) {
+            sum += weight(i) * residual[i];
+            contact_weight += weight(i);
+          }
+        }
+        return SeveralSums<2>{{sum, contact_weight}};
+      });
   if (by_pressure()) {
-    rigid_distance = -sum / contact_weight;
+    rigid_distance = -sums.values[0] / sums.values[1];
   } else {
-    rigid_distance = target.amount + weighted_sum(weights_, heights) /
-                                         static_cast<double>(nodes);
+    rigid_distance =
+        target.amount + weighted_sum(weights_, heights, workers_) /
+                            static_cast<double>(workers_.all_nodes(nodes));
   }
-  gap_error = 0.0;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    residual[i] += rigid_distance;
-    is_free[i] = pressure[i] > 0.0 || residual[i] < 0.0;
-    if (!is_free[i])
-      residual[i] *= 0.0; // NaN where it is not finite
-    gap_error = maximum(gap_error, std::abs(residual[i]));
-  }
+  const auto error = chunked_sum<Largest>(
+      nodes, workers_, [&](std::size_t begin, std::size_t end) {
+        Largest own{0.0};
+        for (std::size_t i = begin; i < end; ++i) {
+          residual[i] += rigid_distance;
+          is_free[i] = pressure[i] > 0.0 || residual[i] < 0.0;
+          if (!is_free[i])
+            residual[i] *= 0.0; // NaN where it is not finite
+          own += {std::abs(residual[i])};
+        }
+        return own;
+      });
+  gap_error = error.value;
 }
 
 void ProjectedState::advance(double step, std::span<const double> direction,
                              std::span<const double> compliance_direction) {
   const std::size_t nodes = pressure.size();
-  bool is_cut = compliance_direction.empty();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < nodes; ++i) {
-    if (is_free[i]) {
-      pressure[i] -= step * direction[i];
-      if (pressure[i] < 0.0) {
-        pressure[i] = 0.0;
-        is_cut = true;
-      }
-    }
-    sum += weight(i) * pressure[i];
-  }
+  const auto sums = chunked_sum<SeveralSums<2>>(
+      nodes, workers_, [&](std::size_t begin, std::size_t end) {
+        double sum = 0.0, n_cut = 0.0;
+        for (std::size_t i = begin; i < end; ++i) {
+          if (is_free[i]) {
+            pressure[i] -= step * direction[i];
+            if (pressure[i] < 0.0) {
+              pressure[i] = 0.0;
+              n_cut += 1.0;
+            }
+          }
+          sum += weight(i) * pressure[i];
+        }
+        return SeveralSums<2>{{sum, n_cut}};
+      });
   double scale = 1.0;
   if (by_pressure()) {
-    scale = load_scale(target, nodes, sum);
+    scale = load_scale(target, workers_.all_nodes(nodes), sums.values[0]);
     for (double& value : pressure)
       value *= scale;
   }
-  if (is_cut) {
+  if (compliance_direction.empty() || sums.values[1] > 0.0) {
     compute_displacement();
   } else {
     is_computed_ = false;

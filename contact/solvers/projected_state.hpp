@@ -52,6 +52,7 @@ private:
 
   bool is_computed_ = false; ///< displacement recomputed, not updated
   std::span<const double> weights_;
+  Workers workers_;
 };
 
 } // namespace asperity::contact

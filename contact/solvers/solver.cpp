@@ -48,7 +48,7 @@ private:
 class Directions {
 public:
   explicit Directions(const ContactState& state)
-      : rim_(state.elasticity.grid(), state.threads),
+      : rim_(state.elasticity.grid(), state.workers),
         preconditioned_(state.pressure.size()),
         direction_(state.pressure.size()),
         compliance_direction_(state.pressure.size()),
@@ -101,7 +101,7 @@ private:
   void correct_load(ContactState& state) {
     const std::size_t nodes = preconditioned_.size();
     const double n_free = state.free_weight;
-    if (n_free < 0.5 * static_cast<double>(nodes))
+    if (n_free < 0.5 * static_cast<double>(state.workers.all_nodes(nodes)))
       return;
     std::vector<float>& softened = compliance_direction_;
     std::vector<float> uniform(nodes);
@@ -112,7 +112,7 @@ private:
     const double c = state.problem.local_compliance;
     const auto sum = [&](const std::vector<float>& field) {
       return weighted_sum(
-          state.elasticity.nodal_weights(), nodes, state.threads,
+          state.elasticity.nodal_weights(), nodes, state.workers,
           [u = uniform.data(), f = field.data()](std::size_t i) {
             return static_cast<double>(u[i]) * static_cast<double>(f[i]);
           });
@@ -145,7 +145,7 @@ private:
     const auto slope =
         with_weights(state.elasticity.nodal_weights(), [&](const auto weight) {
           return flagged_sum<Sum>(
-              state.active, direction_.size(), state.threads,
+              state.active, direction_.size(), state.workers,
               [=](std::size_t begin, std::size_t end) {
                 double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
@@ -172,7 +172,7 @@ private:
     const float* const cd = compliance_direction_.data();
     return flagged_weighted_sum(
         state.elasticity.nodal_weights(), state.active, direction_.size(),
-        state.threads, [=](std::size_t i) {
+        state.workers, [=](std::size_t i) {
           const double own = static_cast<double>(d[i]);
           return own * (static_cast<double>(cd[i]) + c * own);
         });
@@ -190,9 +190,15 @@ private:
 ContactSolution hand_over(ContactState&& state) {
   const std::string stalled =
       "stalled after " + std::to_string(state.iterations) + " iterations; ";
-  ContactSolution answer =
-      active_set(state.elasticity, state.problem, state.target, state.pressure);
+  // The matrices of the active-set method are not shared by ranks.
+  const bool is_shared = state.elasticity.shared_rows() != nullptr;
+  ContactSolution answer;
   std::string note = stalled + "finished by the active-set method";
+  if (is_shared)
+    note += ": not available on several ranks";
+  else
+    answer = active_set(state.elasticity, state.problem, state.target,
+                        state.pressure);
   if (!answer.note.empty())
     note += ": " + answer.note;
   int iterations = state.iterations + answer.iterations;
@@ -201,8 +207,9 @@ ContactSolution hand_over(ContactState&& state) {
     ContactProblem rest = state.problem;
     rest.max_iterations = std::max(1, rest.max_iterations - iterations);
     answer = polonsky_keer(state.elasticity, rest, state.target,
-                           std::isfinite(answer.gap_error) ? answer.pressure
-                                                           : state.pressure);
+                           !is_shared && std::isfinite(answer.gap_error)
+                               ? answer.pressure
+                               : state.pressure);
     iterations += answer.iterations;
     transforms += answer.transforms;
     note += "; then by the unpreconditioned method";

@@ -21,7 +21,7 @@ namespace asperity::contact {
 /// c = 1/k is the compliance of a linear penalty (p = k times penetration);
 /// c = 0 is hard contact.
 struct ContactProblem {
-  std::span<const double> heights; ///< h [m], grid.size() values
+  std::span<const double> heights; ///< h [m], elasticity.n_nodes() values
   double local_compliance = 0.0;   ///< c = 1/k [m/Pa] >= 0
   /// Largest accepted gap at nodes in contact and largest accepted overlap
   /// outside the contact [m] > 0. The remaining work p |gap| is then below p_0
@@ -55,12 +55,13 @@ struct ContactSolution {
 /// If the residual has not halved within 150 iterations, or if there is no
 /// descent direction, the problem is passed with its current pressure to
 /// active_set(), and to polonsky_keer() if that does not converge, for example
-/// because there are too many nodes; the note reports this. A slab thinner than
+/// because there are too many nodes, or if several ranks share the rows; the
+/// note reports this. A slab thinner than
 /// length/20 with a traction-free far boundary bends like a plate and may need
 /// it.
 ///
 /// @param elasticity       C; its scratch is used
-/// @param initial_pressure initial guess [Pa], grid.size() values >= 0 with at
+/// @param initial_pressure initial guess [Pa], n_nodes() values >= 0 with at
 ///                         least one positive, or empty for a uniform pressure
 /// @throws std::domain_error  a size or a number is outside its range; the
 ///         prescribed mean gap is impossible in hard contact (<= 0) or the

@@ -23,8 +23,10 @@ std::vector<std::uint8_t> flags_on(const Grid& grid) {
   return flags;
 }
 
-NodeBits bits_of(const Grid& grid, const std::vector<std::uint8_t>& flags) {
-  NodeBits bits(grid);
+NodeBits bits_of(const SharedRows& rows,
+                 const std::vector<std::uint8_t>& flags) {
+  const Grid& grid = rows.grid();
+  NodeBits bits(rows);
   const auto width = static_cast<std::size_t>(grid.points_x);
   for (int iy = 0; iy < grid.points_y; ++iy)
     bits.assign_row(iy, std::span(flags).subspan(grid.index(0, iy), width));
@@ -44,7 +46,9 @@ TEST(NodeBits, HoldTheFlags) {
   for (const Grid& grid : grids()) {
     const std::vector<std::uint8_t> flags = flags_on(grid);
 
-    const NodeBits bits = bits_of(grid, flags);
+    const SharedRows rows(grid);
+    NodeBits bits = bits_of(rows, flags);
+    bits.fill_ghost_rows();
 
     for (int iy = 0; iy < grid.points_y; ++iy)
       for (int ix = 0; ix < 64 * bits.words_a_row(); ++ix) {
@@ -65,7 +69,9 @@ TEST(NodeBits, HaveThePeriodicNeighbours) {
   for (const Grid& grid : grids()) {
     const std::vector<std::uint8_t> flags = flags_on(grid);
 
-    const NodeBits bits = bits_of(grid, flags);
+    const SharedRows rows(grid);
+    NodeBits bits = bits_of(rows, flags);
+    bits.fill_ghost_rows();
 
     for (int iy = 0; iy < grid.points_y; ++iy)
       for (int ix = 0; ix < grid.points_x; ++ix)

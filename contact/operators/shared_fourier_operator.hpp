@@ -1,0 +1,74 @@
+#pragma once
+
+// This file contains the surface operator of a laterally homogeneous block
+// whose rows of nodes are shared by several ranks.
+
+#include "contact/operators/surface_operator.hpp"
+
+#include <functional>
+#include <memory>
+
+#include "ranks/shared_convolution.hpp"
+
+namespace asperity::contact {
+
+/// The operator of FourierOperator with bitwise the same numbers on any number
+/// of ranks. Each rank holds its rows of the fields and C(q) of its columns of
+/// the spectrum. All calls but grid(), shared_rows(), short_wave_compliance()
+/// and threads() are collective, also the construction.
+class SharedFourierOperator final : public SurfaceOperator {
+public:
+  /// @param ranks       share the rows by row_bounds(); must outlive the
+  ///                    operator and its clones
+  /// @param compliance  C [m/Pa] as a function of q [rad/m] > 0; > 0 and finite
+  /// @param threads     number used by each rank, >= 1
+  /// @throws std::domain_error  a compliance is outside its range, or the grid
+  ///                            has more ranks than most_ranks()
+  SharedFourierOperator(const Grid& grid, RankGroup& ranks,
+                        std::function<double(double)> compliance,
+                        int threads = 1);
+
+  std::unique_ptr<SurfaceOperator> clone() const override;
+
+  const Grid& grid() const override { return rows_->grid(); }
+
+  const SharedRows* shared_rows() const override { return rows_.get(); }
+
+  std::span<const double> nodal_weights() const override { return {}; }
+
+  void displacement(std::span<const double> pressure,
+                    std::span<double> displacement) override;
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override;
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override;
+  double short_wave_compliance() const override;
+
+  bool is_shift_invariant() const override { return true; }
+
+  int threads() const override { return threads_; }
+
+  /// The operator on half the points per side, as that of FourierOperator. It
+  /// is shared if the ranks then hold whole groups of chunks (workers.hpp);
+  /// otherwise each rank has the operator of all rows.
+  std::unique_ptr<SurfaceOperator> coarsened() const override;
+
+private:
+  SharedFourierOperator(std::shared_ptr<const SharedRows> rows,
+                        std::function<double(double)> compliance, int threads);
+  void find_symbols();
+  double checked_compliance(int jx, int jy) const;
+
+  std::shared_ptr<const SharedRows> rows_;
+  std::function<double(double)> compliance_;
+  int threads_;
+  double softest_ = 0.0; ///< largest C(q) [m/Pa]
+  SharedConvolution<double> exact_;
+  SharedConvolution<float> convolution_;
+  std::shared_ptr<const SharedConvolution<double>::Symbol> exact_symbol_;
+  std::shared_ptr<const SharedConvolution<float>::Symbol> symbol_;
+  double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
+  SharedConvolution<float>::Symbol inverse_;
+};
+
+} // namespace asperity::contact

@@ -1,0 +1,99 @@
+#include "contact/operators/workers.hpp"
+
+#include "base/require.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <string>
+
+namespace asperity::contact {
+namespace {
+
+std::size_t group_nodes(const Grid& grid) {
+  return chunks_in_group(grid.size()) * chunk_nodes;
+}
+
+/// Smallest even number of rows that makes whole groups.
+std::size_t rows_in_unit(const Grid& grid) {
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  const std::size_t rows = std::lcm(width, group_nodes(grid)) / width;
+  return std::lcm(rows, std::size_t{2});
+}
+
+/// Rows after which a rank may end: a multiple of those of a unit by a power of
+/// four, which makes whole groups on as many coarser grids, if the shares of
+/// the ranks stay equal, or nearly so.
+std::size_t rows_in_step(const Grid& grid, std::size_t n_ranks) {
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  std::size_t step = rows_in_unit(grid);
+  for (std::size_t next = 4 * step; next * n_ranks <= rows; next *= 4)
+    if (rows % (next * n_ranks) == 0 || rows >= 16 * next * n_ranks)
+      step = next;
+  return step;
+}
+
+} // namespace
+
+int most_ranks(const Grid& grid) {
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  const std::size_t unit = rows_in_unit(grid);
+  return static_cast<int>(std::max<std::size_t>(1, (rows + unit - 1) / unit));
+}
+
+std::vector<int> row_bounds(const Grid& grid, int n_ranks) {
+  if (n_ranks < 1 || n_ranks > most_ranks(grid))
+    refuse_argument("number of ranks", n_ranks,
+                    "1 to " + std::to_string(most_ranks(grid)) +
+                        " for a grid of " + std::to_string(grid.points_x) +
+                        " by " + std::to_string(grid.points_y) + " points");
+  const auto ranks = static_cast<std::size_t>(n_ranks);
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  const std::size_t step = rows_in_step(grid, ranks);
+  const std::size_t steps = (rows + step - 1) / step;
+  std::vector<int> bounds(ranks + 1);
+  for (std::size_t r = 0; r < ranks; ++r)
+    bounds[r] = static_cast<int>(steps * r / ranks * step);
+  bounds[ranks] = grid.points_y;
+  return bounds;
+}
+
+bool holds_whole_groups(const Grid& grid, std::span<const int> bounds) {
+  const int unit = static_cast<int>(rows_in_unit(grid));
+  return std::ranges::all_of(bounds.first(bounds.size() - 1),
+                             [=](int bound) { return bound % unit == 0; }) &&
+         std::ranges::adjacent_find(bounds, std::greater_equal<>()) ==
+             bounds.end();
+}
+
+std::vector<std::byte> gathered_sums(const SharedRows& rows,
+                                     std::span<const std::byte> own,
+                                     std::size_t bytes) {
+  const std::size_t group = group_nodes(rows.grid());
+  std::vector<std::size_t> counts;
+  counts.reserve(rows.bounds().size());
+  std::size_t all = 0;
+  for (std::size_t r = 0; r + 1 < rows.bounds().size(); ++r) {
+    const std::size_t nodes =
+        static_cast<std::size_t>(rows.bounds()[r + 1] - rows.bounds()[r]) *
+        rows.width();
+    counts.push_back((nodes + group - 1) / group * bytes);
+    all += counts.back();
+  }
+  std::vector<std::byte> sums(all);
+  rows.ranks()->gather_to_all(own, counts, sums);
+  return sums;
+}
+
+std::size_t total_count(const Workers& workers, std::size_t own) {
+  if (workers.rows == nullptr)
+    return own;
+  RankGroup& ranks = *workers.rows->ranks();
+  std::vector<std::size_t> all(static_cast<std::size_t>(ranks.size()));
+  const std::vector<std::size_t> counts(all.size(), sizeof(std::size_t));
+  ranks.gather_to_all(std::as_bytes(std::span(&own, 1)), counts,
+                      std::as_writable_bytes(std::span(all)));
+  return std::accumulate(all.begin(), all.end(), std::size_t{0});
+}
+
+} // namespace asperity::contact
