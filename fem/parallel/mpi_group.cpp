@@ -1,0 +1,82 @@
+#include "fem/parallel/mpi_group.hpp"
+
+#include "fem/parallel/ranks.hpp"
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace asperity::fem {
+namespace {
+
+/// The sizes of adjacent parts of a message, in the integers of MPI.
+struct MessageParts {
+  std::vector<int> counts, starts;
+
+  explicit MessageParts(std::span<const std::size_t> sizes) {
+    counts.reserve(sizes.size());
+    starts.reserve(sizes.size());
+    std::size_t at = 0;
+    for (const std::size_t size : sizes) {
+      starts.push_back(mpi_count(at, "bytes of a message"));
+      counts.push_back(mpi_count(size, "bytes of a message"));
+      at += size;
+    }
+  }
+};
+
+class MpiGroup final : public RankGroup {
+public:
+  MpiGroup() : rank_(own_rank()), size_(n_ranks()) {
+    MPI_Comm_dup(MPI_COMM_WORLD, &ranks_);
+  }
+
+  int rank() const override { return rank_; }
+
+  int size() const override { return size_; }
+
+  void gather_to_all(std::span<const std::byte> own,
+                     std::span<const std::size_t> counts,
+                     std::span<std::byte> all) override {
+    const MessageParts parts(counts);
+    MPI_Allgatherv(own.data(), mpi_count(own.size(), "bytes of a message"),
+                   MPI_BYTE, all.data(), parts.counts.data(),
+                   parts.starts.data(), MPI_BYTE, ranks_);
+  }
+
+  void exchange(std::span<const std::byte> sent,
+                std::span<const std::size_t> sent_counts,
+                std::span<std::byte> received,
+                std::span<const std::size_t> received_counts) override {
+    const MessageParts from(sent_counts), to(received_counts);
+    MPI_Alltoallv(sent.data(), from.counts.data(), from.starts.data(), MPI_BYTE,
+                  received.data(), to.counts.data(), to.starts.data(), MPI_BYTE,
+                  ranks_);
+  }
+
+  void swap_edges(const Edges& edges) override {
+    const int before = (rank_ + size_ - 1) % size_;
+    const int after = (rank_ + 1) % size_;
+    constexpr int downwards = 0, upwards = 1; // tags
+    const int count = mpi_count(edges.first.size(), "bytes of a row");
+    MPI_Sendrecv(edges.first.data(), count, MPI_BYTE, before, downwards,
+                 edges.after.data(), count, MPI_BYTE, after, downwards, ranks_,
+                 MPI_STATUS_IGNORE);
+    MPI_Sendrecv(edges.last.data(), count, MPI_BYTE, after, upwards,
+                 edges.before.data(), count, MPI_BYTE, before, upwards, ranks_,
+                 MPI_STATUS_IGNORE);
+  }
+
+private:
+  int rank_, size_;
+  MPI_Comm ranks_ = MPI_COMM_NULL;
+};
+
+} // namespace
+
+RankGroup& mpi_group() {
+  static MpiGroup group;
+  return group;
+}
+
+} // namespace asperity::fem

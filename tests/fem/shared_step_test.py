@@ -1,0 +1,42 @@
+"""A load step of the half-space on rows that the ranks of mpirun share: 1, 2 and
+3 ranks give the bits of one process, and a failure of one rank ends all of them
+within seconds, with its message.
+
+Arguments: the program shared_step, mpirun. Tolerance: equal hashes.
+"""
+import os
+import subprocess
+import sys
+import time
+
+
+def run(command):
+    environment = os.environ | {
+        "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+        "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1"}
+    return subprocess.run(command, env=environment, text=True, timeout=100,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+
+
+def main(program, mpirun):
+    def on_ranks(ranks, *words):
+        return run([mpirun, "-np", str(ranks), "--oversubscribe", program, "256", *words])
+
+    alone = run([program, "256", "1", "alone"])
+    assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
+    answer = alone.stdout.splitlines()[0]
+    for ranks, threads in ((1, 1), (2, 1), (2, 2), (3, 1)):
+        shared = on_ranks(ranks, str(threads), "ranks")
+        assert shared.returncode == 0, shared.stdout
+        assert answer in shared.stdout.splitlines(), (ranks, answer, shared.stdout)
+
+    start = time.monotonic()
+    failed = on_ranks(3, "1", "ranks", "fail")
+    assert time.monotonic() - start < 60.0  # two waits of 5 s, and the start of mpirun
+    assert failed.returncode == 4, (failed.returncode, failed.stdout)
+    assert "rank 2 of 3: the tenth transform failed on purpose" in failed.stdout, failed.stdout
+    assert "pressure" not in failed.stdout, failed.stdout
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
