@@ -3,6 +3,7 @@
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/block_proxy.hpp"
+#include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
@@ -97,6 +98,8 @@ public:
                     const RankCommand& command) const override {
     execute_on_all_ranks(text, command);
   }
+
+  RankGroup& rank_group() const override { return mpi_group(); }
 
   int ranks() const override { return n_ranks(); }
 

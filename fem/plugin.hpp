@@ -19,6 +19,8 @@
 #include <string_view>
 #include <vector>
 
+#include "ranks/rank_group.hpp"
+
 namespace asperity::fem {
 
 /// A cache that stores bytes from one process to the next.
@@ -80,6 +82,10 @@ public:
   on_all_ranks(const std::string& text,
                const std::function<void(const std::string& text, int rank)>&
                    command) const = 0;
+
+  /// All ranks of mpirun as a group that shares rows of fields, to be used
+  /// within on_all_ranks(). The first call is collective.
+  virtual RankGroup& rank_group() const = 0;
 
   /// Number of processes that share a full 3-D block.
   virtual int ranks() const = 0;

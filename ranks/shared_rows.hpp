@@ -71,7 +71,19 @@ public:
   /// @param own  size() values
   std::vector<double> gathered(std::span<const double> own) const;
 
+  /// All rows of a field on rank 0, nothing on the others. Collective.
+  /// @param own  size() values
+  std::vector<double> gathered_on_rank_0(std::span<const double> own) const;
+
+  /// The rows of this process. Collective.
+  /// @param all  grid().size() values on rank 0; not read on the others
+  std::vector<double> scattered(std::span<const double> all) const;
+
 private:
+  std::vector<std::size_t> bytes_of_ranks() const;
+  /// Sizes of which only that of rank 0 is not 0.
+  std::vector<std::size_t> bytes_of_rank_0(std::size_t bytes) const;
+
   Grid grid_;
   RankGroup* ranks_ = nullptr;
   std::vector<int> bounds_;

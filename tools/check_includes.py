@@ -30,7 +30,7 @@ MAY_INCLUDE = {
     # It makes case files and reads them.
     "robustness": {"base", "input", "mechanics", "cases", "surfaces", "theory", "contact",
                    "meshes", "results", "fem/plugin.hpp", "md/engines.hpp"},
-    "app": {"base", "input", "mechanics", "cases", "surfaces", "theory", "meshes",
+    "app": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "meshes",
             "contact", "results", "exchange", "reports", "fem/plugin.hpp",
             "md/contact/atomic_contact.hpp", "md/engines.hpp"},
     "bench": {"base", "input", "mechanics", "cases", "surfaces", "theory", "results",

@@ -3,7 +3,8 @@
 #include "app/methods/cached_operator.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
-#include "app/methods/timed_operator.hpp"
+#include "app/methods/load_steps.hpp"
+#include "app/methods/shared_load_steps.hpp"
 #include "base/cpu_clock.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
@@ -29,7 +30,7 @@ mechanics::ContactInterface interface_of(const ContactSettings& settings,
 
 /// The settings that are the same for all load steps.
 struct SolverSetting {
-  const ContactSettings& contact;
+  double local_compliance;      ///< 1/k [m/Pa] for a penalty law, otherwise 0
   const SurfaceOfCase& surface; ///< must outlive the solver
   results::AreaCoefficients area_coefficients;
   double rim_modulus; ///< E* at the length scale of a grid spacing [Pa]
@@ -40,49 +41,42 @@ struct SolverSetting {
 /// Applies the contact solver to any surface operator.
 class OperatorSolver final : public StepSolver {
 public:
-  OperatorSolver(std::unique_ptr<contact::SurfaceOperator> elasticity,
-                 const SolverSetting& setting)
+  /// @param weights  nodal areas, see contact::SurfaceOperator
+  OperatorSolver(std::unique_ptr<LoadSteps> steps,
+                 std::span<const double> weights, const SolverSetting& setting)
       : surface_(setting.surface),
         area_coefficients_(setting.area_coefficients),
         rim_modulus_(setting.rim_modulus),
         threads_(setting.threads),
-        weights_(elasticity->nodal_weights().begin(),
-                 elasticity->nodal_weights().end()),
-        sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
-                                                  threads_),
-                  surface_.record.heights,
-                  interface_of(setting.contact, surface_.scales),
-                  setting.contact.tolerance * surface_.scales.rms_height,
-                  setting.contact.max_iterations),
+        local_compliance_(setting.local_compliance),
+        weights_(weights.begin(), weights.end()),
+        steps_(std::move(steps)),
         saved_setup_time_(setting.saved_setup_time) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    tally_->cpu_time = 0.0;
-    contact::ContactSolution solution = sequence_.solve(target.load);
+    contact::ContactSolution solution = steps_->solve(target.load);
     const int transforms = solution.transforms;
-    const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
-    StepAnswer answer =
-        observe(std::move(solution),
-                {.nodal_weights = weights_,
-                 .local_compliance = sequence_.local_compliance(),
-                 .area_coefficients = area_coefficients_,
-                 .contact_modulus = rim_modulus_,
-                 .border = sequence_.elasticity().is_periodic()
-                               ? results::Border::periodic
-                               : results::Border::free},
-                surface_);
+    StepAnswer answer = observe(std::move(solution),
+                                {.nodal_weights = weights_,
+                                 .local_compliance = local_compliance_,
+                                 .area_coefficients = area_coefficients_,
+                                 .contact_modulus = rim_modulus_,
+                                 .border = steps_->elasticity().is_periodic()
+                                               ? results::Border::periodic
+                                               : results::Border::free},
+                                surface_);
     certify(answer);
     answer.row.observation_time = clock.seconds();
     answer.row.transforms = transforms;
-    answer.row.transform_time = transform_time;
+    answer.row.transform_time = steps_->transform_time();
     return answer;
   }
 
-  std::vector<double> state() const override { return sequence_.memory(); }
+  std::vector<double> state() const override { return steps_->memory(); }
 
   void restore(std::span<const double> state) override {
-    sequence_.recall(state);
+    steps_->recall(state);
   }
 
   double saved_setup_time() const override { return saved_setup_time_; }
@@ -95,9 +89,8 @@ private:
       return; // without contact the mean gap is prescribed
     results::RowObserver observe(answer.row);
     observe("certified_gap_error", [&] {
-      return contact::check_field(sequence_.elasticity(),
-                                  {surface_.record.heights,
-                                   sequence_.local_compliance(),
+      return contact::check_field(steps_->elasticity(),
+                                  {surface_.record.heights, local_compliance_,
                                    answer.row.nominal_pressure, answer.pressure,
                                    answer.row.mean_gap})
           .mean_gap_error;
@@ -108,10 +101,9 @@ private:
   results::AreaCoefficients area_coefficients_;
   double rim_modulus_;
   int threads_;
-  std::shared_ptr<TimedOperator::Tally> tally_ =
-      std::make_shared<TimedOperator::Tally>();
+  double local_compliance_;
   std::vector<double> weights_;
-  contact::LoadSequence sequence_;
+  std::unique_ptr<LoadSteps> steps_;
   double saved_setup_time_;
 };
 
@@ -129,22 +121,42 @@ SolverFactory::SolverFactory(const mechanics::MaterialSpec& material,
 
 std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
                                                 const SurfaceOfCase& surface,
-                                                int threads) {
+                                                const Workforce& workforce) {
   const auto* block = std::get_if<FemSettings>(&method.settings);
-  const double modulus = rim_modulus(
-      continuum_of(method, material_, surface.scales), surface.scales.spacing);
-  Face face = shared_operator(method, surface, threads);
-  const bool is_free = !face.elasticity->is_periodic();
+  const mechanics::ElasticBlock continuum =
+      continuum_of(method, material_, surface.scales);
+  const ContactSettings& contact =
+      block != nullptr ? block->contact
+                       : std::get<HalfspaceSettings>(method.settings).contact;
+  LoadStepsSetting steps{interface_of(contact, surface.scales),
+                         contact.tolerance * surface.scales.rms_height,
+                         contact.max_iterations, workforce.threads};
+  SolverSetting setting{steps.interface.law == mechanics::ContactLaw::penalty
+                            ? 1.0 / steps.interface.penalty
+                            : 0.0,
+                        surface,
+                        block != nullptr ? area_coefficients(*block)
+                                         : results::halfspace_area_coefficients,
+                        rim_modulus(continuum, surface.scales.spacing),
+                        workforce.threads,
+                        0.0};
+  if (is_shared_by_ranks(method, surface.record.grid, workforce.ranks)) {
+    steps.threads = workforce.threads_a_rank;
+    return std::make_unique<OperatorSolver>(
+        make_shared_load_steps(surface.record.grid, continuum,
+                               surface.record.heights, steps),
+        std::span<const double>(), setting);
+  }
+  Face face = shared_operator(method, surface, workforce.threads);
+  if (!face.elasticity->is_periodic())
+    setting.area_coefficients = results::free_area_coefficients;
+  setting.saved_setup_time = face.saved_setup_time;
+  const std::span<const double> weights = face.elasticity->nodal_weights();
+  const std::vector<double> kept_weights(weights.begin(), weights.end());
   return std::make_unique<OperatorSolver>(
-      std::move(face.elasticity),
-      SolverSetting{block != nullptr
-                        ? block->contact
-                        : std::get<HalfspaceSettings>(method.settings).contact,
-                    surface,
-                    block != nullptr ? area_coefficients(*block)
-                    : is_free        ? results::free_area_coefficients
-                                     : results::halfspace_area_coefficients,
-                    modulus, threads, face.saved_setup_time});
+      make_load_steps(std::move(face.elasticity), surface.record.heights,
+                      steps),
+      kept_weights, setting);
 }
 
 SolverFactory::Face

@@ -8,7 +8,7 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
-#include "contact/solvers/load_sequence.hpp"
+#include "contact/operators/surface_operator.hpp"
 #include "fem/plugin.hpp"
 #include "results/observables/area_estimate.hpp"
 
@@ -32,6 +32,13 @@ area_coefficients(const mechanics::FemSettings& settings);
 std::string material_words(const cases::MethodSpec& method,
                            const mechanics::MaterialSpec& material);
 
+/// The threads and processes that a solver may use.
+struct Workforce {
+  int threads = 1;        ///< for set-up and transforms in this process
+  int ranks = 1;          ///< of mpirun, for half-spaces that they can share
+  int threads_a_rank = 1; ///< for such a half-space
+};
+
 /// Creates solvers for half-space and condensed finite-element methods.
 /// Operators for equal blocks and grids are set up once and shared. The class
 /// is thread-safe.
@@ -43,9 +50,9 @@ public:
   SolverFactory(const mechanics::MaterialSpec& material, Cache& cache,
                 const CaseKeys& keys);
 
-  /// @param threads  number of threads for set-up and transforms
   std::unique_ptr<StepSolver> make(const cases::MethodSpec& method,
-                                   const SurfaceOfCase& surface, int threads);
+                                   const SurfaceOfCase& surface,
+                                   const Workforce& workforce);
 
   /// Returns the operator behind a half-space or condensed method.
   std::unique_ptr<contact::SurfaceOperator>

@@ -29,7 +29,8 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::TheorySettings&,
 std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
                                         const SolverInput& input) {
   return input.elastic.make(input.method, input.surface,
-                            input.resources.threads);
+                            {input.resources.threads, input.resources.ranks,
+                             input.resources.threads_a_rank});
 }
 
 std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
@@ -39,7 +40,7 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
                                   input.surface, input.realization,
                                   input.resources.scratch);
   return input.elastic.make(input.method, input.surface,
-                            input.resources.threads);
+                            {.threads = input.resources.threads});
 }
 
 std::unique_ptr<StepSolver> make_solver(const mechanics::MdSettings&,

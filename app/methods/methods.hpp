@@ -21,6 +21,8 @@ struct Resources {
   int threads = 1;               ///< for set-up and steps
   std::filesystem::path scratch; ///< private folder, created when needed
   md::Watch watch = {};          ///< called during long steps
+  int ranks = 1;                 ///< of mpirun
+  int threads_a_rank = 1;        ///< for a half-space that the ranks share
 };
 
 /// Creates the solvers of all methods. The class is thread-safe.

@@ -4,6 +4,7 @@
 #include "app/methods/curve_row.hpp"
 #include "app/methods/theory_method.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/mpi_world.hpp"
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
 
@@ -309,7 +310,9 @@ Resources MethodJob::resources() const {
                                       work.evaluations, work.energy,
                                       work.residual);
             return !is_interrupted();
-          }};
+          },
+          n_mpi_ranks(),
+          std::max(1, context_.pool.threads() / n_ranks_on_machine())};
 }
 
 } // namespace asperity::app

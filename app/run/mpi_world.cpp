@@ -1,10 +1,12 @@
 #include "app/run/mpi_world.hpp"
 
+#include "app/methods/shared_load_steps.hpp"
 #include "app/run/child_run.hpp"
 #include "fem/plugin.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 
@@ -28,6 +30,10 @@ nlohmann::json json_of(const RankedRun& run) {
 }
 
 void run_own_share(const std::string& text, int rank) {
+  if (is_for_shared_steps(text)) {
+    follow_shared_steps(text);
+    return;
+  }
   const nlohmann::json run = nlohmann::json::parse(text);
   const auto i = static_cast<std::size_t>(rank);
   if (i >= run.at("last_words").size())
@@ -48,6 +54,13 @@ bool has_followed_rank_0() {
 
 int n_mpi_ranks() {
   return is_one_of_several() ? fem::load_fem_module().ranks() : 1;
+}
+
+int n_ranks_on_machine() {
+  for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})
+    if (const char* size = std::getenv(name))
+      return std::max(1, std::atoi(size));
+  return n_mpi_ranks();
 }
 
 void run_on_ranks(const RankedRun& run) {

@@ -11,13 +11,18 @@ namespace asperity::app {
 
 /// Returns false on rank 0 of several MPI processes, which then runs the
 /// program. On the other ranks it returns true after the program has ended;
-/// until then they share the work of the full blocks and of run_on_ranks(). In
+/// until then they share the work of the full blocks, of half-spaces
+/// (methods/shared_load_steps.hpp) and of run_on_ranks(). In
 /// a single process it returns false without initialising MPI.
 bool has_followed_rank_0();
 
 /// Returns the number of MPI processes; 1 without initialising MPI in a single
 /// process.
 int n_mpi_ranks();
+
+/// Returns the number of MPI processes on this machine, as mpirun tells it,
+/// otherwise n_mpi_ranks().
+int n_ranks_on_machine();
 
 /// One command of this program for each rank; with fewer commands than ranks,
 /// the last ranks have none.

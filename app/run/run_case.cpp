@@ -2,12 +2,14 @@
 
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
+#include "app/methods/shared_load_steps.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
 #include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
 #include "app/run/method_job.hpp"
+#include "app/run/mpi_world.hpp"
 #include "app/run/provenance_of_run.hpp"
 #include "app/run/stress_tables.hpp"
 #include "app/run/studies.hpp"
@@ -85,6 +87,7 @@ private:
   RemainingWork work_to_do(const RunOptions& options) const;
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
   void begin();
+  bool runs_alone(const MethodSpec& method, int realization);
   void run_jobs();
   std::vector<results::Skipped> skipped() const;
 
@@ -143,14 +146,28 @@ void Run::begin() {
   }
 }
 
+/// Returns whether a job must run after the others, one at a time.
+bool Run::runs_alone(const MethodSpec& method, int realization) {
+  const int ranks = n_mpi_ranks();
+  if (ranks == 1 || !method.has_fields() ||
+      !is_shared_by_ranks(method, surfaces_.of(method, realization).record.grid,
+                          ranks))
+    return describe(method, case_.material).runs_alone;
+  fmt::print("{}, realization {}: {} ranks share the rows of the surface\n",
+             method.name, realization, ranks);
+  writer_.record_provenance(
+      {{"ranks of " + method.name, std::to_string(ranks)}});
+  return true;
+}
+
 void Run::run_jobs() {
   std::vector<WorkerPool::Job> jobs;
   std::vector<WorkerPool::Job> lone_jobs;
   for (const MethodSpec& method : methods_)
     for (const int r : realizations(method))
-      (describe(method, case_.material).runs_alone ? lone_jobs : jobs)
-          .push_back(
-              [this, &method, r] { MethodJob(context_, method, r).run(); });
+      (runs_alone(method, r) ? lone_jobs : jobs).push_back([this, &method, r] {
+        MethodJob(context_, method, r).run();
+      });
   if (const MethodSpec* studied = cases::study_theory(methods_);
       studied != nullptr && has_realization(0))
     jobs.push_back([this, studied] {

@@ -124,6 +124,10 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
     ASSERT_EQ(all.size(), grid.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(all[i], static_cast<double>(i / 3));
+    const bool is_first = rows.first() == 0;
+    const std::vector<double> nothing;
+    EXPECT_EQ(rows.gathered_on_rank_0(own), is_first ? all : nothing);
+    EXPECT_EQ(rows.scattered(is_first ? all : nothing), own);
   };
   check(SharedRows(grid));
   tests::on_thread_ranks(1, [&](RankGroup& one) {

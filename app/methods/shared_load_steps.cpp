@@ -1,0 +1,312 @@
+#include "app/methods/shared_load_steps.hpp"
+
+#include "contact/operators/halfspace.hpp"
+#include "contact/operators/shared_fourier_operator.hpp"
+#include "fem/plugin.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* command_key = "shared load steps";
+
+/// JSON has no infinity.
+json number_or_null(double value) {
+  return std::isinf(value) ? json() : json(value);
+}
+
+double or_infinite(const json& value) {
+  return value.is_null() ? std::numeric_limits<double>::infinity()
+                         : value.get<double>();
+}
+
+json json_of_block(const mechanics::ElasticBlock& block) {
+  json layers = json::array();
+  for (const mechanics::BondedLayer& layer : block.layers)
+    layers.push_back(
+        {layer.thickness, layer.youngs_modulus, layer.poisson_ratio});
+  return {{"modulus", block.contact_modulus},
+          {"poisson", block.poisson_ratio},
+          {"thickness", number_or_null(block.thickness)},
+          {"far", static_cast<int>(block.far_boundary)},
+          {"layers", layers}};
+}
+
+mechanics::ElasticBlock block_in(const json& text) {
+  mechanics::ElasticBlock block{
+      text.at("modulus"), text.at("poisson"), or_infinite(text.at("thickness")),
+      static_cast<mechanics::FarBoundary>(text.at("far").get<int>())};
+  for (const json& layer : text.at("layers"))
+    block.layers.push_back({layer.at(0), layer.at(1), layer.at(2)});
+  return block;
+}
+
+/// The part of one rank in a loading path.
+struct RankPart {
+  SharedRows rows;
+  std::unique_ptr<LoadSteps> steps;
+};
+
+std::map<int, RankPart>& parts_of_this_rank() {
+  static std::map<int, RankPart> parts;
+  return parts;
+}
+
+RankPart& part_in(const json& command) {
+  return parts_of_this_rank().at(command.at("number").get<int>());
+}
+
+// Each command is a function that every rank calls. Rank 0 gives it whole
+// fields and receives whole fields; the others give and receive nothing.
+
+void build_part(const json& command, std::span<const double> heights) {
+  const json& points = command.at("grid");
+  const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
+  LoadStepsSetting setting;
+  setting.interface = {
+      static_cast<mechanics::ContactLaw>(command.at("law").get<int>()),
+      command.at("penalty")};
+  setting.gap_tolerance = command.at("gap_tolerance");
+  setting.max_iterations = command.at("max_iterations");
+  setting.threads = command.at("threads");
+  auto elasticity = std::make_unique<contact::SharedFourierOperator>(
+      grid, fem::load_fem_module().rank_group(),
+      contact::compliance_function(block_in(command.at("block"))),
+      setting.threads);
+  const SharedRows rows = *elasticity->shared_rows();
+  std::vector<double> own = rows.scattered(heights);
+  parts_of_this_rank().insert_or_assign(
+      command.at("number").get<int>(),
+      RankPart{rows, make_load_steps(std::move(elasticity), std::move(own),
+                                     setting)});
+}
+
+contact::ContactSolution solve_part(const json& command) {
+  RankPart& part = part_in(command);
+  contact::ContactSolution solution = part.steps->solve(
+      {static_cast<mechanics::Control>(command.at("control").get<int>()),
+       command.at("amount")});
+  for (std::vector<double>* field :
+       {&solution.pressure, &solution.gap, &solution.displacement})
+    *field = part.rows.gathered_on_rank_0(*field);
+  return solution;
+}
+
+std::vector<double> displacement_part(const json& command,
+                                      std::span<const double> pressure) {
+  RankPart& part = part_in(command);
+  std::vector<double> displacement(part.rows.size());
+  part.steps->elasticity().displacement(part.rows.scattered(pressure),
+                                        displacement);
+  return part.rows.gathered_on_rank_0(displacement);
+}
+
+/// The layout of contact::LoadSequence::memory(): a number, then a number and a
+/// field of each step.
+std::vector<double> memory_part(const json& command) {
+  const RankPart& part = part_in(command);
+  const std::vector<double> own = part.steps->memory();
+  std::vector<double> all;
+  for (std::size_t at = 1; at < own.size(); at += part.rows.size() + 1) {
+    if (all.empty())
+      all.push_back(own[0]);
+    all.push_back(own[at]);
+    const std::vector<double> field = part.rows.gathered_on_rank_0(
+        std::span(own).subspan(at + 1, part.rows.size()));
+    all.insert(all.end(), field.begin(), field.end());
+  }
+  return all;
+}
+
+void recall_part(const json& command, std::span<const double> memory) {
+  RankPart& part = part_in(command);
+  const std::size_t nodes = part.rows.grid().size();
+  const auto numbers = command.at("numbers").get<std::vector<double>>();
+  std::vector<double> own;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    own.push_back(numbers[k]);
+    if (k == 0)
+      continue;
+    const std::vector<double> field = part.rows.scattered(
+        memory.empty() ? memory
+                       : memory.subspan(2 + (k - 1) * (nodes + 1), nodes));
+    own.insert(own.end(), field.begin(), field.end());
+  }
+  part.steps->recall(own);
+}
+
+void drop_part(const json& command) {
+  parts_of_this_rank().erase(command.at("number").get<int>());
+}
+
+/// Number of loading paths that rank 0 has made.
+int made = 0;
+
+class SharedLoadSteps final : public LoadSteps {
+public:
+  SharedLoadSteps(const Grid& grid, const mechanics::ElasticBlock& block,
+                  std::span<const double> heights,
+                  const LoadStepsSetting& setting)
+      : number_(made++), elasticity_(*this, grid) {
+    json build = command("build");
+    build["grid"] = {grid.points_x, grid.points_y, grid.length_x,
+                     grid.length_y};
+    build["block"] = json_of_block(block);
+    build["law"] = static_cast<int>(setting.interface.law);
+    build["penalty"] = setting.interface.penalty;
+    build["gap_tolerance"] = setting.gap_tolerance;
+    build["max_iterations"] = setting.max_iterations;
+    build["threads"] = setting.threads;
+    lead(build, [&] { build_part(build, heights); });
+  }
+
+  ~SharedLoadSteps() override {
+    const json drop = command("drop");
+    lead(drop, [&] { drop_part(drop); });
+  }
+
+  contact::ContactSolution solve(const mechanics::LoadTarget& target) override {
+    json solve = command("solve");
+    solve["control"] = static_cast<int>(target.control);
+    solve["amount"] = target.amount;
+    contact::ContactSolution solution;
+    lead(solve, [&] { solution = solve_part(solve); });
+    return solution;
+  }
+
+  double transform_time() const override {
+    return parts_of_this_rank().at(number_).steps->transform_time();
+  }
+
+  std::vector<double> memory() const override {
+    const json ask = command("memory");
+    std::vector<double> memory;
+    lead(ask, [&] { memory = memory_part(ask); });
+    return memory;
+  }
+
+  void recall(std::span<const double> memory) override {
+    const std::size_t length = elasticity_.grid().size() + 1;
+    if (!memory.empty() && memory.size() != 1 + length &&
+        memory.size() != 1 + 2 * length)
+      throw std::domain_error("a saved state has another number of nodes");
+    json recall = command("recall");
+    std::vector<double> numbers;
+    if (!memory.empty())
+      numbers.push_back(memory[0]);
+    for (std::size_t at = 1; at < memory.size(); at += length)
+      numbers.push_back(memory[at]);
+    recall["numbers"] = numbers;
+    lead(recall, [&] { recall_part(recall, memory); });
+  }
+
+  contact::SurfaceOperator& elasticity() override { return elasticity_; }
+
+private:
+  /// Scatters the pressure and gathers the displacement. The solver has the
+  /// operator of its rows; this one serves evaluations on rank 0.
+  class GatheringOperator final : public contact::SurfaceOperator {
+  public:
+    GatheringOperator(const SharedLoadSteps& steps, const Grid& grid)
+        : steps_(steps), grid_(grid) {}
+
+    std::unique_ptr<contact::SurfaceOperator> clone() const override {
+      return std::make_unique<GatheringOperator>(steps_, grid_);
+    }
+
+    const Grid& grid() const override { return grid_; }
+
+    std::span<const double> nodal_weights() const override { return {}; }
+
+    void displacement(std::span<const double> pressure,
+                      std::span<double> displacement) override {
+      const json ask = steps_.command("displacement");
+      std::vector<double> found;
+      lead(ask, [&] { found = displacement_part(ask, pressure); });
+      std::ranges::copy(found, displacement.begin());
+    }
+
+    void displacement_change(std::span<const float>,
+                             std::span<float>) override {
+      refuse();
+    }
+
+    void pressure_estimate(std::span<const float>, double,
+                           std::span<float>) override {
+      refuse();
+    }
+
+    double short_wave_compliance() const override { refuse(); }
+
+  private:
+    [[noreturn]] static void refuse() {
+      throw std::logic_error("only the displacement is gathered on rank 0");
+    }
+
+    const SharedLoadSteps& steps_;
+    Grid grid_;
+  };
+
+  json command(const char* what) const {
+    return {{command_key, what}, {"number", number_}};
+  }
+
+  static void lead(const json& command, const std::function<void()>& share) {
+    fem::load_fem_module().on_all_ranks(
+        command.dump(), [&](const std::string&, int) { share(); });
+  }
+
+  int number_;
+  GatheringOperator elasticity_;
+};
+
+} // namespace
+
+bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
+                        int n_ranks) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  return n_ranks > 1 && half != nullptr && !half->has_free_boundaries &&
+         grid.size() >= least_shared_nodes &&
+         n_ranks <= contact::most_ranks(grid);
+}
+
+std::unique_ptr<LoadSteps>
+make_shared_load_steps(const Grid& grid, const mechanics::ElasticBlock& block,
+                       std::span<const double> heights,
+                       const LoadStepsSetting& setting) {
+  return std::make_unique<SharedLoadSteps>(grid, block, heights, setting);
+}
+
+bool is_for_shared_steps(const std::string& text) {
+  return json::parse(text).contains(command_key);
+}
+
+void follow_shared_steps(const std::string& text) {
+  const json command = json::parse(text);
+  const auto what = command.at(command_key).get<std::string>();
+  if (what == "build")
+    build_part(command, {});
+  else if (what == "solve")
+    static_cast<void>(solve_part(command));
+  else if (what == "displacement")
+    static_cast<void>(displacement_part(command, {}));
+  else if (what == "memory")
+    static_cast<void>(memory_part(command));
+  else if (what == "recall")
+    recall_part(command, {});
+  else
+    drop_part(command);
+}
+
+} // namespace asperity::app

@@ -1,0 +1,42 @@
+#pragma once
+
+// Load steps of a periodic half-space that all ranks of mpirun solve together.
+
+#include "app/methods/load_steps.hpp"
+#include "cases/types/case.hpp"
+#include "mechanics/elastic_block.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+
+namespace asperity::app {
+
+/// Smallest number of nodes whose rows the ranks share: below it, a step takes
+/// less than a tenth of a second in one process.
+inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
+
+/// Returns whether the ranks share the rows of a method on this grid: it is a
+/// periodic half-space or slab with at least least_shared_nodes nodes, and the
+/// rows can be divided among so many ranks.
+bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
+                        int n_ranks);
+
+/// Solves the load steps on all ranks, with the bits of one process. To be
+/// called on rank 0, which holds the heights and the fields of a finished step;
+/// the fields of the solver are divided among the ranks. One call at a time may
+/// be active for all such objects.
+/// @param heights  all nodes; must outlive the object
+std::unique_ptr<LoadSteps>
+make_shared_load_steps(const Grid& grid, const mechanics::ElasticBlock& block,
+                       std::span<const double> heights,
+                       const LoadStepsSetting& setting);
+
+/// Returns whether a text that rank 0 has sent to all ranks is a command of
+/// shared load steps.
+bool is_for_shared_steps(const std::string& text);
+
+/// Executes such a command on a rank other than 0.
+void follow_shared_steps(const std::string& text);
+
+} // namespace asperity::app

@@ -1,0 +1,130 @@
+"""A half-space whose rows the ranks of mpirun share: the rows, fields and tables
+of one process, also when a run is resumed by another number of ranks, and for
+steps that the cache of one process has kept.
+
+Arguments: asperity, mpirun, an empty folder. Tolerance: none, equal bits.
+"""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from rough_case import rough_case
+
+CASE = rough_case("shared", points=512, realizations=1, steps=4, methods="""[theory]
+gamma = 0.42
+[halfspace]
+contact = "hard"
+[halfspace.thin]
+contact = "penalty"
+penalty = "100 E*/h"
+thickness = "0.5 length"
+top = "sliding"
+[halfspace.island]
+boundaries = "free"
+""")
+PATIENCE = 60.0  # [s]
+
+
+class Runner:
+    def __init__(self, program, mpirun, folder):
+        self.program, self.mpirun, self.folder = program, mpirun, folder
+
+    def start(self, *words, ranks=1, output=subprocess.PIPE):
+        environment = os.environ | {
+            "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+            "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1",
+            "XDG_CACHE_HOME": str(self.folder / "cache")}
+        several = [self.mpirun, "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
+        return subprocess.Popen([*several, self.program, *words], cwd=self.folder, text=True,
+                                env=environment, stdout=output,
+                                stderr=subprocess.STDOUT)
+
+    def run(self, *words, ranks=1, code=0):
+        process = self.start(*words, ranks=ranks)
+        output, _ = process.communicate(timeout=280)
+        assert process.returncode == code, f"{words}: {process.returncode}, not {code}\n{output}"
+        return output
+
+
+def shared_by(output):
+    """The methods whose rows are shared, with the number of ranks."""
+    return re.findall(r"^(\S+), realization 0: (\d) ranks share the rows", output, re.M)
+
+
+def check_bits(runner):
+    ask = ["run", "shared.toml", "--no-cache"]
+    assert not shared_by(runner.run(*ask, "--out", "alone"))
+    for ranks in (2, 3):
+        output = runner.run(*ask, "--out", f"on-{ranks}", ranks=ranks)
+        assert shared_by(output) == [("halfspace", str(ranks)), ("halfspace.thin", str(ranks))], \
+            output
+        runner.run("diff", "alone", f"on-{ranks}", "--tolerance", "0")
+
+
+def check_small(runner):
+    """A small grid is not shared, nor one that cannot be divided."""
+    for points in ("256", "1000"):
+        output = runner.run("run", "shared.toml", "--no-cache", "--no-report", "--methods",
+                            "halfspace", "--exactly", "--set", f"surface.points={points}", "--set",
+                            'load.nominal_pressure=["0.01 E*"]', "--out", points, ranks=2)
+        assert not shared_by(output), output
+
+
+def check_cache(runner):
+    """Steps that one process kept are taken over, and ranks continue from its
+    state; one process continues from theirs."""
+    ask = ["run", "shared.toml", "--methods", "halfspace", "--exactly", "--no-report"]
+    short = ["--set", 'load.nominal_pressure=["0.001 E*", "0.003 E*"]']
+    longer = ["--set", 'load.nominal_pressure=["0.001 E*", "0.003 E*", "0.01 E*"]']
+    longest = ["--set", 'load.nominal_pressure=["0.001 E*", "0.003 E*", "0.01 E*", "0.02 E*"]']
+    runner.run(*ask, *longest, "--no-cache", "--out", "fresh")
+    runner.run(*ask, *short, "--out", "kept")
+    output = runner.run(*ask, *longer, "--out", "kept", ranks=2)
+    assert "3 steps: 1 computed, 2 from the cache" in output, output
+    output = runner.run(*ask, *longest, "--out", "kept")
+    assert "4 steps: 1 computed, 3 from the cache" in output, output
+    assert "again" not in output, output
+    runner.run("diff", "fresh", "kept", "--tolerance", "0")
+
+
+def check_kill(runner):
+    """A killed rank ends all; --resume on other ranks computes what is missing."""
+    ask = ["run", "shared.toml", "--no-cache", "--methods", "halfspace", "--exactly",
+           "--set", "surface.points=1024"]
+    runner.run(*ask, "--out", "whole-1024")
+    log = runner.folder / "killed.log"
+    with open(log, "w", encoding="utf-8") as file:
+        process = runner.start(*ask, "--out", "killed", ranks=3, output=file)
+    end = time.monotonic() + PATIENCE
+    while "] 1/4" not in log.read_text(encoding="utf-8"):
+        assert time.monotonic() < end and process.poll() is None, "no step"
+        time.sleep(0.01)
+    ranks = subprocess.run(["pgrep", "-P", str(process.pid)], stdout=subprocess.PIPE, text=True,
+                           check=True).stdout.split()
+    os.kill(int(ranks[-1]), signal.SIGKILL)
+    start = time.monotonic()
+    code = process.wait(timeout=280)
+    assert code != 0 and time.monotonic() - start < 30.0, log.read_text(encoding="utf-8")
+    output = runner.run(*ask, "--out", "killed", "--resume", ranks=2)
+    assert shared_by(output) == [("halfspace", "2")], output
+    assert 0 < int(re.search(r"(\d) steps: ", output)[1]) < 4, output
+    runner.run("diff", "killed", "whole-1024", "--tolerance", "0")
+
+
+def main(program, mpirun, folder):
+    folder = Path(folder)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "shared.toml").write_text(CASE)
+    runner = Runner(program, mpirun, folder)
+    for check in (check_bits, check_small, check_cache, check_kill):
+        check(runner)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
