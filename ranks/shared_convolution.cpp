@@ -139,6 +139,13 @@ void SharedConvolution<Real>::apply(std::span<const Real> field,
 }
 
 template <class Real>
+void SharedConvolution<Real>::free_scratch() {
+  for (std::vector<Complex>* scratch :
+       {&spectrum_, &pairs_, &by_rows_, &by_ranks_, &columns_})
+    *scratch = std::vector<Complex>();
+}
+
+template <class Real>
 template <class DoBlock>
 void SharedConvolution<Real>::each_block(std::size_t round,
                                          const DoBlock& do_block) {

@@ -52,6 +52,10 @@ public:
   void apply(std::span<const Real> field, const Symbol& symbol,
              std::span<Real> answer);
 
+  /// Frees the memory of the spectrum and the buffers, which the next apply()
+  /// allocates again.
+  void free_scratch();
+
 private:
   using Complex = std::complex<Real>;
 

@@ -118,6 +118,7 @@ std::unique_ptr<SurfaceOperator> SharedFourierOperator::coarsened() const {
 void SharedFourierOperator::displacement(std::span<const double> pressure,
                                          std::span<double> displacement) {
   exact_.apply(pressure, *exact_symbol_, displacement);
+  exact_.free_scratch(); // a step needs it two or three times
 }
 
 void SharedFourierOperator::displacement_change(
