@@ -85,11 +85,9 @@ void ProjectedState::advance(double step, std::span<const double> direction,
         double sum = 0.0, n_cut = 0.0;
         for (std::size_t i = begin; i < end; ++i) {
           if (is_free[i]) {
-            pressure[i] -= step * direction[i];
-            if (pressure[i] < 0.0) {
-              pressure[i] = 0.0;
-              n_cut += 1.0;
-            }
+            const double wish = pressure[i] - step * direction[i];
+            n_cut += wish < 0.0 ? 1.0 : 0.0;
+            pressure[i] = wish < 0.0 ? 0.0 : wish;
           }
           sum += weight(i) * pressure[i];
         }
