@@ -14,6 +14,7 @@
 #include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
+#include "app/run/mpi_world.hpp"
 #include "app/run/output.hpp"
 #include "app/run/run_case.hpp"
 #include "base/folder_lock.hpp"
@@ -135,6 +136,9 @@ ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
       const Plan plan =
           make_plan(read.contact_case, options_of(read, {}, command, cache));
       fmt::print("{}", plan_text(plan, read.contact_case));
+      if (!is_for_ranks(asked, command))
+        fmt::print("{}",
+                   shared_rows_text(plan, read.contact_case, n_mpi_ranks()));
       json += (json.empty() ? "" : ",\n") + plan_json(plan, read.contact_case);
     }
   }

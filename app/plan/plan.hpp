@@ -68,4 +68,9 @@ void add_up_times(Plan& plan);
 /// warnings.
 std::string plan_text(const Plan& plan, const cases::Case& contact_case);
 
+/// Names the methods of a plan whose rows the ranks of mpirun share, a line
+/// each; empty if there are none.
+std::string shared_rows_text(const Plan& plan, const cases::Case& contact_case,
+                             int n_ranks);
+
 } // namespace asperity::app

@@ -1,4 +1,5 @@
 // Formats a plan as readable text.
+#include "app/methods/shared_load_steps.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
 
@@ -78,6 +79,18 @@ std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
     text += fmt::format("  {}: {}{}\n", one.what, one.why, cost_text(one));
   for (const std::string& warning : plan.warnings)
     text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+std::string shared_rows_text(const Plan& plan, const cases::Case& contact_case,
+                             int n_ranks) {
+  std::string text;
+  for (const cases::MethodSpec& method : contact_case.methods)
+    for (const PlannedMethod& planned : plan.methods)
+      if (planned.name == method.name &&
+          is_shared_by_ranks(method, planned.grid, n_ranks))
+        text += fmt::format("{}: {} ranks share the rows of the surface\n",
+                            method.name, n_ranks);
   return text;
 }
 

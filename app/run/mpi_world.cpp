@@ -53,7 +53,10 @@ bool has_followed_rank_0() {
 }
 
 int n_mpi_ranks() {
-  return is_one_of_several() ? fem::load_fem_module().ranks() : 1;
+  // Asked once: MPI serves one thread at a time.
+  static const int ranks =
+      is_one_of_several() ? fem::load_fem_module().ranks() : 1;
+  return ranks;
 }
 
 int n_ranks_on_machine() {

@@ -66,6 +66,13 @@ def check_bits(runner):
         runner.run("diff", "alone", f"on-{ranks}", "--tolerance", "0")
 
 
+def check_plan(runner):
+    output = runner.run("run", "shared.toml", "--dry-run", ranks=2)
+    for line in ("halfspace: 2 ranks share the rows", "halfspace.thin: 2 ranks share the rows"):
+        assert output.count(line) == 1, output
+    assert "ranks" not in runner.run("run", "shared.toml", "--dry-run")
+
+
 def check_small(runner):
     """A small grid is not shared, nor one that cannot be divided."""
     for points in ("256", "1000"):
@@ -122,7 +129,7 @@ def main(program, mpirun, folder):
     folder.mkdir(parents=True)
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder)
-    for check in (check_bits, check_small, check_cache, check_kill):
+    for check in (check_plan, check_bits, check_small, check_cache, check_kill):
         check(runner)
 
 
