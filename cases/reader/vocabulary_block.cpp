@@ -169,7 +169,9 @@ std::vector<Table> block_tables() {
           inclusion_table(), variation_table(), mesh_table()};
 }
 
-std::vector<Key> full_block_keys() {
+namespace {
+
+std::vector<Key> full_block_mesh_keys() {
   return {
       {.name = "mesh",
        .type = ValueType::word,
@@ -219,6 +221,11 @@ std::vector<Key> full_block_keys() {
            "points of the map, such as Gauss points; band-limited is exact for "
            "waves longer than two spacings, bilinear stays within the heights "
            "around the point."},
+  };
+}
+
+std::vector<Key> full_block_contact_keys() {
+  return {
       {.name = "bodies",
        .type = ValueType::integer,
        .range = between(1, 2),
@@ -239,6 +246,14 @@ std::vector<Key> full_block_keys() {
            "solve per direction; needs top = \"clamped\", contact at nodes "
            "and one body."},
   };
+}
+
+} // namespace
+
+std::vector<Key> full_block_keys() {
+  std::vector<Key> keys = full_block_mesh_keys();
+  append_keys(keys, full_block_contact_keys());
+  return keys;
 }
 
 } // namespace asperity::cases

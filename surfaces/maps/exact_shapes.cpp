@@ -69,9 +69,11 @@ HeightMap flat_punch(const Grid& grid, double radius, double recess,
   if (!(std::abs(tilt) * radius < recess))
     refuse_argument("tilt", tilt, "less than recess over radius [1]");
   const double rounding = 1e-12 * radius * radius;
+  const int centre_x = grid.points_x / 2;
+  const int centre_y = grid.points_y / 2;
   return map_of(grid, [&](int ix, int iy) {
-    const double x = (ix - grid.points_x / 2) * grid.spacing_x();
-    const double y = (iy - grid.points_y / 2) * grid.spacing_y();
+    const double x = (ix - centre_x) * grid.spacing_x();
+    const double y = (iy - centre_y) * grid.spacing_y();
     return x * x + y * y <= radius * radius + rounding ? tilt * x : -recess;
   });
 }
