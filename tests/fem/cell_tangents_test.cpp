@@ -160,7 +160,7 @@ TEST(CellTangents, AreSolvedWithElasticLevels) {
   const BlockVector forces = random_vector(system, 2);
   const double tolerance = 1e-10 * forces.l2_norm();
   block.prepare(std::vector<double>(system.contact().size(), 0.0),
-                std::vector<bool>(system.contact().size(), false));
+                std::vector<bool>(system.contact().size(), false), false);
   BlockVector displacement(forces);
   displacement = 0.0;
   const LinearSolution elastic =
