@@ -84,11 +84,10 @@ std::span<const double> FourierOperator::compliance() const {
 
 std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
   const Grid& fine = grid();
-  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 || fine.points_x < 64 ||
-      fine.points_y < 64)
+  const std::optional<Grid> every_second = coarse_grid(grid());
+  if (!every_second)
     return nullptr;
-  const Grid coarse{fine.points_x / 2, fine.points_y / 2, fine.length_x,
-                    fine.length_y};
+  const Grid& coarse = *every_second;
   const std::size_t fine_columns = fine.half_spectrum_columns();
   const int coarse_columns = coarse.points_x / 2 + 1;
   std::vector<double> compliance;

@@ -96,12 +96,10 @@ double SharedFourierOperator::short_wave_compliance() const {
 }
 
 std::unique_ptr<SurfaceOperator> SharedFourierOperator::coarsened() const {
-  const Grid& fine = grid();
-  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 || fine.points_x < 64 ||
-      fine.points_y < 64)
+  const std::optional<Grid> every_second = coarse_grid(grid());
+  if (!every_second)
     return nullptr;
-  const Grid coarse{fine.points_x / 2, fine.points_y / 2, fine.length_x,
-                    fine.length_y};
+  const Grid& coarse = *every_second;
   std::vector<int> bounds = rows_->bounds();
   for (int& bound : bounds)
     bound /= 2;

@@ -8,9 +8,20 @@
 #include "contact/operators/workers.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace asperity::contact {
+
+/// Every second node of a grid in both directions, for a coarse-to-fine initial
+/// guess; none if a number of points is odd or less than 64.
+inline std::optional<Grid> coarse_grid(const Grid& fine) {
+  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 || fine.points_x < 64 ||
+      fine.points_y < 64)
+    return std::nullopt;
+  return Grid{fine.points_x / 2, fine.points_y / 2, fine.length_x,
+              fine.length_y};
+}
 
 /// A linear, symmetric surface compliance, positive definite on fields of zero
 /// mean.
@@ -86,8 +97,7 @@ public:
   /// Threads and ranks, for sums over the nodes.
   Workers workers() const { return {threads(), shared_rows()}; }
 
-  /// The operator of the same block on every second node in both directions,
-  /// for a coarse-to-fine initial guess; null if there is none.
+  /// The operator of the same block on a coarse_grid(); null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 };
 
