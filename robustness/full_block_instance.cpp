@@ -182,7 +182,10 @@ FullBlockRun::solved_by(fem::FullBlock& block,
 }
 
 bool FullBlockRun::give_up(const std::string& reason) {
-  report_.outcome = Outcome::gave_up;
+  // A note that states what is allowed describes a problem without a solution.
+  report_.outcome = reason.find("must be") != std::string::npos
+                        ? Outcome::refused
+                        : Outcome::gave_up;
   report_.reason = reason;
   return false;
 }

@@ -108,8 +108,9 @@ void ContactNewton::solve_wall(const mechanics::LoadTarget& load,
   const std::string why = answer.note;
   answer.note.clear();
   solve_springs(load, contact, height_scale, answer);
-  answer.note = why + "; solved by the augmented Lagrangian" +
-                (answer.note.empty() ? "" : ": " + answer.note);
+  answer.note =
+      why + (answer.note.empty() ? "; solved by the augmented Lagrangian"
+                                 : "; augmented Lagrangian: " + answer.note);
 }
 
 } // namespace asperity::fem

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace asperity::fem {
 namespace {
@@ -16,11 +17,9 @@ using dealii::Utilities::MPI::min;
 using dealii::Utilities::MPI::sum;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// Bounds of the working penalty in Newton's method, in shear moduli per node
-/// spacing. With a softer one the multiplier needs many augmentations; with a
-/// stiffer one the roundoff of the gap is no longer small in the pressure.
-constexpr double softest_spring = 1e3;
-constexpr double stiffest_spring = 1e5;
+/// Number of full steps on changing contact sets before steps are shortened. A
+/// contact set that full steps find is found within some ten.
+constexpr int most_full_steps = 12;
 
 std::vector<bool> contact_set(const std::vector<double>& pressure) {
   std::vector<bool> set(pressure.size());
@@ -143,14 +142,24 @@ void ContactNewton::update_pressure(double penalty) {
 
 /// Newton's method at fixed multipliers until the contact set no longer
 /// changes. Steps on an unchanged set reduce the error that the linear solver,
-/// or the roundoff of a large step, has left.
+/// or the roundoff of a large step, has left. If full steps do not find the
+/// contact set, steps under a prescribed load are shortened; a prescribed mean
+/// gap, which minimises no energy, is approached by loads first.
 bool ContactNewton::newton(const mechanics::LoadTarget& load,
-                           const BlockContact& contact, BlockSolution& answer) {
+                           const BlockContact& contact, BlockSolution& answer,
+                           bool is_hard_to_find) {
   int refinements = 0;
+  int changes = is_hard_to_find ? most_full_steps : 0;
   const std::vector<bool> nothing(pressure_.size(), false);
   std::vector<double> springs(pressure_.size());
   update_pressure(contact.penalty);
   while (answer.iterations < contact.max_iterations) {
+    const bool are_cycling = changes >= most_full_steps;
+    if (are_cycling && load.control == mechanics::Control::mean_gap) {
+      changes = 0;
+      if (!approach_by_load(load.amount, contact, answer))
+        return false;
+    }
     const std::vector<bool> before = contact_set(pressure_);
     ++answer.iterations;
     if (load.control == mechanics::Control::nominal_pressure && !any(before)) {
@@ -161,41 +170,25 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
     for (std::size_t i = 0; i < springs.size(); ++i)
       springs[i] =
           before[i] ? contact.penalty * system_.contact()[i].area : 0.0;
+    std::optional<State> start;
+    if (are_cycling && load.control == mechanics::Control::nominal_pressure)
+      start = state();
     if (!step(load, springs, nothing, contact.tolerance, refinements)) {
       answer.note = solver_.failure();
       return false;
     }
+    if (start)
+      shorten_step(*start, contact.penalty);
     update_pressure(contact.penalty);
-    if (!is_same(contact_set(pressure_), before))
+    if (!is_same(contact_set(pressure_), before)) {
       refinements = 0;
-    else if (unbalanced() <= contact.tolerance ||
-             refinements++ == most_refinements)
+      ++changes;
+    } else if (unbalanced() <= contact.tolerance ||
+               refinements++ == most_refinements)
       return true;
   }
   answer.note = "the contact set did not converge";
   return false;
-}
-
-/// The working penalty in Newton's method. A penalty within the bounds is used
-/// itself; for hard contact the solution does not depend on the working
-/// penalty.
-double ContactNewton::own_spring(const BlockContact& contact) const {
-  const double low = contact.law == mechanics::ContactLaw::penalty
-                         ? 0.0
-                         : softest_spring * stiffness_scale_;
-  return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
-}
-
-/// The violation of the contact law: the largest |gap + c p| in contact and the
-/// largest penetration outside of contact.
-double ContactNewton::violation(double compliance) const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    largest = larger_residual(largest,
-                              pressure_[i] > 0.0
-                                  ? std::abs(gap(i) + compliance * pressure_[i])
-                                  : -gap(i));
-  return max(largest, MPI_COMM_WORLD);
 }
 
 /// Stores heights relative to the highest: the points that carry a small load
@@ -207,31 +200,6 @@ void ContactNewton::take_heights(std::vector<double> heights, double highest) {
   heights_ = std::move(heights);
   for (double& height : heights_)
     height -= highest;
-}
-
-void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
-                                  const BlockContact& contact,
-                                  double height_scale, BlockSolution& answer) {
-  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
-  BlockContact spring = contact;
-  spring.penalty = own_spring(contact);
-  const double compliance = contact.law == mechanics::ContactLaw::penalty
-                                ? 1.0 / contact.penalty
-                                : 0.0;
-  // The part of a pressure that the working penalty does not represent in the
-  // gap.
-  const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
-                      spring.penalty == contact.penalty;
-  const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
-  do {
-    if (!newton(load, spring, answer))
-      break;
-    answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
-    answer.converged = answer.residual <= contact.tolerance;
-    if (!answer.converged)
-      for (std::size_t i = 0; i < multiplier_.size(); ++i)
-        multiplier_[i] = kept * pressure_[i];
-  } while (!answer.converged);
 }
 
 /// Sets the solution without contact at a prescribed mean gap, which is known

@@ -33,9 +33,11 @@ struct ContactStart {
 };
 
 /// Solves (F.1) of full_block.hpp over the points of all ranks.
-/// contact_newton.cpp implements penalty and augmented Lagrangian contact,
-/// contact_active_set.cpp hard contact, contact_step.cpp the linear step that
-/// both use, and contact_stiffness.cpp the stiffness of a contact.
+/// contact_newton.cpp implements Newton's method for springs at fixed
+/// multipliers, contact_globalisation.cpp what it does if it cycles,
+/// contact_augmented.cpp penalty and augmented Lagrangian contact,
+/// contact_active_set.cpp hard contact, contact_step.cpp the linear step of all
+/// of these, and contact_stiffness.cpp the stiffness of a contact.
 class ContactNewton {
 public:
   /// @param system must outlive this object
@@ -94,6 +96,13 @@ private:
     double share = 1.0; ///< fraction of the usual relative tolerance
   };
 
+  /// What a step changes.
+  struct State {
+    dealii::TrilinosWrappers::MPI::Vector displacement, elastic;
+    std::vector<double> face_displacement;
+    double rigid_gap = 0.0;
+  };
+
   double area() const { return system_.contact().area(); }
 
   double borne() const; ///< sum of a p [N]
@@ -111,8 +120,14 @@ private:
   void solve_springs(const mechanics::LoadTarget& load,
                      const BlockContact& contact, double height_scale,
                      BlockSolution& answer);
+  double missing_pressure(const mechanics::LoadTarget& load,
+                          double compliance) const;
+  bool can_bear(double missing, double gap_tolerance,
+                BlockSolution& answer) const;
   bool newton(const mechanics::LoadTarget& load, const BlockContact& contact,
-              BlockSolution& answer);
+              BlockSolution& answer, bool is_hard_to_find = false);
+  bool approach_by_load(double mean_gap_target, const BlockContact& contact,
+                        BlockSolution& answer);
   void solve_wall(const mechanics::LoadTarget& load,
                   const BlockContact& contact, double height_scale,
                   BlockSolution& answer);
@@ -130,6 +145,9 @@ private:
   bool reaction_to(unsigned int component, const std::vector<bool>& touching,
                    bool is_sticking, double& reaction);
   double stiffness_of(std::span<const double> springs) const;
+  State state() const;
+  double contact_work(const State& before, double share, double penalty) const;
+  void shorten_step(const State& before, double penalty);
   bool border(const mechanics::LoadTarget& load,
               std::span<const double> springs, const std::vector<bool>& held);
 

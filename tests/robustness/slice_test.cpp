@@ -117,5 +117,24 @@ TEST(Slice, SolvesFullBlocks) {
     }
 }
 
+// Newton's method with full steps cycles on this block under a prescribed
+// load; shortened steps find its contact set.
+TEST(Slice, SolvesAFullBlockWhoseContactSetCycles) {
+  const InstanceReport report = run_instance(draw_instance(520, 5179));
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << report.check << ": " << report.reason;
+}
+
+// A heterogeneous block that lifts two of its nodes under any pressure: a mean
+// gap below the least one has no solution.
+TEST(Slice, RefusesAMeanGapThatNoPressureReaches) {
+  const InstanceReport report = run_instance(draw_instance(520, 2996));
+
+  EXPECT_EQ(report.outcome, Outcome::refused);
+  EXPECT_NE(report.reason.find("mean must be at least"), std::string::npos)
+      << report.reason;
+}
+
 } // namespace
 } // namespace asperity::robustness
