@@ -3,15 +3,19 @@
 // block and load: contact area by points, mean gap over h_rms, their relative
 // differences from the first block, unknowns, Newton steps, CPU seconds.
 //
-//     bench_adaptive_block [points] [halvings] [rough|sphere] [degree]
+//     bench_adaptive_block [points] [halvings] [surface] [degree]
 //                          [blocks] [loads...]
 //
-// nodes per side (32); halvings of the coarsest cells (2); a self-affine
-// surface, H = 0.8, with eight nodes on its shortest wave and rms slope 0.1, or
-// a sphere of ten sides radius; order of the elements (2); blocks as letters
-// (ua): u for layers growing by 1.2, h for cubes with hanging nodes, four cells
-// per level, a for adaptive; nominal pressures over E* (0.001 and 0.003, some 2
-// and 5 % of contact if rough).
+// nodes per side (32); halvings of the coarsest cells (2); rough for a
+// self-affine surface, H = 0.8, with eight nodes on its shortest wave and rms
+// slope 0.1, or sphere for one of ten sides radius, each with -coated (ten
+// times stiffer down to 0.05 sides), -ball (twenty times stiffer, radius 0.15,
+// depth 0.3), -graded (E grows e-fold over half the depth) or -cubes (random
+// cubes of 1/8 side, E within 50 %); order of the elements (2); blocks as
+// letters (ua): c for the finest cubes everywhere, u for layers growing by 1.2,
+// h for cubes with hanging nodes, four cells per level, a for adaptive, 0 to 4
+// for adaptive with that number of halvings at interfaces; nominal pressures
+// over E* (0.001 and 0.003, some 2 and 5 % of contact if rough).
 #include "fem/adaptive/adaptive_block.hpp"
 
 #include "base/cpu_clock.hpp"
@@ -19,11 +23,13 @@
 #include "fem/block/full_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/graded_layers.hpp"
+#include "meshes/halvable_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -51,22 +57,52 @@ std::vector<double> sphere(const Grid& grid) {
   return heights;
 }
 
+/// The moduli that a surface is named after.
+ModuliField moduli_named(const std::string& surface) {
+  const auto is = [&](const char* name) {
+    return surface.find(name) != std::string::npos;
+  };
+  ModuliField field(moduli(body));
+  if (is("-coated"))
+    field.add_layer(0.05 * side, moduli({10.0 * body.youngs_modulus, 0.2}));
+  if (is("-ball"))
+    field.set_sphere({0.5 * side, 0.5 * side, 0.3 * side}, 0.15 * side,
+                     moduli({20.0 * body.youngs_modulus, 0.3}));
+  if (is("-graded"))
+    field.set_factor([](const meshes::Place& place) {
+      return std::exp(2.0 * place[2] / side);
+    });
+  if (is("-cubes"))
+    field.set_factor(random_cubes(0.5, 3, side / 8.0), side / 8.0);
+  return field;
+}
+
 std::unique_ptr<FullBlock> block_of(char letter, const Grid& grid, int degree,
-                                    int halvings) {
+                                    int halvings, const ModuliField& field) {
   const Grid cells{grid.points_x / degree, grid.points_y / degree, side, side};
-  BlockProblem problem{grid, {}, degree, ModuliField(moduli(body))};
-  if (letter == 'a') {
-    const int edge = 1 << halvings;
-    problem.mesh = meshes::equal_boxes(
-        {cells.points_x / edge, cells.points_y / edge, side, side}, side);
+  BlockProblem problem{grid, {}, degree, field};
+  const std::vector<double> interfaces = field.interfaces();
+  const auto layers = [&](int times) {
+    const Grid columns{cells.points_x >> times, cells.points_y >> times, side,
+                       side};
+    return meshes::layered_mesh(
+        columns,
+        meshes::halvable_layers(columns.spacing_x(), times, interfaces, side));
+  };
+  if (letter == 'a' || std::isdigit(static_cast<unsigned char>(letter)) != 0) {
+    problem.mesh = layers(halvings);
     problem.adaptive = AdaptiveMesh{halvings};
+    if (letter != 'a')
+      problem.adaptive->interface_halvings = letter - '0';
     return make_adaptive_block(problem);
   }
   problem.mesh =
-      letter == 'h'
-          ? meshes::hanging_mesh(cells, side, 4)
-          : meshes::layered_mesh(
-                cells, meshes::graded_layers(cells.spacing_x(), 1.2, side));
+      letter == 'h' ? meshes::hanging_mesh(cells, side, 4)
+      : letter == 'c'
+          ? layers(0)
+          : meshes::layered_mesh(cells,
+                                 meshes::graded_layers_with_interfaces(
+                                     cells.spacing_x(), 1.2, interfaces, side));
   return make_full_block(problem);
 }
 
@@ -92,17 +128,33 @@ double hertz_error(const Grid& grid, const std::vector<double>& pressure,
 struct Row {
   double area = 0.0;
   double gap = 0.0;
+  std::vector<double> pressure;
 };
 
-int run(const Grid& grid, int halvings, int degree, bool is_rough,
+/// The mean difference of the pressure from that of the first block, over the
+/// mean pressure.
+double difference(const std::vector<double>& pressure,
+                  const std::vector<double>& judge) {
+  double apart = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    apart += std::abs(pressure[i] - judge[i]);
+    sum += judge[i];
+  }
+  return apart / sum;
+}
+
+int run(const Grid& grid, int halvings, int degree, const std::string& surface,
         const std::string& letters, const std::vector<double>& loads) {
+  const bool is_rough = surface.starts_with("rough");
+  const ModuliField field = moduli_named(surface);
   const std::vector<double> heights =
       is_rough ? self_affine_heights(grid) : sphere(grid);
   std::vector<Row> first;
   bool has_converged = true;
   for (const char letter : letters) {
     const CpuClock building(2);
-    const auto block = block_of(letter, grid, degree, halvings);
+    const auto block = block_of(letter, grid, degree, halvings, field);
     std::printf("%c: built in %.2f s CPU\n", letter, building.seconds());
     std::vector<Row> rows;
     for (const double load : loads) {
@@ -112,7 +164,7 @@ int run(const Grid& grid, int halvings, int degree, bool is_rough,
           {mechanics::Control::nominal_pressure, load * contact_modulus},
           {mechanics::ContactLaw::hard,
            1e3 * contact_modulus / grid.spacing_x(), 1e-6, 200});
-      rows.push_back({found.area_by_points, found.mean_gap});
+      rows.push_back({found.area_by_points, found.mean_gap, found.pressure});
       const Row& judge = first.empty() ? rows.back() : first[rows.size() - 1];
       std::printf("  p/E* %.4g: area %.5f (%+.2f %%), gap/h %.5f (%+.2f %%), "
                   "%zu unknowns, %d steps, %d iterations, %.2f s CPU %s\n",
@@ -122,7 +174,9 @@ int run(const Grid& grid, int halvings, int degree, bool is_rough,
                   100.0 * (found.mean_gap / judge.gap - 1.0), block->unknowns(),
                   found.iterations, found.linear_iterations, solving.seconds(),
                   found.note.c_str());
-      if (!is_rough)
+      std::printf("    pressure off by %.5f of the first block's\n",
+                  difference(found.pressure, judge.pressure));
+      if (surface == "sphere")
         std::printf("    pressure off by %.4f of Hertz\n",
                     hertz_error(grid, found.pressure, load));
       has_converged = has_converged && found.converged;
@@ -149,6 +203,6 @@ int main(int n_arguments, char** arguments) {
     loads = {0.001, 0.003};
   return asperity::fem::run(
       {points, points, asperity::fem::side, asperity::fem::side}, number(2, 2),
-      number(4, 2), n_arguments < 4 || std::string(arguments[3]) == "rough",
+      number(4, 2), n_arguments > 3 ? arguments[3] : "rough",
       n_arguments > 5 ? arguments[5] : "ua", loads);
 }

@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/graded_layers.hpp"
+#include "meshes/halvable_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/mesh_file.hpp"
@@ -56,10 +57,12 @@ meshes::GmshBlock gmsh_parameters(const FullRequest& request) {
 
 /// The coarsest cells of an adaptive mesh.
 meshes::BlockMesh coarsest_mesh_of(const FullRequest& request) {
-  if (!request.material.is_uniform())
-    throw std::domain_error("an adaptive mesh needs uniform moduli, because "
-                            "coarse cells would miss "
-                            "layers, inclusions and variations");
+  const auto& variation = request.material.variation;
+  if (variation && variation->kind == mechanics::VariationKind::random &&
+      !variation->edge)
+    throw std::domain_error(
+        "an adaptive mesh with random moduli needs material.variation.edge, "
+        "because the factor of a cell would change when the cell is halved");
   const int halvings = request.mesh.halvings;
   require_between("halvings", halvings, 1, 12, "1");
   const int step = degree_of(request.block.element) << halvings;
@@ -70,10 +73,17 @@ meshes::BlockMesh coarsest_mesh_of(const FullRequest& request) {
                           ", the node spacings of a cell that is halved " +
                           std::to_string(halvings) +
                           " times, and at least twice as many");
-  return meshes::equal_boxes({request.grid.points_x / step,
-                              request.grid.points_y / step,
-                              request.grid.length_x, request.grid.length_y},
-                             request.block.depth.in_si(request.scales));
+  const Grid columns{request.grid.points_x / step, request.grid.points_y / step,
+                     request.grid.length_x, request.grid.length_y};
+  const double depth = request.block.depth.in_si(request.scales);
+  const std::vector<double> interfaces =
+      interfaces_of(request.material.layers, request.scales);
+  if (interfaces.empty())
+    return meshes::equal_boxes(columns, depth);
+  return meshes::layered_mesh(
+      columns,
+      meshes::halvable_layers(0.5 * (columns.spacing_x() + columns.spacing_y()),
+                              halvings, interfaces, depth));
 }
 
 meshes::BlockMesh mesh_of(const FullRequest& request) {
@@ -155,7 +165,8 @@ BlockProblem problem_of(const FullRequest& request,
   if (!mesh)
     mesh = mesh_of(request);
   if (full.uses_case_mesh && mesh_spec.kind == mechanics::MeshKind::adaptive)
-    problem.adaptive = AdaptiveMesh{mesh_spec.halvings};
+    problem.adaptive = AdaptiveMesh{mesh_spec.halvings, mesh_spec.moduli_ratio,
+                                    mesh_spec.interface_halvings};
   problem.mesh = std::move(*mesh);
   meshes::require_valid_mesh(problem.mesh, full.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));

@@ -43,8 +43,8 @@ void pass(Archive& archive, mechanics::MaterialInclusion& inclusion) {
 
 template <typename Archive>
 void pass(Archive& archive, mechanics::MaterialVariation& variation) {
-  auto& [kind, factor, spread, seed, file] = variation;
-  archive(kind, factor, spread, seed, file);
+  auto& [kind, factor, spread, seed, edge, file] = variation;
+  archive(kind, factor, spread, seed, edge, file);
 }
 
 template <typename Archive>
@@ -55,10 +55,12 @@ void pass(Archive& archive, mechanics::MaterialSpec& material) {
 
 template <typename Archive>
 void pass(Archive& archive, mechanics::MeshSpec& mesh) {
-  auto& [kind, cells_a_level, halvings, geometry, cells, size_at_contact,
-         size_far, fine_radius, file, file_unit] = mesh;
-  archive(kind, cells_a_level, halvings, geometry, cells, size_at_contact,
-          size_far, fine_radius, file, file_unit);
+  auto& [kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
+         geometry, cells, size_at_contact, size_far, fine_radius, file,
+         file_unit] = mesh;
+  archive(kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
+          geometry, cells, size_at_contact, size_far, fine_radius, file,
+          file_unit);
 }
 
 template <typename Archive>

@@ -42,6 +42,9 @@ struct MaterialVariation {
                       ///< the contact surface
   double spread = 0.0;    ///< random: factor per cell in 1 - spread..1 + spread
   std::uint64_t seed = 0; ///< seed of the random factors
+  /// Edge of the cubes that share a random factor [m] > 0; unset, each cell has
+  /// its own factor.
+  std::optional<Quantity> edge = {};
   std::string file; ///< file of the table; the reader makes the path absolute
                     ///< or relative to the working directory
 };

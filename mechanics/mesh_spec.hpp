@@ -4,6 +4,7 @@
 
 #include "mechanics/quantity.hpp"
 
+#include <optional>
 #include <string>
 
 namespace asperity::mechanics {
@@ -18,8 +19,13 @@ enum class MeshCells { hexahedra, tetrahedra };
 /// [mesh]: the mesh of the full block (solver = "full").
 struct MeshSpec {
   MeshKind kind = MeshKind::layers;
-  int cells_a_level = 4;                       ///< cells per level, for hanging
-  int halvings = 3;                            ///< at the contact, for adaptive
+  int cells_a_level = 4; ///< cells per level, for hanging
+  int halvings = 3;      ///< at the contact, for adaptive
+  /// For adaptive: largest ratio of moduli in a cell that need not be halved.
+  double moduli_ratio = 1.25;
+  /// For adaptive: halvings of cells at an interface between materials; unset,
+  /// they follow from the distance from the contact surface.
+  std::optional<int> interface_halvings = {};
   MeshGeometry geometry = MeshGeometry::block; ///< for gmsh
   MeshCells cells = MeshCells::hexahedra;      ///< for gmsh
   /// Edge length of a cell [m].

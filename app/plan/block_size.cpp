@@ -65,14 +65,48 @@ BlockSize hanging(const Grid& cells, double depth, int cells_a_level,
   return size;
 }
 
+/// Cells at planes between layers, where two layers of cells on each side have
+/// the size of which the plane is a boundary, and at the surface of an
+/// inclusion (fem/adaptive/material_marks.hpp).
+double cells_for_materials(const cases::Case& contact_case,
+                           const mechanics::Scales& scales, const Grid& cells,
+                           double depth) {
+  constexpr double layers_of_cells = 4.0;
+  const int halvings = contact_case.mesh.halvings;
+  const double coarsest =
+      std::ldexp(0.5 * (cells.spacing_x() + cells.spacing_y()), halvings);
+  const double face = cells.length_x * cells.length_y;
+  double count = 0.0;
+  double above = 0.0;
+  for (const double interface : interfaces_of(contact_case, scales)) {
+    const double edge = std::clamp(interface - above,
+                                   std::ldexp(coarsest, -halvings), coarsest);
+    count += edge < coarsest ? layers_of_cells * face / (edge * edge) : 0.0;
+    above = interface;
+  }
+  if (const auto& ball = contact_case.material.inclusion) {
+    const double radius = ball->radius.in_si(scales);
+    const double nearest = ball->depth.in_si(scales) - radius;
+    const double edge = std::clamp(0.25 * std::min(radius, nearest),
+                                   std::ldexp(coarsest, -halvings), coarsest);
+    count += 8.0 * std::numbers::pi * std::pow(radius / edge, 2);
+  }
+  return std::min(count, face / (cells.spacing_x() * cells.spacing_y()) *
+                             depth / cells.spacing_x());
+}
+
 /// Estimates the size of the last of the meshes that follow the contact. With 1
 /// to 7 % of the surface in contact they had between a twelfth and two fifths
-/// of the unknowns of the mesh with hanging nodes.
-BlockSize adaptive(const Grid& cells, double depth, double degree) {
-  constexpr double share = 0.3;
+/// of the unknowns of the mesh with hanging nodes. A variation of the moduli
+/// may need about all of these.
+BlockSize adaptive(const cases::Case& contact_case,
+                   const mechanics::Scales& scales, const Grid& cells,
+                   double depth, double degree) {
+  const double share = contact_case.material.variation ? 1.0 : 0.3;
   BlockSize size = hanging(cells, depth, 4, degree);
-  size.cells *= share;
-  size.unknowns *= share;
+  const double more = cells_for_materials(contact_case, scales, cells, depth);
+  size.cells = share * size.cells + more;
+  size.unknowns = share * size.unknowns + 3.0 * std::pow(degree, 3) * more;
   return size;
 }
 
@@ -229,7 +263,7 @@ BlockSize block_size(const cases::Case& contact_case,
   else if (contact_case.mesh.kind == mechanics::MeshKind::hanging)
     size = hanging(cells, depth, contact_case.mesh.cells_a_level, degree);
   else if (contact_case.mesh.kind == mechanics::MeshKind::adaptive)
-    size = adaptive(cells, depth, degree);
+    size = adaptive(contact_case, scales, cells, depth, degree);
   else
     size = by_gmsh(contact_case, scales, grid, depth, degree);
   size.cells *= settings.full.bodies;

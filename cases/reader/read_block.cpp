@@ -81,6 +81,8 @@ mechanics::MaterialVariation read_variation(const Node& node,
   case mechanics::VariationKind::random:
     variation.spread = table.number("spread");
     variation.seed = static_cast<std::uint64_t>(table.integer("seed"));
+    if (table.node().find("edge"))
+      variation.edge = table.quantity("edge");
     break;
   case mechanics::VariationKind::table:
     variation.file = read_path(table, folder);
@@ -120,6 +122,13 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   mesh.kind = table.choice("kind", mesh.kind);
   mesh.cells_a_level = table.integer("cells_a_level");
   mesh.halvings = table.integer("halvings");
+  mesh.moduli_ratio = table.number("moduli_ratio");
+  if (const Node* const node = table.node().find("interface_halvings")) {
+    mesh.interface_halvings = table.integer("interface_halvings");
+    if (*mesh.interface_halvings > mesh.halvings)
+      table.refuse(*node, "must not exceed mesh.halvings = " +
+                              std::to_string(mesh.halvings));
+  }
   mesh.geometry = table.choice("geometry", mesh.geometry);
   mesh.cells = table.choice("cells", mesh.cells);
   mesh.size_at_contact = table.quantity("size_at_contact");
@@ -230,11 +239,13 @@ void check_adaptive(const Node& file, const Case& read,
     mistakes.add(kind.place,
                  "mesh.kind = \"adaptive\" cannot be combined with " +
                      method.name + ".bodies = 2; use another kind of mesh");
-  if (!read.material.is_uniform())
+  const auto& variation = read.material.variation;
+  if (variation && variation->kind == mechanics::VariationKind::random &&
+      !variation->edge)
     mistakes.add(kind.place,
-                 "mesh.kind = \"adaptive\" needs uniform moduli, because "
-                 "coarse cells would miss layers, inclusions and variations; "
-                 "use another kind of mesh");
+                 "mesh.kind = \"adaptive\" needs material.variation.edge, "
+                 "because the factor of a cell would change when the cell is "
+                 "halved");
   if (!read.surface.points)
     return;
   const int step = degree_of(fem.block.element) << read.mesh.halvings;

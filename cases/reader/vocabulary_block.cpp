@@ -97,6 +97,15 @@ Table inclusion_table() {
                youngs_modulus_key(), poisson_ratio_key()}};
 }
 
+Key edge_key() {
+  Key key = length_key("edge", "\"8 h\"",
+                       "With random: edge of the cubes that share a factor. "
+                       "Without it each cell has its own.");
+  key.need = Need::never;
+  key.show = Show::no;
+  return key;
+}
+
 Table variation_table() {
   return {
       .name = "material.variation",
@@ -137,6 +146,7 @@ Table variation_table() {
            .show = Show::no,
            .description = "Seed of the factors, which depend on the positions "
                           "of the cells."},
+          edge_key(),
           {.name = "file",
            .type = ValueType::path,
            .need = Need::conditional,

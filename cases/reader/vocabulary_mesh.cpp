@@ -43,6 +43,22 @@ std::vector<Key> mesh_shape_keys() {
            "With adaptive: how often the coarsest cells are halved at the "
            "contact; the nodes there are then those of the grid. The cells "
            "per side must be divisible by two so many times."},
+      {.name = "moduli_ratio",
+       .range = between(1, 1000),
+       .fallback = "1.25",
+       .example = "1.25",
+       .show = Show::no,
+       .description = "With adaptive: largest ratio of the moduli within a "
+                      "cell that need not be halved for it."},
+      {.name = "interface_halvings",
+       .type = ValueType::integer,
+       .range = between(0, 12),
+       .example = "2",
+       .show = Show::no,
+       .description =
+           "With adaptive: how often cells with a larger ratio, or at the "
+           "surface of the inclusion, are halved. Without it their edge is at "
+           "most a quarter of their depth and of the radius."},
       {.name = "geometry",
        .type = ValueType::word,
        .words = {"block", "indentation", "layered", "inclusion", "file"},

@@ -1,6 +1,7 @@
 #include "fem/adaptive/adaptive_block.hpp"
 
 #include "base/require.hpp"
+#include "fem/adaptive/material_marks.hpp"
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/adaptive/refinement_rule.hpp"
 #include "fem/block/block_triangulation.hpp"
@@ -48,6 +49,7 @@ std::shared_ptr<MeshChange::Mesh> coarsest_mesh(const BlockProblem& problem) {
   auto adaptive = std::dynamic_pointer_cast<MeshChange::Mesh>(mesh);
   if (!adaptive)
     throw std::domain_error("an adaptive mesh must consist of hexahedra");
+  refine_for_materials(problem, *adaptive);
   return adaptive;
 }
 

@@ -49,7 +49,9 @@ RefinementRule::RefinementRule(const BlockProblem& problem,
     : system_(block.system()),
       finest_level_(problem.adaptive->halvings),
       marks_(fields_of(problem, system_, found, contact_pressure)),
-      indicator_(stress_indicator(system_, block.newton().displacement())) {
+      materials_(problem),
+      indicator_(stress_indicator(system_, block.newton().displacement(),
+                                  problem.adaptive->moduli_ratio)) {
   for (const auto& cell :
        system_.space().triangulation().active_cell_iterators())
     if (const auto face = contact_face(cell))
@@ -95,11 +97,13 @@ CellChange RefinementRule::change_of(const Cell& cell, bool may_coarsen) const {
   const double indicator = indicator_[cell->active_cell_index()];
   const bool is_marked = face && marks_.is_marked_near(*face);
   if (cell->level() < finest_level_ &&
-      (is_marked || indicator > refine_above * reference_))
+      (is_marked || indicator > refine_above * reference_ ||
+       materials_.is_too_coarse(cell)))
     return CellChange::refine;
   const bool is_far = !face || !marks_.is_touched(around(*face));
   return may_coarsen && cell->level() > 0 && !is_marked && is_far &&
-                 indicator <= merge_below * reference_
+                 indicator <= merge_below * reference_ &&
+                 !materials_.is_too_coarse(cell->parent())
              ? CellChange::coarsen
              : CellChange::none;
 }

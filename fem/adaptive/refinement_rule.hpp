@@ -4,6 +4,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/adaptive/contact_marks.hpp"
+#include "fem/adaptive/material_marks.hpp"
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/solution/meshed_block.hpp"
 
@@ -40,6 +41,7 @@ private:
   const BlockSystem& system_;
   int finest_level_;
   ContactMarks marks_;
+  MaterialMarks materials_;
   std::vector<double> indicator_; ///< by active cell index
   double reference_ = 0.0;        ///< rms of the indicators of cells in contact
 };

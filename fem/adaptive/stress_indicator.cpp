@@ -17,14 +17,15 @@ constexpr double least_share = 1e-3;
 
 std::vector<double>
 stress_indicator(const BlockSystem& system,
-                 const dealii::TrilinosWrappers::MPI::Vector& displacement) {
+                 const dealii::TrilinosWrappers::MPI::Vector& displacement,
+                 double ratio) {
   BlockStress stress(system, displacement);
   const dealii::Quadrature<3>& quadrature = system.space().cell_quadrature();
   const dealii::FE_Q<3> linear(1);
   std::vector<double> indicator(
       system.space().triangulation().n_active_cells());
-  stress.at_vertices([&](const BlockStress::Cell& cell,
-                         std::span<const StressTensor> at_vertex) {
+  const auto take = [&](const BlockStress::Cell& cell,
+                        std::span<const StressTensor> at_vertex) {
     const std::vector<StressTensor>& raw = stress.at_points(cell);
     double square = 0.0;
     double whole = 0.0;
@@ -40,7 +41,8 @@ stress_indicator(const BlockSystem& system,
     indicator[cell->active_cell_index()] =
         std::sqrt(square * cell->measure() /
                   (2.0 * system.moduli_of(cell).shear_modulus));
-  });
+  };
+  stress.at_vertices(take, ratio);
   return indicator;
 }
 

@@ -23,6 +23,11 @@ struct AdaptiveMesh {
   /// Number of times that a cell may be halved. The nodes of the contact
   /// surface are then those of the grid.
   int halvings = 0;
+  /// Largest ratio of moduli in a cell that need not be halved [1] > 1.
+  double moduli_ratio = 1.25;
+  /// Number of halvings of cells that an interface between materials crosses;
+  /// unset, it follows from their depth (adaptive/material_marks.hpp).
+  std::optional<int> interface_halvings = {};
 };
 
 /// The problem that make_full_block builds. It must be equal on every rank.

@@ -29,6 +29,13 @@ dealii::FullMatrix<double> projection_of(const BlockSpace& space) {
   return project(dealii::FE_SimplexP<3>(1));
 }
 
+/// Whether lambda / mu, and so Poisson's ratio, is the same up to roundoff.
+bool is_same_ratio(const Moduli& a, const Moduli& b) {
+  return std::abs(a.lame_modulus * b.shear_modulus -
+                  b.lame_modulus * a.shear_modulus) <=
+         1e-9 * a.shear_modulus * b.shear_modulus;
+}
+
 /// A place ordered by decreasing stress, then by increasing coordinates:
 /// -von Mises [Pa], x, y, z [m], and the largest shear stress there [Pa].
 using RankedPlace = std::array<double, 5>;
@@ -105,7 +112,24 @@ BlockStress::VertexShares BlockStress::shares() {
   return all;
 }
 
-void BlockStress::at_vertices(const TakeVertices& take) {
+/// The average at a vertex for a cell of a material.
+StressTensor BlockStress::average_of(std::span<const Share> shares,
+                                     const Moduli& material, double ratio) {
+  double volume = 0.0;
+  StressTensor sum;
+  for (const Share& share : shares) {
+    const double scale = material.shear_modulus / share.material.shear_modulus;
+    if (!(share.material == material) &&
+        (std::max(scale, 1.0 / scale) > ratio ||
+         !is_same_ratio(share.material, material)))
+      continue;
+    volume += share.volume;
+    sum += scale * share.volume_stress;
+  }
+  return sum / volume;
+}
+
+void BlockStress::at_vertices(const TakeVertices& take, double ratio) {
   VertexShares all = shares();
   std::vector<StressTensor> at_vertex;
   for (const auto& cell :
@@ -114,10 +138,9 @@ void BlockStress::at_vertices(const TakeVertices& take) {
       continue;
     const Moduli material = system_.moduli_of(cell);
     at_vertex.clear();
-    for (const unsigned int v : cell->vertex_indices()) {
-      const Share& share = share_of(all[cell->vertex_index(v)], material);
-      at_vertex.push_back(share.volume_stress / share.volume);
-    }
+    for (const unsigned int v : cell->vertex_indices())
+      at_vertex.push_back(
+          average_of(all[cell->vertex_index(v)], material, ratio));
     take(cell, at_vertex);
   }
 }

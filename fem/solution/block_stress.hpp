@@ -64,7 +64,12 @@ public:
   const std::vector<StressTensor>& at_points(const Cell& cell);
 
   /// Calls `take` for each cell of this rank in deal.II's order.
-  void at_vertices(const TakeVertices& take);
+  /// @param ratio  [1] >= 1; above 1, averages extend over all cells around the
+  ///               vertex with the same nu whose E is within this ratio of that
+  ///               of the cell. Their stress is scaled by the ratio of E: the
+  ///               strain is averaged, which is continuous where E varies
+  ///               smoothly, although each cell has a modulus of its own.
+  void at_vertices(const TakeVertices& take, double ratio = 1.0);
 
   /// The largest von Mises stress at a quadrature point over all ranks. Ties
   /// are resolved by the smallest x, then y, then z. See StressPeak.
@@ -83,6 +88,8 @@ private:
 
   VertexShares shares();
   static Share& share_of(std::vector<Share>& shares, const Moduli& material);
+  static StressTensor average_of(std::span<const Share> shares,
+                                 const Moduli& material, double ratio);
 
   const BlockSystem& system_;
   dealii::TrilinosWrappers::MPI::Vector displacement_;

@@ -3,8 +3,10 @@
 #include "base/require.hpp"
 #include "meshes/facets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace asperity::fem {
 
@@ -44,15 +46,27 @@ Moduli ModuliField::without_factor(const meshes::Place& place) const {
   return rest_;
 }
 
-Moduli ModuliField::at(const meshes::Place& place) const {
-  Moduli found = without_factor(place);
+std::vector<double> ModuliField::interfaces() const {
+  std::vector<double> depths;
+  for (const Layer& layer : layers_)
+    depths.push_back(layer.upper_side);
+  return depths;
+}
+
+double ModuliField::factor(const meshes::Place& place) const {
   if (!factor_)
-    return found;
+    return 1.0;
   const double factor = factor_(place);
   if (!std::isfinite(factor) || factor <= 0.0)
     refuse_argument("material.variation: factor of the modulus at " +
                         meshes::place_text(place),
                     factor, "finite and > 0 [1]");
+  return factor;
+}
+
+Moduli ModuliField::at(const meshes::Place& place) const {
+  Moduli found = without_factor(place);
+  const double factor = this->factor(place);
   found.lame_modulus *= factor;
   found.shear_modulus *= factor;
   return found;
@@ -78,13 +92,24 @@ ModuliField moduli_field(const mechanics::MaterialSpec& material,
     field.set_factor(expression_factor(variation.factor, grid.length_x));
     break;
   case mechanics::VariationKind::random:
-    field.set_factor(
-        random_factor(variation.spread, variation.seed, grid.spacing_x()));
+    if (variation.edge) {
+      const double edge = variation.edge->in_si(scales);
+      field.set_factor(random_cubes(variation.spread, variation.seed, edge),
+                       edge);
+    } else {
+      field.set_factor(
+          random_factor(variation.spread, variation.seed, grid.spacing_x()));
+    }
     break;
-  case mechanics::VariationKind::table:
-    field.set_factor(table_factor(read_factor_table(
-        variation.file, {grid.length_x, grid.length_y, depth})));
+  case mechanics::VariationKind::table: {
+    FactorTable table = read_factor_table(
+        variation.file, {grid.length_x, grid.length_y, depth});
+    const double least = std::min({table.lengths[0] / table.boxes[0],
+                                   table.lengths[1] / table.boxes[1],
+                                   table.lengths[2] / table.boxes[2]});
+    field.set_factor(table_factor(std::move(table)), least);
     break;
+  }
   }
   return field;
 }

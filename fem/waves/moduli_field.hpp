@@ -48,6 +48,11 @@ ModulusFactor expression_factor(const std::string& expression, double length);
 /// @param spacing  [m] > 0; places closer than an eighth of it share a factor
 ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing);
 
+/// As random_factor, but with one factor in each cube of a lattice from the
+/// origin, so that the factor of a place does not depend on the mesh.
+/// @param edge  of the cubes [m] > 0
+ModulusFactor random_cubes(double spread, std::uint64_t seed, double edge);
+
 /// Piecewise constant factors in equal boxes over length_x, length_y, depth.
 struct FactorTable {
   std::array<int, 3> boxes{};      ///< number of boxes in x, y, z, each >= 1
@@ -89,7 +94,31 @@ public:
   void set_sphere(const meshes::Place& centre, double radius,
                   const Moduli& sphere);
 
-  void set_factor(ModulusFactor factor) { factor_ = std::move(factor); }
+  /// @param feature  the least edge of a box in which the factor is constant
+  ///                 [m]; 0 if there are no such boxes
+  void set_factor(ModulusFactor factor, double feature = 0.0) {
+    factor_ = std::move(factor);
+    feature_ = feature;
+  }
+
+  /// Depths of the interfaces between the layers [m], increasing.
+  std::vector<double> interfaces() const;
+
+  struct Sphere {
+    meshes::Place centre; ///< [m]
+    double radius = 0.0;  ///< [m]
+    Moduli moduli;
+  };
+
+  const std::optional<Sphere>& sphere() const { return sphere_; }
+
+  bool has_factor() const { return static_cast<bool>(factor_); }
+
+  double feature() const { return feature_; } ///< of set_factor [m]
+
+  /// The factor on E [1]; 1 if there is none.
+  /// @throws std::domain_error  as at()
+  double factor(const meshes::Place& place) const;
 
   /// @throws std::domain_error  the factor is not positive and finite at the
   ///                            place
@@ -101,18 +130,13 @@ private:
     Moduli moduli;
   };
 
-  struct Sphere {
-    meshes::Place centre;
-    double radius = 0.0;
-    Moduli moduli;
-  };
-
   Moduli without_factor(const meshes::Place& place) const;
 
   Moduli rest_;
   std::vector<Layer> layers_;
   std::optional<Sphere> sphere_;
   ModulusFactor factor_;
+  double feature_ = 0.0;
 };
 
 /// The moduli field of a case.

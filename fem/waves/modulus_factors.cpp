@@ -18,6 +18,28 @@ std::uint32_t eighths(double place, double spacing) {
       static_cast<std::int32_t>(std::lround(8.0 * place / spacing)));
 }
 
+/// The counter word of a coordinate: the number of its cube.
+std::uint32_t cube_of(double place, double edge) {
+  return static_cast<std::uint32_t>(
+      static_cast<std::int32_t>(std::floor(place / edge)));
+}
+
+/// A factor uniform in 1 - spread..1 + spread from three words.
+/// @param kind  a word that separates independent streams
+double draw_factor(double spread, std::uint64_t seed,
+                   const std::array<std::uint32_t, 3>& words,
+                   std::uint32_t kind) {
+  const r123::Philox4x32::ctr_type counter = {
+      {words[0], words[1], words[2], kind}};
+  const r123::Philox4x32::key_type key = {
+      {static_cast<std::uint32_t>(seed),
+       static_cast<std::uint32_t>(seed >> 32)}};
+  const double uniform = (r123::Philox4x32()(counter, key)[0] + 0.5) * 0x1p-32;
+  return 1.0 + spread * (2.0 * uniform - 1.0);
+}
+
+constexpr std::uint32_t of_cells = 0, of_cubes = 1;
+
 } // namespace
 
 ModulusFactor expression_factor(const std::string& expression, double length) {
@@ -32,17 +54,21 @@ ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing) {
   require_between("spread", spread, 0.0, 0.99, "1");
   require_positive("spacing", spacing, "m");
   return [=](const meshes::Place& place) {
-    // The last word of the counter is reserved for a second random number per
-    // cell.
-    const r123::Philox4x32::ctr_type counter = {
-        {eighths(place[0], spacing), eighths(place[1], spacing),
-         eighths(place[2], spacing), 0U}};
-    const r123::Philox4x32::key_type key = {
-        {static_cast<std::uint32_t>(seed),
-         static_cast<std::uint32_t>(seed >> 32)}};
-    const auto words = r123::Philox4x32()(counter, key);
-    const double uniform = (words[0] + 0.5) * 0x1p-32;
-    return 1.0 + spread * (2.0 * uniform - 1.0);
+    return draw_factor(spread, seed,
+                       {eighths(place[0], spacing), eighths(place[1], spacing),
+                        eighths(place[2], spacing)},
+                       of_cells);
+  };
+}
+
+ModulusFactor random_cubes(double spread, std::uint64_t seed, double edge) {
+  require_between("spread", spread, 0.0, 0.99, "1");
+  require_positive("edge", edge, "m");
+  return [=](const meshes::Place& place) {
+    return draw_factor(spread, seed,
+                       {cube_of(place[0], edge), cube_of(place[1], edge),
+                        cube_of(place[2], edge)},
+                       of_cubes);
   };
 }
 

@@ -249,16 +249,37 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{adaptive + "[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
                            "poisson_ratio = 0.3\n",
                 "fem.whole.bodies=2", "mesh.kind = \"adaptive\" cannot be"},
+        Refused{adaptive + "interface_halvings = 4\n", "fem.growth=1.2",
+                "must not exceed mesh.halvings = 3"},
+        Refused{adaptive + "moduli_ratio = 0.9\n", "fem.growth=1.2",
+                "moduli_ratio = 0.9, but must be"},
         Refused{adaptive,
-                "material.inclusion={ radius = \"0.1 length\", depth = \"0.2 "
-                "length\", youngs_modulus = \"9 GPa\", poisson_ratio = 0.3 }",
-                "needs uniform moduli"}));
+                "material.variation={ kind = \"random\", spread = 0.5, seed = "
+                "3 }",
+                "needs material.variation.edge"}));
 
 TEST(Block, HalvesCellsAtTheContact) {
   const Case read = block(adaptive + "halvings = 1\n", {"surface.points=32"});
 
   EXPECT_EQ(read.mesh.kind, mechanics::MeshKind::adaptive);
   EXPECT_EQ(read.mesh.halvings, 1);
+  EXPECT_EQ(read.mesh.moduli_ratio, 1.25);
+  EXPECT_FALSE(read.mesh.interface_halvings);
+}
+
+TEST(Block, HalvesCellsForMaterials) {
+  const Case read = block(
+      "[material.inclusion]\nradius = \"0.1 length\"\ndepth = \"0.2 length\"\n"
+      "youngs_modulus = \"9 GPa\"\npoisson_ratio = 0.3\n"
+      "[material.variation]\nkind = \"random\"\nspread = 0.5\nseed = 3\n"
+      "edge = \"4 h\"\n" +
+          adaptive + "halvings = 2\ninterface_halvings = 1\nmoduli_ratio = 2\n",
+      {"surface.points=32", "fem.solver=full"});
+
+  EXPECT_EQ(read.mesh.interface_halvings, 1);
+  EXPECT_EQ(read.mesh.moduli_ratio, 2.0);
+  ASSERT_TRUE(read.material.variation && read.material.variation->edge);
+  EXPECT_EQ(read.material.variation->edge->value, 4.0);
 }
 
 TEST(Block, InterpolatesHeightsAsTheCaseStates) {

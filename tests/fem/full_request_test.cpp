@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -52,6 +54,37 @@ TEST(FullRequest, RefusesHalvingsThatDoNotFit) {
             std::string::npos);
   EXPECT_NE(refusal(adaptive_request(32, 4)).find("at least twice as many"),
             std::string::npos);
+}
+
+// A coating of a tenth of the side is two fifths of a coarsest cell, which is
+// too thin for a layer of its own: half of one, with five cells to the depth.
+TEST(FullRequest, PutsInterfacesOnPlanesOfAdaptiveCells) {
+  FullRequest request = adaptive_request(32, 2);
+  request.material.layers = {
+      {{0.1, mechanics::ReferenceUnit::length}, {2e10, 0.2}}};
+  request.mesh.interface_halvings = 1;
+  request.mesh.moduli_ratio = 2.0;
+
+  const BlockProblem problem = problem_of(request);
+
+  std::set<double> depths;
+  for (const meshes::Place& place : problem.mesh.vertices)
+    depths.insert(place[2]);
+  EXPECT_NEAR(*std::next(depths.begin()), 0.2e-6, 1e-18);
+  EXPECT_EQ(problem.adaptive->interface_halvings, 1);
+  EXPECT_EQ(problem.adaptive->moduli_ratio, 2.0);
+}
+
+// A random factor for each cell would change with the mesh.
+TEST(FullRequest, RefusesRandomModuliOfAdaptiveCells) {
+  FullRequest request = adaptive_request(32, 2);
+  request.material.variation.emplace().kind = mechanics::VariationKind::random;
+  request.material.variation->spread = 0.5;
+
+  EXPECT_NE(refusal(request).find("material.variation.edge"),
+            std::string::npos);
+  request.material.variation->edge = {4.0, mechanics::ReferenceUnit::spacing};
+  EXPECT_EQ(refusal(request), "accepted");
 }
 
 // The settings of the contact surface reach the problem.

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/message_of.hpp"
 
@@ -170,7 +172,26 @@ TEST(ModuliField, LaysACasesVariationOverTheBlock) {
   EXPECT_NEAR(factor_at(table, {1e-6, 1e-6, 1.1e-6}), 3.0, 1e-15);
   EXPECT_NEAR(factor_at(random, place),
               random_factor(0.5, 7, grid.spacing_x())(place), 1e-15);
+  random.edge = {4.0, mechanics::ReferenceUnit::spacing};
+  EXPECT_NEAR(factor_at(random, place),
+              random_cubes(0.5, 7, 4.0 * grid.spacing_x())(place), 1e-15);
   std::remove(path.c_str());
+}
+
+// Places of one cube share a factor, also at the origin and at negative
+// coordinates; neighbouring cubes have factors of their own in 1 -+ spread.
+TEST(ModuliField, GivesEveryCubeARandomFactor) {
+  const ModulusFactor factor = random_cubes(0.5, 3, 2.0);
+  std::vector<double> found;
+  for (const double x : {-1.0, 1.0, 3.0, 5.0})
+    for (const double z : {1.0, 3.0}) {
+      found.push_back(factor({x, 1.0, z}));
+      EXPECT_EQ(factor({x - 0.9, 0.1, z + 0.9}), found.back());
+      EXPECT_GE(found.back(), 0.5);
+      EXPECT_LE(found.back(), 1.5);
+    }
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
 }
 
 TEST(ModuliField, ReadsATableOfBoxes) {

@@ -32,11 +32,18 @@ FullRequest unusual_request() {
                              {{1e-7, ReferenceUnit::si}, {7e9, -0.3}}};
   request.material.inclusion = {
       {0.2, ReferenceUnit::length}, {0.4, ReferenceUnit::length}, {9e9, 0.27}};
-  request.material.variation = {mechanics::VariationKind::random, "1 + x", 0.3,
-                                0xfedcba9876543210U, "factors.txt"};
+  request.material.variation = mechanics::MaterialVariation{
+      mechanics::VariationKind::random,
+      "1 + x",
+      0.3,
+      0xfedcba9876543210U,
+      mechanics::Quantity{3.0, ReferenceUnit::spacing},
+      "factors.txt"};
   request.mesh = {mechanics::MeshKind::gmsh,
                   7,
                   5,
+                  1.7,
+                  4,
                   mechanics::MeshGeometry::inclusion,
                   mechanics::MeshCells::tetrahedra,
                   {1.9, ReferenceUnit::length},
