@@ -56,7 +56,8 @@ class FullBlockSolver final : public StepSolver {
 public:
   FullBlockSolver(std::unique_ptr<fem::FullBlock> block,
                   const cases::MethodSpec& method, const SurfaceOfCase& surface,
-                  mechanics::ElasticBlock continuum, StepExtras extras)
+                  mechanics::ElasticBlock continuum, StepExtras extras,
+                  const fem::BlockWatch& watch)
       : method_(method.name),
         settings_(std::get<mechanics::FemSettings>(method.settings)),
         surface_(surface),
@@ -64,7 +65,9 @@ public:
         rim_modulus_(rim_modulus(continuum_, surface.scales.spacing)),
         block_(std::move(block)),
         contact_(fem::block_contact(settings_.contact, surface.scales)),
-        extras_(std::move(extras)) {}
+        extras_(std::move(extras)) {
+    contact_.watch = watch;
+  }
 
   StepAnswer solve(const StepTarget& target) override {
     fem::BlockSolution solution =
@@ -137,11 +140,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<StepSolver>
-make_full_block_solver(const cases::Case& contact_case,
-                       const cases::MethodSpec& method,
-                       const SurfaceOfCase& surface, int realization,
-                       const std::filesystem::path& scratch) {
+std::unique_ptr<StepSolver> make_full_block_solver(
+    const cases::Case& contact_case, const cases::MethodSpec& method,
+    const SurfaceOfCase& surface, int realization,
+    const std::filesystem::path& scratch, const fem::BlockWatch& watch) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
   return std::make_unique<FullBlockSolver>(
       fem::load_fem_module().full({surface.record.grid, settings.block,
@@ -150,7 +152,8 @@ make_full_block_solver(const cases::Case& contact_case,
       method, surface,
       continuum_of(method, contact_case.material, surface.scales),
       realization == 0 ? extras_of(contact_case, method, surface, scratch)
-                       : StepExtras{});
+                       : StepExtras{},
+      watch);
 }
 
 } // namespace asperity::app

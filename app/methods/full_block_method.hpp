@@ -6,6 +6,7 @@
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "cases/types/case.hpp"
+#include "fem/plugin.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -18,13 +19,13 @@ namespace asperity::app {
 ///
 /// @param surface  the surface of the method; must outlive the solver
 /// @param scratch  folder of the files, created when needed
+/// @param watch    called during load steps; may be empty
 /// @throws std::domain_error, input::InputError  the mesh cannot be generated
 ///                                               or is rejected; the message
 ///                                               gives the reason
-std::unique_ptr<StepSolver>
-make_full_block_solver(const cases::Case& contact_case,
-                       const cases::MethodSpec& method,
-                       const SurfaceOfCase& surface, int realization,
-                       const std::filesystem::path& scratch);
+std::unique_ptr<StepSolver> make_full_block_solver(
+    const cases::Case& contact_case, const cases::MethodSpec& method,
+    const SurfaceOfCase& surface, int realization,
+    const std::filesystem::path& scratch, const fem::BlockWatch& watch);
 
 } // namespace asperity::app

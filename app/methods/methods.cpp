@@ -36,9 +36,9 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
 std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
                                         const SolverInput& input) {
   if (is_full_block(input.method))
-    return make_full_block_solver(input.contact_case, input.method,
-                                  input.surface, input.realization,
-                                  input.resources.scratch);
+    return make_full_block_solver(
+        input.contact_case, input.method, input.surface, input.realization,
+        input.resources.scratch, input.resources.block_watch);
   return input.elastic.make(input.method, input.surface,
                             {.threads = input.resources.threads});
 }

@@ -7,6 +7,7 @@
 #include "app/methods/elastic_method.hpp"
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
+#include "fem/plugin.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -18,11 +19,12 @@ MethodDescription describe(const cases::MethodSpec& method,
 
 /// The resources of the machine that a solver may use.
 struct Resources {
-  int threads = 1;               ///< for set-up and steps
-  std::filesystem::path scratch; ///< private folder, created when needed
-  md::Watch watch = {};          ///< called during long steps
-  int ranks = 1;                 ///< of mpirun
-  int threads_a_rank = 1;        ///< for a half-space that the ranks share
+  int threads = 1;                  ///< for set-up and steps
+  std::filesystem::path scratch;    ///< private folder, created when needed
+  md::Watch watch = {};             ///< called during long steps of atoms
+  int ranks = 1;                    ///< of mpirun
+  int threads_a_rank = 1;           ///< for a half-space that the ranks share
+  fem::BlockWatch block_watch = {}; ///< called during steps of full blocks
 };
 
 /// Creates the solvers of all methods. The class is thread-safe.

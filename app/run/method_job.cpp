@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace asperity::app {
@@ -238,9 +239,19 @@ std::unique_ptr<StepSolver> MethodJob::set_up() {
                                realization_, resources());
 }
 
+std::string words_on(const fem::BlockProgress& work) {
+  std::string words = fmt::format("Newton step {}", work.iterations);
+  if (std::isfinite(work.residual))
+    words += fmt::format(", residual {:.1e}, {} points changed", work.residual,
+                         work.changed_points);
+  words += fmt::format(", {} CG iterations", work.linear_iterations);
+  if (work.mesh_pass > 0)
+    words += fmt::format(", mesh {} of this step", work.mesh_pass + 1);
+  return words + fmt::format(", {} unknowns", work.unknowns);
+}
+
 std::string MethodJob::activity_text(const std::string& part) const {
-  return fmt::format("{}, realization {}, {}", method_.name, realization_,
-                     part);
+  return Progress::job_text(method_.name, realization_) + part;
 }
 
 /// Brings a solver, which would continue with step `next`, to the state before
@@ -306,13 +317,18 @@ Resources MethodJob::resources() const {
   return {context_.pool.threads_per_job(),
           context_.folder / fmt::format("{}-{}", method_.name, realization_),
           [this](const md::Progress& work) {
-            context_.progress.at_work(method_.name, realization_,
-                                      work.evaluations, work.energy,
-                                      work.residual);
+            context_.progress.at_work(
+                method_.name, realization_,
+                fmt::format("{} evaluations  residual {:.1e}  energy {:.6e} J",
+                            work.evaluations, work.residual, work.energy));
             return !is_interrupted();
           },
           n_mpi_ranks(),
-          std::max(1, context_.pool.threads() / n_ranks_on_machine())};
+          std::max(1, context_.pool.threads() / n_ranks_on_machine()),
+          [this](const fem::BlockProgress& work) {
+            context_.progress.at_work(method_.name, realization_,
+                                      words_on(work));
+          }};
 }
 
 } // namespace asperity::app

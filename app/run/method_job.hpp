@@ -82,6 +82,9 @@ struct RunContext {
   Tally& tally;
 };
 
+/// Words on an unfinished load step of a full block.
+std::string words_on(const fem::BlockProgress& work);
+
 class MethodJob {
 public:
   /// All arguments must outlive the job.

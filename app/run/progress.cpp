@@ -73,7 +73,7 @@ Progress::Activity::Activity(Progress& progress, const std::string& what)
     : progress_(progress) {
   const std::lock_guard lock(progress_.mutex_);
   id_ = progress_.next_id_++;
-  progress_.running_[id_] = {what, Clock::now()};
+  progress_.running_[id_] = {.what = what, .since = Clock::now()};
 }
 
 Progress::Activity::~Activity() {
@@ -118,16 +118,27 @@ void Progress::steps_kept(const std::string& method, int realization,
   std::fflush(stdout);
 }
 
+std::string Progress::job_text(const std::string& method, int realization) {
+  return fmt::format("{}, realization {}, ", method, realization);
+}
+
 void Progress::at_work(const std::string& method, int realization,
-                       int evaluations, double energy, double residual) {
+                       const std::string& words) {
   const std::lock_guard lock(mutex_);
+  const std::string job = job_text(method, realization);
+  const auto found = std::ranges::find_if(running_, [&](const auto& entry) {
+    return entry.second.what.starts_with(job);
+  });
+  if (found == running_.end())
+    return;
+  Running& running = found->second;
+  running.brief = fmt::format("{} r{}", method, realization);
+  running.words = words;
   const auto now = Clock::now();
   if (!is_terminal_ || now - last_drawn_ < shortest_pause)
     return;
   last_drawn_ = now;
-  draw_bar(fmt::format("{} r{}  {} evaluations  residual {:.1e}  energy {:.6e} "
-                       "J",
-                       method, realization, evaluations, residual, energy));
+  draw_bar(brief_text(running, now));
 }
 
 void Progress::watch() {
@@ -139,28 +150,37 @@ void Progress::watch() {
     if (now - last_drawn_ < pause) // a line was printed meanwhile
       continue;
     last_drawn_ = now;
-    const std::string activity = longest_activity(now);
-    if (activity.empty())
+    const Running* const activity = longest_activity();
+    if (!activity)
       continue;
     if (is_terminal_) {
-      draw_bar(remaining(now) + "  " + activity);
+      draw_bar(brief_text(*activity, now));
       continue;
     }
-    fmt::print("  {}; {}; {} of {} steps done\n", activity, remaining(now),
-               work_.steps_done(), work_.steps());
+    fmt::print("  {}: at work for {}; {}{}{}; {} of {} steps done\n",
+               activity->what,
+               duration_text(seconds_between(activity->since, now)),
+               activity->words, activity->words.empty() ? "" : "; ",
+               remaining(now), work_.steps_done(), work_.steps());
     std::fflush(stdout);
   }
 }
 
-std::string Progress::longest_activity(Clock::time_point now) const {
+const Progress::Running* Progress::longest_activity() const {
   const auto longest = std::min_element(
       running_.begin(), running_.end(), [](const auto& one, const auto& other) {
         return one.second.since < other.second.since;
       });
-  if (longest == running_.end())
-    return "";
-  return longest->second.what + ": at work for " +
-         duration_text(seconds_between(longest->second.since, now));
+  return longest == running_.end() ? nullptr : &longest->second;
+}
+
+std::string Progress::brief_text(const Running& running,
+                                 Clock::time_point now) const {
+  return remaining(now) + "  " +
+         (running.words.empty()
+              ? running.what + ": at work for " +
+                    duration_text(seconds_between(running.since, now))
+              : running.brief + "  " + running.words);
 }
 
 std::string Progress::remaining(Clock::time_point now) const {

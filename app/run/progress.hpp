@@ -59,13 +59,15 @@ public:
   /// Reports steps that an earlier run computed.
   void steps_kept(const std::string& method, int realization, int n_steps);
 
-  /// Reports the state of an unfinished step. It is shown on a terminal only, a
-  /// few times per second.
-  ///
-  /// @param energy    [J]
-  /// @param residual  as defined by the method
-  void at_work(const std::string& method, int realization, int evaluations,
-               double energy, double residual);
+  /// Returns what the text of an activity of a method begins with.
+  static std::string job_text(const std::string& method, int realization);
+
+  /// Reports the state of an unfinished step, of which an Activity exists. It
+  /// is shown a few times per second on a terminal, and in a pipe with the next
+  /// line on the activity.
+  /// @param words  "Newton step 3, residual 1e-3"
+  void at_work(const std::string& method, int realization,
+               const std::string& words);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -73,12 +75,16 @@ private:
   struct Running {
     std::string what;
     Clock::time_point since;
+    std::string brief = {}; ///< "fem r0"
+    std::string words = {}; ///< of at_work(); may be empty
   };
 
   /// Shows unfinished work until the destructor ends it.
   void watch();
-  /// Returns the text of the activity that takes longest; "" if there is none.
-  std::string longest_activity(Clock::time_point now) const;
+  /// Returns the activity that takes longest; null if there is none.
+  const Running* longest_activity() const;
+  /// Returns the words on an activity behind the bar of a terminal.
+  std::string brief_text(const Running& running, Clock::time_point now) const;
   std::string remaining(Clock::time_point now) const;
   /// Draws the bar over the last one, without a line break.
   void draw_bar(const std::string& words) const;

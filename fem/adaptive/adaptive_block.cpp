@@ -109,6 +109,8 @@ private:
   };
 
   BlockSolution solve_on_mesh(const Step& step, double tolerance);
+  static BlockWatch watch_of_pass(const Step& step, int pass,
+                                  const BlockSolution& before);
   bool change_mesh(const BlockSolution& found, const BlockContact& contact,
                    bool may_coarsen);
   void rebuild(MeshChange& change, std::span<const double> pressure);
@@ -140,6 +142,20 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   return found;
 }
 
+/// Adds what the passes before have cost to the progress of one pass.
+BlockWatch AdaptiveBlock::watch_of_pass(const Step& step, int pass,
+                                        const BlockSolution& before) {
+  if (!step.contact.watch)
+    return {};
+  return [watch = step.contact.watch, pass, iterations = before.iterations,
+          linear = before.linear_iterations](BlockProgress progress) {
+    progress.mesh_pass = pass;
+    progress.iterations += iterations;
+    progress.linear_iterations += linear;
+    watch(progress);
+  };
+}
+
 BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
                                    const mechanics::LoadTarget& load,
                                    const BlockContact& contact) {
@@ -155,11 +171,16 @@ BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
   };
   const int most_passes = problem_.adaptive->halvings + extra_passes;
   int pass = 0;
+  const auto solve_pass = [&](double tolerance) {
+    Step watched = step;
+    watched.contact.watch = watch_of_pass(step, pass, total);
+    add_costs(solve_on_mesh(watched, tolerance));
+  };
   do
-    add_costs(solve_on_mesh(step, loose_tolerance));
+    solve_pass(loose_tolerance);
   while (pass++ < most_passes && change_mesh(total, contact, pass == 1));
   const bool is_settled = pass <= most_passes;
-  add_costs(solve_on_mesh(step, 0.0));
+  solve_pass(0.0);
   if (!is_settled && total.note.empty())
     total.note = fmt::format("the mesh still changed after {} passes", pass);
   return total;

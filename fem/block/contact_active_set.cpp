@@ -78,9 +78,12 @@ bool ContactNewton::active_set(const mechanics::LoadTarget& load,
     }
     take_wall_pressure(active);
     const std::vector<bool> next = next_active(active, gap_tolerance);
-    if (!is_same(next, active)) {
+    const int changed = n_changed(next, active);
+    const double residual = unbalanced();
+    report_step(answer.iterations, residual, changed);
+    if (changed != 0) {
       refinements = 0;
-    } else if (unbalanced() <= contact.tolerance ||
+    } else if (residual <= contact.tolerance ||
                refinements++ == most_refinements) {
       return true;
     }

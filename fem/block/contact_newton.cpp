@@ -99,9 +99,27 @@ bool ContactNewton::any(const std::vector<bool>& set) const {
   return max(here ? 1 : 0, MPI_COMM_WORLD) == 1;
 }
 
-bool ContactNewton::is_same(const std::vector<bool>& a,
-                            const std::vector<bool>& b) const {
-  return min(a == b ? 1 : 0, MPI_COMM_WORLD) == 1;
+/// The number of points in one set only, over all ranks.
+int ContactNewton::n_changed(const std::vector<bool>& a,
+                             const std::vector<bool>& b) const {
+  int changed = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    changed += a[i] != b[i] ? 1 : 0;
+  return sum(changed, MPI_COMM_WORLD);
+}
+
+void ContactNewton::report() {
+  progress_.linear_iterations = solver_.iterations() - iterations_before_;
+  if (watch_)
+    watch_(progress_);
+}
+
+void ContactNewton::report_step(int iterations, double residual,
+                                int changed_points) {
+  progress_.iterations = iterations;
+  progress_.residual = residual;
+  progress_.changed_points = changed_points;
+  report();
 }
 
 /// The rigid gap at which the block in its present deformation carries the
@@ -180,10 +198,13 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
     if (start)
       shorten_step(*start, contact.penalty);
     update_pressure(contact.penalty);
-    if (!is_same(contact_set(pressure_), before)) {
+    const int changed = n_changed(contact_set(pressure_), before);
+    const double residual = unbalanced();
+    report_step(answer.iterations, residual, changed);
+    if (changed != 0) {
       refinements = 0;
       ++changes;
-    } else if (unbalanced() <= contact.tolerance ||
+    } else if (residual <= contact.tolerance ||
                refinements++ == most_refinements)
       return true;
   }
@@ -220,6 +241,9 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   take_heights(std::move(heights), highest);
   const int iterations = solver_.iterations();
   const int setups = solver_.setups();
+  watch_ = contact.watch;
+  progress_ = {.unknowns = system_.n_unknowns()};
+  iterations_before_ = iterations;
   if (contact.law == mechanics::ContactLaw::hard)
     solve_wall(load, contact, height_scale, answer);
   else

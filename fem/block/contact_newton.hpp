@@ -112,7 +112,9 @@ private:
   double own_spring(const BlockContact& contact) const;
   void update_pressure(double penalty);
   bool any(const std::vector<bool>& set) const;
-  bool is_same(const std::vector<bool>& a, const std::vector<bool>& b) const;
+  int n_changed(const std::vector<bool>& a, const std::vector<bool>& b) const;
+  void report_step(int iterations, double residual, int changed_points);
+  void report();
   void find_imbalance();
   double largest_force() const; ///< maximum over the points [N]
   double unbalanced();
@@ -153,8 +155,11 @@ private:
 
   const BlockSystem& system_;
   BlockSolver solver_;
-  double stiffness_scale_; ///< shear modulus at the contact surface over
-                           ///< spacing
+  BlockWatch watch_; ///< of the load step
+  BlockProgress progress_;
+  int iterations_before_ = 0; ///< CG iterations of earlier load steps
+  double stiffness_scale_;    ///< shear modulus at the contact surface over
+                              ///< spacing
   // The state in (F.1).
   dealii::TrilinosWrappers::MPI::Vector displacement_; ///< u [m]
   double rigid_gap_ = 0.0;    ///< d minus the highest height [m]

@@ -122,6 +122,7 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
       range.finest, range.coarsest);
   if (!solver_.solve(answer, right, tolerance))
     return false;
+  report();
   answer += held;
   return true;
 }

@@ -10,6 +10,8 @@
 #include "mechanics/loading.hpp"
 
 #include <array>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,6 +29,22 @@ inline constexpr unsigned int most_direct_unknowns = 12000;
 /// second-order hexahedra, on one rank.
 inline constexpr unsigned int most_direct_matrix_free_unknowns = 2000;
 
+/// The state of a load step while it is solved.
+struct BlockProgress {
+  int mesh_pass = 0; ///< solutions of an adaptive mesh before this one
+  std::size_t unknowns = 0;
+  int iterations = 0;        ///< Newton steps begun
+  int linear_iterations = 0; ///< CG iterations
+  /// After the last Newton step, NaN before the first: the largest unbalanced
+  /// nodal force over the largest contact force [1], and the number of points
+  /// that came into contact or lost it.
+  double residual = std::numeric_limits<double>::quiet_NaN();
+  int changed_points = 0;
+};
+
+/// Called on rank 0 after each linear solve and each Newton step.
+using BlockWatch = std::function<void(const BlockProgress&)>;
+
 /// The contact law, in SI units.
 struct BlockContact {
   mechanics::ContactLaw law = mechanics::ContactLaw::penalty;
@@ -37,6 +55,7 @@ struct BlockContact {
   /// force.
   double tolerance = 1e-8;
   int max_iterations = 2000; ///< Newton steps
+  BlockWatch watch = {};     ///< may be empty
 };
 
 /// The solution of one load step, with fields in the grid's order. The gap is

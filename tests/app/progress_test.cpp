@@ -103,6 +103,31 @@ TEST(Progress, MentionsALongStepInAPipe) {
       << printed;
 }
 
+// So is the state of the solver in this step.
+TEST(Progress, MentionsTheStateOfTheSolverInAPipe) {
+  testing::internal::CaptureStdout();
+  std::string printed;
+  {
+    Progress progress(mixed_work(), 1.0, std::chrono::milliseconds(50));
+    progress.at_work("dear", 0, "lost: nothing is at work");
+    const Progress::Activity other(progress, "dear, realization 1, step 0");
+    const Progress::Activity activity(progress,
+                                      Progress::job_text("dear", 0) + "step 1");
+    progress.at_work("dear", 1, "Newton step 7");
+    for (int tries = 0; printed.empty() && tries < 10000; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      printed = testing::internal::GetCapturedStdout();
+      testing::internal::CaptureStdout();
+    }
+  }
+  testing::internal::GetCapturedStdout();
+
+  EXPECT_EQ(printed.find("  dear, realization 1, step 0: at work for "), 0U)
+      << printed;
+  EXPECT_NE(printed.find("; Newton step 7; "), std::string::npos) << printed;
+  EXPECT_EQ(printed.find("lost"), std::string::npos) << printed;
+}
+
 TEST(Progress, IsSilentWithoutWork) {
   testing::internal::CaptureStdout();
   {
