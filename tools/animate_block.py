@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """An animation of a full block along its loading path: mesh, contact, stress.
 
-    tools/animate_block.py out/rough-adaptive_block.pvd PICTURE.gif [--top 40]
-    tools/animate_block.py out/rough-adaptive_block.pvd PICTURE.png --step 6
+    tools/animate_block.py RESULT/fem-0/block.pvd PICTURE.gif [--top 40]
+    tools/animate_block.py RESULT/fem-0/block.pvd PICTURE.png --step 5
 
 Takes the files that the full block writes for ParaView: of each step, the block
 and its contact surface. Draws the pressed face, with the cells coloured by the

@@ -100,7 +100,14 @@ public:
     return answer;
   }
 
-  std::string found_at_setup() const override { return block_->report(); }
+  std::string found_at_setup() const override {
+    if (extras_.with_files.empty())
+      return block_->report();
+    const std::filesystem::path files = extras_.files;
+    return block_->report() + "\nfiles for ParaView, beside this result: " +
+           (files.parent_path().filename() / files.filename()).string() +
+           ".pvd";
+  }
 
 private:
   void find_stiffness(StepAnswer& answer) {

@@ -246,7 +246,7 @@ std::string words_on(const fem::BlockProgress& work) {
                          work.changed_points);
   words += fmt::format(", {} CG iterations", work.linear_iterations);
   if (work.mesh_pass > 0)
-    words += fmt::format(", mesh {} of this step", work.mesh_pass + 1);
+    words += fmt::format(", mesh pass {}", work.mesh_pass + 1);
   return words + fmt::format(", {} unknowns", work.unknowns);
 }
 

@@ -74,7 +74,8 @@ public:
 
   std::string report() const override {
     return fmt::format(
-        "adaptive mesh, cells at the contact halved up to {} times from\n{}",
+        "adaptive mesh, cells at the contact halved up to {} times; the mesh "
+        "before the first load:\n{}",
         problem_.adaptive->halvings, block_->report());
   }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace asperity::reports {
 namespace {
@@ -17,6 +18,7 @@ using results::MethodRecord;
 /// finite-element model (unknowns, memory), the maximum.
 struct BlockCost {
   double unknowns = 0.0, memory = 0.0, setup_time = 0.0, step_time = 0.0;
+  double fewest_unknowns = std::numeric_limits<double>::infinity();
   int steps = 0, iterations = 0, linear_iterations = 0, setups = 0;
 };
 
@@ -27,6 +29,8 @@ BlockCost block_cost_of(const MethodRecord& method) {
     for (const CurvePoint& point : curve.points) {
       ++cost.steps;
       cost.unknowns = std::fmax(cost.unknowns, point.unknowns);
+      if (point.unknowns > 0.0)
+        cost.fewest_unknowns = std::min(cost.fewest_unknowns, point.unknowns);
       cost.memory = std::fmax(cost.memory, point.memory);
       cost.step_time += point.cpu_time;
       cost.iterations += point.iterations;
@@ -35,6 +39,17 @@ BlockCost block_cost_of(const MethodRecord& method) {
     }
   }
   return cost;
+}
+
+/// The unknowns of the finite-element model, whose mesh may change from step to
+/// step.
+std::string unknowns_text(const BlockCost& cost) {
+  if (!(cost.unknowns > 0.0))
+    return "contact surface only";
+  return cost.fewest_unknowns < cost.unknowns
+             ? fmt::format("{:.0f} to {:.0f}", cost.fewest_unknowns,
+                           cost.unknowns)
+             : fmt::format("{:.0f}", cost.unknowns);
 }
 
 std::string a_step(double sum, int steps) {
@@ -46,8 +61,7 @@ kainjow::mustache::data row_of(const MethodRecord& method) {
   const bool has_block = cost.unknowns > 0.0;
   kainjow::mustache::data row;
   row.set("name", method.name);
-  row.set("unknowns", has_block ? fmt::format("{:.0f}", cost.unknowns)
-                                : "contact surface only");
+  row.set("unknowns", unknowns_text(cost));
   row.set("setup", fmt::format("{:.2g} s", cost.setup_time));
   row.set("iterations", a_step(cost.iterations, cost.steps));
   row.set("linear_iterations",
