@@ -1,0 +1,54 @@
+#pragma once
+
+// This file completes the numbers that a rank owns by those that it needs from
+// others, its ghosts, and returns contributions to ghosts to their owners.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ranks/rank_group.hpp"
+
+namespace asperity {
+
+/// Arrays over items of `width` numbers each: first the items that this rank
+/// owns, which have consecutive global numbers, then its ghosts in the order of
+/// their global numbers, then any that concern no other rank.
+class GhostValues {
+public:
+  /// Collective, as the calls below.
+  /// @param ranks   must outlive this object
+  /// @param owned   the number of items of this rank; the global numbers of a
+  ///                rank follow those of the ranks before it
+  /// @param ghosts  global numbers of items of other ranks, increasing
+  /// @throws std::domain_error  a ghost is an item of this rank or of none, or
+  ///                            the numbers do not increase
+  GhostValues(RankGroup& ranks, std::size_t owned,
+              std::span<const std::size_t> ghosts, std::size_t width);
+
+  RankGroup& ranks() const { return ranks_; }
+
+  /// Copies the values of the owners to the ghosts.
+  template <class Number>
+  void import(Number* values) const;
+
+  /// Adds the values of the ghosts to those of their owners, rank after rank,
+  /// and sets the ghosts to zero.
+  template <class Number>
+  void add_to_owners(Number* values) const;
+
+  std::size_t bytes() const;
+
+private:
+  std::vector<std::size_t> bytes_of(const std::vector<std::size_t>& items,
+                                    std::size_t size) const;
+
+  RankGroup& ranks_;
+  std::size_t owned_, ghosts_ = 0, width_;
+  std::vector<std::size_t> received_; ///< number of ghosts of each rank
+  std::vector<std::size_t> sent_;     ///< number of own items each rank needs
+  std::vector<std::size_t> items_;    ///< these items, rank after rank
+  mutable std::vector<std::byte> buffer_;
+};
+
+} // namespace asperity
