@@ -140,7 +140,9 @@ void BlockSpace::pin(const BlockProblem& problem,
 /// Constrains each node at x = length_x or y = length_y to its root, the node
 /// that it is the periodic image of. The roots are few compared with the
 /// unknowns and are made known to all ranks, so that no chain of images ends at
-/// a rank beyond the neighbour.
+/// a rank beyond the neighbour. A second-order cell may have a node at the place
+/// of a hanging one of smaller cells, which depends on it: then the former is
+/// the root, because its image's rank need not know what the latter depends on.
 void BlockSpace::identify_sides() {
   const auto root_place = [&](Point<3> place) {
     for (unsigned int i = 0; i < 2; ++i)
@@ -151,15 +153,25 @@ void BlockSpace::identify_sides() {
   const auto is_root = [&](const Point<3>& place) {
     return root_place(place).distance(place) < tolerance_;
   };
-  std::vector<FaceNode> roots;
+  const auto is_hanging = [&](const FaceNode& node) {
+    const auto* const entries =
+        constraints_.get_constraint_entries(node.unknowns[2]);
+    return entries != nullptr && !entries->empty();
+  };
+  std::vector<FaceNode> roots, hanging_roots;
   for (const FaceGroup side : {FaceGroup::left, FaceGroup::front})
     for (const FaceNode& node : face_nodes(side))
       if (owned_.is_element(node.unknowns[2]) && is_root(node.place))
-        roots.push_back(node);
-  const std::vector<double> all = gathered(roots, lengths_[2]);
+        (is_hanging(node) ? hanging_roots : roots).push_back(node);
+  std::vector<double> all = gathered(roots, lengths_[2]);
+  const std::vector<double> others = gathered(hanging_roots, lengths_[2]);
+  all.insert(all.end(), others.begin(), others.end());
   PlaceMap where(tolerance_);
-  for (std::size_t i = 0; i < all.size(); i += 6)
-    where.insert(Point<3>(all[i], all[i + 1], all[i + 2]), i);
+  for (std::size_t i = 0; i < all.size(); i += 6) {
+    const Point<3> place(all[i], all[i + 1], all[i + 2]);
+    if (!where.find(place))
+      where.insert(place, i);
+  }
 
   int lost = 0;
   Point<3> first_lost;
