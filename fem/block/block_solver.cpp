@@ -26,6 +26,11 @@ bool is_alone() {
 
 } // namespace
 
+bool is_small(const BlockSystem& system) {
+  return system.n_unknowns() <=
+         (is_alone() ? most_direct_unknowns : most_direct_unknowns_on_ranks);
+}
+
 PreconditionAMG::AdditionalData multigrid_settings(const BlockSpace& space,
                                                    bool is_second_order) {
   PreconditionAMG::AdditionalData settings;
@@ -92,8 +97,7 @@ BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
     : system_(system),
       is_direct_(!matrix_free &&
                  (kind == LinearSolver::direct ||
-                  (kind == LinearSolver::automatic &&
-                   system.n_unknowns() <= most_direct_unknowns))),
+                  (kind == LinearSolver::automatic && is_small(system)))),
       own_(std::move(own)),
       matrix_free_(std::move(matrix_free)),
       factors_(std::make_unique<Factors>()) {
@@ -133,7 +137,8 @@ std::string BlockSolver::failure() const {
 
 double BlockSolver::memory() const {
   if (matrix_free_)
-    return static_cast<double>(matrix_free_->bytes());
+    return dealii::Utilities::MPI::sum(
+        static_cast<double>(matrix_free_->bytes()), MPI_COMM_WORLD);
   std::size_t bytes = system_.stiffness().memory_consumption();
   if (own_) {
     bytes += own_->bytes();

@@ -88,6 +88,10 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
+/// Whether LinearSolver::automatic takes the direct solver if there is none
+/// without a matrix.
+bool is_small(const BlockSystem& system);
+
 /// Settings of Trilinos ML for a matrix on the unknowns of a block.
 /// @param is_second_order  whether the matrix is that of second-order cells
 dealii::TrilinosWrappers::PreconditionAMG::AdditionalData

@@ -152,6 +152,8 @@ std::vector<std::uint32_t> BlockSpace::cell_nodes() const {
   std::vector<std::uint32_t> nodes;
   std::vector<global_dof_index> unknowns(support.size());
   for (const auto& cell : dof_handler_.active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
     cell->get_dof_indices(unknowns);
     for (const unsigned int i : order) {
       nodes.push_back(static_cast<std::uint32_t>(unknowns[i]));

@@ -83,8 +83,8 @@ public:
   /// on, each once, ordered by the number of u_z.
   std::vector<FaceNode> face_nodes(meshes::FaceGroup group) const;
 
-  /// The first of the three consecutive unknowns of each node of each cell, of
-  /// hexahedra with x fastest.
+  /// The first of the three consecutive unknowns of each node of each cell of
+  /// this rank, of hexahedra with x fastest.
   std::vector<std::uint32_t> cell_nodes() const;
 
   /// Resolves the constraints in a row of shape values: the entries of the

@@ -22,11 +22,14 @@ namespace asperity::fem {
 using mechanics::LinearSolver;
 
 /// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns.
+/// unknowns on one rank.
 inline constexpr unsigned int most_direct_unknowns = 12000;
 
+/// The same on several ranks, where the direct solver is KLU.
+inline constexpr unsigned int most_direct_unknowns_on_ranks = 2000;
+
 /// The same where multigrid needs no matrix: on a lattice of boxes and for
-/// second-order hexahedra, on one rank.
+/// second-order hexahedra.
 inline constexpr unsigned int most_direct_matrix_free_unknowns = 2000;
 
 /// The state of a load step while it is solved.

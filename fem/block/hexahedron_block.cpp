@@ -4,36 +4,29 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <stdexcept>
 
 namespace asperity::fem {
 namespace {
 
-UnknownConstraints constraints_of(const BlockSpace& space) {
-  UnknownConstraints found;
-  for (const auto& line : space.constraints().get_lines()) {
-    found.unknowns.push_back(line.index);
-    for (const auto& [master, weight] : line.entries) {
-      found.masters.column.push_back(master);
-      found.masters.weight.push_back(weight);
-    }
-    found.masters.start.push_back(found.masters.column.size());
-  }
-  return found;
-}
-
-HexahedronMesh mesh_of(const BlockSystem& system) {
+HexahedronMesh mesh_of(const BlockSystem& system,
+                       const LocalUnknowns& unknowns) {
   HexahedronMesh mesh;
-  mesh.unknowns = system.n_unknowns();
-  mesh.constraints = constraints_of(system.space());
-  const std::vector<std::uint32_t> nodes = system.space().cell_nodes();
-  auto first = nodes.begin();
+  mesh.unknowns = unknowns.size();
+  mesh.constraints = unknowns.constraints();
+  mesh.ghosts = unknowns.ghosts();
+  auto first = unknowns.cell_nodes().begin();
   for (const auto& cell :
        system.space().dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
     std::copy_n(first, nodes_in_hexahedron, mesh.nodes.emplace_back().begin());
     first += nodes_in_hexahedron;
     auto& vertices = mesh.vertices.emplace_back();
@@ -66,35 +59,43 @@ BlockProblem first_order(const BlockProblem& problem) {
 
 /// Whether no cell is too incompressible for multigrid without a matrix.
 bool is_compressible(const BlockSystem& system) {
+  double largest = 0.0;
   for (const auto& cell :
        system.space().dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
     const Moduli own = system.moduli_of(cell);
-    if (own.lame_modulus > largest_lame_ratio * own.shear_modulus)
-      return false;
+    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
   }
-  return true;
+  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
+         largest_lame_ratio;
 }
 
 } // namespace
 
 FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
-                                           const BlockSystem& fine)
+                                           const BlockSystem& fine,
+                                           const LocalUnknowns& unknowns)
     : coarse_(first_order(problem), fine),
-      constraints_(constraints_of(coarse_.space())),
+      numbers_(coarse_.space(), coarse_.space().owned()),
       force_(coarse_.space().make_vector()),
-      displacement_(force_) {
-  find_parents(fine);
-  find_points(fine);
+      displacement_(force_),
+      values_(numbers_.size()) {
+  find_parents(unknowns);
+  if (fine.contact().is_nodal())
+    find_nodal_points(fine, unknowns);
+  else
+    find_gauss_points(fine);
   find_rigid_modes();
 }
 
 /// Finds the vertices from which each second-order node is interpolated.
-void FirstOrderCorrection::find_parents(const BlockSystem& fine) {
-  const std::vector<std::uint32_t> vertices = coarse_.space().cell_nodes();
-  const std::vector<std::uint32_t> nodes = fine.space().cell_nodes();
-  std::vector<bool> is_known(fine.n_unknowns(), false);
+void FirstOrderCorrection::find_parents(const LocalUnknowns& unknowns) {
+  const std::vector<std::uint32_t>& vertices = numbers_.cell_nodes();
+  const std::vector<std::uint32_t>& nodes = unknowns.cell_nodes();
+  std::vector<bool> is_known(unknowns.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_known[nodes[i]])
+    if (nodes[i] >= unknowns.owned() || is_known[nodes[i]])
       continue;
     is_known[nodes[i]] = true;
     nodes_.push_back(nodes[i]);
@@ -108,49 +109,78 @@ void FirstOrderCorrection::find_parents(const BlockSystem& fine) {
   }
 }
 
-/// Writes the rows of the contact points in first-order unknowns.
-void FirstOrderCorrection::find_points(const BlockSystem& fine) {
-  std::vector<std::size_t> row_of(fine.n_unknowns() / 3);
+/// Writes the rows of nodes in first-order unknowns.
+void FirstOrderCorrection::find_nodal_points(const BlockSystem& fine,
+                                             const LocalUnknowns& unknowns) {
+  std::vector<std::size_t> row_of(unknowns.owned() / 3);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     row_of[nodes_[row] / 3] = row;
+  const std::vector<Unknown> global = numbers_.global();
   for (std::size_t i = 0; i < fine.contact().size(); ++i) {
+    const Unknown normal = fine.contact()[i].row.front().first;
+    const std::size_t row = row_of[unknowns.of(normal) / 3];
     FaceRow coarse;
-    for (const auto& [unknown, value] : fine.contact()[i].row) {
-      const std::size_t row = row_of[unknown / 3];
-      for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1];
-           ++k)
-        coarse.emplace_back(parents_.column[k] + unknown % 3,
-                            value * parents_.weight[k]);
-    }
+    for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
+      coarse.emplace_back(global[parents_.column[k]] + 2, parents_.weight[k]);
     points_.push_back(coarse_.space().resolved(coarse));
     vertices_.emplace_back();
-    if (coarse.size() == 1 &&
-        !coarse_.space().constraints().is_constrained(coarse.front().first))
-      vertices_.back() = coarse.front().first;
+    if (coarse.size() > 1 ||
+        coarse_.space().constraints().is_constrained(coarse.front().first))
+      continue;
+    vertices_.back() = coarse.front().first;
+    if (!coarse_.space().owned().is_element(*vertices_.back()))
+      throw std::logic_error("the owners of a node and its vertex differ");
   }
+}
+
+/// Writes the rows of Gauss points in first-order unknowns. Second-order
+/// functions contain those of first order, whose values at the points are thus
+/// the Galerkin product.
+void FirstOrderCorrection::find_gauss_points(const BlockSystem& fine) {
+  const BlockSpace& space = coarse_.space();
+  dealii::FEFaceValues<3> values(space.mapping(), space.element(),
+                                 fine.space().face_quadrature(),
+                                 dealii::update_values);
+  const dealii::FEValuesExtractors::Scalar vertical(2);
+  std::vector<Unknown> unknowns(space.element().n_dofs_per_cell());
+  for_contact_faces(space, [&](const auto& cell, unsigned int f) {
+    values.reinit(cell, f);
+    cell->get_dof_indices(unknowns);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      FaceRow row;
+      for (const unsigned int i : values.dof_indices())
+        if (const double value = values[vertical].value(i, q);
+            std::abs(value) > 1e-14)
+          row.emplace_back(unknowns[i], value);
+      points_.push_back(space.resolved(row));
+      vertices_.emplace_back();
+    }
+  });
 }
 
 /// Computes the rigid motions of the block, the near null space of the matrix:
 /// three translations and three rotations, one after the other.
 void FirstOrderCorrection::find_rigid_modes() {
   const BlockSpace& space = coarse_.space();
-  const std::size_t size = coarse_.n_unknowns();
-  std::vector<dealii::Point<3>> places(size);
+  const std::size_t size = numbers_.owned();
+  std::map<Unknown, dealii::Point<3>> places;
   dealii::DoFTools::map_dofs_to_support_points(space.mapping(),
                                                space.dof_handler(), places);
   const double unit = coarse_.grid().length_x;
   rigid_modes_.assign(6 * size, 0.0);
-  for (const std::uint32_t node : space.cell_nodes())
+  for (const auto& [unknown, place] : places) {
+    if (unknown % 3 != 0 || !space.owned().is_element(unknown))
+      continue;
+    const std::size_t node = numbers_.of(unknown);
     for (unsigned int c = 0; c < 3; ++c) {
       const unsigned int next = (c + 1) % 3;
       const unsigned int last = (c + 2) % 3;
       rigid_modes_[c * size + node + c] = 1.0;
       // Rotation about axis c.
-      rigid_modes_[(3 + c) * size + node + last] =
-          places[node][next] / unit - 0.5;
-      rigid_modes_[(3 + c) * size + node + next] =
-          0.5 - places[node][last] / unit;
+      rigid_modes_[(3 + c) * size + node + last] = place[next] / unit - 0.5;
+      rigid_modes_[(3 + c) * size + node + next] = 0.5 - place[last] / unit;
     }
+  }
 }
 
 void FirstOrderCorrection::prepare(std::span<const double> springs,
@@ -158,10 +188,10 @@ void FirstOrderCorrection::prepare(std::span<const double> springs,
                                    bool is_sticking) {
   // A hierarchy without stiff springs, or with springs where there are none, is
   // useless, whereas nodes can be held without it.
-  if (!std::ranges::equal(springs, springs_)) {
-    springs_.assign(springs.begin(), springs.end());
+  const bool is_new = !std::ranges::equal(springs, springs_);
+  springs_.assign(springs.begin(), springs.end());
+  if (dealii::Utilities::MPI::max(is_new ? 1 : 0, MPI_COMM_WORLD) == 1)
     is_stale_ = true;
-  }
   held_.clear();
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] && vertices_[i])
@@ -198,27 +228,32 @@ void FirstOrderCorrection::refresh() {
 void FirstOrderCorrection::add(const std::vector<float>& residual,
                                std::vector<float>& displacement, double unit) {
   refresh();
-  force_ = 0.0;
-  double* const force = force_.begin();
+  double* const values = values_.data();
+  std::ranges::fill(values_, 0.0);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
-        force[parents_.column[k] + c] +=
+        values[parents_.column[k] + c] +=
             unit * parents_.weight[k] *
             static_cast<double>(residual[nodes_[row] + c]);
-  constraints_.condense(force);
+  numbers_.constraints().condense(values);
+  if (numbers_.ghosts() != nullptr)
+    numbers_.ghosts()->add_to_owners(values);
   for (const auto unknown : held_)
-    force[unknown] = 0.0;
+    values[numbers_.of(unknown)] = 0.0;
+  std::copy_n(values, numbers_.owned(), force_.begin());
   multigrid_.vmult(displacement_, force_);
-  double* const found = displacement_.begin();
+  std::copy_n(displacement_.begin(), numbers_.owned(), values);
   for (const auto unknown : held_)
-    found[unknown] = 0.0;
-  constraints_.distribute(found);
+    values[numbers_.of(unknown)] = 0.0;
+  if (numbers_.ghosts() != nullptr)
+    numbers_.ghosts()->import(values);
+  numbers_.constraints().distribute(values);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
         displacement[nodes_[row] + c] += static_cast<float>(
-            parents_.weight[k] * found[parents_.column[k] + c]);
+            parents_.weight[k] * values[parents_.column[k] + c]);
 }
 
 void FirstOrderCorrection::judge(int iterations, double decades) {
@@ -236,37 +271,49 @@ std::size_t FirstOrderCorrection::bytes() const {
   return coarse_.stiffness().memory_consumption() +
          matrix_.memory_consumption() +
          (setups_ > 0 ? hierarchy_bytes(multigrid_) : 0) + parents_.bytes() +
-         constraints_.bytes() + nodes_.size() * sizeof(std::size_t);
+         numbers_.bytes() + nodes_.size() * sizeof(std::size_t) +
+         (rigid_modes_.size() + values_.size()) * sizeof(double);
 }
 
 HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
                                  const BlockSystem& system)
     : system_(system),
-      correction_(problem, system),
-      multigrid_(mesh_of(system)) {
+      unknowns_(system.space(), system.contact().needed()),
+      correction_(problem, system, unknowns_),
+      multigrid_(mesh_of(system, unknowns_)) {
   multigrid_.set_correction([this](const auto& residual, auto& displacement) {
     correction_.add(residual, displacement, multigrid_.unit());
   });
 }
 
+/// Copies the own unknowns; those of other ranks are zero.
+void HexahedronBlock::copy_owned(const Vector& from,
+                                 std::vector<double>& to) const {
+  to.assign(from.begin(), from.end());
+  to.resize(unknowns_.size(), 0.0);
+}
+
 void HexahedronBlock::vmult(Vector& to, const Vector& from) const {
-  from_.assign(from.begin(), from.end());
+  copy_owned(from, from_);
   multigrid_.apply(from_, to_);
-  std::copy(to_.begin(), to_.end(), to.begin());
+  std::copy_n(to_.begin(), unknowns_.owned(), to.begin());
 }
 
 void HexahedronBlock::prepare(std::span<const double> springs,
                               const std::vector<bool>& held, bool is_sticking) {
   HexahedronContact contact;
   SparseRows points; // by number of an unknown in contact.unknowns
-  std::vector<std::size_t> number(system_.n_unknowns(), 0);
+  std::vector<std::size_t> number(unknowns_.size(), 0);
   for (std::size_t i = 0; i < springs.size(); ++i) {
     const auto& row = system_.contact()[i].row;
     if (held[i])
-      append_held(row.front().first, is_sticking, contact.held);
+      append_held(static_cast<dealii::types::global_dof_index>(
+                      unknowns_.of(row.front().first)),
+                  is_sticking, contact.held);
     if (springs[i] == 0.0)
       continue;
-    for (const auto& [unknown, value] : row) {
+    for (const auto& [global, value] : row) {
+      const std::size_t unknown = unknowns_.of(global);
       if (number[unknown] == 0) {
         contact.unknowns.push_back(unknown);
         number[unknown] = contact.unknowns.size();
@@ -279,14 +326,16 @@ void HexahedronBlock::prepare(std::span<const double> springs,
   const std::size_t size = contact.unknowns.size();
   if (size > 0)
     contact.springs = product(transposed(points, size), points, size);
+  contact.has_springs =
+      dealii::Utilities::MPI::max(size > 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
   multigrid_.set_contact(std::move(contact));
   correction_.prepare(springs, held, is_sticking);
 }
 
 LinearSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
                                       double tolerance, int most_iterations) {
-  to_.assign(forces.begin(), forces.end());
-  from_.assign(unknowns.begin(), unknowns.end());
+  copy_owned(forces, to_);
+  copy_owned(unknowns, from_);
   // A hierarchy of another contact state may be useless for this one.
   constexpr int most_with_old = 50;
   const bool is_old = !correction_.is_current();
@@ -303,7 +352,7 @@ LinearSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
     solution.iterations += before;
   }
   multigrid_.clear_held(from_);
-  std::copy(from_.begin(), from_.end(), unknowns.begin());
+  std::copy_n(from_.begin(), unknowns_.owned(), unknowns.begin());
   return solution;
 }
 
@@ -312,13 +361,12 @@ std::string HexahedronBlock::name() const {
 }
 
 std::size_t HexahedronBlock::bytes() const {
-  return multigrid_.bytes() + correction_.bytes() +
+  return unknowns_.bytes() + multigrid_.bytes() + correction_.bytes() +
          (from_.size() + to_.size()) * sizeof(double);
 }
 
 bool is_hexahedron_block(const BlockSystem& system) {
-  return has_low_order(system.space()) && !system.has_counter() &&
-         dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  return has_low_order(system.space()) && !system.has_counter();
 }
 
 std::unique_ptr<MatrixFreeBlock>

@@ -6,6 +6,7 @@
 
 #include "fem/block/block_solver.hpp"
 #include "fem/block/block_system.hpp"
+#include "fem/block/local_unknowns.hpp"
 #include "fem/multigrid/hexahedron_multigrid.hpp"
 
 #include <memory>
@@ -23,8 +24,10 @@ namespace asperity::fem {
 /// (Galerkin).
 class FirstOrderCorrection {
 public:
-  /// @param fine must outlive this object
-  FirstOrderCorrection(const BlockProblem& problem, const BlockSystem& fine);
+  /// @param fine      must outlive this object
+  /// @param unknowns  those of `fine`
+  FirstOrderCorrection(const BlockProblem& problem, const BlockSystem& fine,
+                       const LocalUnknowns& unknowns);
 
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
                bool is_sticking);
@@ -52,30 +55,37 @@ private:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
   using Unknown = dealii::types::global_dof_index;
 
-  void find_parents(const BlockSystem& fine);
-  void find_points(const BlockSystem& fine);
+  void find_parents(const LocalUnknowns& unknowns);
+  void find_nodal_points(const BlockSystem& fine,
+                         const LocalUnknowns& unknowns);
+  void find_gauss_points(const BlockSystem& fine);
   void find_rigid_modes();
   void refresh();
 
   BlockSystem coarse_;
-  std::vector<std::size_t> nodes_; ///< first unknown of each second-order node
+  LocalUnknowns numbers_;          ///< of the first-order unknowns
+  std::vector<std::size_t> nodes_; ///< first unknown of each own second-order
+                                   ///< node
   SparseRows parents_; ///< first unknowns of vertices, a row per node
-  UnknownConstraints constraints_; ///< of the vertices
-  std::vector<FaceRow> points_;    ///< contact points by first-order unknowns
-  std::vector<std::optional<Unknown>> vertices_; ///< of the contact points
-  std::vector<double> rigid_modes_; ///< of the first-order unknowns, by mode
+  /// The contact points of this rank by first-order unknowns, and their
+  /// vertices, with global numbers.
+  std::vector<FaceRow> points_;
+  std::vector<std::optional<Unknown>> vertices_;
+  std::vector<double> rigid_modes_; ///< of the own first-order unknowns, by
+                                    ///< mode
   std::vector<double> springs_;
-  std::vector<Unknown> held_;
+  std::vector<Unknown> held_; ///< own first-order unknowns, global numbers
   dealii::TrilinosWrappers::SparseMatrix matrix_;
   dealii::TrilinosWrappers::PreconditionAMG multigrid_;
   Vector force_, displacement_;
+  std::vector<double> values_; ///< at numbers_
   bool is_stale_ = true, is_new_ = false;
   double steps_per_decade_ = 0.0, lost_steps_ = 0.0;
   int setups_ = 0;
 };
 
-/// The stiffness of a block of second-order hexahedra and its inverse, on one
-/// rank.
+/// The stiffness of a block of second-order hexahedra and its inverse. Each
+/// rank sums over its own cells; set-up, products and solutions are collective.
 class HexahedronBlock : public MatrixFreeBlock {
 public:
   /// @param system must outlive this object
@@ -89,7 +99,7 @@ public:
 
   /// Gives some cells tangents at their Gauss points, as a plastic body has
   /// them; the preconditioner stays that of the elastic block.
-  /// @param cells  in the order of the active cells, each once
+  /// @param cells  in the order of the active cells of this rank, each once
   void set_tangents(std::span<const CellTangents> cells) {
     multigrid_.set_tangents(cells);
   }
@@ -100,14 +110,17 @@ public:
   std::size_t bytes() const override;
 
 private:
+  void copy_owned(const Vector& from, std::vector<double>& to) const;
+
   const BlockSystem& system_;
+  LocalUnknowns unknowns_;
   FirstOrderCorrection correction_;
   HexahedronMultigrid multigrid_;
   mutable std::vector<double> from_, to_;
 };
 
 /// Whether HexahedronBlock can solve the problem: one body of second-order
-/// hexahedra, on one rank. With two bodies, stiff springs between them leave
+/// hexahedra. With two bodies, stiff springs between them leave
 /// their common motion to the correction alone.
 bool is_hexahedron_block(const BlockSystem& system);
 

@@ -8,15 +8,18 @@
 #include <random>
 #include <vector>
 
+#include "ranks/rank_sums.hpp"
+
 namespace asperity::fem {
 
 /// The largest eigenvalue of D^-1 K by the power method, made larger by its
 /// possible error.
 /// @param diagonal  D; zero at unknowns that are not solved for
 /// @param apply     computes a vector K x from a vector x, both of float
+/// @param ranks     share the unknowns; null for this process alone
 template <class Apply>
 double eigenvalue_estimate(const std::vector<float>& diagonal,
-                           const Apply& apply) {
+                           const Apply& apply, RankGroup* ranks = nullptr) {
   constexpr int steps = 25;
   constexpr double margin = 1.15;
   std::mt19937 engine(1);
@@ -35,7 +38,8 @@ double eigenvalue_estimate(const std::vector<float>& diagonal,
         above += static_cast<double>(image[i] * vector[i]);
         below += static_cast<double>(before * image[i]);
       }
-    estimate = above / below;
+    above = rank_sum(ranks, above);
+    estimate = above / rank_sum(ranks, below);
     const auto scale = static_cast<float>(1.0 / std::sqrt(above));
     for (float& value : vector)
       value *= scale;

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "ranks/rank_sums.hpp"
+
 namespace asperity::fem {
 
 /// The outcome of a solution by conjugate gradients.
@@ -20,6 +22,9 @@ struct LinearSolution {
 /// The vectors of the iteration, kept between solutions.
 struct GradientVectors {
   std::vector<double> residual, direction, product;
+  /// The ranks that share the unknowns, or null. Each has its own unknowns and
+  /// copies of others, at which the residual is zero.
+  RankGroup* ranks = nullptr;
 };
 
 /// Solves for `displacement`, starting from its values.
@@ -34,8 +39,9 @@ LinearSolution
 conjugate_gradients(Problem& problem, const std::vector<double>& force,
                     std::vector<double>& displacement, double tolerance,
                     int most_iterations, GradientVectors& own) {
-  const auto inner = [](const auto& a, const auto& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  const auto inner = [&own](const auto& a, const auto& b) {
+    return rank_sum(own.ranks,
+                    std::inner_product(a.begin(), a.end(), b.begin(), 0.0));
   };
   LinearSolution solution;
   own.direction.assign(force.size(), 0.0);
@@ -57,7 +63,7 @@ conjugate_gradients(Problem& problem, const std::vector<double>& force,
     double product = 0.0;
     for (std::size_t i = 0; i < result.size(); ++i)
       product += own.residual[i] * static_cast<double>(result[i]);
-    product *= norm;
+    product = norm * rank_sum(own.ranks, product);
     const double kept = solution.iterations == 1 ? 0.0 : product / before;
     before = product;
     for (std::size_t i = 0; i < result.size(); ++i)
@@ -74,7 +80,7 @@ conjugate_gradients(Problem& problem, const std::vector<double>& force,
       own.residual[i] -= step * own.product[i];
       square += own.residual[i] * own.residual[i];
     }
-    norm = std::sqrt(square);
+    norm = std::sqrt(rank_sum(own.ranks, square));
   }
   solution.last_residual = norm;
   solution.has_converged = norm <= tolerance;

@@ -18,10 +18,10 @@ HexahedronMultigrid::HexahedronMultigrid(const HexahedronMesh& mesh)
     : stiffness_(mesh),
       scaled_(normalised(mesh, unit_)),
       constrained_(mesh.constraints.unknowns) {
-  eigenvalue_ = static_cast<float>(
-      eigenvalue_estimate(scaled_.diagonal(), [&](float* from, float* to) {
-        scaled_.apply(from, to);
-      }));
+  eigenvalue_ = static_cast<float>(eigenvalue_estimate(
+      scaled_.diagonal(),
+      [&](float* from, float* to) { scaled_.apply(from, to); }, mesh.ranks()));
+  gradients_.ranks = mesh.ranks();
   own_.displacement.assign(mesh.unknowns, 0.0F);
   own_.residual = own_.direction = product_ = own_.displacement;
   set_contact({});
@@ -37,17 +37,25 @@ void HexahedronMultigrid::set_contact(HexahedronContact contact) {
   scaled_springs_ = contact_.springs;
   for (double& spring : scaled_springs_.weight)
     spring /= unit_;
-  for (std::size_t row = 0; row < scaled_springs_.rows(); ++row) {
-    double sum = 0.0;
-    for (std::size_t i = scaled_springs_.start[row];
-         i < scaled_springs_.start[row + 1]; ++i)
-      sum += std::abs(scaled_springs_.weight[i]);
-    const std::size_t unknown = contact_.unknowns[row];
-    inverse_[unknown] = static_cast<float>(
-        1.0 / (static_cast<double>(eigenvalue_ * diagonal[unknown]) + sum));
-  }
+  if (contact_.has_springs)
+    soften();
   for (const std::size_t unknown : contact_.held)
     inverse_[unknown] = 0.0F;
+}
+
+/// Adds the sum of the magnitudes in each row of the springs to the diagonal.
+void HexahedronMultigrid::soften() {
+  const std::vector<float>& diagonal = scaled_.diagonal();
+  std::vector<double> sums(diagonal.size(), 0.0);
+  for (std::size_t row = 0; row < scaled_springs_.rows(); ++row)
+    for (std::size_t i = scaled_springs_.start[row];
+         i < scaled_springs_.start[row + 1]; ++i)
+      sums[contact_.unknowns[row]] += std::abs(scaled_springs_.weight[i]);
+  stiffness_.collect(sums.data());
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (sums[i] > 0.0)
+      inverse_[i] = static_cast<float>(
+          1.0 / (static_cast<double>(eigenvalue_ * diagonal[i]) + sums[i]));
 }
 
 void HexahedronMultigrid::apply(std::vector<double>& displacement,
@@ -58,10 +66,12 @@ void HexahedronMultigrid::apply(std::vector<double>& displacement,
 
 void HexahedronMultigrid::apply_all(std::vector<double>& displacement,
                                     std::vector<double>& force) const {
-  apply(displacement, force);
+  force.resize(stiffness_.size());
+  stiffness_.apply_own(displacement.data(), force.data());
   if (!contact_.springs.is_empty())
     add_spring_force(contact_.springs, contact_.unknowns, displacement.data(),
                      force.data());
+  stiffness_.collect(force.data());
   clear_held(force);
 }
 
@@ -75,10 +85,11 @@ void HexahedronMultigrid::clear_held(std::vector<double>& vector) const {
 
 /// Subtracts (K + S) direction from the residual.
 void HexahedronMultigrid::subtract() {
-  scaled_.apply(own_.direction.data(), product_.data());
+  scaled_.apply_own(own_.direction.data(), product_.data());
   if (!scaled_springs_.is_empty())
     add_spring_force(scaled_springs_, contact_.unknowns, own_.direction.data(),
                      product_.data());
+  scaled_.collect(product_.data());
   for (std::size_t i = 0; i < product_.size(); ++i)
     own_.residual[i] -= product_[i];
 }

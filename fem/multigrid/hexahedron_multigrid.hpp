@@ -18,7 +18,8 @@ namespace asperity::fem {
 /// Contact as the linear solver sees it.
 struct HexahedronContact {
   std::vector<std::size_t> unknowns; ///< u_z of the contact surface
-  SparseRows springs; ///< symmetric matrix on these [N/m], or no rows
+  SparseRows springs;       ///< symmetric matrix on these [N/m], or no rows
+  bool has_springs = false; ///< on any rank
   std::vector<std::size_t> held; ///< unknowns that are held
 };
 
@@ -78,6 +79,7 @@ public:
   void run_cycle();
 
 private:
+  void soften();
   void subtract();
 
   HexahedronOperator<double> stiffness_;

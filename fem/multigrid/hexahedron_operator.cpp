@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 namespace {
@@ -147,16 +150,18 @@ template void UnknownConstraints::condense(float*) const;
 template void UnknownConstraints::condense(double*) const;
 
 HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit) {
-  double edge = 0.0, stiffest = 0.0;
+  double edge = std::numeric_limits<double>::max(), stiffest = 0.0;
   for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
     const auto& v = mesh.vertices[cell];
     for (const std::size_t other : {1U, 2U, 4U}) {
       const double length = std::hypot(
           v[other][0] - v[0][0], v[other][1] - v[0][1], v[other][2] - v[0][2]);
-      edge = edge == 0.0 ? length : std::min(edge, length);
+      edge = std::min(edge, length);
     }
     stiffest = std::max(stiffest, mesh.moduli[cell].shear);
   }
+  edge = -rank_max(mesh.ranks(), -edge);
+  stiffest = rank_max(mesh.ranks(), stiffest);
   HexahedronMesh scaled = mesh;
   for (auto& vertices : scaled.vertices)
     for (auto& vertex : vertices)
@@ -170,7 +175,9 @@ HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit) {
 
 template <class Number>
 HexahedronOperator<Number>::HexahedronOperator(const HexahedronMesh& mesh)
-    : size_(mesh.unknowns), constraints_(mesh.constraints) {
+    : size_(mesh.unknowns),
+      ghosts_(mesh.ghosts),
+      constraints_(mesh.constraints) {
   const std::size_t cells = mesh.nodes.size();
   const std::size_t groups = (cells + cells_in_group - 1) / cells_in_group;
   nodes_.reserve(groups * cells_in_group * nodes_in_hexahedron);
@@ -258,12 +265,16 @@ void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
           own.masters.weight[i] * own.masters.weight[i] * slave;
     slave = 0.0;
   }
+  if (ghosts_ != nullptr)
+    ghosts_->add_to_owners(sum.data());
   diagonal_.assign(sum.begin(), sum.end());
 }
 
 template <class Number>
-void HexahedronOperator<Number>::apply(Number* displacement,
-                                       Number* force) const {
+void HexahedronOperator<Number>::apply_own(Number* displacement,
+                                           Number* force) const {
+  if (ghosts_ != nullptr)
+    ghosts_->import(displacement);
   constraints_.distribute(displacement);
   std::fill_n(force, size_, Number(0));
   HexahedronProduct<Number> product;

@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "ranks/ghost_values.hpp"
+
 namespace asperity::fem {
 
 /// Homogeneous linear constraints of unknowns by unconstrained ones: hanging
@@ -35,24 +37,33 @@ struct UnknownConstraints {
   }
 };
 
-/// Second-order hexahedra; the three unknowns of a node are consecutive.
+/// Second-order hexahedra, those of this rank if several share the block; the
+/// three unknowns of a node are consecutive.
 struct HexahedronMesh {
   /// The first unknown of each of the nodes of a cell, x fastest.
   std::vector<std::array<std::uint32_t, nodes_in_hexahedron>> nodes;
   /// The vertices of each cell [m], x fastest.
   std::vector<std::array<std::array<double, 3>, 8>> vertices;
   std::vector<CellModuli> moduli; ///< of each cell
-  std::size_t unknowns = 0;
+  std::size_t unknowns = 0;       ///< including copies of those of other ranks
   UnknownConstraints constraints;
+  /// The nodes of other ranks; null for a block on one process. It must outlive
+  /// what is made from the mesh.
+  const GhostValues* ghosts = nullptr;
+
+  RankGroup* ranks() const {
+    return ghosts == nullptr ? nullptr : &ghosts->ranks();
+  }
 };
 
 /// The mesh in units of its shortest edge along an axis and its largest shear
-/// modulus, so that its stiffness can be stored in single precision.
+/// modulus on any rank, so that its stiffness can be stored in single
+/// precision.
 /// @param unit  unit of the stiffness of the result [N/m]
 HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit);
 
 /// K on vectors of all unknowns, with isotropic linear elasticity and trilinear
-/// geometry.
+/// geometry. Forces and diagonals are zero at the unknowns of other ranks.
 template <class Number>
 class HexahedronOperator {
 public:
@@ -61,8 +72,21 @@ public:
   std::size_t size() const { return size_; }
 
   /// Computes force = K displacement; zero at constrained unknowns.
-  /// @param displacement  [m]; constrained values are overwritten
-  void apply(Number* displacement, Number* force) const;
+  /// @param displacement  [m]; constrained values and those of other ranks are
+  ///                      overwritten
+  void apply(Number* displacement, Number* force) const {
+    apply_own(displacement, force);
+    collect(force);
+  }
+
+  /// The share of the cells of this rank, before collect().
+  void apply_own(Number* displacement, Number* force) const;
+
+  /// Moves forces on unknowns of other ranks to these.
+  void collect(Number* force) const {
+    if (ghosts_ != nullptr)
+      ghosts_->add_to_owners(force);
+  }
 
   /// Gives some cells tangents in place of their moduli; all others have their
   /// moduli again. The diagonal stays that of the moduli.
@@ -84,6 +108,7 @@ private:
   void take_diagonal(const HexahedronMesh& mesh);
 
   std::size_t size_;
+  const GhostValues* ghosts_;
   UnknownConstraints constraints_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Number> shapes_;

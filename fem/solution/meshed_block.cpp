@@ -57,8 +57,7 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
         "linear_solver = fourier: the block is not a periodic regular grid of "
         "boxes; choose auto, direct or multigrid");
   const bool serves = problem.linear_solver == LinearSolver::automatic &&
-                      is_lattice(problem) &&
-                      system.n_unknowns() > most_direct_unknowns;
+                      is_lattice(problem) && !is_small(system);
   if (!is_asked && !serves)
     return nullptr;
   return std::make_unique<LatticePreconditioner>(system, problem.degree,

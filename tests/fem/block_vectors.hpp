@@ -17,7 +17,8 @@ inline BlockVector random_vector(const BlockSystem& system, unsigned int seed) {
   BlockVector vector = system.space().make_vector();
   const std::vector<double> numbers = random_field(system.n_unknowns(), seed);
   for (unsigned int i = 0; i < system.n_unknowns(); ++i)
-    if (!system.space().constraints().is_constrained(i))
+    if (system.space().owned().is_element(i) &&
+        !system.space().constraints().is_constrained(i))
       vector(i) = numbers[i] - 0.5;
   vector.compress(dealii::VectorOperation::insert);
   return vector;
