@@ -6,9 +6,9 @@
 #include "fem/adaptive/refinement_rule.hpp"
 #include "fem/block/block_triangulation.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "fem/parallel/ranks.hpp"
 #include "fem/solution/meshed_block.hpp"
 
+#include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,17 +33,12 @@ void check_adaptive(const BlockProblem& problem) {
     throw std::domain_error(
         "an adaptive mesh with two meshed bodies is not available; use "
         "another kind of mesh or one body");
-  start_mpi();
-  if (n_ranks() > 1)
-    throw std::domain_error(fmt::format(
-        "an adaptive mesh is not available on several processes, but there are "
-        "{}; use one, or another kind of mesh",
-        n_ranks()));
   require_between("halvings", problem.adaptive->halvings, 1, 12, "1");
 }
 
 std::shared_ptr<MeshChange::Mesh> coarsest_mesh(const BlockProblem& problem) {
   check_adaptive(problem);
+  start_mpi();
   std::shared_ptr<dealii::parallel::TriangulationBase<3>> mesh =
       make_triangulation(problem.mesh, false);
   auto adaptive = std::dynamic_pointer_cast<MeshChange::Mesh>(mesh);
@@ -131,7 +126,9 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   double mean_at_points = 0.0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
     mean_at_points += points[i].area * at_points[i];
-  mean_at_points /= points.area();
+  mean_at_points =
+      dealii::Utilities::MPI::sum(mean_at_points, MPI_COMM_WORLD) /
+      points.area();
   const double missed = mean_at_points - mean_of(step.heights);
   mechanics::LoadTarget load = step.load;
   if (load.control == mechanics::Control::mean_gap)
@@ -204,7 +201,7 @@ bool AdaptiveBlock::change_mesh(const BlockSolution& found,
   const ChangedCells changed = change.count();
   if (changed.refined == 0 &&
       static_cast<double>(changed.coarsened) <
-          least_coarsened * static_cast<double>(mesh_->n_active_cells()))
+          least_coarsened * static_cast<double>(mesh_->n_global_active_cells()))
     return false;
   rebuild(change, found.pressure);
   return true;

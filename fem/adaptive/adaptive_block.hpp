@@ -28,8 +28,11 @@ namespace asperity::fem {
 /// @param problem  with `adaptive` set and a coarsest mesh of equal boxes,
 ///                 which halved adaptive.halvings times has the nodes of the
 ///                 grid on its contact surface
-/// @throws std::domain_error  under the conditions of make_full_block, for two
-///                            bodies, and on several ranks
+/// On several ranks the cells are distributed anew after each change. Their
+/// number is independent of the ranks.
+///
+/// @throws std::domain_error  under the conditions of make_full_block, and for
+///                            two bodies
 std::unique_ptr<FullBlock> make_adaptive_block(const BlockProblem& problem);
 
 } // namespace asperity::fem

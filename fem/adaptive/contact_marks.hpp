@@ -49,6 +49,10 @@ public:
   /// Examines a cell face of the mesh.
   void examine(const CellRange& face);
 
+  /// One number for each finest cell: whether it is marked. Several ranks that
+  /// examine different faces unite theirs.
+  std::vector<char>& marks() { return marked_; }
+
   /// Whether a marked cell lies in the range or next to it.
   bool is_marked_near(const CellRange& range) const;
 

@@ -1,9 +1,10 @@
 #pragma once
 
-// Change of the mesh of a block: equal flags on periodic sides, and transfer of
-// the displacement.
+// Change of the mesh of a block: the flags of its cells, and transfer of the
+// displacement.
 // Include this header in .cpp files of fem/ only.
 
+#include "fem/adaptive/mesh_plan.hpp"
 #include "fem/block/block_problem.hpp"
 
 #include <deal.II/distributed/tria.h>
@@ -16,34 +17,26 @@
 
 namespace asperity::fem {
 
-/// What is to become of a cell.
-enum class CellChange : char { none, refine, coarsen };
-
-/// The number of cells that a mesh change refines and coarsens.
-struct ChangedCells {
-  std::size_t refined = 0;
-  std::size_t coarsened = 0; ///< cells that vanish, eight per new one
-};
-
-/// One change of the mesh of a box of hexahedra on one rank.
+/// One change of the mesh of a box of equal coarsest boxes, the same on any
+/// number of ranks (mesh_plan.hpp). Every rank knows all cells for that.
 ///
-/// Cells that differ by one level across a face, an edge or a vertex at most
-/// remain so: cells are refined for that, and others not coarsened. With
-/// periodic sides both cells at a pair of faces change alike, so that opposite
-/// sides match.
+/// The rules of deal.II would follow cells that a rank does not know, so that
+/// the mesh would depend on the ranks. The flags of the plan leave nothing to
+/// these rules, because they include cells of other ranks.
 class MeshChange {
 public:
   using Mesh = dealii::parallel::distributed::Triangulation<3>;
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// Sets the flags of the mesh.
+  /// Sets the flags of the mesh. This call is collective, as execute() is.
   /// @param problem  whose box the mesh fills
-  /// @param changes  by active cell index
+  /// @param changes  by active cell index; only those of this rank's cells are
+  ///                 read
   MeshChange(const BlockProblem& problem, Mesh& mesh,
              const std::vector<CellChange>& changes);
 
-  /// What will change after all rules.
-  ChangedCells count() const;
+  /// What will change after all rules, on all ranks.
+  const ChangedCells& count() const { return plan_.count(); }
 
   /// Changes the mesh and returns the displacement on the new one, over the
   /// unknowns that BlockSpace of `problem` will have.
@@ -55,14 +48,9 @@ public:
                  const std::function<void()>& before_change);
 
 private:
-  using Cell = Mesh::active_cell_iterator;
-
-  void find_pairs();
-  bool make_pairs_equal();
-
   const BlockProblem& problem_;
   Mesh& mesh_;
-  std::vector<std::pair<Cell, Cell>> pairs_; ///< at periodic sides
+  MeshPlan plan_;
 };
 
 } // namespace asperity::fem

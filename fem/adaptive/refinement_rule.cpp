@@ -3,6 +3,9 @@
 #include "fem/adaptive/stress_indicator.hpp"
 #include "fem/block/block_triangulation.hpp"
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::fem {
@@ -31,6 +34,15 @@ SurfaceFields fields_of(const BlockProblem& problem, const BlockSystem& system,
           pressure_share * contact_pressure};
 }
 
+/// Gives every rank the marks of all.
+void unite_ranks(ContactMarks& marks) {
+  std::vector<int> numbers(marks.marks().begin(), marks.marks().end());
+  dealii::Utilities::MPI::max(numbers, MPI_COMM_WORLD, numbers);
+  std::ranges::transform(numbers, marks.marks().begin(), [](int number) {
+    return static_cast<char>(number);
+  });
+}
+
 /// The range with a margin of its own width on all sides, which contains the
 /// parent of the cell.
 CellRange around(const CellRange& range) {
@@ -54,8 +66,10 @@ RefinementRule::RefinementRule(const BlockProblem& problem,
                                   problem.adaptive->moduli_ratio)) {
   for (const auto& cell :
        system_.space().triangulation().active_cell_iterators())
-    if (const auto face = contact_face(cell))
-      marks_.examine(*face);
+    if (cell->is_locally_owned())
+      if (const auto face = contact_face(cell))
+        marks_.examine(*face);
+  unite_ranks(marks_);
   find_reference();
 }
 
@@ -83,12 +97,16 @@ void RefinementRule::find_reference() {
   double cells = 0.0;
   for (const auto& cell :
        system_.space().triangulation().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
     const auto face = contact_face(cell);
     if (!face || !marks_.is_touched(*face))
       continue;
     squares += std::pow(indicator_[cell->active_cell_index()], 2);
     cells += 1.0;
   }
+  squares = dealii::Utilities::MPI::sum(squares, MPI_COMM_WORLD);
+  cells = dealii::Utilities::MPI::sum(cells, MPI_COMM_WORLD);
   reference_ = cells > 0.0 ? std::sqrt(squares / cells) : 0.0;
 }
 
@@ -112,7 +130,8 @@ std::vector<CellChange> RefinementRule::changes(bool may_coarsen) const {
   std::vector<CellChange> changes;
   for (const auto& cell :
        system_.space().triangulation().active_cell_iterators())
-    changes.push_back(change_of(cell, may_coarsen));
+    changes.push_back(cell->is_locally_owned() ? change_of(cell, may_coarsen)
+                                               : CellChange::none);
   return changes;
 }
 

@@ -1,15 +1,20 @@
-// Tests of fem/adaptive/mesh_change.hpp and stress_indicator.hpp: a change of
-// the mesh preserves a field, the match of periodic sides and an exact stress.
+// Tests of fem/adaptive/mesh_change.hpp, mesh_plan.hpp and
+// stress_indicator.hpp: a change of the mesh preserves a field, the match of
+// periodic sides and an exact stress, and is the planned one on any number of
+// ranks.
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/adaptive/stress_indicator.hpp"
 #include "fem/block/block_triangulation.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 
+#include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -39,17 +44,38 @@ std::shared_ptr<Mesh> mesh_of(const BlockProblem& problem) {
   return std::dynamic_pointer_cast<Mesh>(mesh);
 }
 
-/// Random changes of cells that are not yet of the finest level.
-std::vector<CellChange> random_changes(const Mesh& mesh, unsigned int seed) {
-  const std::vector<double> dice = random_field(mesh.n_active_cells(), seed);
-  std::vector<CellChange> changes(dice.size(), CellChange::none);
-  for (const auto& cell : mesh.active_cell_iterators()) {
-    const double thrown = dice[cell->active_cell_index()];
-    if (thrown < 0.2 && cell->level() < most_levels)
-      changes[cell->active_cell_index()] = CellChange::refine;
-    else if (thrown > 0.4)
-      changes[cell->active_cell_index()] = CellChange::coarsen;
-  }
+/// The place of a cell in a mesh of four coarsest cells per side.
+BoxCell box_of(const Mesh::cell_iterator& cell) {
+  BoxCell box{cell->level(), {}};
+  for (unsigned int i = 0; i < 3; ++i)
+    box.place[i] = static_cast<int>(cell->center()[i] / length *
+                                    (4 << cell->level()));
+  return box;
+}
+
+/// A random change of a cell that is not yet of the finest level. Cells of one
+/// parent often merge.
+CellChange random_change(const BoxCell& cell, unsigned int seed,
+                         int levels = most_levels) {
+  const auto thrown = [&](const BoxCell& of) {
+    return random_field(
+               1, static_cast<unsigned int>(seed + 31 * of.key() % 1000003))
+        .front();
+  };
+  if (thrown(cell) < 0.1 && cell.level < levels)
+    return CellChange::refine;
+  const auto& [x, y, z] = cell.place;
+  return thrown({cell.level + 1, {x / 2, y / 2, z / 2}}) > 0.4
+             ? CellChange::coarsen
+             : CellChange::none;
+}
+
+std::vector<CellChange> random_changes(const Mesh& mesh, unsigned int seed,
+                                       int levels = most_levels) {
+  std::vector<CellChange> changes(mesh.n_active_cells());
+  for (const auto& cell : mesh.active_cell_iterators())
+    changes[cell->active_cell_index()] =
+        random_change(box_of(cell), seed, levels);
   return changes;
 }
 
@@ -122,12 +148,137 @@ TEST(MeshChange, UndoesARefinement) {
                         std::vector<CellChange>(mesh->n_active_cells(), what));
       static_cast<void>(
           change.execute(BlockSpace(problem, mesh).make_vector(), [] {}));
-      return mesh->n_active_cells();
+      return mesh->n_global_active_cells();
     };
 
     EXPECT_EQ(change_all(CellChange::refine), 8U * 64U);
     EXPECT_EQ(change_all(CellChange::coarsen), 64U);
   }
+}
+
+/// The cells of all ranks, by key.
+std::vector<std::uint64_t> cells_of(const Mesh& mesh) {
+  std::vector<std::uint64_t> own;
+  for (const auto& cell : mesh.active_cell_iterators())
+    if (cell->is_locally_owned())
+      own.push_back(box_of(cell).key());
+  std::vector<std::uint64_t> all;
+  for (const auto& part :
+       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, own))
+    all.insert(all.end(), part.begin(), part.end());
+  std::ranges::sort(all);
+  return all;
+}
+
+/// A list of cells after a plan.
+std::vector<BoxCell> planned(const std::vector<BoxCell>& cells,
+                             const MeshPlan& plan) {
+  std::vector<BoxCell> after;
+  for (const BoxCell& cell : cells) {
+    const CellChange change = plan.change_of(cell);
+    const auto& [x, y, z] = cell.place;
+    if (change == CellChange::none)
+      after.push_back(cell);
+    else if (change == CellChange::refine)
+      for (int child = 0; child < 8; ++child)
+        after.push_back({cell.level + 1,
+                         {2 * x + child % 2, 2 * y + child / 2 % 2,
+                          2 * z + child / 4}});
+    else if (x % 2 + y % 2 + z % 2 == 0)
+      after.push_back({cell.level - 1, {x / 2, y / 2, z / 2}});
+  }
+  return after;
+}
+
+// Random changes of three levels give the mesh of a list of cells that knows
+// neither deal.II nor ranks, over many changes.
+TEST(MeshChange, DoesWhatIsPlanned) {
+  constexpr int levels = 3;
+  const BlockProblem problem = problem_of(1, mechanics::BlockSides::periodic);
+  const auto mesh = mesh_of(problem);
+  std::vector<BoxCell> cells;
+  for (int i = 0; i < 64; ++i)
+    cells.push_back({0, {i % 4, i / 4 % 4, i / 16}});
+  std::size_t merged = 0;
+  for (unsigned int seed = 1; seed <= 8; ++seed) {
+    std::vector<MeshPlan::Wish> wishes;
+    for (const BoxCell& cell : cells)
+      wishes.push_back({cell, random_change(cell, seed, levels)});
+    const MeshPlan plan({4, 4, 4}, true, wishes);
+    cells = planned(cells, plan);
+
+    MeshChange change(problem, *mesh, random_changes(*mesh, seed, levels));
+    merged += change.count().coarsened;
+    mesh->execute_coarsening_and_refinement();
+
+    std::vector<std::uint64_t> expected;
+    for (const BoxCell& cell : cells)
+      expected.push_back(cell.key());
+    std::ranges::sort(expected);
+    EXPECT_EQ(cells.size(), plan.cells_after());
+    ASSERT_TRUE(cells_of(*mesh) == expected) << seed;
+  }
+  EXPECT_EQ(mesh->n_global_levels(), levels + 1U);
+  EXPECT_GT(merged, 0U);
+}
+
+using Box = BoxCell;
+
+/// The eight cells of half the edge in a cube, one of them halved `more` times
+/// at the corner that the other seven share; all wish to merge.
+std::vector<MeshPlan::Wish> nested_cubes(int more) {
+  std::vector<MeshPlan::Wish> wishes;
+  Box inner{1, {0, 0, 0}};
+  for (int depth = 0; depth <= more; ++depth) {
+    const auto& [x, y, z] = inner.place;
+    const std::array<int, 3> base{x / 2 * 2, y / 2 * 2, z / 2 * 2};
+    for (int child = 0; child < 8; ++child) {
+      const Box cell{inner.level,
+                     {base[0] + child % 2, base[1] + child / 2 % 2,
+                      base[2] + child / 4}};
+      if (depth == more || cell.place != inner.place)
+        wishes.push_back({cell, CellChange::coarsen});
+    }
+    inner = {inner.level + 1,
+             {2 * inner.place[0], 2 * inner.place[1], 2 * inner.place[2]}};
+  }
+  return wishes;
+}
+
+// Eight cells merge if all of them are cells, and only these: a cell that is
+// halved once more keeps its seven neighbours.
+TEST(MeshPlan, MergesCompleteFamilies) {
+  const MeshPlan flat({1, 1, 1}, false, nested_cubes(0));
+  const MeshPlan nested({1, 1, 1}, false, nested_cubes(1));
+
+  EXPECT_EQ(flat.count().coarsened, 8U);
+  EXPECT_EQ(flat.cells_after(), 1U);
+  EXPECT_EQ(nested.count().coarsened, 8U);
+  EXPECT_EQ(nested.cells_after(), 8U);
+  EXPECT_EQ(nested.change_of({1, {0, 0, 0}}), CellChange::none);
+  EXPECT_EQ(nested.change_of({1, {1, 0, 0}}), CellChange::none);
+  EXPECT_EQ(nested.change_of({0, {0, 0, 0}}), CellChange::refine);
+}
+
+// A cell that refines takes along a larger cell that touches it at a vertex,
+// and a cell at the opposite periodic side.
+TEST(MeshPlan, RefinesForItsRules) {
+  std::vector<MeshPlan::Wish> wishes;
+  for (int i = 1; i < 8; ++i)
+    wishes.push_back({{0, {i % 2, i / 2 % 2, i / 4}}});
+  for (int i = 0; i < 8; ++i)
+    wishes.push_back({{1, {i % 2, i / 2 % 2, i / 4}},
+                      i == 7 ? CellChange::refine : CellChange::none});
+  const MeshPlan plan({2, 2, 2}, false, wishes);
+  EXPECT_EQ(plan.count().refined, 8U);
+  EXPECT_EQ(plan.change_of({0, {1, 1, 1}}), CellChange::refine);
+
+  const std::vector<MeshPlan::Wish> row{
+      {{0, {0, 0, 0}}, CellChange::refine}, {{0, {1, 0, 0}}}, {{0, {2, 0, 0}}}};
+  EXPECT_EQ(MeshPlan({3, 1, 1}, false, row).count().refined, 1U);
+  const MeshPlan periodic({3, 1, 1}, true, row);
+  EXPECT_EQ(periodic.count().refined, 2U);
+  EXPECT_EQ(periodic.change_of({0, {2, 0, 0}}), CellChange::refine);
 }
 
 // A uniform strain in two materials has a step of the stress between

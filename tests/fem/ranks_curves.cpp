@@ -1,6 +1,8 @@
 // Contact curves of small blocks of every type, printed by the first rank:
 // ranks_test.py runs this program alone and under mpirun. With the argument
-// "waves", only the blocks that the Fourier solver preconditions.
+// "own", only the blocks whose solver distributes its work itself: those that
+// the Fourier solver preconditions, and those without a matrix.
+#include "fem/adaptive/adaptive_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 
@@ -97,11 +99,83 @@ void print_waves() {
               mechanics::ContactLaw::hard);
 }
 
+/// Second-order cells of two sizes, distorted if the sides are free.
+BlockProblem hexahedra(mechanics::BlockSides sides) {
+  BlockProblem problem = boxes_problem({16, 16, 1e-6, 1e-6}, 2, body, 1e-6);
+  problem.mesh = meshes::hanging_mesh({8, 8, 1e-6, 1e-6}, 1e-6, 2);
+  problem.moduli.add_layer(0.3e-6, moduli({5.0 * soft_modulus, 0.4}));
+  problem.sides = sides;
+  problem.linear_solver = LinearSolver::multigrid;
+  if (sides == mechanics::BlockSides::free)
+    shake(problem.mesh, 0.08e-6);
+  return problem;
+}
+
+/// The stiffness of a contact whose nodes may slide, and that of nodes that
+/// stick.
+void print_stiffness(const BlockProblem& problem) {
+  std::vector<double> heights = random_field(problem.grid.size(), 3);
+  for (double& height : heights)
+    height *= 4e-9;
+  const auto block = make_full_block(problem);
+  const BlockSolution found = block->solve(
+      heights, {mechanics::Control::nominal_pressure, 1e6},
+      {mechanics::ContactLaw::hard, 300.0 * soft_modulus / 1e-6, 1e-10, 400});
+  const ContactStiffness stiffness = block->stiffness();
+  if (is_first())
+    std::printf("sticking %d %.16e %.16e %.16e %.16e\n",
+                found.converged && stiffness.converged, stiffness.normal,
+                stiffness.tangential, stiffness.normal / stiffness.tangential,
+                found.area_by_points);
+}
+
+/// A mesh that follows the contact with a wave on a rough surface, under loads
+/// that rise and fall.
+void print_adaptive(const char* name, int degree, mechanics::BlockSides sides) {
+  const Grid nodes{32, 32, 1e-6, 1e-6};
+  const BlockProblem problem{
+      .grid = nodes,
+      .mesh = meshes::equal_boxes({8 / degree, 8 / degree, 1e-6, 1e-6}, 1e-6),
+      .degree = degree,
+      .moduli = ModuliField(moduli(body)),
+      .sides = sides,
+      .adaptive = AdaptiveMesh{2}};
+  const std::vector<double> rough = random_field(nodes.size(), 5);
+  std::vector<double> heights = wave_heights(nodes, 10e-9);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    heights[i] += 1e-9 * rough[i];
+  const auto block = make_adaptive_block(problem);
+  for (const double load : {2e5, 4e6, 2e5}) {
+    const BlockSolution found = block->solve(
+        heights, {mechanics::Control::nominal_pressure, load},
+        {mechanics::ContactLaw::hard, 300.0 * soft_modulus / 1e-6, 1e-10, 400});
+    if (is_first())
+      std::printf("%s %d %zu %.16e %.16e %.16e\n", name, found.converged,
+                  block->unknowns(), found.mean_gap, found.area_by_points,
+                  largest_magnitude(found.pressure));
+  }
+}
+
+void print_matrix_free() {
+  print_curve("hexahedra", hexahedra(mechanics::BlockSides::periodic),
+              mechanics::ContactLaw::hard);
+  print_curve("distorted", hexahedra(mechanics::BlockSides::free),
+              mechanics::ContactLaw::penalty);
+  BlockProblem problem = hexahedra(mechanics::BlockSides::periodic);
+  problem.far_boundary = mechanics::FarBoundary::pressure;
+  problem.contact_at = mechanics::ContactPoints::gauss;
+  print_curve("loaded", problem, mechanics::ContactLaw::augmented);
+  print_stiffness(hexahedra(mechanics::BlockSides::free));
+  print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
+  print_adaptive("first-order", 1, mechanics::BlockSides::free);
+}
+
 } // namespace
 
 int main(int n_arguments, char** arguments) {
   start_mpi();
-  if (n_arguments < 2 || std::string(arguments[1]) != "waves")
+  if (n_arguments < 2 || std::string(arguments[1]) != "own")
     print_meshes();
   print_waves();
+  print_matrix_free();
 }

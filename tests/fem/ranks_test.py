@@ -1,7 +1,8 @@
 """Two ranks, and three, give the curve of one to 1e-9 of each number.
 
 Arguments: the program ranks_curves, mpirun. Tolerance: as required; systems are
-solved to 1e-12 and the condition number of a block is some 1e3.
+solved to 1e-12 and the condition number of a block is some 1e3. Stiffnesses follow
+from systems solved to 1e-8 and are compared to 1e-7.
 """
 import math
 import os
@@ -29,8 +30,9 @@ def differences(one, two):
     assert one and [row[0] for row in one] == [row[0] for row in two]
     for a, b in zip(one, two):
         assert a[1] == "1" and b[1] == "1", f"not converged: {a} {b}"
+        tolerance = 1e-7 if a[0] == "sticking" else 1e-9
         for x, y in zip(map(float, a[2:]), map(float, b[2:])):
-            if not (math.isfinite(x) and abs(x - y) <= 1e-9 * abs(x)):
+            if not (math.isfinite(x) and abs(x - y) <= tolerance * abs(x)):
                 yield a[0], x, y
 
 
@@ -43,11 +45,11 @@ def main(program, mpirun):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    assert len(one) == 22, f"{len(one)} rows"
+    assert len(one) == 35, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
     # Three ranks divide no lattice evenly.
-    for ranks, which, expected in (("2", [], one), ("3", ["waves"], one[16:])):
+    for ranks, which, expected in (("2", [], one), ("3", ["own"], one[16:])):
         several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
         assert all(f"{ranks} ranks" in note for note in notes), notes
         for name, x, y in differences(expected, several):
