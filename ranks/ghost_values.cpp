@@ -71,7 +71,7 @@ GhostValues::bytes_of(const std::vector<std::size_t>& items,
 }
 
 template <class Number>
-void GhostValues::import(Number* values) const {
+void GhostValues::fill_ghosts(Number* values) const {
   buffer_.resize(items_.size() * width_ * sizeof(Number));
   auto* to = reinterpret_cast<Number*>(buffer_.data());
   for (const std::size_t item : items_)
@@ -95,8 +95,8 @@ void GhostValues::add_to_owners(Number* values) const {
   std::ranges::fill(ghosts, Number(0));
 }
 
-template void GhostValues::import(float*) const;
-template void GhostValues::import(double*) const;
+template void GhostValues::fill_ghosts(float*) const;
+template void GhostValues::fill_ghosts(double*) const;
 template void GhostValues::add_to_owners(float*) const;
 template void GhostValues::add_to_owners(double*) const;
 

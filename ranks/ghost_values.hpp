@@ -30,7 +30,7 @@ public:
 
   /// Copies the values of the owners to the ghosts.
   template <class Number>
-  void import(Number* values) const;
+  void fill_ghosts(Number* values) const;
 
   /// Adds the values of the ghosts to those of their owners, rank after rank,
   /// and sets the ghosts to zero.

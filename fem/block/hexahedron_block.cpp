@@ -247,7 +247,7 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
   for (const auto unknown : held_)
     values[numbers_.of(unknown)] = 0.0;
   if (numbers_.ghosts() != nullptr)
-    numbers_.ghosts()->import(values);
+    numbers_.ghosts()->fill_ghosts(values);
   numbers_.constraints().distribute(values);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)

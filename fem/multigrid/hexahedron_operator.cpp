@@ -274,7 +274,7 @@ template <class Number>
 void HexahedronOperator<Number>::apply_own(Number* displacement,
                                            Number* force) const {
   if (ghosts_ != nullptr)
-    ghosts_->import(displacement);
+    ghosts_->fill_ghosts(displacement);
   constraints_.distribute(displacement);
   std::fill_n(force, size_, Number(0));
   HexahedronProduct<Number> product;

@@ -44,7 +44,7 @@ void check(RankGroup& ranks) {
   for (std::size_t i = 0; i < 2 * items.owned; ++i)
     array[i] = static_cast<Number>(10 * (2 * items.first + i));
 
-  values.import(array.data());
+  values.fill_ghosts(array.data());
 
   for (std::size_t i = 0; i < items.ghosts.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
