@@ -16,6 +16,28 @@ enum class MeshKind { layers, hanging, adaptive, gmsh };
 enum class MeshGeometry { block, indentation, layered, inclusion, file };
 enum class MeshCells { hexahedra, tetrahedra };
 
+/// The outline of a counter-body that is meshed by itself: a half ball or a cap
+/// of it, or an upright circular or square column.
+enum class CounterShape { sphere, cylinder, cuboid };
+
+/// [mesh.counter]: the second body (bodies = 2) of finite size, under the
+/// centre of the contact surface.
+struct CounterMeshSpec {
+  CounterShape shape = CounterShape::sphere;
+  /// Of the sphere or the cylinder; half the side of the cuboid [m] > 0.
+  Quantity radius{0.0, ReferenceUnit::si};
+  std::optional<Quantity> height = {}; ///< [m] > 0; empty: the radius
+  /// Of a cell [m]; empty: that of the block's cells.
+  std::optional<Quantity> size_at_contact = {};
+  Quantity size_far{0.1, ReferenceUnit::length}; ///< of a cell [m]
+  /// Half the width of the fine region at the centre [m]; empty: a quarter of
+  /// the radius for a sphere, otherwise the radius, which makes the whole end
+  /// fine.
+  std::optional<Quantity> fine_radius = {};
+  Quantity offset_x{0.0, ReferenceUnit::si}; ///< of its axis [m]
+  Quantity offset_y{0.0, ReferenceUnit::si}; ///< [m]
+};
+
 /// [mesh]: the mesh of the full block (solver = "full").
 struct MeshSpec {
   MeshKind kind = MeshKind::layers;
@@ -35,6 +57,8 @@ struct MeshSpec {
   Quantity fine_radius{0.1, ReferenceUnit::length}; ///< for indentation [m]
   std::string file;                                 ///< as in MaterialVariation
   double file_unit = 1.0; ///< metres per unit of the file
+  /// Empty: a meshed counter-body is the mirror image of the block.
+  std::optional<CounterMeshSpec> counter = {};
 };
 
 } // namespace asperity::mechanics

@@ -1,0 +1,47 @@
+#pragma once
+
+// Meshes of a counter-body of finite size: a half ball, a cap of one, or an
+// upright column, of hexahedra in a conforming mesh without hanging nodes.
+
+#include "mechanics/mesh_spec.hpp"
+#include "meshes/block_mesh.hpp"
+
+namespace asperity::meshes {
+
+/// A counter-body below the contact surface: it occupies z <= 0, its axis is
+/// parallel to z, and its highest point or its flat end lies at z = 0.
+struct CounterBody {
+  mechanics::CounterShape shape = mechanics::CounterShape::sphere;
+  double radius = 0.0; ///< of the ball or the cylinder, half the side of the
+                       ///< cuboid [m] > 0
+  double height = 0.0; ///< [m]; of a cap 0.25 to 1 times the radius
+  double size_at_contact = 0.0; ///< of a cell in the fine region [m] > 0
+  double size_far = 0.0;        ///< upper limit of the length of a cell along
+                                ///< the way out [m] >= size_at_contact
+  double fine_radius = 0.0;     ///< half the width of the fine region [m]
+  double centre_x = 0.0;        ///< of the axis [m]
+  double centre_y = 0.0;        ///< [m]
+};
+
+/// The largest distance from the axis of a point of the body [m].
+double half_width(const CounterBody& body);
+
+/// Meshes the body. The faces of its end are the group contact, those of its
+/// base z = -height the group far_boundary, and all others the group sides.
+/// `length_x` and `length_y` of the mesh are the widths of the body, `depth`
+/// its height.
+///
+/// A box of n x n x m cells with edges of size_at_contact lies at the centre of
+/// the end. Without a fine region (fine_radius of at least half the radius, and
+/// never for a ball) it reaches down to the base in layers that grow, and from
+/// side to side; a cylinder has a ring of cells around it. With a fine region
+/// five blocks fan out from the box to the base and to the sides, and have as
+/// many cells across as the box, so that the cells widen in proportion.
+///
+/// A ball is the exact one, z = -(R - sqrt(R^2 - r^2)) at the vertices of its
+/// end.
+///
+/// @throws std::domain_error  a number is outside of its range
+BlockMesh counter_body(const CounterBody& body);
+
+} // namespace asperity::meshes
