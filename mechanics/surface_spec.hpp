@@ -85,6 +85,10 @@ struct SurfaceSpec {
   Filling fill = Filling::harmonic; ///< of missing points
   double max_missing = 0.05;        ///< largest fraction that is filled
 
+  /// R of the paraboloid r^2/(2 R) that a rough surface lies on > 0; empty: the
+  /// surface is nominally flat.
+  std::optional<double> form_radius;
+
   double radius = 0.0;     ///< sphere, punch
   double recess = 0.0;     ///< punch: depth of the surface around its flat end
   double tilt = 0.0;       ///< punch: slope of its flat end along x [1]

@@ -191,6 +191,16 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
   return std::move(resampled.map);
 }
 
+/// Lays a rough surface on its form.
+HeightMap on_form(HeightMap map, const SurfaceSpec& surface) {
+  if (!surface.form_radius)
+    return map;
+  const HeightMap form = paraboloid(map.grid, *surface.form_radius);
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    map.heights[i] += form.heights[i];
+  return map;
+}
+
 HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
   switch (surface.kind) {
   case SurfaceKind::sphere:
@@ -231,9 +241,9 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
 
 HeightMap build_surface(const SurfaceSpec& surface, int realization) {
   if (is_random(surface.kind))
-    return random_surface(surface, realization);
+    return on_form(random_surface(surface, realization), surface);
   if (surface.kind == SurfaceKind::measured)
-    return measured_surface(surface);
+    return on_form(measured_surface(surface), surface);
   return shape_on(surface, square_grid(surface));
 }
 
@@ -243,10 +253,13 @@ HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
   if (highest_wavevector)
     require_positive("highest_wavevector", *highest_wavevector, "rad/m");
   if (surface.kind == SurfaceKind::measured)
-    return measured_surface_on(surface, grid, highest_wavevector);
+    return on_form(measured_surface_on(surface, grid, highest_wavevector),
+                   surface);
   require_length(surface, grid);
   if (is_random(surface.kind))
-    return random_surface_on(surface, realization, grid, highest_wavevector);
+    return on_form(
+        random_surface_on(surface, realization, grid, highest_wavevector),
+        surface);
   const HeightMap shape = shape_on(surface, grid);
   return highest_wavevector ? low_passed(shape, *highest_wavevector) : shape;
 }

@@ -22,7 +22,8 @@ bool is_random(mechanics::SurfaceKind kind);
 /// @throws std::domain_error  another kind, or values that no case can have
 IsotropicSpectrum formula_spectrum(const mechanics::SurfaceSpec& surface);
 
-/// The heights [m] of one realisation, with mean 0. With surface.rescale a
+/// The heights [m] of one realisation, with mean 0, including the paraboloid of
+/// surface.form_radius. With surface.rescale a
 /// random surface is scaled to exactly the prescribed rms height or slope (a
 /// table without either: to the rms height of the table). Kinds that are not
 /// random have only realisation 0 and are rebuilt for any other number; the

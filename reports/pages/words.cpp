@@ -7,7 +7,7 @@ namespace {
 
 using mechanics::SurfaceKind;
 
-std::string surface_words(const mechanics::SurfaceSpec& surface) {
+std::string kind_words(const mechanics::SurfaceSpec& surface) {
   switch (surface.kind) {
   case SurfaceKind::self_affine:
     return fmt::format("self-affine surface, H = {:.3g}, roll-off at {:.3g} "
@@ -35,6 +35,13 @@ std::string surface_words(const mechanics::SurfaceSpec& surface) {
                        surface.amplitude * 1e9, surface.wavelength * 1e6);
   }
   return "surface";
+}
+
+std::string surface_words(const mechanics::SurfaceSpec& surface) {
+  return kind_words(surface) +
+         (surface.form_radius ? fmt::format(", on a sphere of radius {:.6g} µm",
+                                            *surface.form_radius * 1e6)
+                              : "");
 }
 
 std::string grid_words(const results::Result& result) {

@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "tests/message_of.hpp"
 
@@ -109,6 +110,29 @@ TEST(BuildSurface, MakesTheExactShapes) {
   const HeightMap map = build_surface(surface, 0);
   EXPECT_NEAR(map.heights[map.grid.index(32, 32)], statistics(map).highest,
               1e-22);
+}
+
+// A rough ball is the sum of the roughness and of a paraboloid, -r^2/(2 R) from
+// the highest point of the form, on every grid.
+TEST(BuildSurface, LaysRoughnessOnItsForm) {
+  SurfaceSpec surface = self_affine();
+  const HeightMap rough = build_surface(surface, 0);
+  surface.form_radius = 2e-4;
+  const HeightMap ball = build_surface(surface, 0);
+  const HeightMap again = build_surface_on(surface, 0, ball.grid);
+
+  const std::size_t apex = ball.grid.index(32, 32);
+  const auto form = [&](std::size_t node) {
+    return ball.heights[node] - rough.heights[node];
+  };
+  const double spacing = ball.grid.spacing_x();
+  for (const auto& [ix, iy] : {std::pair{40, 32}, {32, 2}, {10, 50}}) {
+    const double r2 =
+        ((ix - 32) * (ix - 32) + (iy - 32) * (iy - 32)) * spacing * spacing;
+    EXPECT_NEAR(form(ball.grid.index(ix, iy)) - form(apex), -r2 / (2.0 * 2e-4),
+                1e-20);
+  }
+  EXPECT_EQ(again.heights, ball.heights);
 }
 
 // A table of two rows is one power law, C = C_0 (q/q_0)^-2, of <h^2> = 2 pi C_0
