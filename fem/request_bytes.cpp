@@ -54,13 +54,21 @@ void pass(Archive& archive, mechanics::MaterialSpec& material) {
 }
 
 template <typename Archive>
+void pass(Archive& archive, mechanics::CounterMeshSpec& counter) {
+  auto& [shape, radius, height, size_at_contact, size_far, fine_radius,
+         offset_x, offset_y] = counter;
+  archive(shape, radius, height, size_at_contact, size_far, fine_radius,
+          offset_x, offset_y);
+}
+
+template <typename Archive>
 void pass(Archive& archive, mechanics::MeshSpec& mesh) {
   auto& [kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
          geometry, cells, size_at_contact, size_far, fine_radius, file,
-         file_unit] = mesh;
+         file_unit, counter] = mesh;
   archive(kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
           geometry, cells, size_at_contact, size_far, fine_radius, file,
-          file_unit);
+          file_unit, counter);
 }
 
 template <typename Archive>

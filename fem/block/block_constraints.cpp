@@ -76,6 +76,11 @@ void BlockSpace::constrain(const BlockProblem& problem) {
     throw std::domain_error(
         "top = pressure with sides = free: the block can tilt as a rigid body; "
         "choose top = clamped or sliding");
+  if (problem.far_boundary == mechanics::FarBoundary::pressure &&
+      problem.counter_mesh)
+    throw std::domain_error(
+        "top = pressure with a counter-body of finite size: this body can tilt "
+        "as a rigid body; choose top = clamped or sliding");
   constraints_.reinit(relevant_);
   dealii::DoFTools::make_hanging_node_constraints(dof_handler_, constraints_);
   hold_far_boundary(problem);
@@ -116,12 +121,13 @@ void BlockSpace::pin(const BlockProblem& problem,
         constraints_.add_line(node.unknowns[component]);
   };
   const Point<3> middle(lengths_[0] / 2.0, lengths_[1] / 2.0,
-                        is_counter ? -lengths_[2] : lengths_[2]);
+                        is_counter ? -counter_depth_ : lengths_[2]);
   const Point<3> pinned = best_place(
       own, tolerance_, [&](const Point<3>& p) { return p.distance(middle); });
   for (unsigned int i = 0; i < 3; ++i)
     hold(pinned, i);
-  if (problem.sides == mechanics::BlockSides::periodic)
+  if (problem.sides == mechanics::BlockSides::periodic &&
+      !(is_counter && problem.counter_mesh))
     return;
   // The second node may move towards the first and away from it, but not
   // sideways.

@@ -47,10 +47,14 @@ struct BlockProblem {
       mechanics::HeightInterpolation::bicubic;
   LinearSolver linear_solver = LinearSolver::automatic;
 
-  /// The second body, if it is meshed as well: the mirror image of the first
-  /// below the contact surface, supported at its own far boundary as the first
-  /// body is.
+  /// The second body, if it is meshed as well, below the contact surface and
+  /// supported at its own far boundary as the first body is.
   std::optional<mechanics::BodyModuli> counter = {};
+
+  /// The mesh of the second body, which lies at z <= 0, has free sides and is
+  /// held at its group far_boundary, z = -depth (counter_body.hpp). Empty: the
+  /// second body is the mirror image of the first.
+  std::optional<meshes::BlockMesh> counter_mesh = {};
 
   /// The laterally uniform block on the same node grid that the mesh equals or
   /// approximates; LinearSolver::fourier uses it as preconditioner.

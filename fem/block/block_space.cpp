@@ -31,7 +31,8 @@ first_of_all(const BlockProblem& problem) {
   require_positive("mesh.depth", problem.mesh.depth, "m");
   for (const double length : {problem.mesh.length_x, problem.mesh.length_y})
     require_positive("length of the mesh", length, "m");
-  return make_triangulation(problem.mesh, problem.counter.has_value());
+  return make_triangulation(problem.mesh, problem.counter.has_value(),
+                            problem.counter_mesh);
 }
 
 int axis_of(FaceGroup group) {
@@ -54,6 +55,8 @@ BlockSpace::BlockSpace(
     std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
     : lengths_(
           {problem.mesh.length_x, problem.mesh.length_y, problem.mesh.depth}),
+      counter_depth_(problem.counter_mesh ? problem.counter_mesh->depth
+                                          : problem.mesh.depth),
       tolerance_(1e-6 *
                  std::min(problem.grid.spacing_x(), problem.grid.spacing_y())),
       triangulation_(triangulation ? std::move(triangulation)
@@ -87,14 +90,14 @@ dealii::TrilinosWrappers::MPI::Vector BlockSpace::make_vector() const {
   return dealii::TrilinosWrappers::MPI::Vector(owned_, MPI_COMM_WORLD);
 }
 
-double BlockSpace::position_of(FaceGroup group) const {
+double BlockSpace::position_of(FaceGroup group, bool is_counter) const {
   switch (group) {
   case FaceGroup::right:
     return lengths_[0];
   case FaceGroup::back:
     return lengths_[1];
   case FaceGroup::far_boundary:
-    return lengths_[2];
+    return is_counter ? counter_depth_ : lengths_[2];
   default:
     return 0.0;
   }
@@ -102,7 +105,6 @@ double BlockSpace::position_of(FaceGroup group) const {
 
 std::vector<FaceNode> BlockSpace::face_nodes(FaceGroup group) const {
   const auto axis = static_cast<unsigned int>(axis_of(group));
-  const double position = position_of(group);
   const auto& support = element_->get_unit_support_points();
   std::map<global_dof_index, FaceNode> nodes;
   std::vector<global_dof_index> unknowns(element_->n_dofs_per_cell());
@@ -126,7 +128,8 @@ std::vector<FaceNode> BlockSpace::face_nodes(FaceGroup group) const {
     for (auto& [unit, node] : here) {
       node.place = mapping_->transform_unit_to_real_cell(
           cell, dealii::Point<3>(unit[0], unit[1], unit[2]));
-      if (std::abs(std::abs(node.place[axis]) - position) < tolerance_)
+      if (std::abs(std::abs(node.place[axis]) -
+                   position_of(group, node.is_counter)) < tolerance_)
         nodes.emplace(node.unknowns[2], node);
     }
   }
@@ -165,8 +168,7 @@ std::vector<std::uint32_t> BlockSpace::cell_nodes() const {
   return nodes;
 }
 
-std::vector<std::pair<global_dof_index, double>> BlockSpace::resolved(
-    const std::vector<std::pair<global_dof_index, double>>& row) const {
+FaceRow BlockSpace::resolved(const FaceRow& row) const {
   std::map<global_dof_index, double> sum;
   for (const auto& [unknown, value] : row) {
     if (!constraints_.is_constrained(unknown)) {

@@ -18,9 +18,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace asperity::fem {
+
+/// The values of shape functions, by unconstrained unknown.
+using FaceRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
 /// A boundary node whose displacements are unknowns.
 struct FaceNode {
@@ -79,7 +83,8 @@ public:
   /// Creates a zero vector of the owned unknowns.
   dealii::TrilinosWrappers::MPI::Vector make_vector() const;
 
-  /// Nodes on the faces of a group that lie on cells this rank owns or borders
+  /// Nodes on the faces of a group (not on the contact faces of a second body
+  /// with a mesh of its own) that lie on cells this rank owns or borders
   /// on, each once, ordered by the number of u_z.
   std::vector<FaceNode> face_nodes(meshes::FaceGroup group) const;
 
@@ -89,9 +94,7 @@ public:
 
   /// Resolves the constraints in a row of shape values: the entries of the
   /// unconstrained unknowns, sorted, each unknown once.
-  std::vector<std::pair<dealii::types::global_dof_index, double>> resolved(
-      const std::vector<std::pair<dealii::types::global_dof_index, double>>&
-          row) const;
+  FaceRow resolved(const FaceRow& row) const;
 
   /// Coordinates that differ by less than this are considered equal [m].
   double coordinate_tolerance() const { return tolerance_; }
@@ -103,9 +106,10 @@ private:
   void pin(const BlockProblem& problem, const std::vector<FaceNode>& nodes,
            bool is_counter);
   void identify_sides();
-  double position_of(meshes::FaceGroup group) const;
+  double position_of(meshes::FaceGroup group, bool is_counter) const;
 
-  std::array<double, 3> lengths_; ///< of one body [m]
+  std::array<double, 3> lengths_; ///< of the first body [m]
+  double counter_depth_;          ///< of the second body [m]
   double tolerance_;
   std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation_;
   std::unique_ptr<dealii::FESystem<3>> element_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace asperity::fem {
@@ -96,14 +97,20 @@ void BlockSystem::integrate_far_load() {
 }
 
 void BlockSystem::find_face_modulus() {
-  double largest = 0.0;
+  // The softer of two bodies yields to a contact spring.
+  std::array<double, 2> largest{};
   for (const auto& cell : space_.dof_handler().active_cell_iterators())
     if (cell->is_locally_owned() && cell->at_boundary())
       for (const auto& face : cell->face_iterators())
         if (face->at_boundary() &&
             face->boundary_id() == boundary_of(FaceGroup::contact))
-          largest = std::max(largest, moduli_of(cell).shear_modulus);
-  face_shear_modulus_ = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+          largest[cell->center()[2] < 0.0 ? 1 : 0] =
+              std::max(largest[cell->center()[2] < 0.0 ? 1 : 0],
+                       moduli_of(cell).shear_modulus);
+  for (double& modulus : largest)
+    modulus = dealii::Utilities::MPI::max(modulus, MPI_COMM_WORLD);
+  face_shear_modulus_ = counter_ ? std::min(largest[0], largest[1])
+                                 : largest[0];
 }
 
 std::string BlockSystem::report() const {

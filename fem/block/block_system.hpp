@@ -33,6 +33,12 @@ public:
 
   const ContactPoints& contact() const { return contact_; }
 
+  /// Reserves entries of the stiffness for springs on further rows. Must be
+  /// called before the first call of stiffness().
+  void also_reserve(std::vector<FaceRow> rows) {
+    contact_.also_reserve(std::move(rows));
+  }
+
   bool has_counter() const { return counter_.has_value(); }
 
   dealii::types::global_dof_index n_unknowns() const {
@@ -52,7 +58,8 @@ public:
   /// The moduli of a cell.
   Moduli moduli_of(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
-  /// The largest shear modulus of the cells at the contact surface [Pa].
+  /// The largest shear modulus of the cells at the contact surface, of two
+  /// bodies that of the softer one [Pa].
   double face_shear_modulus() const { return face_shear_modulus_; }
 
   /// Lines of text on cells, unknowns and ranks.

@@ -7,6 +7,8 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
 namespace asperity::fem {
@@ -50,11 +52,13 @@ void append(const meshes::BlockMesh& mesh, bool is_mirrored,
   }
 }
 
+/// @param is_first_only  whether the cells of negative z stay as they are
 void refine(dealii::Triangulation<3>& triangulation,
-            const std::vector<double>& refine_below) {
+            const std::vector<double>& refine_below, bool is_first_only) {
   for (const double depth : refine_below) {
     for (const auto& cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned() && std::abs(cell->center()[2]) < depth)
+      if (cell->is_locally_owned() && std::abs(cell->center()[2]) < depth &&
+          !(is_first_only && cell->center()[2] < 0.0))
         cell->set_refine_flag();
     triangulation.execute_coarsening_and_refinement();
   }
@@ -63,17 +67,22 @@ void refine(dealii::Triangulation<3>& triangulation,
 } // namespace
 
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
-make_triangulation(const meshes::BlockMesh& mesh, bool has_counter) {
+make_triangulation(const meshes::BlockMesh& mesh, bool has_counter,
+                   const std::optional<meshes::BlockMesh>& counter) {
   if (mesh.cells.empty())
     refuse_argument("number of cells", 0.0, "at least 1");
   const bool is_hexahedral = mesh.shape == meshes::CellShape::hexahedron;
   if (!is_hexahedral && !mesh.refine_below.empty())
     refuse_argument("number of refinements of tetrahedra",
                     static_cast<double>(mesh.refine_below.size()), "0");
+  if (counter && counter->shape != mesh.shape)
+    throw std::domain_error(
+        "a counter-body of its own mesh consists of hexahedra, and so must the "
+        "block: choose cells = \"hexahedra\"");
   CoarseMesh coarse;
   append(mesh, false, coarse);
   if (has_counter)
-    append(mesh, true, coarse);
+    append(counter ? *counter : mesh, !counter, coarse);
 
   std::unique_ptr<dealii::parallel::TriangulationBase<3>> triangulation;
   if (is_hexahedral) {
@@ -91,7 +100,7 @@ make_triangulation(const meshes::BlockMesh& mesh, bool has_counter) {
   }
   triangulation->create_triangulation(coarse.vertices, coarse.cells,
                                       coarse.boundary);
-  refine(*triangulation, mesh.refine_below);
+  refine(*triangulation, mesh.refine_below, counter.has_value());
   return triangulation;
 }
 

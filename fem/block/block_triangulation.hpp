@@ -10,6 +10,7 @@
 #include <deal.II/distributed/tria_base.h>
 
 #include <memory>
+#include <optional>
 
 namespace asperity::fem {
 
@@ -24,12 +25,14 @@ constexpr dealii::types::boundary_id boundary_of(meshes::FaceGroup group) {
 /// supports hexahedra only: every rank stores the complete mesh and owns a part
 /// of its cells.
 ///
-/// @param has_counter  adds the mirror image (x, y, -z) below the contact
-///                     surface, disconnected from the first body: the cells of
-///                     negative z
-/// @throws std::domain_error  the mesh has no cells, or refine_below is set for
-///                            tetrahedra
+/// @param has_counter  adds a second body below the contact surface,
+///                     disconnected from the first: the cells of negative z
+/// @param counter      its mesh; empty for the mirror image (x, y, -z) of the
+///                     first body. It is not refined.
+/// @throws std::domain_error  the mesh has no cells, refine_below is set for
+///                            tetrahedra, or the second mesh has other cells
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
-make_triangulation(const meshes::BlockMesh& mesh, bool has_counter);
+make_triangulation(const meshes::BlockMesh& mesh, bool has_counter,
+                   const std::optional<meshes::BlockMesh>& counter = {});
 
 } // namespace asperity::fem

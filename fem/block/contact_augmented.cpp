@@ -36,10 +36,11 @@ double ContactNewton::own_spring(const BlockContact& contact) const {
 double ContactNewton::violation(double compliance) const {
   double largest = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
-    largest = larger_residual(largest,
-                              pressure_[i] > 0.0
-                                  ? std::abs(gap(i) + compliance * pressure_[i])
-                                  : -gap(i));
+    if (system_.contact()[i].is_opposed)
+      largest = larger_residual(
+          largest, pressure_[i] > 0.0
+                       ? std::abs(gap(i) + compliance * pressure_[i])
+                       : -gap(i));
   return max(largest, MPI_COMM_WORLD);
 }
 

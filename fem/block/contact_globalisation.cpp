@@ -27,6 +27,8 @@ double ContactNewton::contact_work(const State& before, double share,
                                    double penalty) const {
   double work = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    if (!system_.contact()[i].is_opposed)
+      continue;
     const double moved = rigid_gap_ - before.rigid_gap + face_displacement_[i] -
                          before.face_displacement[i];
     const double gap_there = gap(i) - (1.0 - share) * moved;
@@ -45,8 +47,7 @@ double ContactNewton::contact_work(const State& before, double share,
 /// which is convex, so that its derivative along the step increases and the
 /// step of Newton's method descends.
 void ContactNewton::shorten_step(const State& before, double penalty) {
-  using Vector = dealii::TrilinosWrappers::MPI::Vector;
-  Vector step(displacement_);
+  dealii::TrilinosWrappers::MPI::Vector step(displacement_);
   step -= before.displacement;
   const double start =
       before.elastic * step +

@@ -130,6 +130,8 @@ double ContactNewton::touching_gap(double nominal_pressure,
   double high = -1e300;
   double low = 1e300;
   for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    if (!system_.contact()[i].is_opposed)
+      continue;
     const double own =
         heights_[i] - face_displacement_[i] + multiplier_[i] / penalty;
     high = std::max(high, own);
@@ -140,10 +142,11 @@ double ContactNewton::touching_gap(double nominal_pressure,
   const auto bears = [&](double d) {
     double force = 0.0;
     for (std::size_t i = 0; i < pressure_.size(); ++i)
-      force +=
-          system_.contact()[i].area *
-          std::max(0.0, multiplier_[i] - penalty * (d + face_displacement_[i] -
-                                                    heights_[i]));
+      if (system_.contact()[i].is_opposed)
+        force += system_.contact()[i].area *
+                 std::max(0.0, multiplier_[i] -
+                                   penalty * (d + face_displacement_[i] -
+                                              heights_[i]));
     return sum(force, MPI_COMM_WORLD) / area();
   };
   for (int i = 0; i < 100; ++i) {
@@ -155,7 +158,9 @@ double ContactNewton::touching_gap(double nominal_pressure,
 
 void ContactNewton::update_pressure(double penalty) {
   for (std::size_t i = 0; i < pressure_.size(); ++i)
-    pressure_[i] = std::max(0.0, multiplier_[i] - penalty * gap(i));
+    pressure_[i] = system_.contact()[i].is_opposed
+                       ? std::max(0.0, multiplier_[i] - penalty * gap(i))
+                       : 0.0;
 }
 
 /// Newton's method at fixed multipliers until the contact set no longer

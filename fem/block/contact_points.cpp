@@ -41,7 +41,9 @@ ContactPoints::ContactPoints(const BlockSpace& space,
     : space_(space),
       is_nodal_(problem.contact_at == mechanics::ContactPoints::nodes),
       has_counter_(problem.counter.has_value()) {
-  if (has_counter_)
+  if (problem.counter_mesh)
+    counter_.emplace(space);
+  else if (has_counter_)
     find_counter();
   if (is_nodal_)
     take_nodes(problem.grid);
@@ -76,13 +78,27 @@ void ContactPoints::find_counter() {
               static_cast<global_dof_index>(part[i + 3]);
 }
 
-FaceRow ContactPoints::with_counter(FaceRow row) const {
-  if (!has_counter_)
-    return row;
-  const std::size_t own = row.size();
+/// Subtracts the displacement of the second body from the row of a place on the
+/// first. Returns false if there is no counter-surface at this place.
+bool ContactPoints::add_counter(const Point<2>& place, FaceRow& row) const {
+  if (counter_) {
+    const std::optional<FaceRow> counter = counter_->row_at(place);
+    if (counter)
+      for (const auto& [unknown, value] : *counter)
+        row.emplace_back(unknown, -value);
+    return counter.has_value();
+  }
+  const std::size_t own = has_counter_ ? row.size() : 0;
   for (std::size_t i = 0; i < own; ++i)
     row.emplace_back(opposite_.at(row[i].first), -row[i].second);
-  return row;
+  return true;
+}
+
+void ContactPoints::add_point(const Grid& grid, const Point<2>& place,
+                              double area, FaceRow row) {
+  const bool is_opposed = add_counter(place, row);
+  points_.push_back({place, area, std::move(row),
+                     grid_node_at(grid, place[0], place[1]), is_opposed});
 }
 
 FaceRow
@@ -105,7 +121,10 @@ ContactPoints::row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
   row = space_.resolved(row);
   std::erase_if(row,
                 [&](const auto& entry) { return is_roundoff(entry.second); });
-  return with_counter(std::move(row));
+  const Point<3> place =
+      space_.mapping().transform_unit_to_real_cell(cell, unit);
+  add_counter(Point<2>(place[0], place[1]), row);
+  return row;
 }
 
 std::size_t ContactPoints::nearest_on_face(std::size_t first,
@@ -142,9 +161,8 @@ void ContactPoints::take_nodes(const Grid& grid) {
     if (node.is_counter || !space_.owned().is_element(unknown) ||
         space_.constraints().is_constrained(unknown))
       continue;
-    points_.push_back({Point<2>(node.place[0], node.place[1]), areas(unknown),
-                       with_counter({{unknown, 1.0}}),
-                       grid_node_at(grid, node.place[0], node.place[1])});
+    add_point(grid, Point<2>(node.place[0], node.place[1]), areas(unknown),
+              {{unknown, 1.0}});
   }
 }
 
@@ -165,9 +183,8 @@ void ContactPoints::take_gauss_points(const Grid& grid) {
             std::abs(value) > 1e-14)
           row.emplace_back(unknowns[i], value);
       const Point<3> place = values.quadrature_point(q);
-      points_.push_back({Point<2>(place[0], place[1]), values.JxW(q),
-                         with_counter(space_.resolved(row)),
-                         grid_node_at(grid, place[0], place[1])});
+      add_point(grid, Point<2>(place[0], place[1]), values.JxW(q),
+                space_.resolved(row));
     }
   });
 }
@@ -194,6 +211,12 @@ void ContactPoints::finish(const Grid& grid) {
   const std::size_t n_points = sum(points_.size(), MPI_COMM_WORLD);
   if (n_points == 0)
     throw std::domain_error("the mesh has no face in the group contact");
+  const auto n_opposed = static_cast<std::size_t>(
+      std::ranges::count_if(points_, &ContactPoint::is_opposed));
+  if (sum(n_opposed, MPI_COMM_WORLD) == 0)
+    throw std::domain_error("no point of the contact surface faces the "
+                            "counter-body: its cells are too coarse for a body "
+                            "of that size, or the body lies beside the block");
   smallest = dealii::Utilities::MPI::min(smallest, MPI_COMM_WORLD);
   if (smallest <= 1e-9 * area_ / static_cast<double>(n_points))
     throw std::domain_error(
@@ -240,6 +263,10 @@ void ContactPoints::reserve(
   for (const ContactPoint& point : points_)
     for (const auto& row : point.row)
       for (const auto& column : point.row)
+        pattern.add(row.first, column.first);
+  for (const FaceRow& others : others_)
+    for (const auto& row : others)
+      for (const auto& column : others)
         pattern.add(row.first, column.first);
 }
 

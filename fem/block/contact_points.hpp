@@ -7,15 +7,13 @@
 
 #include "fem/block/block_space.hpp"
 #include "fem/block/block_triangulation.hpp"
+#include "fem/block/counter_faces.hpp"
 
+#include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace asperity::fem {
-
-/// The values of the shape functions, by unconstrained unknown u_z.
-using FaceRow = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
 /// Calls `visit(cell, face number)` for each face on the contact surface of the
 /// locally owned cells of the first body.
@@ -42,6 +40,9 @@ struct ContactPoint {
   FaceRow row;
   int grid_node = -1; ///< node of the problem's grid at this point, if there is
                       ///< one
+  /// Whether there is a counter-surface at this place: false beside a second
+  /// body of finite size, where the point never comes into contact.
+  bool is_opposed = true;
 };
 
 /// The contact points of this rank: node-wise those of its own unknowns,
@@ -52,10 +53,18 @@ struct ContactPoint {
 ///
 /// For node-wise contact a is the row sum of the mass matrix of the contact
 /// surface and B selects u_z.
+///
+/// A second body that is the mirror image of the first has a node opposite to
+/// each node. If it has a mesh of its own, its displacement at a point is that
+/// of the face there, and the points of the first body alone are tested: it is
+/// the slave surface, the second body the master. As B contains the shape
+/// functions of both faces, a force on a point acts with equal sums on both
+/// bodies.
 class ContactPoints {
 public:
   /// @throws std::domain_error  there is no contact surface, or its nodes have
-  ///                            no area (second-order tetrahedra)
+  ///                            no area (second-order tetrahedra), or no
+  ///                            point faces the second body
   ContactPoints(const BlockSpace& space, const BlockProblem& problem);
 
   std::size_t size() const { return points_.size(); }
@@ -66,6 +75,9 @@ public:
 
   /// Whether contact is node-wise and the nodes are exactly those of the grid.
   bool is_grid() const { return is_grid_; }
+
+  /// Whether the second body has a mesh of its own.
+  bool has_counter_mesh() const { return counter_.has_value(); }
 
   double area() const { return area_; } ///< of the points of all ranks [m^2]
 
@@ -83,6 +95,9 @@ public:
   void add_springs(std::span<const double> springs,
                    dealii::TrilinosWrappers::SparseMatrix& matrix) const;
 
+  /// Reserves the entries of further rows, too.
+  void also_reserve(std::vector<FaceRow> rows) { others_ = std::move(rows); }
+
   /// Reserves the entries for arbitrary springs.
   void reserve(dealii::TrilinosWrappers::SparsityPattern& pattern) const;
 
@@ -98,7 +113,9 @@ public:
 
 private:
   void find_counter();
-  FaceRow with_counter(FaceRow row) const;
+  bool add_counter(const dealii::Point<2>& place, FaceRow& row) const;
+  void add_point(const Grid& grid, const dealii::Point<2>& place, double area,
+                 FaceRow row);
   void take_nodes(const Grid& grid);
   void take_gauss_points(const Grid& grid);
   void finish(const Grid& grid);
@@ -112,7 +129,9 @@ private:
   /// same place.
   std::map<dealii::types::global_dof_index, dealii::types::global_dof_index>
       opposite_;
+  std::optional<CounterFaces> counter_; ///< of a second mesh
   double area_ = 0.0;
+  std::vector<FaceRow> others_; ///< rows whose entries are reserved as well
   dealii::IndexSet needed_;
   mutable dealii::TrilinosWrappers::MPI::Vector ghosted_;
 };

@@ -82,8 +82,8 @@ FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
       displacement_(force_),
       values_(numbers_.size()) {
   find_parents(unknowns);
-  if (fine.contact().is_nodal())
-    find_nodal_points(fine, unknowns);
+  if (fine.contact().is_nodal() || fine.has_counter())
+    find_points(fine, unknowns);
   else
     find_gauss_points(fine);
   find_rigid_modes();
@@ -109,19 +109,24 @@ void FirstOrderCorrection::find_parents(const LocalUnknowns& unknowns) {
   }
 }
 
-/// Writes the rows of nodes in first-order unknowns.
-void FirstOrderCorrection::find_nodal_points(const BlockSystem& fine,
-                                             const LocalUnknowns& unknowns) {
+/// Writes the rows of contact points in first-order unknowns, if they have own
+/// unknowns only.
+void FirstOrderCorrection::find_points(const BlockSystem& fine,
+                                       const LocalUnknowns& unknowns) {
   std::vector<std::size_t> row_of(unknowns.owned() / 3);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     row_of[nodes_[row] / 3] = row;
   const std::vector<Unknown> global = numbers_.global();
   for (std::size_t i = 0; i < fine.contact().size(); ++i) {
-    const Unknown normal = fine.contact()[i].row.front().first;
-    const std::size_t row = row_of[unknowns.of(normal) / 3];
     FaceRow coarse;
-    for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
-      coarse.emplace_back(global[parents_.column[k]] + 2, parents_.weight[k]);
+    for (const auto& [unknown, value] : fine.contact()[i].row) {
+      const std::size_t own = unknowns.of(unknown);
+      const std::size_t row = row_of[own / 3];
+      for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1];
+           ++k)
+        coarse.emplace_back(global[parents_.column[k]] + own % 3,
+                            value * parents_.weight[k]);
+    }
     points_.push_back(coarse_.space().resolved(coarse));
     vertices_.emplace_back();
     if (coarse.size() > 1 ||
@@ -131,6 +136,8 @@ void FirstOrderCorrection::find_nodal_points(const BlockSystem& fine,
     if (!coarse_.space().owned().is_element(*vertices_.back()))
       throw std::logic_error("the owners of a node and its vertex differ");
   }
+  if (fine.has_counter())
+    coarse_.also_reserve(points_);
 }
 
 /// Writes the rows of Gauss points in first-order unknowns. Second-order
@@ -366,7 +373,11 @@ std::size_t HexahedronBlock::bytes() const {
 }
 
 bool is_hexahedron_block(const BlockSystem& system) {
-  return has_low_order(system.space()) && !system.has_counter();
+  const bool has_rows_of_one_rank =
+      system.contact().has_counter_mesh() &&
+      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+  return has_low_order(system.space()) &&
+         (!system.has_counter() || has_rows_of_one_rank);
 }
 
 std::unique_ptr<MatrixFreeBlock>

@@ -56,8 +56,7 @@ private:
   using Unknown = dealii::types::global_dof_index;
 
   void find_parents(const LocalUnknowns& unknowns);
-  void find_nodal_points(const BlockSystem& fine,
-                         const LocalUnknowns& unknowns);
+  void find_points(const BlockSystem& fine, const LocalUnknowns& unknowns);
   void find_gauss_points(const BlockSystem& fine);
   void find_rigid_modes();
   void refresh();

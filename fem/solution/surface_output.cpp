@@ -101,7 +101,7 @@ public:
 
   /// Whether a node is a contact point: it is no hanging node.
   bool is_contact_point(const SurfaceNode& node) const {
-    return node.row.size() == (system_.has_counter() ? 2 : 1);
+    return std::abs(node.row.front().second - 1.0) < 1e-12;
   }
 
 private:

@@ -4,6 +4,7 @@
 // the Fourier solver preconditions, and those without a matrix.
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
+#include "meshes/counter_body.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <cstdio>
@@ -76,6 +77,21 @@ void print_meshes() {
   problem = boxes;
   problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
   print_curve("counter", problem, mechanics::ContactLaw::penalty);
+  for (const int degree : {1, 2}) {
+    problem = boxes_problem(grid, degree, body, 1e-6);
+    problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
+    problem.counter_mesh =
+        meshes::counter_body({.shape = mechanics::CounterShape::cylinder,
+                              .radius = 0.35e-6,
+                              .height = 0.5e-6,
+                              .size_at_contact = degree * grid.spacing_x(),
+                              .size_far = 0.3e-6,
+                              .fine_radius = 0.35e-6,
+                              .centre_x = 0.5e-6,
+                              .centre_y = 0.52e-6});
+    print_curve(degree == 1 ? "column" : "column2", problem,
+                mechanics::ContactLaw::penalty);
+  }
   problem = boxes_problem(grid, 2, body, 1e-6);
   problem.sides = mechanics::BlockSides::free;
   problem.far_boundary = mechanics::FarBoundary::sliding;

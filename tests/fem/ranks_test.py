@@ -45,11 +45,11 @@ def main(program, mpirun):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    assert len(one) == 35, f"{len(one)} rows"
+    assert len(one) == 39, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
     # Three ranks divide no lattice evenly.
-    for ranks, which, expected in (("2", [], one), ("3", ["own"], one[16:])):
+    for ranks, which, expected in (("2", [], one), ("3", ["own"], one[20:])):
         several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
         assert all(f"{ranks} ranks" in note for note in notes), notes
         for name, x, y in differences(expected, several):

@@ -51,6 +51,14 @@ FullRequest unusual_request() {
                   {0.7, ReferenceUnit::rms_height},
                   "block.msh",
                   1e-3};
+  request.mesh.counter = {mechanics::CounterShape::cuboid,
+                          {0.6, ReferenceUnit::length},
+                          {},
+                          mechanics::Quantity{0.01, ReferenceUnit::length},
+                          {0.02, ReferenceUnit::length},
+                          {},
+                          {-0.03, ReferenceUnit::length},
+                          {1e-7, ReferenceUnit::si}};
   request.scales = {2.3e9, 1.1e-6, 2.75e-7, 1e-9, 0.1};
   return request;
 }
@@ -92,6 +100,12 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(got.mesh.fine_radius.reference, ReferenceUnit::rms_height);
   EXPECT_EQ(got.mesh.file, "block.msh");
   EXPECT_EQ(got.mesh.file_unit, 1e-3);
+  ASSERT_TRUE(got.mesh.counter);
+  EXPECT_EQ(got.mesh.counter->shape, mechanics::CounterShape::cuboid);
+  EXPECT_FALSE(got.mesh.counter->height);
+  ASSERT_TRUE(got.mesh.counter->size_at_contact);
+  EXPECT_EQ(got.mesh.counter->size_at_contact->value, 0.01);
+  EXPECT_EQ(got.mesh.counter->offset_x.value, -0.03);
   EXPECT_EQ(got.scales.rms_slope, 0.1);
   EXPECT_EQ(bytes_of(got, small_mesh()), bytes_of(sent, small_mesh()));
 }
