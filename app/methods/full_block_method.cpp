@@ -129,7 +129,8 @@ private:
     if (extras_.with_section == step)
       answer.section = stress_section(
           {method_, answer.row.nominal_pressure, peak,
-           settings_.full.sides == mechanics::BlockSides::periodic},
+           settings_.full.sides == mechanics::BlockSides::periodic,
+           settings_.full.bodies == 2},
           *block_, continuum_);
     if (extras_.with_files.contains(step))
       block_->write(extras_.files);

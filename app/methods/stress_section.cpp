@@ -162,13 +162,27 @@ results::Table stress_section(const OwnSection& section,
     std::erase_if(places.offsets, [&](int offset) {
       return at(offset) < 0.0 || at(offset) > grid.length_x;
     });
-  fem::SectionPlane plane{peak.place[1], peak.place[2] < 0.0, {}, places.depth};
+  fem::SectionPlane plane{peak.place[1],
+                          peak.place[2] < 0.0 && !section.has_counter,
+                          {},
+                          places.depth};
   for (const int offset : places.offsets)
     plane.x.push_back(at(offset) -
                       grid.length_x * std::floor(at(offset) / grid.length_x));
+  std::vector<double> depths = places.depth;
+  std::vector<double> strength = block.section(plane);
+  if (section.has_counter) {
+    plane.is_counter = true;
+    plane.depth = {places.depth.rbegin(), places.depth.rend() - 1};
+    const std::vector<double> above = block.section(plane);
+    strength.insert(strength.begin(), above.begin(), above.end());
+    for (double& depth : plane.depth)
+      depth = -depth;
+    depths.insert(depths.begin(), plane.depth.begin(), plane.depth.end());
+  }
   return section_table(
-      section.method, section.nominal_pressure, "from its cells", places.depth,
-      in_metres(places.offsets, grid.spacing_x()), block.section(plane));
+      section.method, section.nominal_pressure, "from its cells", depths,
+      in_metres(places.offsets, grid.spacing_x()), std::move(strength));
 }
 
 } // namespace asperity::app

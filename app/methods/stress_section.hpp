@@ -61,9 +61,12 @@ struct OwnSection {
   double nominal_pressure = 0.0; ///< of the last solution [Pa]
   fem::StressPeak peak;          ///< strongest point of the last solution
   bool is_periodic = true;       ///< whether the sides are periodic
+  bool has_counter = false;      ///< whether a second body is meshed
 };
 
-/// Computes the same table from the finite-element stress of a full block. If
+/// Computes the same table from the finite-element stress of a full block. With
+/// a second meshed body the section extends as far into it, at negative depths;
+/// the stress is NaN beside the bodies. If
 /// the strongest point is less than one grid spacing deep, the section has the
 /// size for a point one spacing deep.
 ///

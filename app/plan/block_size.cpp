@@ -1,12 +1,14 @@
 #include "app/plan/block_size.hpp"
 
 #include "base/special_numbers.hpp"
+#include "meshes/counter_body.hpp"
 #include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 namespace asperity::app {
@@ -232,6 +234,31 @@ BlockSize by_gmsh(const cases::Case& contact_case,
                cells_along(grid.length_y, near, near), layers, degree);
 }
 
+/// Returns the number of cells of a counter-body, or 0 if it is refused.
+double counter_cells(const mechanics::CounterMeshSpec& spec,
+                     const mechanics::Scales& scales, const Grid& grid,
+                     double degree) {
+  const double size = spec.size_at_contact ? spec.size_at_contact->in_si(scales)
+                                           : degree * grid.spacing_x();
+  const double radius = spec.radius.in_si(scales);
+  const double share =
+      spec.shape == mechanics::CounterShape::sphere ? 0.25 : 1.0;
+  try {
+    return static_cast<double>(
+        meshes::counter_body(
+            {.shape = spec.shape,
+             .radius = radius,
+             .height = spec.height ? spec.height->in_si(scales) : radius,
+             .size_at_contact = size,
+             .size_far = std::max(size, spec.size_far.in_si(scales)),
+             .fine_radius = spec.fine_radius ? spec.fine_radius->in_si(scales)
+                                             : share * radius})
+            .cells.size());
+  } catch (const std::domain_error&) {
+    return 0.0; // the run says what is wrong
+  }
+}
+
 } // namespace
 
 int n_layers(const cases::Case& contact_case,
@@ -266,8 +293,15 @@ BlockSize block_size(const cases::Case& contact_case,
     size = adaptive(contact_case, scales, cells, depth, degree);
   else
     size = by_gmsh(contact_case, scales, grid, depth, degree);
-  size.cells *= settings.full.bodies;
-  size.unknowns *= settings.full.bodies;
+  if (settings.full.bodies == 2 && contact_case.mesh.counter) {
+    const double n_cells =
+        counter_cells(*contact_case.mesh.counter, scales, grid, degree);
+    size.cells += n_cells;
+    size.unknowns += 3.0 * degree * degree * degree * n_cells;
+  } else {
+    size.cells *= settings.full.bodies;
+    size.unknowns *= settings.full.bodies;
+  }
   return size;
 }
 

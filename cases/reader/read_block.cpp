@@ -114,11 +114,54 @@ void read_block(TableReader& material, const std::string& folder,
     spec.variation = read_variation(*node, folder, mistakes);
 }
 
+namespace {
+
+/// Reads [mesh.counter]. A sphere has the radius of [surface], which describes
+/// the distance of its end from the block.
+mechanics::CounterMeshSpec read_counter_mesh(const Node& node, const Case& read,
+                                             Mistakes& mistakes) {
+  TableReader table(node, vocabulary_table("mesh.counter"), mistakes);
+  table.refuse_unknown();
+  mechanics::CounterMeshSpec counter;
+  counter.shape = table.choice("shape", counter.shape);
+  if (table.has("height"))
+    counter.height = table.quantity("height");
+  if (table.has("size_at_contact"))
+    counter.size_at_contact = table.quantity("size_at_contact");
+  counter.size_far = table.quantity("size_far");
+  if (table.has("fine_radius"))
+    counter.fine_radius = table.quantity("fine_radius");
+  counter.offset_x = table.quantity("offset_x");
+  counter.offset_y = table.quantity("offset_y");
+  if (counter.shape != mechanics::CounterShape::sphere) {
+    counter.radius = table.quantity("radius");
+    return counter;
+  }
+  const bool is_sphere = read.surface.kind == mechanics::SurfaceKind::sphere;
+  if (!is_sphere && !read.surface.form_radius)
+    table.refuse(*node.find("shape"),
+                 "needs the radius of the sphere in [surface]: kind = "
+                 "\"sphere\" with radius, or a rough surface with form_radius");
+  counter.radius = {is_sphere ? read.surface.radius
+                              : read.surface.form_radius.value_or(0.0),
+                    mechanics::ReferenceUnit::si};
+  for (const char* key : {"radius", "offset_x", "offset_y"})
+    if (table.has(key))
+      table.refuse(*node.find(key),
+                   "does not apply to shape = \"sphere\", which has the radius "
+                   "and the place of the sphere of [surface]");
+  return counter;
+}
+
+} // namespace
+
 mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
                               const Case& read, Mistakes& mistakes) {
   TableReader table(node, vocabulary_table("mesh"), mistakes);
-  table.refuse_unknown();
+  table.refuse_unknown({"counter"});
   mechanics::MeshSpec mesh;
+  if (const Node* const counter = sub_table(table, "counter"))
+    mesh.counter = read_counter_mesh(*counter, read, mistakes);
   mesh.kind = table.choice("kind", mesh.kind);
   mesh.cells_a_level = table.integer("cells_a_level");
   mesh.halvings = table.integer("halvings");
@@ -259,8 +302,50 @@ void check_adaptive(const Node& file, const Case& read,
             "twice as many");
 }
 
+/// Checks what a counter-body of its own mesh needs.
+void check_counter_mesh(const Node& file, const Case& read,
+                        Mistakes& mistakes) {
+  const Node& place = entry_of(file, "mesh", "counter");
+  bool is_used = false;
+  for (const MethodSpec& method : read.methods) {
+    const auto* const fem =
+        std::get_if<mechanics::FemSettings>(&method.settings);
+    if (fem == nullptr || fem->full.bodies != 2)
+      continue;
+    is_used = true;
+    if (fem->block.far_boundary == mechanics::FarBoundary::pressure)
+      mistakes.add(place.place,
+                   "mesh.counter cannot be combined with " + method.name +
+                       ".top = \"pressure\": a body of finite size would tilt; "
+                       "use top = \"clamped\" or \"sliding\"");
+    if (fem->full.uses_case_mesh &&
+        read.mesh.cells == mechanics::MeshCells::tetrahedra)
+      mistakes.add(place.place,
+                   "mesh.counter consists of hexahedra and cannot be combined "
+                   "with mesh.cells = \"tetrahedra\"");
+  }
+  if (!is_used)
+    mistakes.add(place.place,
+                 "mesh.counter describes a second meshed body, but "
+                 "no method has solver = \"full\" and bodies = 2");
+}
+
+/// A rough surface on a form is not nominally flat.
+void check_form(const Node& file, const Case& read, Mistakes& mistakes) {
+  for (const MethodSpec& method : read.methods)
+    if (std::holds_alternative<mechanics::TheorySettings>(method.settings))
+      mistakes.add(entry_of(file, "surface", "form_radius").place,
+                   "surface.form_radius cannot be combined with " +
+                       method.name +
+                       ", which assumes a nominally flat surface");
+}
+
 void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
   check_layers(file, read, mistakes);
+  if (read.mesh.counter)
+    check_counter_mesh(file, read, mistakes);
+  if (read.surface.form_radius)
+    check_form(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
     const auto* const fem =
         std::get_if<mechanics::FemSettings>(&method.settings);

@@ -264,6 +264,8 @@ mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
     reader.read_wave();
     break;
   }
+  if (reader.table.has("form_radius"))
+    reader.spec.form_radius = reader.length_of("form_radius");
   if (reader.spec.kind == mechanics::SurfaceKind::measured ||
       reader.spec.kind == mechanics::SurfaceKind::spectrum)
     if (const std::string file = reader.table.text("file"); !file.empty())

@@ -112,7 +112,7 @@ void append_keys(std::vector<Key>& keys, const std::vector<Key>& more);
 Table surface_table();
 std::vector<Key> map_keys(); ///< part of [surface]: files and measured maps
 Table md_table();
-Table mesh_table();
+std::vector<Table> mesh_tables();
 std::vector<Table> block_tables();
 std::vector<Key> full_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();

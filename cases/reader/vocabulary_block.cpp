@@ -175,8 +175,11 @@ Key length_key(std::string name, std::string example, std::string description) {
 }
 
 std::vector<Table> block_tables() {
-  return {material_table(),  counter_table(),   layer_table(),
-          inclusion_table(), variation_table(), mesh_table()};
+  std::vector<Table> tables{material_table(), counter_table(), layer_table(),
+                            inclusion_table(), variation_table()};
+  for (Table& table : mesh_tables())
+    tables.push_back(std::move(table));
+  return tables;
 }
 
 namespace {

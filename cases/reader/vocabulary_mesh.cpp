@@ -112,9 +112,77 @@ std::vector<Key> mesh_file_keys() {
   };
 }
 
+/// Returns a key that is a length along x or y, of either sign.
+Key offset_key(std::string name, std::string axis) {
+  Key key = length_key_or("\"0 length\"", std::move(name),
+                          "Distance of the body's axis from the centre of the "
+                          "block along " +
+                              axis +
+                              "; cylinder and cuboid only. The heights of "
+                              "[surface] stay where they are.");
+  key.range = any_number();
+  key.example = "\"0.1 length\"";
+  return key;
+}
+
+/// Returns a length that has a default in words.
+Key optional_length(std::string name, std::string example, std::string when,
+                    std::string description) {
+  Key key =
+      length_key(std::move(name), std::move(example), std::move(description));
+  key.need = Need::never;
+  key.when = std::move(when);
+  return key;
+}
+
+Table mesh_counter_table() {
+  Key radius = length_key("radius", "\"0.15 length\"",
+                          "Radius of the cylinder, half the side of the "
+                          "cuboid. A sphere has the radius of [surface].");
+  radius.need = Need::conditional;
+  radius.when = "with shape = \"cylinder\" or \"cuboid\"";
+  return {
+      .name = "mesh.counter",
+      .when = "Optional; for [fem] with solver = \"full\" and bodies = 2.",
+      .description =
+          "A counter-body of finite size with free sides and a mesh of "
+          "hexahedra of its own. Without this table the counter-body is the "
+          "mirror image of the block.",
+      .keys = {
+          {.name = "shape",
+           .type = ValueType::word,
+           .words = {"sphere", "cylinder", "cuboid"},
+           .need = Need::always,
+           .example = "\"sphere\"",
+           .show = Show::no,
+           .description =
+               "Outline of the body: a half ball or a cap, with the radius of "
+               "[surface] (radius of kind = \"sphere\", or form_radius); or "
+               "an upright column, whose end is meshed flat."},
+          radius,
+          optional_length("height", "\"0.5 length\"", "default: the radius",
+                          "Distance of its base, which is held like the far "
+                          "boundary of the block (top), from its end; for a "
+                          "sphere 0.25 to 1 times the radius."),
+          optional_length("size_at_contact", "\"2 h\"",
+                          "default: that of the block's cells",
+                          "Edge length of its cells at the contact, not less "
+                          "than that of the block's cells."),
+          length_key_or("\"0.1 length\"", "size_far",
+                        "Largest length of its cells along the way from the "
+                        "contact to its base and its sides."),
+          optional_length("fine_radius", "\"0.1 length\"",
+                          "default: a quarter of the radius of a sphere, the "
+                          "whole end of a column",
+                          "Half the width of the region at the centre of its "
+                          "end that has the fine cells."),
+          offset_key("offset_x", "x"),
+          offset_key("offset_y", "y")}};
+}
+
 } // namespace
 
-Table mesh_table() {
+std::vector<Table> mesh_tables() {
   Table table{.name = "mesh",
               .when =
                   "Optional; for [fem] with solver = \"full\", whose layers "
@@ -123,7 +191,7 @@ Table mesh_table() {
               .keys = mesh_shape_keys()};
   append_keys(table.keys, mesh_size_keys());
   append_keys(table.keys, mesh_file_keys());
-  return table;
+  return {table, mesh_counter_table()};
 }
 
 } // namespace asperity::cases

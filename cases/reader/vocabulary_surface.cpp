@@ -156,6 +156,20 @@ std::vector<Key> shape_keys() {
        .example = "\"1 mm\"",
        .show = Show::no,
        .description = "Radius of the sphere, or of the flat end of the punch."},
+      {.name = "form_radius",
+       .dimension = Dimension::length,
+       .range = positive(),
+       .references = by_the_grid,
+       .when = "default: none, nominally flat",
+       .kinds = {"self-affine", "spectrum", "measured"},
+       .example = "\"5 length\"",
+       .show = Show::no,
+       .description =
+           "The rough surface lies on a sphere of this radius R, the "
+           "paraboloid "
+           "-r^2/(2 R) around the centre of the map: a rough ball. All numbers "
+           "of the surface, such as its rms height, are those of the sum; "
+           "[theory] is refused, because it assumes a nominally flat surface."},
       {.name = "recess",
        .dimension = Dimension::length,
        .range = positive(),

@@ -129,7 +129,7 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
     }
     points_.push_back(coarse_.space().resolved(coarse));
     vertices_.emplace_back();
-    if (coarse.size() > 1 ||
+    if (coarse.size() != 1 ||
         coarse_.space().constraints().is_constrained(coarse.front().first))
       continue;
     vertices_.back() = coarse.front().first;

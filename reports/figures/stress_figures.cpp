@@ -172,7 +172,10 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
     return std::nullopt;
   Figure figure;
   figure.name = "stress-section-" + file_word(method.name);
-  figure.title = "Section below the contact surface, " + method.name;
+  const bool has_counter = depth.front() < 0.0;
+  figure.title = has_counter
+                     ? "Section through both bodies, " + method.name
+                     : "Section below the contact surface, " + method.name;
   const double modulus = entry.result->contact_modulus;
   CsvTable table({"method", "depth [um]", "x [um]", "von Mises/E* [1]"});
   for (std::size_t i = 0; i < strength.size(); ++i)
@@ -190,17 +193,22 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   figure.height = 330;
   figure.caption = fmt::format(
       "{}. The plane through the point of the largest stress; at most {:.3g} "
-      "E*, at a depth of {:.3g} µm; the contact surface is the upper edge.",
-      section->title, *strongest / modulus, depth[at] * 1e6);
+      "E*, at a depth of {:.3g} µm; {}.",
+      section->title, *strongest / modulus, depth[at] * 1e6,
+      has_counter
+          ? "the contact surface is at depth 0, and negative depths lie "
+            "in the second body"
+          : "the contact surface is the upper edge");
   figure.script = fmt::format(
       "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
       "palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
       "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\nset cbrange "
       "[0:{:.6g}]\nset cblabel {}\nset xrange [{:.6g}:{:.6g}]\nset yrange "
-      "[{:.6g}:0]\nset xlabel 'x [µm]'\nset ylabel 'depth [µm]'\nplot '{}.csv' "
+      "[{:.6g}:{:.6g}]\nset xlabel 'x [µm]'\nset ylabel 'depth [µm]'\nplot "
+      "'{}.csv' "
       "using 3:2:4 with image notitle\n",
       *strongest / modulus, gnuplot_markup("σ_{vM} / E*"), x.front() * 1e6,
-      x.back() * 1e6, depth.back() * 1e6, figure.name);
+      x.back() * 1e6, depth.back() * 1e6, depth.front() * 1e6, figure.name);
   figure.data = table.text();
   return figure;
 }

@@ -117,5 +117,35 @@ TEST(OwnSection, IsOfTheBodyOfThePointAndWithinIt) {
   EXPECT_NEAR(within.back(), 0.3, 1e-12);
 }
 
+// With two bodies the section reaches as far into the second one, in equal
+// steps through the contact surface, which appears once.
+TEST(OwnSection, ExtendsThroughBothBodies) {
+  const KnownBlock block;
+  OwnSection section = at(0.8, -0.1, true);
+  section.has_counter = true;
+
+  const results::Table table = stress_section(section, block, halfspace);
+
+  const std::vector<double> depth = table.values("depth");
+  const std::vector<double> x = table.values("x");
+  const std::vector<double> strength = table.values("von_mises");
+  const auto n_x = static_cast<std::size_t>(
+      std::count(depth.begin(), depth.end(), depth.front()));
+  ASSERT_EQ(depth.size() % n_x, 0U);
+  EXPECT_NEAR(depth.front(), -0.4, 1e-12);
+  EXPECT_NEAR(depth.back(), 0.4, 1e-12);
+  const std::size_t n_rows = depth.size() / n_x;
+  for (std::size_t row = 0; row < n_rows; ++row)
+    EXPECT_NEAR(depth[row * n_x],
+                -0.4 + 0.8 * static_cast<double>(row) /
+                           static_cast<double>(n_rows - 1),
+                1e-12);
+  for (std::size_t i = 0; i < strength.size(); ++i) {
+    const double place = 0.8 + x[i];
+    const double wrapped = place - 1.6 * std::floor(place / 1.6);
+    EXPECT_NEAR(strength[i], wrapped + 10.0 * std::abs(depth[i]), 1e-12) << i;
+  }
+}
+
 } // namespace
 } // namespace asperity::app

@@ -236,6 +236,44 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\n",
                 "fem.growth=1.2", "mesh.file is missing"}));
 
+const std::string pair =
+    "[fem.pair]\nsolver = \"full\"\nbodies = 2\ncontact = \"penalty\"\n"
+    "penalty = \"10 E*/h\"\n[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+    "poisson_ratio = 0.3\n[mesh]\nkind = \"layers\"\n[mesh.counter]\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    CounterBody, FullBlock,
+    testing::Values(
+        Refused{pair + "shape = \"sphere\"\n", "fem.growth=1.2",
+                "needs the radius of the sphere in [surface]"},
+        Refused{pair + "shape = \"sphere\"\nradius = 1e-6\n",
+                "surface.form_radius=\"2 length\"",
+                "does not apply to shape = \"sphere\""},
+        Refused{pair + "shape = \"sphere\"\n",
+                "surface.form_radius=\"2 length\"",
+                "cannot be combined with theory"},
+        Refused{pair + "shape = \"cone\"\n", "fem.growth=1.2",
+                "must be sphere | cylinder | cuboid"},
+        Refused{pair + "shape = \"cylinder\"\n", "fem.growth=1.2",
+                "mesh.counter.radius is missing"},
+        Refused{pair + "shape = \"cuboid\"\nradius = \"0.2 length\"\n",
+                "fem.pair.top=pressure",
+                "mesh.counter cannot be combined with fem.pair.top"},
+        Refused{"[mesh]\nkind = \"layers\"\n[mesh.counter]\nshape = "
+                "\"cuboid\"\nradius = \"0.2 length\"\n",
+                "fem.growth=1.2", "no method has solver = \"full\""}));
+
+TEST(Block, HasACounterBodyOfItsOwnMesh) {
+  const Case read = block(pair + "shape = \"cylinder\"\nradius = \"0.2 "
+                                 "length\"\noffset_x = \"-0.1 length\"\n");
+
+  ASSERT_TRUE(read.mesh.counter);
+  EXPECT_EQ(read.mesh.counter->shape, mechanics::CounterShape::cylinder);
+  EXPECT_EQ(read.mesh.counter->radius.value, 0.2);
+  EXPECT_EQ(read.mesh.counter->offset_x.value, -0.1);
+  EXPECT_FALSE(read.mesh.counter->height);
+}
+
 const std::string adaptive = "[fem.whole]\nsolver = \"full\"\n[mesh]\nkind = "
                              "\"adaptive\"\n";
 

@@ -126,5 +126,19 @@ TEST_F(StressFigures, LeaveOutPlacesWithoutStress) {
   EXPECT_NE(all[1].script.find("set cbrange [0:0.25]"), std::string::npos);
 }
 
+// A section with negative depths is one of two bodies, and is shown as a whole.
+TEST_F(StressFigures, ShowBothBodies) {
+  for (results::Table& made : result.tables)
+    if (made.name == "stress-section-fem")
+      made.columns.front().values = {-1e-6, -1e-6, 0.0, 0.0};
+
+  const Figure section = figures()[1];
+
+  EXPECT_EQ(section.title, "Section through both bodies, fem");
+  EXPECT_NE(section.caption.find("in the second body"), std::string::npos);
+  EXPECT_NE(section.script.find("set yrange [0:-1]"), std::string::npos)
+      << section.script;
+}
+
 } // namespace
 } // namespace asperity::reports
