@@ -5,6 +5,7 @@
 #include "fem/block_proxy.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "fem/request_bytes.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
@@ -74,6 +75,18 @@ public:
           request.threads);
     return std::make_unique<Q2Operator>(kept_or_built(request, block),
                                         request.threads);
+  }
+
+  std::string text_of(const BlockRequest& request) const override {
+    return fem::text_of(request);
+  }
+
+  std::unique_ptr<contact::SurfaceOperator>
+  condensed_on_ranks(const std::string& text, int threads) const override {
+    const BlockRequest request = block_request_of(text);
+    return std::make_unique<contact::SharedFourierOperator>(
+        request.grid, mpi_group(),
+        condensed_column_q1(request.grid, layers_of(request)), threads);
   }
 
   std::unique_ptr<FullBlock> full(const FullRequest& request) const override {

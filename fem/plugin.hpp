@@ -57,6 +57,16 @@ public:
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 
+  /// A request of a Q1 block as text, with which rank 0 lets every rank build
+  /// its share of the operator.
+  virtual std::string text_of(const BlockRequest& request) const = 0;
+
+  /// The operator of condensed() for Q1 on rows that all ranks share, bitwise
+  /// the same. Collective, within on_all_ranks().
+  /// @param text  a result of text_of()
+  virtual std::unique_ptr<contact::SurfaceOperator>
+  condensed_on_ranks(const std::string& text, int threads) const = 0;
+
   /// The full method. Under mpirun all ranks share the work; only one call may
   /// be active at a time.
   /// @throws input::InputError  in addition, for a file that the request names

@@ -103,6 +103,13 @@ void pass(Archive& archive, FullRequest& request) {
   archive(grid, block, full, material, mesh, scales);
 }
 
+template <typename Archive>
+void pass(Archive& archive, BlockRequest& request) {
+  auto& [grid, settings, scales, youngs_modulus, poisson_ratio, threads, cache,
+         layers] = request;
+  archive(grid, settings, scales, youngs_modulus, poisson_ratio, layers);
+}
+
 /// Takes structures apart to numbers and texts in one list, or puts them
 /// together again from such a list.
 class RequestArchive {
@@ -191,6 +198,19 @@ MeshedRequest request_of_bytes(std::string_view bytes) {
   meshed.mesh = meshes::mesh_of_bytes(
       {reinterpret_cast<const char*>(mesh.data()), mesh.size()});
   return meshed;
+}
+
+std::string text_of(BlockRequest request) {
+  RequestArchive archive;
+  archive(request);
+  return archive.list().dump();
+}
+
+BlockRequest block_request_of(const std::string& text) {
+  RequestArchive archive(Json::parse(text));
+  BlockRequest request;
+  archive(request);
+  return request;
 }
 
 } // namespace asperity::fem

@@ -10,8 +10,12 @@ namespace asperity {
 namespace {
 
 /// Number of rounds in which the columns are exchanged: the buffers of a round
-/// then take a quarter of the memory of the spectrum.
-constexpr std::size_t wanted_rounds = 8;
+/// then take a quarter of the memory of the spectrum, and on a rank with many
+/// nodes, whose messages stay long, a sixteenth.
+std::size_t wanted_rounds(std::size_t nodes) {
+  constexpr std::size_t many_nodes = std::size_t{1} << 23;
+  return nodes < many_nodes ? 8 : 32;
+}
 
 /// The first block of each rank, then the number of blocks.
 std::vector<std::size_t> divided(std::size_t n_blocks, std::size_t n_ranks) {
@@ -41,8 +45,10 @@ SharedConvolution<Real>::SharedConvolution(const SharedRows& rows, int threads)
   std::size_t most = 1; // blocks of a rank
   for (std::size_t r = 0; r < n_ranks_; ++r)
     most = std::max(most, first_blocks_[r + 1] - first_blocks_[r]);
-  blocks_a_round_ = std::max(static_cast<std::size_t>(threads),
-                             (most + wanted_rounds - 1) / wanted_rounds);
+  // All ranks exchange the same number of times, also if shares are uneven.
+  const std::size_t rounds = wanted_rounds(grid.size() / n_ranks_);
+  blocks_a_round_ =
+      std::max(static_cast<std::size_t>(threads), (most + rounds - 1) / rounds);
   n_rounds_ = (most + blocks_a_round_ - 1) / blocks_a_round_;
 }
 
@@ -50,26 +56,37 @@ template <class Real>
 SharedConvolution<Real>::~SharedConvolution() = default;
 
 template <class Real>
-auto SharedConvolution<Real>::arranged(
-    const std::function<double(int jx, int jy)>& multiplier_at) const
-    -> Symbol {
-  const std::size_t stride = transforms_->column_stride();
-  const std::size_t first = first_blocks_[own_] * block_width;
+auto SharedConvolution<Real>::columns() const -> Columns {
+  const std::size_t first =
+      std::min(n_columns_, first_blocks_[own_] * block_width);
   const std::size_t end =
       std::min(n_columns_, first_blocks_[own_ + 1] * block_width);
-  const double normalise = 1.0 / static_cast<double>(rows_.grid().size());
+  return {first, end - first};
+}
+
+template <class Real>
+auto SharedConvolution<Real>::arranged(const MultiplierAt& multiplier_at) const
+    -> Symbol {
+  const std::size_t n = columns().count;
+  const std::size_t height = half_height();
   Symbol symbol;
-  symbol.values_.resize((first_blocks_[own_ + 1] - first_blocks_[own_]) *
-                        block_width * stride);
-  parallel_rows(
-      static_cast<int>(end - std::min(first, end)), threads_, [&](int column) {
-        const auto k = static_cast<std::size_t>(column);
-        for (int jy = 0; jy < rows_.grid().points_y; ++jy)
-          symbol.values_[k * stride + static_cast<std::size_t>(jy)] =
-              static_cast<Real>(normalise *
-                                multiplier_at(static_cast<int>(first + k), jy));
-      });
+  symbol.values_.resize(n * height);
+  parallel_rows(static_cast<int>(n), threads_, [&](int column) {
+    const auto k = static_cast<std::size_t>(column);
+    take_column(k, multiplier_at, &symbol.values_[k * height]);
+  });
   return symbol;
+}
+
+template <class Real>
+void SharedConvolution<Real>::take_column(std::size_t k,
+                                          const MultiplierAt& multiplier_at,
+                                          Real* half) const {
+  const double normalise = 1.0 / static_cast<double>(rows_.grid().size());
+  const int jx = static_cast<int>(columns().first + k);
+  for (std::size_t jy = 0; jy < half_height(); ++jy)
+    half[jy] =
+        static_cast<Real>(normalise * multiplier_at(jx, static_cast<int>(jy)));
 }
 
 template <class Real>
@@ -98,6 +115,30 @@ template <class Real>
 void SharedConvolution<Real>::apply(std::span<const Real> field,
                                     const Symbol& symbol,
                                     std::span<Real> answer) {
+  const std::size_t height = half_height();
+  transform(
+      field,
+      [&](std::size_t k, Real* half) {
+        std::copy_n(&symbol.values_[k * height], height, half);
+      },
+      answer);
+}
+
+template <class Real>
+void SharedConvolution<Real>::apply(std::span<const Real> field,
+                                    const MultiplierAt& multiplier_at,
+                                    std::span<Real> answer) {
+  transform(
+      field,
+      [&](std::size_t k, Real* half) { take_column(k, multiplier_at, half); },
+      answer);
+}
+
+template <class Real>
+template <class Take>
+void SharedConvolution<Real>::transform(std::span<const Real> field,
+                                        const Take& take,
+                                        std::span<Real> answer) {
   assert(field.size() == rows_.size() && answer.size() == rows_.size());
   const auto workers = static_cast<std::size_t>(threads_);
   const std::size_t most = blocks_a_round_ * block_width;
@@ -107,6 +148,7 @@ void SharedConvolution<Real>::apply(std::span<const Real> field,
   spectrum_.resize(transforms_->spectrum_size());
   pairs_.resize(workers * transforms_->pair_stride());
   columns_.resize(workers * block_width * transforms_->column_stride());
+  multipliers_.resize(columns_.size());
   by_rows_.resize(n_ranks_ * most * padded_rows(own_));
   by_ranks_.resize(most * all_rows);
 
@@ -128,7 +170,7 @@ void SharedConvolution<Real>::apply(std::span<const Real> field,
     const std::span<std::byte> ranks_side =
         std::as_writable_bytes(std::span(by_ranks_));
     rows_.ranks()->exchange(rows_side, sent, ranks_side, received);
-    convolve_own(own, symbol);
+    convolve_own(own, take);
     rows_.ranks()->exchange(ranks_side, received, rows_side, sent);
     each_block(round, [&](std::size_t block, Complex* columns) {
       transforms_->join(columns, block * block_width, columns_in(block),
@@ -143,6 +185,7 @@ void SharedConvolution<Real>::free_scratch() {
   for (std::vector<Complex>* scratch :
        {&spectrum_, &pairs_, &by_rows_, &by_ranks_, &columns_})
     *scratch = std::vector<Complex>();
+  multipliers_ = std::vector<Real>();
 }
 
 template <class Real>
@@ -163,9 +206,11 @@ void SharedConvolution<Real>::each_block(std::size_t round,
 }
 
 template <class Real>
+template <class Take>
 void SharedConvolution<Real>::convolve_own(const Blocks& own,
-                                           const Symbol& symbol) {
+                                           const Take& take) {
   const std::size_t stride = transforms_->column_stride();
+  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
   parallel_turns(
       static_cast<int>(own.count), threads_, [&](int turn, int worker) {
         const auto block = static_cast<std::size_t>(turn);
@@ -180,7 +225,16 @@ void SharedConvolution<Real>::convolve_own(const Blocks& own,
                   Complex{});
         const std::size_t first =
             (own.first - first_blocks_[own_] + block) * block_width;
-        transforms_->convolve(columns, &symbol.values_[first * stride]);
+        Real* const multipliers =
+            &multipliers_[static_cast<std::size_t>(worker) * block_width *
+                          stride];
+        for (std::size_t k = 0; k < n; ++k) {
+          Real* const column = multipliers + k * stride;
+          take(first + k, column);
+          for (std::size_t jy = half_height(); jy < height; ++jy)
+            column[jy] = column[height - jy];
+        }
+        transforms_->convolve(columns, multipliers);
         each_piece(block, own.count, n,
                    [&](Complex* piece, std::size_t at, std::size_t rows) {
                      std::copy_n(columns + at, rows, piece);

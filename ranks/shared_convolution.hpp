@@ -23,10 +23,10 @@ namespace asperity {
 template <class Real>
 class SharedConvolution {
 public:
-  /// Multipliers of the columns of this rank.
+  /// Multipliers of the columns of this rank, which are even in jy.
   class Symbol {
     friend class SharedConvolution;
-    std::vector<Real> values_;
+    std::vector<Real> values_; ///< jy = 0..points_y/2 of each column
   };
 
   /// @param rows     of a group of ranks; must outlive this object. All bounds
@@ -40,16 +40,30 @@ public:
 
   int threads() const { return threads_; }
 
+  /// Adjacent columns of the half spectrum.
+  struct Columns {
+    std::size_t first = 0, count = 0;
+  };
+
+  /// The columns that this rank multiplies.
+  Columns columns() const;
+
+  /// The value of the modes (jx, jy) and (jx, -jy), jx = 0..points_x/2, jy =
+  /// 0..points_y/2. Threads call it at the same time.
+  using MultiplierAt = std::function<double(int jx, int jy)>;
+
   /// Finds the multipliers of this rank.
-  /// @param multiplier_at  value of the mode (jx, jy), jx = 0..points_x/2, jy =
-  ///                       0..points_y-1
-  Symbol
-  arranged(const std::function<double(int jx, int jy)>& multiplier_at) const;
+  Symbol arranged(const MultiplierAt& multiplier_at) const;
 
   /// Applies the convolution. Collective.
   /// @param field   rows.size() values
   /// @param answer  as many values, overwritten; may be `field`
   void apply(std::span<const Real> field, const Symbol& symbol,
+             std::span<Real> answer);
+
+  /// The same with multipliers that are found when they are needed and not
+  /// stored.
+  void apply(std::span<const Real> field, const MultiplierAt& multiplier_at,
              std::span<Real> answer);
 
   /// Frees the memory of the spectrum and the buffers, which the next apply()
@@ -72,7 +86,21 @@ private:
   /// Calls do_block(block, its columns in by_rows_) for all blocks of a round.
   template <class DoBlock>
   void each_block(std::size_t round, const DoBlock& do_block);
-  void convolve_own(const Blocks& own, const Symbol& symbol);
+
+  /// Values of a column of a symbol.
+  std::size_t half_height() const {
+    return static_cast<std::size_t>(rows_.grid().points_y) / 2 + 1;
+  }
+
+  /// The multipliers of the own column k that are stored in a symbol.
+  void take_column(std::size_t k, const MultiplierAt& multiplier_at,
+                   Real* half) const;
+  /// Calls take(k, half) for the multipliers of the own column k.
+  template <class Take>
+  void transform(std::span<const Real> field, const Take& take,
+                 std::span<Real> answer);
+  template <class Take>
+  void convolve_own(const Blocks& own, const Take& take);
   /// Calls copy(piece in by_ranks_, place in the columns of a block, number of
   /// rows) for the n columns of one of n_blocks own blocks.
   template <class Copy>
@@ -91,6 +119,7 @@ private:
   std::vector<Complex> by_rows_;  ///< own rows of the columns of a round
   std::vector<Complex> by_ranks_; ///< pieces of own columns of a round
   std::vector<Complex> columns_;  ///< one block per thread
+  std::vector<Real> multipliers_; ///< likewise
 };
 
 extern template class SharedConvolution<float>;

@@ -143,8 +143,12 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   if (is_shared_by_ranks(method, surface.record.grid, workforce.ranks)) {
     steps.threads = workforce.threads_a_rank;
     return std::make_unique<OperatorSolver>(
-        make_shared_load_steps(surface.record.grid, continuum,
-                               surface.record.heights, steps),
+        make_shared_load_steps(
+            surface.record.grid,
+            block != nullptr ? SharedBlock(fem::load_fem_module().text_of(
+                                   request(*block, surface, steps.threads)))
+                             : SharedBlock(continuum),
+            surface.record.heights, steps),
         std::span<const double>(), setting);
   }
   Face face = shared_operator(method, surface, workforce.threads);

@@ -35,8 +35,8 @@ std::string material_words(const cases::MethodSpec& method,
 /// The threads and processes that a solver may use.
 struct Workforce {
   int threads = 1;        ///< for set-up and transforms in this process
-  int ranks = 1;          ///< of mpirun, for half-spaces that they can share
-  int threads_a_rank = 1; ///< for such a half-space
+  int ranks = 1;          ///< of mpirun, for blocks that they can share
+  int threads_a_rank = 1; ///< for such a block
 };
 
 /// Creates solvers for half-space and condensed finite-element methods.

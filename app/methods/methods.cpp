@@ -26,11 +26,15 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::TheorySettings&,
   throw std::logic_error(input.method.name + " has no load steps to solve");
 }
 
-std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
-                                        const SolverInput& input) {
+std::unique_ptr<StepSolver> make_on_face(const SolverInput& input) {
   return input.elastic.make(input.method, input.surface,
                             {input.resources.threads, input.resources.ranks,
                              input.resources.threads_a_rank});
+}
+
+std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
+                                        const SolverInput& input) {
+  return make_on_face(input);
 }
 
 std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
@@ -39,8 +43,7 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
     return make_full_block_solver(
         input.contact_case, input.method, input.surface, input.realization,
         input.resources.scratch, input.resources.block_watch);
-  return input.elastic.make(input.method, input.surface,
-                            {.threads = input.resources.threads});
+  return make_on_face(input);
 }
 
 std::unique_ptr<StepSolver> make_solver(const mechanics::MdSettings&,

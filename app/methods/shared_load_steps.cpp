@@ -1,5 +1,6 @@
 #include "app/methods/shared_load_steps.hpp"
 
+#include "app/methods/chosen.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/plugin.hpp"
@@ -51,6 +52,17 @@ mechanics::ElasticBlock block_in(const json& text) {
   return block;
 }
 
+/// The operator of the block of a "build" command on the rows of this rank.
+std::unique_ptr<contact::SurfaceOperator>
+elasticity_in(const json& command, const Grid& grid, int threads) {
+  const fem::FemModule& fem_module = fem::load_fem_module();
+  if (command.contains("request"))
+    return fem_module.condensed_on_ranks(command.at("request"), threads);
+  return std::make_unique<contact::SharedFourierOperator>(
+      grid, fem_module.rank_group(),
+      contact::compliance_column(grid, block_in(command.at("block"))), threads);
+}
+
 /// The part of one rank in a loading path.
 struct RankPart {
   SharedRows rows;
@@ -79,10 +91,8 @@ void build_part(const json& command, std::span<const double> heights) {
   setting.gap_tolerance = command.at("gap_tolerance");
   setting.max_iterations = command.at("max_iterations");
   setting.threads = command.at("threads");
-  auto elasticity = std::make_unique<contact::SharedFourierOperator>(
-      grid, fem::load_fem_module().rank_group(),
-      contact::compliance_function(block_in(command.at("block"))),
-      setting.threads);
+  std::unique_ptr<contact::SurfaceOperator> elasticity =
+      elasticity_in(command, grid, setting.threads);
   const SharedRows rows = *elasticity->shared_rows();
   std::vector<double> own = rows.scattered(heights);
   parts_of_this_rank().insert_or_assign(
@@ -154,14 +164,17 @@ int made = 0;
 
 class SharedLoadSteps final : public LoadSteps {
 public:
-  SharedLoadSteps(const Grid& grid, const mechanics::ElasticBlock& block,
+  SharedLoadSteps(const Grid& grid, const SharedBlock& block,
                   std::span<const double> heights,
                   const LoadStepsSetting& setting)
       : number_(made++), elasticity_(*this, grid) {
     json build = command("build");
     build["grid"] = {grid.points_x, grid.points_y, grid.length_x,
                      grid.length_y};
-    build["block"] = json_of_block(block);
+    if (const auto* request = std::get_if<std::string>(&block))
+      build["request"] = *request;
+    else
+      build["block"] = json_of_block(std::get<mechanics::ElasticBlock>(block));
     build["law"] = static_cast<int>(setting.interface.law);
     build["penalty"] = setting.interface.penalty;
     build["gap_tolerance"] = setting.gap_tolerance;
@@ -279,13 +292,16 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks) {
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  return n_ranks > 1 && half != nullptr && !half->has_free_boundaries &&
-         grid.size() >= least_shared_nodes &&
+  const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
+  const bool has_columns = (half != nullptr && !half->has_free_boundaries) ||
+                           (block != nullptr && !is_full_block(method) &&
+                            block->block.element == mechanics::Element::q1);
+  return n_ranks > 1 && has_columns && grid.size() >= least_shared_nodes &&
          n_ranks <= contact::most_ranks(grid);
 }
 
 std::unique_ptr<LoadSteps>
-make_shared_load_steps(const Grid& grid, const mechanics::ElasticBlock& block,
+make_shared_load_steps(const Grid& grid, const SharedBlock& block,
                        std::span<const double> heights,
                        const LoadStepsSetting& setting) {
   return std::make_unique<SharedLoadSteps>(grid, block, heights, setting);

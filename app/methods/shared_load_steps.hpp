@@ -1,6 +1,7 @@
 #pragma once
 
-// Load steps of a periodic half-space that all ranks of mpirun solve together.
+// Load steps of a periodic half-space or condensed block that all ranks of
+// mpirun solve together.
 
 #include "app/methods/load_steps.hpp"
 #include "cases/types/case.hpp"
@@ -9,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
 
 namespace asperity::app {
 
@@ -17,10 +19,14 @@ namespace asperity::app {
 inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
 
 /// Returns whether the ranks share the rows of a method on this grid: it is a
-/// periodic half-space or slab with at least least_shared_nodes nodes, and the
-/// rows can be divided among so many ranks.
+/// periodic half-space or slab or a condensed Q1 block, with at least
+/// least_shared_nodes nodes, and the rows can be divided among so many ranks.
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks);
+
+/// The elastic block whose rows are shared: a continuum, or the text of a
+/// request of a condensed block (fem::FemModule::text_of).
+using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;
 
 /// Solves the load steps on all ranks, with the bits of one process. To be
 /// called on rank 0, which holds the heights and the fields of a finished step;
@@ -28,7 +34,7 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
 /// be active for all such objects.
 /// @param heights  all nodes; must outlive the object
 std::unique_ptr<LoadSteps>
-make_shared_load_steps(const Grid& grid, const mechanics::ElasticBlock& block,
+make_shared_load_steps(const Grid& grid, const SharedBlock& block,
                        std::span<const double> heights,
                        const LoadStepsSetting& setting);
 

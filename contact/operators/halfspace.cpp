@@ -106,6 +106,15 @@ std::vector<double> block_compliance(const Grid& grid,
   return values;
 }
 
+ComplianceColumn compliance_column(const Grid& grid,
+                                   const mechanics::ElasticBlock& block) {
+  return [grid, compliance = compliance_function(block)](
+             int jx, std::span<double> of_jy) {
+    for (std::size_t jy = jx == 0 ? 1 : 0; jy < of_jy.size(); ++jy)
+      of_jy[jy] = compliance(wavevector_size(grid, jx, static_cast<int>(jy)));
+  };
+}
+
 FourierOperator halfspace_operator(const Grid& grid,
                                    const mechanics::ElasticBlock& block,
                                    int threads) {

@@ -6,6 +6,7 @@
 
 #include "base/grid.hpp"
 #include "contact/operators/fourier_operator.hpp"
+#include "contact/operators/shared_fourier_operator.hpp"
 #include "mechanics/elastic_block.hpp"
 
 #include <functional>
@@ -44,6 +45,11 @@ compliance_function(const mechanics::ElasticBlock& block);
 /// @throws std::domain_error  a number of the block is outside its range
 std::vector<double> block_compliance(const Grid& grid,
                                      const mechanics::ElasticBlock& block);
+
+/// The same numbers, one column of wavevectors at a time.
+/// @throws std::domain_error  a number of the block is outside its range
+ComplianceColumn compliance_column(const Grid& grid,
+                                   const mechanics::ElasticBlock& block);
 
 /// The operator with the compliance block_compliance().
 FourierOperator halfspace_operator(const Grid& grid,

@@ -1,11 +1,11 @@
 #include "contact/operators/shared_fourier_operator.hpp"
 
+#include "base/parallel_rows.hpp"
 #include "base/require.hpp"
 #include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/fourier_operator.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -13,13 +13,17 @@ namespace asperity::contact {
 namespace {
 
 std::vector<double> on_half_spectrum(const Grid& grid,
-                                     const std::function<double(double)>& of) {
-  std::vector<double> values;
-  values.reserve(grid.half_spectrum_size());
-  values.push_back(0.0);
-  for (int jy = 0; jy < grid.points_y; ++jy)
-    for (int jx = jy == 0 ? 1 : 0; jx <= grid.points_x / 2; ++jx)
-      values.push_back(of(wavevector_size(grid, jx, jy)));
+                                     const ComplianceColumn& compliance) {
+  const std::size_t columns = grid.half_spectrum_columns();
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  std::vector<double> values(grid.half_spectrum_size());
+  std::vector<double> column(rows / 2 + 1);
+  for (std::size_t jx = 0; jx < columns; ++jx) {
+    compliance(static_cast<int>(jx), column);
+    for (std::size_t jy = 0; jy < rows; ++jy)
+      values[jy * columns + jx] = column[std::min(jy, rows - jy)];
+  }
+  values[0] = 0.0;
   return values;
 }
 
@@ -34,9 +38,9 @@ double largest_of_ranks(RankGroup& ranks, double own) {
 
 } // namespace
 
-SharedFourierOperator::SharedFourierOperator(
-    const Grid& grid, RankGroup& ranks,
-    std::function<double(double)> compliance, int threads)
+SharedFourierOperator::SharedFourierOperator(const Grid& grid, RankGroup& ranks,
+                                             ComplianceColumn compliance,
+                                             int threads)
     : SharedFourierOperator(std::make_shared<const SharedRows>(
                                 grid, ranks, row_bounds(grid, ranks.size())),
                             std::move(compliance), threads) {
@@ -44,42 +48,51 @@ SharedFourierOperator::SharedFourierOperator(
 }
 
 SharedFourierOperator::SharedFourierOperator(
-    std::shared_ptr<const SharedRows> rows,
-    std::function<double(double)> compliance, int threads)
+    std::shared_ptr<const SharedRows> rows, ComplianceColumn compliance,
+    int threads)
     : rows_(std::move(rows)),
       compliance_(std::move(compliance)),
       threads_(threads),
       exact_(*rows_, threads),
-      convolution_(*rows_, threads) {}
+      convolution_(*rows_, threads),
+      first_column_(convolution_.columns().first) {}
 
 void SharedFourierOperator::find_symbols() {
-  std::atomic<double> largest = 0.0;
-  const auto compliance_of = [&](int jx, int jy) {
-    if (jx == 0 && jy == 0)
-      return 0.0;
-    const double value = checked_compliance(jx, jy);
-    double before = largest;
-    while (value > before && !largest.compare_exchange_weak(before, value))
-      continue;
-    return value;
-  };
-  exact_symbol_ = std::make_shared<const SharedConvolution<double>::Symbol>(
-      exact_.arranged(compliance_of));
+  const std::size_t height = static_cast<std::size_t>(grid().points_y) / 2 + 1;
+  const SharedConvolution<float>::Columns own = convolution_.columns();
+  std::vector<double> columns(own.count * height);
+  parallel_rows(static_cast<int>(own.count), threads_, [&](int k) {
+    take_column(static_cast<int>(own.first) + k,
+                std::span(columns).subspan(static_cast<std::size_t>(k) * height,
+                                           height));
+  });
+  softest_ = largest_of_ranks(
+      *rows_->ranks(),
+      columns.empty() ? 0.0 : *std::ranges::max_element(columns));
+  columns_ = std::make_shared<const std::vector<double>>(std::move(columns));
   symbol_ = std::make_shared<const SharedConvolution<float>::Symbol>(
-      convolution_.arranged(compliance_of));
-  softest_ = largest_of_ranks(*rows_->ranks(), largest);
+      convolution_.arranged(
+          [this](int jx, int jy) { return compliance_at(jx, jy); }));
 }
 
-double SharedFourierOperator::checked_compliance(int jx, int jy) const {
-  const double value = compliance_(wavevector_size(grid(), jx, jy));
-  require_positive("compliance", value, "m/Pa");
-  return value;
+void SharedFourierOperator::take_column(int jx, std::span<double> of_jy) const {
+  compliance_(jx, of_jy);
+  if (jx == 0)
+    of_jy[0] = 0.0;
+  for (const double value : of_jy.subspan(jx == 0 ? 1 : 0))
+    require_positive("compliance", value, "m/Pa");
+}
+
+double SharedFourierOperator::compliance_at(int jx, int jy) const {
+  const std::size_t height = static_cast<std::size_t>(grid().points_y) / 2 + 1;
+  return (*columns_)[(static_cast<std::size_t>(jx) - first_column_) * height +
+                     static_cast<std::size_t>(jy)];
 }
 
 std::unique_ptr<SurfaceOperator> SharedFourierOperator::clone() const {
   std::unique_ptr<SharedFourierOperator> copy(
       new SharedFourierOperator(rows_, compliance_, threads_));
-  copy->exact_symbol_ = exact_symbol_;
+  copy->columns_ = columns_;
   copy->symbol_ = symbol_;
   copy->softest_ = softest_;
   return copy;
@@ -91,8 +104,10 @@ double SharedFourierOperator::short_wave_compliance() const {
   const int quarter = (along_x ? grid().points_x : grid().points_y) / 4;
   if (quarter == 0)
     return softest_;
-  return along_x ? checked_compliance(quarter, 0)
-                 : checked_compliance(0, quarter);
+  std::vector<double> column(along_x ? 1
+                                     : static_cast<std::size_t>(quarter) + 1);
+  take_column(along_x ? quarter : 0, column);
+  return column.back();
 }
 
 std::unique_ptr<SurfaceOperator> SharedFourierOperator::coarsened() const {
@@ -115,8 +130,13 @@ std::unique_ptr<SurfaceOperator> SharedFourierOperator::coarsened() const {
 
 void SharedFourierOperator::displacement(std::span<const double> pressure,
                                          std::span<double> displacement) {
-  exact_.apply(pressure, *exact_symbol_, displacement);
-  exact_.free_scratch(); // a step needs it two or three times
+  // A step needs it two or three times, so that nothing is kept for it, and the
+  // memory of the other convolution is free meanwhile.
+  convolution_.free_scratch();
+  exact_.apply(
+      pressure, [this](int jx, int jy) { return compliance_at(jx, jy); },
+      displacement);
+  exact_.free_scratch();
 }
 
 void SharedFourierOperator::displacement_change(
@@ -134,7 +154,7 @@ void SharedFourierOperator::pressure_estimate(std::span<const float> gap,
     // wavelength replaces it.
     inverse_ = convolution_.arranged([&](int jx, int jy) {
       const double value =
-          jx == 0 && jy == 0 ? softest_ : checked_compliance(jx, jy);
+          jx == 0 && jy == 0 ? softest_ : compliance_at(jx, jy);
       return 1.0 / (value + local_compliance);
     });
     inverted_compliance_ = local_compliance;

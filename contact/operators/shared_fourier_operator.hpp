@@ -7,10 +7,17 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "ranks/shared_convolution.hpp"
 
 namespace asperity::contact {
+
+/// C [m/Pa] at the wavevectors (jx, jy) of a grid with jy = 0..n-1, where n is
+/// the length of the answer, at most points_y/2 + 1. C is even in jy. The value
+/// at (0, 0) is not read. Threads call it at the same time.
+using ComplianceColumn = std::function<void(int jx, std::span<double> of_jy)>;
 
 /// The operator of FourierOperator with bitwise the same numbers on any number
 /// of ranks. Each rank holds its rows of the fields and C(q) of its columns of
@@ -20,13 +27,13 @@ class SharedFourierOperator final : public SurfaceOperator {
 public:
   /// @param ranks       share the rows by row_bounds(); must outlive the
   ///                    operator and its clones
-  /// @param compliance  C [m/Pa] as a function of q [rad/m] > 0; > 0 and finite
+  /// @param compliance  C of the grid, > 0 and finite; each rank computes its
+  ///                    columns
   /// @param threads     number used by each rank, >= 1
   /// @throws std::domain_error  a compliance is outside its range, or the grid
   ///                            has more ranks than most_ranks()
   SharedFourierOperator(const Grid& grid, RankGroup& ranks,
-                        std::function<double(double)> compliance,
-                        int threads = 1);
+                        ComplianceColumn compliance, int threads = 1);
 
   std::unique_ptr<SurfaceOperator> clone() const override;
 
@@ -55,17 +62,22 @@ public:
 
 private:
   SharedFourierOperator(std::shared_ptr<const SharedRows> rows,
-                        std::function<double(double)> compliance, int threads);
+                        ComplianceColumn compliance, int threads);
   void find_symbols();
-  double checked_compliance(int jx, int jy) const;
+  /// C of the column jx with these jy >= 0, checked.
+  void take_column(int jx, std::span<double> of_jy) const;
+  /// @param jx  of a column of this rank
+  double compliance_at(int jx, int jy) const;
 
   std::shared_ptr<const SharedRows> rows_;
-  std::function<double(double)> compliance_;
+  ComplianceColumn compliance_;
   int threads_;
+  /// C(q) of the columns of this rank [m/Pa], jy = 0..points_y/2 of each.
+  std::shared_ptr<const std::vector<double>> columns_;
   double softest_ = 0.0; ///< largest C(q) [m/Pa]
   SharedConvolution<double> exact_;
   SharedConvolution<float> convolution_;
-  std::shared_ptr<const SharedConvolution<double>::Symbol> exact_symbol_;
+  std::size_t first_column_; ///< of this rank
   std::shared_ptr<const SharedConvolution<float>::Symbol> symbol_;
   double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
   SharedConvolution<float>::Symbol inverse_;

@@ -91,10 +91,9 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   ContactProblem coarse_problem = problem;
   coarse_problem.heights = heights;
   coarse_problem.gap_tolerance = coarse_tolerance;
-  const std::vector<double> start =
-      coarse_start(*coarse, coarse_problem, target, coarse_tolerance);
-  const ContactSolution solution =
-      solve_contact(*coarse, coarse_problem, target, start);
+  const ContactSolution solution = solve_contact_from(
+      coarse_start(*coarse, coarse_problem, target, coarse_tolerance), *coarse,
+      coarse_problem, target);
   if (!std::isfinite(solution.gap_error))
     return {};
   return interpolated(coarse_rows, fine_rows,

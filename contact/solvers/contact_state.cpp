@@ -40,8 +40,8 @@ void change_gap(std::span<double> gap, int threads, std::vector<double>& lowest,
 ContactState::ContactState(SurfaceOperator& elasticity_,
                            const ContactProblem& problem_,
                            const mechanics::LoadTarget& target_,
-                           std::span<const double> initial_pressure)
-    : Iteration(elasticity_, problem_, target_, initial_pressure),
+                           std::vector<double> initial_pressure)
+    : Iteration(elasticity_, problem_, target_, std::move(initial_pressure)),
       raw_gap(pressure.size()),
       residual(pressure.size()),
       freedom(pressure.size()),

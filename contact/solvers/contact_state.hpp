@@ -36,7 +36,7 @@ public:
   /// @throws std::domain_error  see solve_contact
   ContactState(SurfaceOperator& elasticity, const ContactProblem& problem,
                const mechanics::LoadTarget& target,
-               std::span<const double> initial_pressure);
+               std::vector<double> initial_pressure);
 
   /// Updates the residual, the separation u, the error and the node classes.
   /// The displacement is recomputed in double precision when the error has

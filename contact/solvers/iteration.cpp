@@ -21,12 +21,12 @@ std::string not_converged_note(double gap_error, int iterations) {
 Iteration::Iteration(SurfaceOperator& elasticity_,
                      const ContactProblem& problem_,
                      const mechanics::LoadTarget& target_,
-                     std::span<const double> initial_pressure)
+                     std::vector<double> initial_pressure)
     : elasticity(elasticity_),
       problem(problem_),
       target(target_),
       pressure(starting_pressure(elasticity_, problem_, target_,
-                                 initial_pressure)) {}
+                                 std::move(initial_pressure))) {}
 
 bool Iteration::is_at_end() const {
   return is_converged() || !std::isfinite(gap_error) ||

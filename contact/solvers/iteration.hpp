@@ -17,7 +17,7 @@ public:
   /// @throws std::domain_error  see solve_contact
   Iteration(SurfaceOperator& elasticity, const ContactProblem& problem,
             const mechanics::LoadTarget& target,
-            std::span<const double> initial_pressure);
+            std::vector<double> initial_pressure);
 
   bool by_pressure() const {
     return target.control == mechanics::Control::nominal_pressure;

@@ -115,7 +115,7 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   if (target.control != control_)
     history_.clear();
   control_ = target.control;
-  const std::vector<double> start = start_for(target);
+  std::vector<double> start = start_for(target);
   ContactProblem problem{heights_, local_compliance(),
                          reachable_tolerance(gap_tolerance_, target,
                                              local_compliance(),
@@ -126,7 +126,8 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
     problem.local_compliance = 1.0 / interface_.penalty;
     solution = solve_augmented(*elasticity_, problem, target, start);
   } else {
-    solution = solve_contact(*elasticity_, problem, target, start);
+    solution =
+        solve_contact_from(std::move(start), *elasticity_, problem, target);
   }
   remember(target, solution);
   return solution;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace asperity::contact {
 namespace {
@@ -54,11 +55,10 @@ bool is_apart(std::span<const double> heights, std::span<const double> weights,
 
 } // namespace
 
-std::vector<double>
-starting_pressure(const SurfaceOperator& elasticity,
-                  const ContactProblem& problem,
-                  const mechanics::LoadTarget& target,
-                  std::span<const double> initial_pressure) {
+std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
+                                      const ContactProblem& problem,
+                                      const mechanics::LoadTarget& target,
+                                      std::vector<double> initial_pressure) {
   const std::size_t nodes = elasticity.n_nodes();
   require_problem(problem, target, nodes);
   if (target.control == mechanics::Control::mean_gap &&
@@ -86,7 +86,7 @@ starting_pressure(const SurfaceOperator& elasticity,
         [](double start) { return start >= 0.0 && std::isfinite(start); });
     if (bad != initial_pressure.end())
       require_not_negative("initial_pressure", *bad, "Pa");
-    pressure.assign(initial_pressure.begin(), initial_pressure.end());
+    pressure = std::move(initial_pressure);
   }
   const std::span<const double> weights = elasticity.nodal_weights();
   if (target.control == mechanics::Control::nominal_pressure)

@@ -16,7 +16,7 @@ namespace asperity::contact {
 std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const ContactProblem& problem,
                                       const mechanics::LoadTarget& target,
-                                      std::span<const double> initial_pressure);
+                                      std::vector<double> initial_pressure);
 
 /// Factor that scales a pressure with this (weighted) sum over the nodes to the
 /// prescribed load. It is NaN if it cannot be computed to full precision: the

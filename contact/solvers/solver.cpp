@@ -228,7 +228,15 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const ContactProblem& problem,
                               const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure) {
-  ContactState state(elasticity, problem, target, initial_pressure);
+  return solve_contact_from({initial_pressure.begin(), initial_pressure.end()},
+                            elasticity, problem, target);
+}
+
+ContactSolution solve_contact_from(std::vector<double> initial_pressure,
+                                   SurfaceOperator& elasticity,
+                                   const ContactProblem& problem,
+                                   const mechanics::LoadTarget& target) {
+  ContactState state(elasticity, problem, target, std::move(initial_pressure));
   Directions directions(state);
   StagnationCriterion watch;
   for (;; ++state.iterations) {

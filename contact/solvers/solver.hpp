@@ -76,6 +76,13 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure = {});
 
+/// The same, with the memory of the initial guess, which is used for the
+/// pressure.
+ContactSolution solve_contact_from(std::vector<double> initial_pressure,
+                                   SurfaceOperator& elasticity,
+                                   const ContactProblem& problem,
+                                   const mechanics::LoadTarget& target);
+
 /// The reference solver: the conjugate gradients of Polonsky and Keer without a
 /// preconditioner. It has the arguments and the return value of solve_contact.
 /// It is slow, but it always terminates.

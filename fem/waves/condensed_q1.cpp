@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numbers>
 
 namespace asperity::fem {
@@ -12,17 +13,19 @@ namespace {
 
 using Elimination = LayerElimination<1>;
 
-/// Computes (T_0^-1)_zz of four neighbouring modes in x [m/N]; those beyond the
-/// last column repeat it.
+/// The wavenumbers (jx, jy) of four modes.
+struct FourModes {
+  std::array<int, lanes> x, y;
+};
+
+/// Computes (T_0^-1)_zz of four modes [m/N].
 void take_compliance(const BlockSymbol& layers,
                      mechanics::FarBoundary far_boundary, const Grid& grid,
-                     int first, int mode_y, SimdBatch& compliance) {
+                     const FourModes& modes, SimdBatch& compliance) {
   SimdBatch theta_x{}, theta_y{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const int mode_x =
-        std::min(first + static_cast<int>(lane), grid.points_x / 2);
-    theta_x[lane] = 2.0 * std::numbers::pi * mode_x / grid.points_x;
-    theta_y[lane] = 2.0 * std::numbers::pi * mode_y / grid.points_y;
+    theta_x[lane] = 2.0 * std::numbers::pi * modes.x[lane] / grid.points_x;
+    theta_y[lane] = 2.0 * std::numbers::pi * modes.y[lane] / grid.points_y;
   }
   const std::vector<SimdBatch> materials = layers.at(theta_x, theta_y);
   std::array<SimdBatch, Elimination::packs> symbol;
@@ -37,15 +40,61 @@ void take_compliance(const BlockSymbol& layers,
   Elimination::face_compliance(stiffness.data(), &compliance);
 }
 
+BlockSymbol symbol_of(const Grid& grid, const LayeredBlock& block) {
+  require_cells(grid, 1);
+  require_block(block);
+  return {grid, 1, block, Elimination::packs, Elimination::layout};
+}
+
+/// Four neighbouring modes in x; those beyond the last column repeat it.
+FourModes along_x(const Grid& grid, int first, int mode_y) {
+  FourModes modes{};
+  for (int lane = 0; lane < static_cast<int>(lanes); ++lane) {
+    modes.x[static_cast<std::size_t>(lane)] =
+        std::min(first + lane, grid.points_x / 2);
+    modes.y[static_cast<std::size_t>(lane)] = mode_y;
+  }
+  return modes;
+}
+
+/// Four neighbouring modes in y up to the last one. On a square grid they are
+/// the mirror images with jx >= jy, as in condensed_compliance_q1().
+FourModes along_y(const Grid& grid, int mode_x, int first, int last) {
+  FourModes modes{};
+  for (int lane = 0; lane < static_cast<int>(lanes); ++lane) {
+    const int mode_y = std::min(first + lane, last);
+    const bool is_mirrored = grid.is_square() && mode_y > mode_x;
+    modes.x[static_cast<std::size_t>(lane)] = is_mirrored ? mode_y : mode_x;
+    modes.y[static_cast<std::size_t>(lane)] = is_mirrored ? mode_x : mode_y;
+  }
+  return modes;
+}
+
 } // namespace
+
+contact::ComplianceColumn condensed_column_q1(const Grid& grid,
+                                              const LayeredBlock& block) {
+  const auto layers =
+      std::make_shared<const BlockSymbol>(symbol_of(grid, block));
+  return [=, far_boundary = block.far_boundary](int mode_x,
+                                                std::span<double> of_jy) {
+    const int n = static_cast<int>(of_jy.size());
+    constexpr int step = static_cast<int>(lanes);
+    for (int first = 0; first < n; first += step) {
+      SimdBatch batch;
+      take_compliance(*layers, far_boundary, grid,
+                      along_y(grid, mode_x, first, n - 1), batch);
+      for (int mode_y = first; mode_y < std::min(n, first + step); ++mode_y)
+        of_jy[static_cast<std::size_t>(mode_y)] =
+            grid.cell_area() * batch[mode_y - first];
+    }
+  };
+}
 
 std::vector<double> condensed_compliance_q1(const Grid& grid,
                                             const LayeredBlock& block,
                                             int threads) {
-  require_cells(grid, 1);
-  require_block(block);
-  const BlockSymbol layers(grid, 1, block, Elimination::packs,
-                           Elimination::layout);
+  const BlockSymbol layers = symbol_of(grid, block);
   std::vector<double> compliance(grid.half_spectrum_size());
   const int columns = grid.points_x / 2 + 1;
   const bool is_square = grid.is_square();
@@ -58,7 +107,8 @@ std::vector<double> condensed_compliance_q1(const Grid& grid,
     constexpr int step = static_cast<int>(lanes);
     for (int first = is_square ? mode_y : 0; first < columns; first += step) {
       SimdBatch batch;
-      take_compliance(layers, block.far_boundary, grid, first, mode_y, batch);
+      take_compliance(layers, block.far_boundary, grid,
+                      along_x(grid, first, mode_y), batch);
       for (int mode_x = first; mode_x < std::min(columns, first + step);
            ++mode_x) {
         at(mode_x, mode_y) = grid.cell_area() * batch[mode_x - first];

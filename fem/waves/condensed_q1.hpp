@@ -4,6 +4,7 @@
 // the finite-element discretisation, computed for one lateral wavevector at a
 // time.
 
+#include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/waves/elastic_layers.hpp"
 
 #include <vector>
@@ -36,5 +37,11 @@ namespace asperity::fem {
 std::vector<double> condensed_compliance_q1(const Grid& grid,
                                             const LayeredBlock& block,
                                             int threads = 1);
+
+/// The same numbers, bit by bit, for one column of wavevectors at a time, so
+/// that each of several ranks computes those of its own columns.
+/// @throws std::domain_error  as above
+contact::ComplianceColumn condensed_column_q1(const Grid& grid,
+                                              const LayeredBlock& block);
 
 } // namespace asperity::fem

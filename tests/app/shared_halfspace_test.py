@@ -1,4 +1,4 @@
-"""A half-space whose rows the ranks of mpirun share: the rows, fields and tables
+"""Half-spaces and a condensed block whose rows the ranks of mpirun share: the rows, fields and tables
 of one process, also when a run is resumed by another number of ranks, and for
 steps that the cache of one process has kept.
 
@@ -26,7 +26,12 @@ thickness = "0.5 length"
 top = "sliding"
 [halfspace.island]
 boundaries = "free"
+[fem.q1]
+element = "Q1"
+[fem]
+element = "Q2"
 """)
+SHARED = ["fem.q1", "halfspace", "halfspace.thin"]
 PATIENCE = 60.0  # [s]
 
 
@@ -61,15 +66,15 @@ def check_bits(runner):
     assert not shared_by(runner.run(*ask, "--out", "alone"))
     for ranks in (2, 3):
         output = runner.run(*ask, "--out", f"on-{ranks}", ranks=ranks)
-        assert shared_by(output) == [("halfspace", str(ranks)), ("halfspace.thin", str(ranks))], \
-            output
+        assert sorted(shared_by(output)) == [(name, str(ranks)) for name in SHARED], output
         runner.run("diff", "alone", f"on-{ranks}", "--tolerance", "0")
 
 
 def check_plan(runner):
     output = runner.run("run", "shared.toml", "--dry-run", ranks=2)
-    for line in ("halfspace: 2 ranks share the rows", "halfspace.thin: 2 ranks share the rows"):
-        assert output.count(line) == 1, output
+    for name in SHARED:
+        assert output.count(f"{name}: 2 ranks share the rows") == 1, output
+    assert output.count("share the rows") == len(SHARED), output
     assert "ranks" not in runner.run("run", "shared.toml", "--dry-run")
 
 

@@ -87,7 +87,7 @@ std::vector<Solved> solved_on(int n_ranks, const Setting& setting,
   std::mutex mutex;
   tests::on_thread_ranks(n_ranks, [&](RankGroup& ranks) {
     auto elasticity = std::make_unique<SharedFourierOperator>(
-        setting.grid, ranks, compliance_function(block), threads);
+        setting.grid, ranks, compliance_column(setting.grid, block), threads);
     const SharedRows rows = *elasticity->shared_rows();
     const auto own = rows_in(rows, heights);
     LoadSequence sequence(std::move(elasticity), {own.begin(), own.end()},
@@ -164,8 +164,8 @@ TEST(SharedRows, GiveTheBitsOfOneProcessToTheReferenceSolver) {
   const Solved alone = solve(whole, SharedRows(grid));
   EXPECT_TRUE(alone.converged);
   tests::on_thread_ranks(3, [&](RankGroup& ranks) {
-    SharedFourierOperator elasticity(grid, ranks,
-                                     compliance_function(block_of(infinite)));
+    SharedFourierOperator elasticity(
+        grid, ranks, compliance_column(grid, block_of(infinite)));
     EXPECT_TRUE(solve(elasticity, *elasticity.shared_rows()) == alone);
   });
 }
@@ -178,7 +178,8 @@ TEST(SharedRows, FinishWhatStallsWithoutTheActiveSetMethod) {
   const mechanics::ElasticBlock plate{1.0, 0.3, 0.004,
                                       mechanics::FarBoundary::pressure};
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    SharedFourierOperator elasticity(grid, ranks, compliance_function(plate));
+    SharedFourierOperator elasticity(grid, ranks,
+                                     compliance_column(grid, plate));
     const SharedRows& rows = *elasticity.shared_rows();
     const ContactSolution solution =
         solve_contact(elasticity, {rows_in(rows, heights), 0.0, tolerance, 400},
@@ -214,8 +215,8 @@ TEST(SharedRows, HoldWholeGroupsOfChunks) {
 TEST(SharedRows, StaySharedOnCoarserGrids) {
   const Grid grid{1024, 1024, 1.0, 1.0};
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    const SharedFourierOperator fine(grid, ranks,
-                                     compliance_function(block_of(infinite)));
+    const SharedFourierOperator fine(
+        grid, ranks, compliance_column(grid, block_of(infinite)));
     const auto half = fine.coarsened();
     ASSERT_NE(half->shared_rows(), nullptr);
     EXPECT_EQ(half->shared_rows()->count(), 256);

@@ -1,16 +1,20 @@
-// Solves one load step of a rough half-space on the ranks of mpirun and prints
-// on rank 0 a hash of the fields, the cost and the memory of each rank. The
-// measurements of docs/numerics/shared-rows.md are made with it.
+// Solves one load step of a rough surface on a half-space or a condensed Q1
+// block on the ranks of mpirun and prints on rank 0 a hash of the fields, the
+// cost and the memory of each rank. The measurements of
+// docs/numerics/shared-rows.md are made with it.
 //
 // Arguments: points per side, threads per rank, "ranks" or "alone" (one process
-// without MPI); then "fail" to let the last rank fail in its tenth transform.
+// without MPI); then "q1" for the block, or "fail" to let the last rank fail in
+// its tenth transform.
 #include "base/content_hash.hpp"
+#include "base/cpu_clock.hpp"
 #include "base/peak_memory.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "fem/waves/condensed_q1.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +24,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -119,9 +124,33 @@ private:
   int calls_ = 0;
 };
 
-std::string hash_of(std::span<const double> field) {
-  return content_hash({reinterpret_cast<const char*>(field.data()),
-                       field.size() * sizeof(double)});
+/// The bytes of all ranks in their order, where each rank has `own`.
+std::string gathered_text(const SharedRows& rows, const std::string& own) {
+  if (rows.ranks() == nullptr)
+    return own;
+  RankGroup& ranks = *rows.ranks();
+  std::vector<std::size_t> sizes(static_cast<std::size_t>(ranks.size()));
+  const std::size_t size = own.size();
+  ranks.gather_to_all(std::as_bytes(std::span(&size, 1)),
+                      std::vector(sizes.size(), sizeof size),
+                      std::as_writable_bytes(std::span(sizes)));
+  std::string all(std::accumulate(sizes.begin(), sizes.end(), std::size_t{0}),
+                  ' ');
+  ranks.gather_to_all(std::as_bytes(std::span(own)), sizes,
+                      std::as_writable_bytes(std::span(all)));
+  return all;
+}
+
+/// A hash of the hashes of all chunks, which are equal on any number of ranks.
+std::string hash_of(const SharedRows& rows, std::span<const double> field) {
+  std::string hashes;
+  for (std::size_t at = 0; at < field.size(); at += contact::chunk_nodes) {
+    const auto chunk =
+        field.subspan(at, std::min(contact::chunk_nodes, field.size() - at));
+    hashes += content_hash({reinterpret_cast<const char*>(chunk.data()),
+                            chunk.size() * sizeof(double)});
+  }
+  return content_hash(gathered_text(rows, hashes));
 }
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -129,9 +158,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
       .count();
 }
 
-/// The memory of each rank [B].
-std::vector<double> memory_of_ranks(const SharedRows& rows) {
-  const double own = static_cast<double>(peak_memory());
+/// A number of each rank.
+std::vector<double> of_ranks(const SharedRows& rows, double own) {
   if (rows.ranks() == nullptr)
     return {own};
   std::vector<double> all(static_cast<std::size_t>(rows.ranks()->size()));
@@ -141,41 +169,82 @@ std::vector<double> memory_of_ranks(const SharedRows& rows) {
   return all;
 }
 
-void solve(const Grid& grid, int threads, bool is_alone, bool fails) {
-  const mechanics::ElasticBlock block{1.0, 0.3,
-                                      std::numeric_limits<double>::infinity(),
-                                      mechanics::FarBoundary::clamped};
-  const double before = static_cast<double>(peak_memory());
-  std::unique_ptr<contact::SurfaceOperator> elasticity;
-  if (is_alone)
-    elasticity = contact::halfspace_operator(grid, block, threads).clone();
-  else
-    elasticity = std::make_unique<contact::SharedFourierOperator>(
-        grid, fem::mpi_group(), contact::compliance_function(block), threads);
+/// A clamped block as deep as wide, in layers that grow by a factor 1.2.
+fem::LayeredBlock layered_block(const Grid& grid) {
+  std::vector<double> layers;
+  double depth = 0.0;
+  for (double layer = grid.spacing_x(); depth < grid.length_x; layer *= 1.2) {
+    layers.push_back(layer);
+    depth += layer;
+  }
+  return fem::homogeneous_block(layers, 1.0, 0.3,
+                                mechanics::FarBoundary::clamped);
+}
+
+struct Asked {
+  Grid grid;
+  int threads = 1;
+  bool is_alone = false, fails = false, is_q1 = false;
+};
+
+std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
+  const mechanics::ElasticBlock half_space{
+      1.0, 0.3, std::numeric_limits<double>::infinity(),
+      mechanics::FarBoundary::clamped};
+  const Grid& grid = asked.grid;
+  if (!asked.is_alone)
+    return std::make_unique<contact::SharedFourierOperator>(
+        grid, fem::mpi_group(),
+        asked.is_q1 ? fem::condensed_column_q1(grid, layered_block(grid))
+                    : contact::compliance_column(grid, half_space),
+        asked.threads);
+  return std::make_unique<contact::FourierOperator>(
+      grid,
+      asked.is_q1 ? fem::condensed_compliance_q1(grid, layered_block(grid),
+                                                 asked.threads)
+                  : contact::block_compliance(grid, half_space),
+      asked.threads);
+}
+
+void print(const char* what, const std::vector<double>& numbers,
+           const char* unit) {
+  fmt::print("{} of each rank [{}]", what, unit);
+  for (const double number : numbers)
+    fmt::print(" {:.3f}", number);
+  fmt::print("\n");
+}
+
+void solve(const Asked& asked) {
+  const double before = peak_memory();
+  const auto begin = std::chrono::steady_clock::now();
+  std::unique_ptr<contact::SurfaceOperator> elasticity = elasticity_of(asked);
   const SharedRows rows =
-      is_alone ? SharedRows(grid) : *elasticity->shared_rows();
-  if (fails && rows.ranks()->rank() + 1 == rows.ranks()->size())
+      asked.is_alone ? SharedRows(asked.grid) : *elasticity->shared_rows();
+  if (asked.fails && rows.ranks()->rank() + 1 == rows.ranks()->size())
     elasticity = std::make_unique<FailingOperator>(std::move(elasticity));
   contact::LoadSequence sequence(std::move(elasticity), heights_of(rows),
                                  {mechanics::ContactLaw::hard, 0.0}, 1e-8,
                                  2000);
+  const double setup = seconds_since(begin);
   const auto start = std::chrono::steady_clock::now();
+  const CpuClock clock(2); // of the process
   const contact::ContactSolution solution =
       sequence.solve({mechanics::Control::nominal_pressure, 0.01});
   const double time = seconds_since(start);
-  const std::vector<double> memory = memory_of_ranks(rows);
-  const std::string pressure = hash_of(rows.gathered(solution.pressure));
-  const std::string gap = hash_of(rows.gathered(solution.gap));
+  const std::vector<double> cpu_times = of_ranks(rows, clock.seconds());
+  const std::vector<double> memory = of_ranks(
+      rows, (peak_memory() - before) / static_cast<double>(rows.size()));
+  const std::string pressure = hash_of(rows, solution.pressure);
+  const std::string gap = hash_of(rows, solution.gap);
   if (rows.ranks() != nullptr && rows.ranks()->rank() != 0)
     return;
   fmt::print("pressure {} gap {} mean gap {:a} iterations {} transforms {} "
              "converged {} note '{}'\n",
              pressure, gap, solution.mean_gap, solution.iterations,
              solution.transforms, solution.converged, solution.note);
-  fmt::print("time {:.3f} s, bytes per node of all ranks", time);
-  for (const double bytes : memory)
-    fmt::print(" {:.1f}", (bytes - before) / static_cast<double>(rows.size()));
-  fmt::print("\n");
+  fmt::print("set-up {:.3f} s, time {:.3f} s\n", setup, time);
+  print("CPU time", cpu_times, "s");
+  print("memory", memory, "bytes per own node");
 }
 
 /// As the program does it: rank 0 broadcasts a command, then all execute it.
@@ -193,17 +262,18 @@ void on_all_ranks(const std::function<void()>& share) {
 int main(int argc, char** argv) {
   using namespace asperity;
   if (argc < 4) {
-    fmt::print(stderr, "arguments: points threads ranks|alone [fail]\n");
+    fmt::print(stderr, "arguments: points threads ranks|alone [q1|fail]\n");
     return 2;
   }
   const int points = std::atoi(argv[1]);
-  const Grid grid{points, points, 1.0, 1.0};
-  const bool is_alone = std::string(argv[3]) == "alone";
-  if (is_alone)
-    solve(grid, std::atoi(argv[2]), true, false);
+  const std::string kind = argc > 4 ? argv[4] : "";
+  const Asked asked{{points, points, 1.0, 1.0},
+                    std::atoi(argv[2]),
+                    std::string(argv[3]) == "alone",
+                    kind == "fail",
+                    kind == "q1"};
+  if (asked.is_alone)
+    solve(asked);
   else
-    on_all_ranks([&] {
-      solve(grid, std::atoi(argv[2]), false,
-            argc > 4 && std::string(argv[4]) == "fail");
-    });
+    on_all_ranks([&] { solve(asked); });
 }

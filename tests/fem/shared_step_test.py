@@ -1,6 +1,6 @@
-"""A load step of the half-space on rows that the ranks of mpirun share: 1, 2 and
-3 ranks give the bits of one process, and a failure of one rank ends all of them
-within seconds, with its message.
+"""A load step of the half-space and of a condensed Q1 block on rows that the
+ranks of mpirun share: 1, 2 and 3 ranks give the bits of one process, and a
+failure of one rank ends all of them within seconds, with its message.
 
 Arguments: the program shared_step, mpirun. Tolerance: equal hashes.
 """
@@ -22,13 +22,14 @@ def main(program, mpirun):
     def on_ranks(ranks, *words):
         return run([mpirun, "-np", str(ranks), "--oversubscribe", program, "256", *words])
 
-    alone = run([program, "256", "1", "alone"])
-    assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
-    answer = alone.stdout.splitlines()[0]
-    for ranks, threads in ((1, 1), (2, 1), (2, 2), (3, 1)):
-        shared = on_ranks(ranks, str(threads), "ranks")
-        assert shared.returncode == 0, shared.stdout
-        assert answer in shared.stdout.splitlines(), (ranks, answer, shared.stdout)
+    for block, on in (([], ((1, 1), (2, 1), (2, 2), (3, 1))), (["q1"], ((2, 1), (3, 2)))):
+        alone = run([program, "256", "1", "alone", *block])
+        assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
+        answer = alone.stdout.splitlines()[0]
+        for ranks, threads in on:
+            shared = on_ranks(ranks, str(threads), "ranks", *block)
+            assert shared.returncode == 0, shared.stdout
+            assert answer in shared.stdout.splitlines(), (ranks, answer, shared.stdout)
 
     start = time.monotonic()
     failed = on_ranks(3, "1", "ranks", "fail")
