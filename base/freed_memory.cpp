@@ -11,7 +11,9 @@ namespace asperity {
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int megabyte = 1 << 20;
+  constexpr int default_mappings = 65536;
   mallopt(M_TRIM_THRESHOLD, 256 * megabyte);
+  mallopt(M_MMAP_MAX, default_mappings);    // Open MPI sets it to 0
   mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // the largest value accepted
 #endif
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 
 namespace asperity {
 namespace {
@@ -38,8 +39,9 @@ SharedConvolution<Real>::SharedConvolution(const SharedRows& rows, int threads)
   n_ranks_ = static_cast<std::size_t>(rows.ranks()->size());
   own_ = static_cast<std::size_t>(rows.ranks()->rank());
   const Grid& grid = rows.grid();
-  transforms_ =
-      std::make_unique<PairTransforms<Real>>(grid, rows.count(), grid.points_x);
+  is_dense_ = rows.count() % 2 == 0 && grid.points_x % 2 == 0;
+  transforms_ = std::make_unique<PairTransforms<Real>>(
+      grid, rows.count(), grid.points_x, is_dense_);
   first_blocks_ = divided(transforms_->n_columns() / block_width, n_ranks_);
   n_columns_ = grid.half_spectrum_columns();
   std::size_t most = 1; // blocks of a rank
@@ -145,14 +147,18 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
   std::size_t all_rows = 0;
   for (std::size_t r = 0; r < n_ranks_; ++r)
     all_rows += padded_rows(r);
-  spectrum_.resize(transforms_->spectrum_size());
+  Complex* spectrum = memory_of(answer);
+  if (spectrum == nullptr) {
+    spectrum_.resize(transforms_->spectrum_size());
+    spectrum = spectrum_.data();
+  }
   pairs_.resize(workers * transforms_->pair_stride());
   columns_.resize(workers * block_width * transforms_->column_stride());
   multipliers_.resize(columns_.size());
   by_rows_.resize(n_ranks_ * most * padded_rows(own_));
   by_ranks_.resize(most * all_rows);
 
-  transforms_->forward(field, threads_, pairs_.data(), spectrum_.data());
+  transforms_->forward(field, threads_, pairs_.data(), spectrum);
   std::vector<std::size_t> sent(n_ranks_), received(n_ranks_);
   for (std::size_t round = 0; round < n_rounds_; ++round) {
     const Blocks own = blocks_of(own_, round);
@@ -162,8 +168,8 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
       received[r] = own.count * block_width * padded_rows(r) * sizeof(Complex);
     }
     each_block(round, [&](std::size_t block, Complex* columns) {
-      transforms_->separate(spectrum_.data(), block * block_width,
-                            columns_in(block), padded_rows(own_), columns);
+      transforms_->separate(spectrum, block * block_width, columns_in(block),
+                            padded_rows(own_), columns);
     });
     const std::span<std::byte> rows_side =
         std::as_writable_bytes(std::span(by_rows_));
@@ -174,10 +180,20 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
     rows_.ranks()->exchange(ranks_side, received, rows_side, sent);
     each_block(round, [&](std::size_t block, Complex* columns) {
       transforms_->join(columns, block * block_width, columns_in(block),
-                        padded_rows(own_), spectrum_.data());
+                        padded_rows(own_), spectrum);
     });
   }
-  transforms_->backward(spectrum_.data(), threads_, pairs_.data(), answer);
+  transforms_->backward(spectrum, threads_, pairs_.data(), answer);
+}
+
+template <class Real>
+auto SharedConvolution<Real>::memory_of(std::span<Real> answer) const
+    -> Complex* {
+  // FFTW plans for arrays on 16-byte boundaries.
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(answer.data()) % 16 == 0;
+  return is_dense_ && is_aligned ? reinterpret_cast<Complex*>(answer.data())
+                                 : nullptr;
 }
 
 template <class Real>

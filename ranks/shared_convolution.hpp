@@ -18,8 +18,9 @@ namespace asperity {
 /// As Convolution, with bitwise the same answer on any number of ranks. Each
 /// rank transforms its pairs of rows and owns some blocks of columns. The
 /// columns are exchanged in rounds of a few blocks per rank, transformed,
-/// multiplied, transformed back and returned, so that beside the spectrum of
-/// its own rows a rank holds only the blocks of one round.
+/// multiplied, transformed back and returned. The spectrum of the own rows is
+/// in the memory of the answer if points_x and the number of rows are even, so
+/// that a rank only holds the blocks of one round beside its fields.
 template <class Real>
 class SharedConvolution {
 public:
@@ -99,6 +100,8 @@ private:
   template <class Take>
   void transform(std::span<const Real> field, const Take& take,
                  std::span<Real> answer);
+  /// The memory of the answer as that of the spectrum; null if it does not fit.
+  Complex* memory_of(std::span<Real> answer) const;
   template <class Take>
   void convolve_own(const Blocks& own, const Take& take);
   /// Calls copy(piece in by_ranks_, place in the columns of a block, number of
@@ -114,7 +117,8 @@ private:
   std::vector<std::size_t> first_blocks_; ///< of each rank, and their number
   std::size_t n_columns_;                 ///< of the half spectrum
   std::size_t blocks_a_round_, n_rounds_;
-  std::vector<Complex> spectrum_; ///< of the pairs of rows of this rank
+  bool is_dense_; ///< the spectrum fits into the memory of a field
+  std::vector<Complex> spectrum_; ///< of the own rows, if it does not
   std::vector<Complex> pairs_;    ///< scratch of one pair per thread
   std::vector<Complex> by_rows_;  ///< own rows of the columns of a round
   std::vector<Complex> by_ranks_; ///< pieces of own columns of a round

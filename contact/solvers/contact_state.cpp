@@ -193,6 +193,8 @@ ContactSolution ContactState::solution() && {
     scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
     compute_raw_gap();
   }
+  residual = change_ = previous_residual_ = std::vector<float>();
+  freedom = std::vector<std::uint8_t>();
   std::vector<double> all_displacements(pressure.size());
   double* const displacement = all_displacements.data();
   double* const gap = raw_gap.data();

@@ -1,5 +1,6 @@
 #include "fem/parallel/mpi_group.hpp"
 
+#include "base/freed_memory.hpp"
 #include "fem/parallel/ranks.hpp"
 
 #include <mpi.h>
@@ -29,6 +30,9 @@ class MpiGroup final : public RankGroup {
 public:
   MpiGroup() : rank_(own_rank()), size_(n_ranks()) {
     MPI_Comm_dup(MPI_COMM_WORLD, &ranks_);
+    // Open MPI lets the process keep all memory in one heap. Between the large
+    // fields of a contact problem it had gaps of a tenth of its size.
+    keep_freed_memory();
   }
 
   int rank() const override { return rank_; }
