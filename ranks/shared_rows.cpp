@@ -2,10 +2,51 @@
 
 #include "base/require.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace asperity {
+namespace {
+
+/// Most bytes that rank 0 sends or receives at a time: far below the 2^31 that
+/// libraries of message passing count, and the memory of a copy.
+constexpr std::size_t most_bytes = std::size_t{1} << 22;
+
+std::size_t sum_of(std::span<const std::size_t> sizes) {
+  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+}
+
+/// Some adjacent rows of each rank, as values from the first of its rows.
+struct Round {
+  std::size_t begin = 0, end = 0;
+
+  /// The part of a rank that holds so many values.
+  std::size_t first(std::size_t held) const { return std::min(held, begin); }
+
+  std::size_t count(std::size_t held) const {
+    return std::min(held, end) - first(held);
+  }
+};
+
+/// The rounds in which rank 0 exchanges a whole field with all ranks.
+std::vector<Round> rounds_of(const SharedRows& rows) {
+  const auto n = static_cast<std::size_t>(rows.ranks()->size());
+  const std::size_t a_round =
+      std::max<std::size_t>(1, most_bytes / sizeof(double) / n / rows.width());
+  std::size_t most_rows = 0;
+  for (std::size_t r = 0; r < n; ++r)
+    most_rows =
+        std::max(most_rows, static_cast<std::size_t>(rows.bounds()[r + 1] -
+                                                     rows.bounds()[r]));
+  std::vector<Round> rounds;
+  for (std::size_t row = 0; row < most_rows; row += a_round)
+    rounds.push_back({row * rows.width(), (row + a_round) * rows.width()});
+  return rounds;
+}
+
+} // namespace
 
 SharedRows::SharedRows(const Grid& grid)
     : grid_(grid), bounds_{0, grid.points_y} {}
@@ -30,8 +71,7 @@ std::vector<std::size_t> SharedRows::bytes_of_ranks() const {
   std::vector<std::size_t> bytes;
   bytes.reserve(bounds_.size());
   for (std::size_t r = 0; r + 1 < bounds_.size(); ++r)
-    bytes.push_back(static_cast<std::size_t>(bounds_[r + 1] - bounds_[r]) *
-                    width() * sizeof(double));
+    bytes.push_back(size_of(r) * sizeof(double));
   return bytes;
 }
 
@@ -39,6 +79,18 @@ std::vector<std::size_t> SharedRows::bytes_of_rank_0(std::size_t bytes) const {
   std::vector<std::size_t> all(bounds_.size() - 1, 0);
   all.front() = bytes;
   return all;
+}
+
+std::vector<double> SharedRows::row_after(std::span<const double> own) const {
+  const std::span<const double> first = own.first(width());
+  std::vector<double> after(first.begin(), first.end());
+  if (ranks_ != nullptr) {
+    std::vector<double> before(width());
+    ranks_->swap_edges({std::as_bytes(first), std::as_bytes(own.last(width())),
+                        std::as_writable_bytes(std::span(before)),
+                        std::as_writable_bytes(std::span(after))});
+  }
+  return after;
 }
 
 std::vector<double> SharedRows::gathered(std::span<const double> own) const {
@@ -58,9 +110,23 @@ SharedRows::gathered_on_rank_0(std::span<const double> own) const {
   if (ranks_ == nullptr)
     return gathered(own);
   std::vector<double> all(own_ == 0 ? grid_.size() : 0);
-  ranks_->exchange(std::as_bytes(own), bytes_of_rank_0(own.size_bytes()),
-                   std::as_writable_bytes(std::span(all)),
-                   own_ == 0 ? bytes_of_ranks() : bytes_of_rank_0(0));
+  std::vector<double> received;
+  for (const Round& round : rounds_of(*this)) {
+    const std::span<const double> sent =
+        own.subspan(round.first(size()), round.count(size()));
+    std::vector<std::size_t> bytes = bytes_of_rank_0(0);
+    for (std::size_t r = 0; own_ == 0 && r < bytes.size(); ++r)
+      bytes[r] = round.count(size_of(r)) * sizeof(double);
+    received.resize(sum_of(bytes) / sizeof(double));
+    ranks_->exchange(std::as_bytes(sent), bytes_of_rank_0(sent.size_bytes()),
+                     std::as_writable_bytes(std::span(received)), bytes);
+    const double* part = received.data();
+    for (std::size_t r = 0; own_ == 0 && r < bytes.size(); ++r) {
+      const std::size_t n = bytes[r] / sizeof(double);
+      std::copy_n(part, n, all.data() + first_of(r) + round.first(size_of(r)));
+      part += n;
+    }
+  }
   return all;
 }
 
@@ -71,10 +137,22 @@ std::vector<double> SharedRows::scattered(std::span<const double> all) const {
     refuse_argument("all.size()", static_cast<double>(all.size()),
                     "the number of nodes of the grid");
   std::vector<double> own(size());
-  ranks_->exchange(std::as_bytes(own_ == 0 ? all : std::span<const double>()),
-                   own_ == 0 ? bytes_of_ranks() : bytes_of_rank_0(0),
-                   std::as_writable_bytes(std::span(own)),
-                   bytes_of_rank_0(size() * sizeof(double)));
+  std::vector<double> sent;
+  for (const Round& round : rounds_of(*this)) {
+    std::vector<std::size_t> bytes = bytes_of_rank_0(0);
+    sent.clear();
+    for (std::size_t r = 0; own_ == 0 && r < bytes.size(); ++r) {
+      const auto part = all.subspan(first_of(r) + round.first(size_of(r)),
+                                    round.count(size_of(r)));
+      bytes[r] = part.size_bytes();
+      sent.insert(sent.end(), part.begin(), part.end());
+    }
+    const std::span<double> received =
+        std::span(own).subspan(round.first(size()), round.count(size()));
+    ranks_->exchange(std::as_bytes(std::span(sent)), bytes,
+                     std::as_writable_bytes(received),
+                     bytes_of_rank_0(received.size_bytes()));
+  }
   return own;
 }
 

@@ -67,6 +67,11 @@ public:
     }
   }
 
+  /// The row after those of this process, on the periodic continuation of the
+  /// grid. Collective.
+  /// @param own  size() values
+  std::vector<double> row_after(std::span<const double> own) const;
+
   /// All rows of a field, on every rank. Collective.
   /// @param own  size() values
   std::vector<double> gathered(std::span<const double> own) const;
@@ -80,6 +85,15 @@ public:
   std::vector<double> scattered(std::span<const double> all) const;
 
 private:
+  /// Place of the first node of a rank, and number of its nodes.
+  std::size_t first_of(std::size_t rank) const {
+    return static_cast<std::size_t>(bounds_[rank]) * width();
+  }
+
+  std::size_t size_of(std::size_t rank) const {
+    return first_of(rank + 1) - first_of(rank);
+  }
+
   std::vector<std::size_t> bytes_of_ranks() const;
   /// Sizes of which only that of rank 0 is not 0.
   std::vector<std::size_t> bytes_of_rank_0(std::size_t bytes) const;

@@ -23,7 +23,7 @@ MAY_INCLUDE = {
     "meshes": {"base", "input", "mechanics", "surfaces"},
     "fem": {"base", "ranks", "input", "mechanics", "surfaces", "meshes", "contact"},
     "md": {"base", "input", "mechanics", "surfaces"},
-    "results": {"base", "input", "theory"},  # its Eq. (20) is (1) with another variance
+    "results": {"base", "ranks", "input", "theory"},  # its Eq. (20) is (1) with another variance
     "exchange": {"base", "input", "mechanics", "surfaces", "contact", "results",
                  "cases/text/toml_text.hpp"},  # a submission is TOML
     "reports": {"base", "input", "mechanics", "cases", "surfaces", "theory", "results"},

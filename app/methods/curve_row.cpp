@@ -19,6 +19,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                            const SurfaceOfCase& surface) {
   const Grid& grid = surface.record.grid;
   const std::span<const double> weights = observation.nodal_weights;
+  const SharedRows* const rows = observation.rows;
   const std::vector<double>& pressure = solution.pressure;
   results::CurvePoint row;
   row.nominal_pressure = solution.nominal_pressure;
@@ -30,25 +31,27 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                   : results::StepStatus::not_converged;
   row.note = solution.note;
   results::RowObserver observe(row);
-  observe("area_fraction",
-          [&] { return results::counted_area_fraction(pressure, weights); });
+  observe("area_fraction", [&] {
+    return results::counted_area_fraction(pressure, weights, rows);
+  });
   observe("contact_perimeter", [&] {
-    return results::contact_perimeter(grid, pressure, observation.border);
+    return results::contact_perimeter(grid, pressure, observation.border, rows);
   });
   row.area_fraction_corrected = results::Observed::none;
   if (observation.has_rim)
     observe("area_fraction_corrected", [&] {
       return results::corrected_area_fraction(
           grid, pressure, solution.gap, observation.contact_modulus,
-          observation.area_coefficients, observation.border);
+          observation.area_coefficients, observation.border, rows);
     });
-  observe_pressure_fits(observe, pressure, weights);
+  observe_pressure_fits(observe, pressure, weights, rows);
   observe("elastic_energy", [&] {
-    return results::elastic_energy(pressure, solution.displacement, weights);
+    return results::elastic_energy(pressure, solution.displacement, weights,
+                                   rows);
   });
   observe("contact_energy", [&] {
     return results::contact_energy(pressure, observation.local_compliance,
-                                   weights);
+                                   weights, rows);
   });
   return row;
 }
@@ -63,7 +66,8 @@ void distrust_non_finite(StepAnswer& answer) {
   results::CurvePoint& row = answer.row;
   const bool has_load =
       std::isfinite(row.nominal_pressure) && std::isfinite(row.mean_gap);
-  const bool has_maps = all_finite(answer.pressure) && all_finite(answer.gap);
+  const bool has_maps = answer.has_finite_fields &&
+                        all_finite(answer.pressure) && all_finite(answer.gap);
   if (has_load && has_maps)
     return;
   row.status = results::StepStatus::not_converged;
@@ -77,15 +81,16 @@ void distrust_non_finite(StepAnswer& answer) {
 
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
-                           std::span<const double> weights) {
+                           std::span<const double> weights,
+                           const SharedRows* rows) {
   const auto area_of = [](const results::PressureFit& fit) {
     return results::Observed{fit.area_fraction, fit.reason};
   };
   observe("area_fraction_fit", [&] {
-    return area_of(results::fit_pressure_distribution(pressure, weights));
+    return area_of(results::fit_pressure_distribution(pressure, weights, rows));
   });
   observe("area_fraction_moment", [&] {
-    return area_of(results::pressure_fit_by_moment(pressure, weights));
+    return area_of(results::pressure_fit_by_moment(pressure, weights, rows));
   });
 }
 

@@ -22,6 +22,9 @@ struct Observation {
   double contact_modulus = 0.0; ///< effective E* at the contact boundary [Pa]
   bool has_rim = true;          ///< false: the caller sets the corrected area
   results::Border border = results::Border::periodic;
+  /// The rows of the fields, if ranks share them: then the evaluation is
+  /// collective and every rank gets the row of one process.
+  const SharedRows* rows = nullptr;
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure
@@ -31,7 +34,8 @@ struct Observation {
 /// @param weights  relative weights of the nodes; empty if all are equal
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
-                           std::span<const double> weights = {});
+                           std::span<const double> weights = {},
+                           const SharedRows* rows = nullptr);
 
 /// Evaluates a solution. Its fields are moved into the answer. An observable
 /// that cannot be evaluated does not end the run: it is NaN, and the note of

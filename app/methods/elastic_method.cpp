@@ -5,11 +5,8 @@
 #include "app/methods/curve_row.hpp"
 #include "app/methods/load_steps.hpp"
 #include "app/methods/shared_load_steps.hpp"
-#include "base/cpu_clock.hpp"
-#include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "results/observables/area_estimate.hpp"
-#include "results/observables/row_observer.hpp"
 
 #include <fmt/format.h>
 
@@ -28,49 +25,14 @@ mechanics::ContactInterface interface_of(const ContactSettings& settings,
   return {settings.law, is_hard ? 0.0 : settings.penalty.in_si(scales)};
 }
 
-/// The settings that are the same for all load steps.
-struct SolverSetting {
-  double local_compliance;      ///< 1/k [m/Pa] for a penalty law, otherwise 0
-  const SurfaceOfCase& surface; ///< must outlive the solver
-  results::AreaCoefficients area_coefficients;
-  double rim_modulus; ///< E* at the length scale of a grid spacing [Pa]
-  int threads;
-  double saved_setup_time;
-};
-
 /// Applies the contact solver to any surface operator.
 class OperatorSolver final : public StepSolver {
 public:
-  /// @param weights  nodal areas, see contact::SurfaceOperator
-  OperatorSolver(std::unique_ptr<LoadSteps> steps,
-                 std::span<const double> weights, const SolverSetting& setting)
-      : surface_(setting.surface),
-        area_coefficients_(setting.area_coefficients),
-        rim_modulus_(setting.rim_modulus),
-        threads_(setting.threads),
-        local_compliance_(setting.local_compliance),
-        weights_(weights.begin(), weights.end()),
-        steps_(std::move(steps)),
-        saved_setup_time_(setting.saved_setup_time) {}
+  OperatorSolver(std::unique_ptr<LoadSteps> steps, double saved_setup_time)
+      : steps_(std::move(steps)), saved_setup_time_(saved_setup_time) {}
 
   StepAnswer solve(const StepTarget& target) override {
-    contact::ContactSolution solution = steps_->solve(target.load);
-    const int transforms = solution.transforms;
-    const CpuClock clock(threads_);
-    StepAnswer answer = observe(std::move(solution),
-                                {.nodal_weights = weights_,
-                                 .local_compliance = local_compliance_,
-                                 .area_coefficients = area_coefficients_,
-                                 .contact_modulus = rim_modulus_,
-                                 .border = steps_->elasticity().is_periodic()
-                                               ? results::Border::periodic
-                                               : results::Border::free},
-                                surface_);
-    certify(answer);
-    answer.row.observation_time = clock.seconds();
-    answer.row.transforms = transforms;
-    answer.row.transform_time = steps_->transform_time();
-    return answer;
+    return steps_->solve(target);
   }
 
   std::vector<double> state() const override { return steps_->memory(); }
@@ -82,27 +44,6 @@ public:
   double saved_setup_time() const override { return saved_setup_time_; }
 
 private:
-  /// Bounds the error of the mean gap by one more application of the operator,
-  /// which the solver has no part in.
-  void certify(StepAnswer& answer) {
-    if (!(answer.row.nominal_pressure > 0.0))
-      return; // without contact the mean gap is prescribed
-    results::RowObserver observe(answer.row);
-    observe("certified_gap_error", [&] {
-      return contact::check_field(steps_->elasticity(),
-                                  {surface_.record.heights, local_compliance_,
-                                   answer.row.nominal_pressure, answer.pressure,
-                                   answer.row.mean_gap})
-          .mean_gap_error;
-    });
-  }
-
-  const SurfaceOfCase& surface_;
-  results::AreaCoefficients area_coefficients_;
-  double rim_modulus_;
-  int threads_;
-  double local_compliance_;
-  std::vector<double> weights_;
   std::unique_ptr<LoadSteps> steps_;
   double saved_setup_time_;
 };
@@ -128,39 +69,36 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const ContactSettings& contact =
       block != nullptr ? block->contact
                        : std::get<HalfspaceSettings>(method.settings).contact;
-  LoadStepsSetting steps{interface_of(contact, surface.scales),
-                         contact.tolerance * surface.scales.rms_height,
-                         contact.max_iterations, workforce.threads};
-  SolverSetting setting{steps.interface.law == mechanics::ContactLaw::penalty
-                            ? 1.0 / steps.interface.penalty
-                            : 0.0,
-                        surface,
-                        block != nullptr ? area_coefficients(*block)
-                                         : results::halfspace_area_coefficients,
-                        rim_modulus(continuum, surface.scales.spacing),
-                        workforce.threads,
-                        0.0};
-  if (is_shared_by_ranks(method, surface.record.grid, workforce.ranks)) {
-    steps.threads = workforce.threads_a_rank;
+  LoadStepsSetting setting{interface_of(contact, surface.scales),
+                           contact.tolerance * surface.scales.rms_height,
+                           contact.max_iterations, workforce.threads,
+                           surface.scales.rms_height};
+  Observation& observation = setting.observation;
+  if (setting.interface.law == mechanics::ContactLaw::penalty)
+    observation.local_compliance = 1.0 / setting.interface.penalty;
+  observation.area_coefficients = block != nullptr
+                                      ? area_coefficients(*block)
+                                      : results::halfspace_area_coefficients;
+  observation.contact_modulus = rim_modulus(continuum, surface.scales.spacing);
+  const Grid& grid = surface.record.grid;
+  if (is_shared_by_ranks(method, grid, workforce.ranks)) {
+    setting.threads = workforce.threads_a_rank;
     return std::make_unique<OperatorSolver>(
         make_shared_load_steps(
-            surface.record.grid,
+            grid,
             block != nullptr ? SharedBlock(fem::load_fem_module().text_of(
-                                   request(*block, surface, steps.threads)))
+                                   request(*block, surface, setting.threads)))
                              : SharedBlock(continuum),
-            surface.record.heights, steps),
-        std::span<const double>(), setting);
+            surface.record.heights, setting),
+        0.0);
   }
   Face face = shared_operator(method, surface, workforce.threads);
   if (!face.elasticity->is_periodic())
-    setting.area_coefficients = results::free_area_coefficients;
-  setting.saved_setup_time = face.saved_setup_time;
-  const std::span<const double> weights = face.elasticity->nodal_weights();
-  const std::vector<double> kept_weights(weights.begin(), weights.end());
+    observation.area_coefficients = results::free_area_coefficients;
   return std::make_unique<OperatorSolver>(
       make_load_steps(std::move(face.elasticity), surface.record.heights,
-                      steps),
-      kept_weights, setting);
+                      setting),
+      face.saved_setup_time);
 }
 
 SolverFactory::Face

@@ -78,12 +78,21 @@ RankPart& part_in(const json& command) {
   return parts_of_this_rank().at(command.at("number").get<int>());
 }
 
-// Each command is a function that every rank calls. Rank 0 gives it whole
-// fields and receives whole fields; the others give and receive nothing.
+void add_setting(const LoadStepsSetting& setting, json& command) {
+  const Observation& observed = setting.observation;
+  command["law"] = static_cast<int>(setting.interface.law);
+  command["penalty"] = setting.interface.penalty;
+  command["gap_tolerance"] = setting.gap_tolerance;
+  command["max_iterations"] = setting.max_iterations;
+  command["threads"] = setting.threads;
+  command["rms_height"] = setting.rms_height;
+  command["local_compliance"] = observed.local_compliance;
+  command["area_coefficients"] = {observed.area_coefficients.perimeter,
+                                  observed.area_coefficients.euler};
+  command["contact_modulus"] = observed.contact_modulus;
+}
 
-void build_part(const json& command, std::span<const double> heights) {
-  const json& points = command.at("grid");
-  const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
+LoadStepsSetting setting_in(const json& command) {
   LoadStepsSetting setting;
   setting.interface = {
       static_cast<mechanics::ContactLaw>(command.at("law").get<int>()),
@@ -91,6 +100,22 @@ void build_part(const json& command, std::span<const double> heights) {
   setting.gap_tolerance = command.at("gap_tolerance");
   setting.max_iterations = command.at("max_iterations");
   setting.threads = command.at("threads");
+  setting.rms_height = command.at("rms_height");
+  Observation& observed = setting.observation;
+  observed.local_compliance = command.at("local_compliance");
+  const json& coefficients = command.at("area_coefficients");
+  observed.area_coefficients = {coefficients.at(0), coefficients.at(1)};
+  observed.contact_modulus = command.at("contact_modulus");
+  return setting;
+}
+
+// Each command is a function that every rank calls. Rank 0 gives it whole
+// fields and receives whole fields; the others give and receive nothing.
+
+void build_part(const json& command, std::span<const double> heights) {
+  const json& points = command.at("grid");
+  const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
+  const LoadStepsSetting setting = setting_in(command);
   std::unique_ptr<contact::SurfaceOperator> elasticity =
       elasticity_in(command, grid, setting.threads);
   const SharedRows rows = *elasticity->shared_rows();
@@ -101,24 +126,19 @@ void build_part(const json& command, std::span<const double> heights) {
                                      setting)});
 }
 
-contact::ContactSolution solve_part(const json& command) {
+/// The fields are gathered only if they are needed.
+StepAnswer solve_part(const json& command) {
   RankPart& part = part_in(command);
-  contact::ContactSolution solution = part.steps->solve(
-      {static_cast<mechanics::Control>(command.at("control").get<int>()),
-       command.at("amount")});
-  for (std::vector<double>* field :
-       {&solution.pressure, &solution.gap, &solution.displacement})
-    *field = part.rows.gathered_on_rank_0(*field);
-  return solution;
-}
-
-std::vector<double> displacement_part(const json& command,
-                                      std::span<const double> pressure) {
-  RankPart& part = part_in(command);
-  std::vector<double> displacement(part.rows.size());
-  part.steps->elasticity().displacement(part.rows.scattered(pressure),
-                                        displacement);
-  return part.rows.gathered_on_rank_0(displacement);
+  const bool needs_maps = command.at("needs_maps");
+  StepAnswer answer = part.steps->solve(
+      {{static_cast<mechanics::Control>(command.at("control").get<int>()),
+        command.at("amount")},
+       command.at("step"),
+       needs_maps});
+  for (std::vector<double>* field : {&answer.pressure, &answer.gap})
+    *field = needs_maps ? part.rows.gathered_on_rank_0(*field)
+                        : std::vector<double>();
+  return answer;
 }
 
 /// The layout of contact::LoadSequence::memory(): a number, then a number and a
@@ -167,7 +187,7 @@ public:
   SharedLoadSteps(const Grid& grid, const SharedBlock& block,
                   std::span<const double> heights,
                   const LoadStepsSetting& setting)
-      : number_(made++), elasticity_(*this, grid) {
+      : number_(made++), nodes_(grid.size()) {
     json build = command("build");
     build["grid"] = {grid.points_x, grid.points_y, grid.length_x,
                      grid.length_y};
@@ -175,11 +195,7 @@ public:
       build["request"] = *request;
     else
       build["block"] = json_of_block(std::get<mechanics::ElasticBlock>(block));
-    build["law"] = static_cast<int>(setting.interface.law);
-    build["penalty"] = setting.interface.penalty;
-    build["gap_tolerance"] = setting.gap_tolerance;
-    build["max_iterations"] = setting.max_iterations;
-    build["threads"] = setting.threads;
+    add_setting(setting, build);
     lead(build, [&] { build_part(build, heights); });
   }
 
@@ -191,17 +207,15 @@ public:
     }
   }
 
-  contact::ContactSolution solve(const mechanics::LoadTarget& target) override {
+  StepAnswer solve(const StepTarget& target) override {
     json solve = command("solve");
-    solve["control"] = static_cast<int>(target.control);
-    solve["amount"] = target.amount;
-    contact::ContactSolution solution;
-    lead(solve, [&] { solution = solve_part(solve); });
-    return solution;
-  }
-
-  double transform_time() const override {
-    return parts_of_this_rank().at(number_).steps->transform_time();
+    solve["control"] = static_cast<int>(target.load.control);
+    solve["amount"] = target.load.amount;
+    solve["step"] = target.step;
+    solve["needs_maps"] = target.needs_maps;
+    StepAnswer answer;
+    lead(solve, [&] { answer = solve_part(solve); });
+    return answer;
   }
 
   std::vector<double> memory() const override {
@@ -212,7 +226,7 @@ public:
   }
 
   void recall(std::span<const double> memory) override {
-    const std::size_t length = elasticity_.grid().size() + 1;
+    const std::size_t length = nodes_ + 1;
     if (!memory.empty() && memory.size() != 1 + length &&
         memory.size() != 1 + 2 * length)
       throw std::domain_error("a saved state has another number of nodes");
@@ -226,53 +240,7 @@ public:
     lead(recall, [&] { recall_part(recall, memory); });
   }
 
-  contact::SurfaceOperator& elasticity() override { return elasticity_; }
-
 private:
-  /// Scatters the pressure and gathers the displacement. The solver has the
-  /// operator of its rows; this one serves evaluations on rank 0.
-  class GatheringOperator final : public contact::SurfaceOperator {
-  public:
-    GatheringOperator(const SharedLoadSteps& steps, const Grid& grid)
-        : steps_(steps), grid_(grid) {}
-
-    std::unique_ptr<contact::SurfaceOperator> clone() const override {
-      return std::make_unique<GatheringOperator>(steps_, grid_);
-    }
-
-    const Grid& grid() const override { return grid_; }
-
-    std::span<const double> nodal_weights() const override { return {}; }
-
-    void displacement(std::span<const double> pressure,
-                      std::span<double> displacement) override {
-      const json ask = steps_.command("displacement");
-      std::vector<double> found;
-      lead(ask, [&] { found = displacement_part(ask, pressure); });
-      std::ranges::copy(found, displacement.begin());
-    }
-
-    void displacement_change(std::span<const float>,
-                             std::span<float>) override {
-      refuse();
-    }
-
-    void pressure_estimate(std::span<const float>, double,
-                           std::span<float>) override {
-      refuse();
-    }
-
-    double short_wave_compliance() const override { refuse(); }
-
-  private:
-    [[noreturn]] static void refuse() {
-      throw std::logic_error("only the displacement is gathered on rank 0");
-    }
-
-    const SharedLoadSteps& steps_;
-    Grid grid_;
-  };
-
   json command(const char* what) const {
     return {{command_key, what}, {"number", number_}};
   }
@@ -283,7 +251,7 @@ private:
   }
 
   int number_;
-  GatheringOperator elasticity_;
+  std::size_t nodes_; ///< of the grid
 };
 
 } // namespace
@@ -318,8 +286,6 @@ void follow_shared_steps(const std::string& text) {
     build_part(command, {});
   else if (what == "solve")
     static_cast<void>(solve_part(command));
-  else if (what == "displacement")
-    static_cast<void>(displacement_part(command, {}));
   else if (what == "memory")
     static_cast<void>(memory_part(command));
   else if (what == "recall")

@@ -19,6 +19,8 @@ public:
   StepChain(Cache& cache, std::vector<std::string> keys)
       : cache_(cache), keys_(std::move(keys)) {}
 
+  bool is_on() const { return cache_.is_on(); }
+
   /// Returns true if an entry for the step exists. The entry is not opened.
   bool has(std::size_t step) const;
 

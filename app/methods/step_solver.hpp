@@ -16,7 +16,8 @@ namespace asperity::app {
 /// One step of the loading path.
 struct StepTarget {
   mechanics::LoadTarget load;
-  int step = 0; ///< index in the loading path
+  int step = 0;           ///< index in the loading path
+  bool needs_maps = true; ///< otherwise the answer may be without fields
 };
 
 /// The solution of one load step. The row is complete except for the times, the
@@ -26,6 +27,8 @@ struct StepAnswer {
   Grid grid;                    ///< grid of the fields
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m]
+  /// Whether the fields are finite, also those that the answer is without.
+  bool has_finite_fields = true;
   /// Stress section computed by the method itself, only at step_with_section().
   std::optional<results::Table> section = {};
 };

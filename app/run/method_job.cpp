@@ -276,7 +276,9 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   for (; next < step && !is_interrupted(); ++next) {
     const Progress::Activity activity(
         context_.progress, activity_text(fmt::format("step {} again", next)));
-    solver.solve(target_of(context_.contact_case.load, next, scales));
+    StepTarget target = target_of(context_.contact_case.load, next, scales);
+    target.needs_maps = false;
+    solver.solve(target);
     ++context_.tally.repeated_steps;
   }
   return !is_interrupted();
@@ -291,8 +293,10 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   const CpuClock clock(context_.pool.threads_per_job());
   const Progress::Activity activity(
       context_.progress, activity_text(fmt::format("step {}", step)));
-  StepAnswer answer =
-      solver.solve(target_of(context_.contact_case.load, step, surface.scales));
+  StepTarget target =
+      target_of(context_.contact_case.load, step, surface.scales);
+  target.needs_maps = needs_maps(step);
+  StepAnswer answer = solver.solve(target);
   distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_interrupted())
@@ -306,7 +310,8 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   if (!needs_maps(step))
     answer.pressure = answer.gap = {};
   CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
-  chain_.keep(step, kept, solver.state());
+  if (chain_.is_on())
+    chain_.keep(step, kept, solver.state());
   record(row, kept.answer, step);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);

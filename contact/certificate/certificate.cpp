@@ -12,15 +12,28 @@
 namespace asperity::contact {
 namespace {
 
-double largest_of(std::span<const double> values) {
-  return *std::ranges::max_element(values);
+/// The larger of the numbers of all ranks.
+double largest_of_ranks(const SharedRows* rows, double own) {
+  return in_order(rows, own,
+                  [=](double& so_far) { so_far = std::max(so_far, own); });
 }
 
-double largest_size(std::span<const double> values) {
+double largest_of(std::span<const double> values,
+                  const SharedRows* rows = nullptr) {
+  return largest_of_ranks(rows, *std::ranges::max_element(values));
+}
+
+double largest_size(std::span<const double> values,
+                    const SharedRows* rows = nullptr) {
   double largest = 0.0;
   for (const double value : values)
     largest = std::max(largest, std::abs(value));
-  return largest;
+  return largest_of_ranks(rows, largest);
+}
+
+bool all_finite_on_ranks(std::span<const double> values,
+                         const SharedRows* rows) {
+  return sum_of_ranks(rows, all_finite(values) ? 0 : 1) == 0;
 }
 
 /// Cuts off tension and scales the mean to p_0.
@@ -40,11 +53,13 @@ std::vector<double> projected(std::span<const double> pressure,
 
 void require_sound(const SurfaceOperator& elasticity,
                    const SubmittedField& submitted) {
-  const std::size_t nodes = elasticity.grid().size();
+  const std::size_t nodes = elasticity.n_nodes();
+  const SharedRows* const rows = elasticity.shared_rows();
   if (submitted.heights.size() != nodes || submitted.pressure.size() != nodes)
     throw std::domain_error(
         "heights and pressure must have one value for each node of the grid");
-  if (!all_finite(submitted.heights) || !all_finite(submitted.pressure))
+  if (!all_finite_on_ranks(submitted.heights, rows) ||
+      !all_finite_on_ranks(submitted.pressure, rows))
     throw std::domain_error("heights and pressure must be finite");
   require_positive("nominal_pressure", submitted.nominal_pressure, "Pa");
   require_not_negative("local_compliance", submitted.local_compliance, "m/Pa");
@@ -63,12 +78,12 @@ struct Feasible {
 /// The transforms of the operator have a relative roundoff of order
 /// eps log2(nodes), by the largest value of the field.
 double roundoff_of(std::span<const double> displacement,
-                   std::span<const double> heights) {
+                   std::span<const double> heights, const SharedRows* rows) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return 8.0 * epsilon *
-         std::log2(
-             static_cast<double>(std::max<std::size_t>(heights.size(), 2))) *
-         (largest_size(displacement) + largest_size(heights));
+         std::log2(static_cast<double>(
+             std::max<std::size_t>(all_nodes(rows, heights.size()), 2))) *
+         (largest_size(displacement, rows) + largest_size(heights, rows));
 }
 
 Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
@@ -85,8 +100,9 @@ Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
     answer.displacement[i] += problem.local_compliance * pressure[i];
     answer.excess[i] = problem.heights[i] - answer.displacement[i];
   }
-  answer.separation = largest_of(answer.excess);
-  answer.roundoff = roundoff_of(answer.displacement, problem.heights);
+  const SharedRows* const rows = elasticity.shared_rows();
+  answer.separation = largest_of(answer.excess, rows);
+  answer.roundoff = roundoff_of(answer.displacement, problem.heights, rows);
   answer.pressure = std::move(pressure);
   return answer;
 }
@@ -176,7 +192,8 @@ double excess_of_high(const Feasible& answer, const Feasible& punch,
 FieldCheck check_field(SurfaceOperator& elasticity,
                        const SubmittedField& submitted) {
   require_sound(elasticity, submitted);
-  const Weighted weighted(elasticity.nodal_weights());
+  const SharedRows* const rows = elasticity.shared_rows();
+  const Weighted weighted(elasticity.nodal_weights(), rows);
   FieldCheck check;
   check.load_error =
       weighted.mean_of(submitted.pressure) / submitted.nominal_pressure - 1.0;
@@ -184,6 +201,8 @@ FieldCheck check_field(SurfaceOperator& elasticity,
     check.largest_tension = std::max(check.largest_tension, -pressure);
     check.nodes_in_tension += pressure < 0.0 ? 1 : 0;
   }
+  check.largest_tension = largest_of_ranks(rows, check.largest_tension);
+  check.nodes_in_tension = sum_of_ranks(rows, check.nodes_in_tension);
   const Feasible answer = feasible(
       elasticity, submitted,
       projected(submitted.pressure, weighted, submitted.nominal_pressure));
@@ -192,18 +211,20 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                             submitted.nominal_pressure;
   check.mean_gap =
       separation + answer.lift - weighted.mean_of(submitted.heights);
-  std::vector<double> touching(nodes), work(nodes), overlap(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    const double gap = separation - answer.excess[i];
-    touching[i] = answer.pressure[i] > 0.0 ? 1.0 : 0.0;
-    work[i] = std::abs(gap);
-    overlap[i] = std::max(-gap, 0.0);
-  }
-  check.area_fraction = weighted.mean_of(touching);
-  check.complementarity =
-      weighted.product(answer.pressure, work) / submitted.nominal_pressure;
-  check.largest_penetration = largest_of(overlap);
-  check.rms_penetration = std::sqrt(weighted.product(overlap, overlap));
+  const auto gap = [&](std::size_t i) { return separation - answer.excess[i]; };
+  const auto overlap = [&](std::size_t i) { return std::max(-gap(i), 0.0); };
+  check.area_fraction = weighted.mean(nodes, [&](std::size_t i) {
+    return answer.pressure[i] > 0.0 ? 1.0 : 0.0;
+  });
+  check.complementarity = weighted.mean(nodes, [&](std::size_t i) {
+    return answer.pressure[i] * std::abs(gap(i));
+  }) / submitted.nominal_pressure;
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < nodes; ++i)
+    deepest = std::max(deepest, overlap(i));
+  check.largest_penetration = largest_of_ranks(rows, deepest);
+  check.rms_penetration = std::sqrt(weighted.mean(
+      nodes, [&](std::size_t i) { return overlap(i) * overlap(i); }));
   const double twice_stored =
       weighted.product(answer.pressure, answer.displacement);
   check.elastic_energy =

@@ -48,6 +48,9 @@ public:
   /// @throws std::domain_error  its size or a value is invalid
   void recall(std::span<const double> memory);
 
+  /// h [m] as given.
+  std::span<const double> heights() const { return heights_; }
+
   /// C, to apply it between two steps.
   SurfaceOperator& elasticity() { return *elasticity_; }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace asperity::results {
 namespace {
@@ -22,18 +23,41 @@ struct BoundaryPairs {
 
 class Contact {
 public:
-  Contact(const Grid& grid, std::span<const double> pressure, Border border)
-      : grid_(grid), pressure_(pressure), border_(border) {
-    require_size("pressure", pressure.size(), grid.size());
+  /// @param rows  of which this process holds the map; null: all
+  Contact(const Grid& grid, std::span<const double> pressure, Border border,
+          const SharedRows* rows = nullptr)
+      : grid_(grid),
+        pressure_(pressure),
+        border_(border),
+        rows_(rows),
+        n_rows_(rows != nullptr ? rows->count() : grid.points_y) {
+    require_size("pressure", pressure.size(),
+                 rows != nullptr ? rows->size() : grid.size());
+    if (rows != nullptr)
+      pressure_after_ = rows->row_after(pressure);
   }
 
   bool holds(std::size_t node) const {
-    return node != beyond && pressure_[node] > 0.0;
+    return node != beyond && value(pressure_, pressure_after_, node) > 0.0;
   }
 
+  /// Number of nodes in contact, on all ranks.
   std::size_t n_nodes() const {
-    return static_cast<std::size_t>(std::count_if(
-        pressure_.begin(), pressure_.end(), [](double p) { return p > 0.0; }));
+    return sum_of_ranks(rows_, static_cast<std::size_t>(std::count_if(
+                                   pressure_.begin(), pressure_.end(),
+                                   [](double p) { return p > 0.0; })));
+  }
+
+  /// n_1 - n_3 of (A.4).
+  long twists() const {
+    long own = 0;
+    for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
+                        std::size_t across) {
+      const int in_contact =
+          holds(node) + holds(right) + holds(above) + holds(across);
+      own += (in_contact == 1) - (in_contact == 3);
+    });
+    return sum_of_ranks(rows_, own);
   }
 
   /// Calls visit(node, right, above, across) with the corners of every square
@@ -42,48 +66,61 @@ public:
   template <class Visit>
   void for_each_square(Visit visit) const {
     const int first = border_ == Border::periodic ? 0 : -1;
-    for (int iy = first; iy < grid_.points_y; ++iy)
+    for (int iy = first; iy < n_rows_; ++iy)
       for (int ix = first; ix < grid_.points_x; ++ix)
         visit(at(ix, iy), at(ix + 1, iy), at(ix, iy + 1), at(ix + 1, iy + 1));
   }
 
   BoundaryPairs boundary(std::span<const double> gap,
                          double contact_modulus) const {
-    BoundaryPairs boundary;
-    const auto add = [&](std::size_t a, std::size_t b, double spacing) {
-      if (holds(a) == holds(b) || a == beyond || b == beyond)
-        return;
-      const std::size_t inside = holds(a) ? a : b;
-      const std::size_t outside = holds(a) ? b : a;
-      boundary.excess += boundary_share(pressure_[inside], gap[outside],
-                                        spacing, contact_modulus) -
-                         0.5;
-      ++boundary.pairs;
-    };
-    for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
-                        std::size_t) {
-      add(node, right, grid_.spacing_x());
-      add(node, above, grid_.spacing_y());
+    const std::vector<double> gap_after =
+        rows_ != nullptr ? rows_->row_after(gap) : std::vector<double>();
+    return in_order(rows_, BoundaryPairs{}, [&](BoundaryPairs& boundary) {
+      const auto add = [&](std::size_t a, std::size_t b, double spacing) {
+        if (holds(a) == holds(b) || a == beyond || b == beyond)
+          return;
+        const std::size_t inside = holds(a) ? a : b;
+        const std::size_t outside = holds(a) ? b : a;
+        boundary.excess +=
+            boundary_share(value(pressure_, pressure_after_, inside),
+                           value(gap, gap_after, outside), spacing,
+                           contact_modulus) -
+            0.5;
+        ++boundary.pairs;
+      };
+      for_each_square([&](std::size_t node, std::size_t right,
+                          std::size_t above, std::size_t) {
+        add(node, right, grid_.spacing_x());
+        add(node, above, grid_.spacing_y());
+      });
     });
-    return boundary;
   }
 
 private:
   static constexpr std::size_t beyond = static_cast<std::size_t>(-1);
 
-  /// The node at these indices, from -1 to the number of points.
+  /// The node at these indices, from -1 to the number of points. The nodes of
+  /// the row after those of this process follow its own.
   std::size_t at(int ix, int iy) const {
     const bool is_inside =
         ix >= 0 && iy >= 0 && ix < grid_.points_x && iy < grid_.points_y;
     if (!is_inside && border_ == Border::free)
       return beyond;
     return grid_.index(ix == grid_.points_x ? 0 : ix,
-                       iy == grid_.points_y ? 0 : iy);
+                       iy == grid_.points_y && rows_ == nullptr ? 0 : iy);
+  }
+
+  static double value(std::span<const double> own,
+                      std::span<const double> after, std::size_t node) {
+    return node < own.size() ? own[node] : after[node - own.size()];
   }
 
   const Grid& grid_;
   std::span<const double> pressure_;
   Border border_;
+  const SharedRows* rows_;
+  int n_rows_;                         ///< of this process
+  std::vector<double> pressure_after_; ///< of the row after them
 };
 
 /// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
@@ -127,15 +164,8 @@ double line_area_fraction(const Grid& grid, std::span<const double> pressure,
 
 double euler_characteristic(const Grid& grid, std::span<const double> pressure,
                             Border border) {
-  const Contact contact(grid, pressure, border);
-  long twists = 0; // n_1 - n_3
-  contact.for_each_square([&](std::size_t node, std::size_t right,
-                              std::size_t above, std::size_t across) {
-    const int in_contact = contact.holds(node) + contact.holds(right) +
-                           contact.holds(above) + contact.holds(across);
-    twists += (in_contact == 1) - (in_contact == 3);
-  });
-  return 0.25 * static_cast<double>(twists); // (A.4)
+  return 0.25 *
+         static_cast<double>(Contact(grid, pressure, border).twists()); // (A.4)
 }
 
 AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
@@ -151,18 +181,21 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
           std::lerp(measured[i].euler, measured[i + 1].euler, share)};
 }
 
-Observed
-corrected_area_fraction(const Grid& grid, std::span<const double> pressure,
-                        std::span<const double> gap, double contact_modulus,
-                        const AreaCoefficients& coefficients, Border border) {
-  const Contact contact(grid, pressure, border);
-  require_size("gap", gap.size(), grid.size());
+Observed corrected_area_fraction(const Grid& grid,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients,
+                                 Border border, const SharedRows* rows) {
+  const Contact contact(grid, pressure, border, rows);
+  require_size("gap", gap.size(), pressure.size());
   const auto n = static_cast<double>(grid.size());
   const BoundaryPairs boundary = contact.boundary(gap, contact_modulus);
+  const double euler = 0.25 * static_cast<double>(contact.twists()); // (A.4)
   const double share =
       line_share(contact, boundary, n) -
       coefficients.perimeter * static_cast<double>(boundary.pairs) / n +
-      coefficients.euler * euler_characteristic(grid, pressure, border) / n;
+      coefficients.euler * euler / n;
   const double counted = static_cast<double>(contact.n_nodes()) / n;
   if (share < least_corrected_share * counted)
     return {Observed::none,

@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "ranks/in_order.hpp"
+
 namespace asperity::results {
 
 /// A number derived from a solution, which may not be determined for every
@@ -24,19 +26,25 @@ struct Observed {
   std::string reason; ///< why not; empty if it is determined
 };
 
-/// What lies beyond the border of a map: its periodic continuation, or a surface
-/// that carries no pressure.
+/// What lies beyond the border of a map: its periodic continuation, or a
+/// surface that carries no pressure.
 enum class Border { periodic, free };
 
 /// Every map here has grid.size() values in the order of Grid. `weights` are
 /// the areas of the nodes relative to their mean (mean 1, as
 /// contact::SurfaceOperator::nodal_weights); empty if all are equal. A node is
 /// in contact where its pressure is > 0.
+///
+/// With `rows`, the maps have the nodes of the rows of this process only, the
+/// call is collective over the ranks that share them, the border is periodic,
+/// and each rank gets the number that one process gets from all rows, to the
+/// last bit.
 
 /// Returns <f> = sum_i weight_i f_i / n, in the unit of the field.
 /// @throws std::domain_error  the sizes differ or the field is empty
 double weighted_mean(std::span<const double> field,
-                     std::span<const double> weights = {});
+                     std::span<const double> weights = {},
+                     const SharedRows* rows = nullptr);
 
 /// Returns A/A_0, the fraction of the nominal area that belongs to nodes in
 /// contact.
@@ -46,16 +54,17 @@ double weighted_mean(std::span<const double> field,
 /// @par Accuracy    first order in the spacing; see
 ///                  results/observables/area_estimate.hpp for the correction
 double counted_area_fraction(std::span<const double> pressure,
-                             std::span<const double> weights = {});
+                             std::span<const double> weights = {},
+                             const SharedRows* rows = nullptr);
 
 /// Returns the perimeter of the contact per nominal area on the grid:
 ///
 ///     S_d = (n_x h_y + n_y h_x) / A_0
 ///
-/// Here n_x (n_y) is the number of pairs of neighbours in x (y), including those
-/// across the border, of which exactly one is in contact. Each such pair has an
-/// edge of length h_y (h_x) between its cells. Nodes beyond a free border are not
-/// in contact.
+/// Here n_x (n_y) is the number of pairs of neighbours in x (y), including
+/// those across the border, of which exactly one is in contact. Each such pair
+/// has an edge of length h_y (h_x) between its cells. Nodes beyond a free
+/// border are not in contact.
 ///
 /// A boundary made of cell edges is longer than the smooth curve it represents,
 /// by a factor 4/pi on average over directions. The perimeter of an isotropic
@@ -66,7 +75,8 @@ double counted_area_fraction(std::span<const double> pressure,
 /// @see  V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161
 ///       (2017)
 double contact_perimeter(const Grid& grid, std::span<const double> pressure,
-                         Border border = Border::periodic);
+                         Border border = Border::periodic,
+                         const SharedRows* rows = nullptr);
 
 /// Returns pi/4 S_d [1/m], the length per nominal area of an isotropic smooth
 /// curve whose representation on the grid has the length S_d.
@@ -82,7 +92,8 @@ double isotropic_perimeter(double contact_perimeter);
 /// @throws std::domain_error  the sizes differ or the maps are empty
 double elastic_energy(std::span<const double> pressure,
                       std::span<const double> displacement,
-                      std::span<const double> weights = {});
+                      std::span<const double> weights = {},
+                      const SharedRows* rows = nullptr);
 
 /// Returns <p^2> local_compliance / 2, the energy of the penalty springs.
 /// @param local_compliance  1/k [m/Pa] >= 0, 0 for hard (unilateral) contact
@@ -90,6 +101,7 @@ double elastic_energy(std::span<const double> pressure,
 /// @throws std::domain_error  the sizes differ, the map is empty, or
 ///                            local_compliance is negative
 double contact_energy(std::span<const double> pressure, double local_compliance,
-                      std::span<const double> weights = {});
+                      std::span<const double> weights = {},
+                      const SharedRows* rows = nullptr);
 
 } // namespace asperity::results

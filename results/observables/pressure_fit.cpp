@@ -37,35 +37,47 @@ constexpr int search_bits = 26; // half of the bits, the attainable accuracy of
 struct ReducedMap {
   std::span<const double> pressure;
   std::span<const double> weights;
+  const SharedRows* rows;          ///< null: this process holds the map
   double mean = 0.0;               ///< p [Pa]
   double mean_square_excess = 0.0; ///< <sigma^2>/p^2 - 1 of sigma > 0
-  int nodes_in_contact = 0;
+  long nodes_in_contact = 0;
 
   double weight(std::size_t node) const {
     return weights.empty() ? 1.0 : weights[node];
   }
+
+  /// Number of nodes on all ranks.
+  std::size_t size() const { return all_nodes(rows, pressure.size()); }
+};
+
+struct SpreadSums {
+  long nodes_in_contact = 0;
+  double spread = 0.0, surplus = 0.0;
 };
 
 ReducedMap reduced(std::span<const double> pressure,
-                   std::span<const double> weights) {
-  ReducedMap map{pressure, weights};
-  map.mean = weighted_mean(pressure, weights);
+                   std::span<const double> weights, const SharedRows* rows) {
+  ReducedMap map{pressure, weights, rows};
+  map.mean = weighted_mean(pressure, weights, rows);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
   // Computes <s^2>/p^2 - 1, where s is the positive part of the pressure,
   // without cancellation. Pressures are divided by p before they are squared,
   // because the square of a pressure may exceed the range of double.
-  double spread = 0.0;
-  double surplus = 0.0;
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    const double ratio = pressure[i] / map.mean;
-    const double positive = std::max(0.0, ratio);
-    map.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
-    spread += map.weight(i) * (positive - 1.0) * (positive - 1.0);
-    surplus += map.weight(i) * (positive - ratio);
-  }
+  const SpreadSums all = in_order(rows, SpreadSums{}, [&](SpreadSums& sums) {
+    SpreadSums own = sums;
+    for (std::size_t i = 0; i < pressure.size(); ++i) {
+      const double ratio = pressure[i] / map.mean;
+      const double positive = std::max(0.0, ratio);
+      own.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
+      own.spread += map.weight(i) * (positive - 1.0) * (positive - 1.0);
+      own.surplus += map.weight(i) * (positive - ratio);
+    }
+    sums = own;
+  });
+  map.nodes_in_contact = all.nodes_in_contact;
   map.mean_square_excess =
-      (spread + 2.0 * surplus) / static_cast<double>(pressure.size());
+      (all.spread + 2.0 * all.surplus) / static_cast<double>(map.size());
   return map;
 }
 
@@ -112,12 +124,15 @@ Bins histogram(const ReducedMap& map, double variance) {
   bins.share.assign(static_cast<std::size_t>(std::ceil(
                         (1.0 + reach * spread - bins.start) / bins.width)),
                     0.0);
-  const auto size = static_cast<double>(map.pressure.size());
-  for (std::size_t i = 0; i < map.pressure.size(); ++i) {
-    const double place = (map.pressure[i] / map.mean - bins.start) / bins.width;
-    if (place >= 0.0 && place < static_cast<double>(bins.share.size()))
-      bins.share[static_cast<std::size_t>(place)] += map.weight(i) / size;
-  }
+  const auto size = static_cast<double>(map.size());
+  bytes_in_order(map.rows, std::as_writable_bytes(std::span(bins.share)), [&] {
+    for (std::size_t i = 0; i < map.pressure.size(); ++i) {
+      const double place =
+          (map.pressure[i] / map.mean - bins.start) / bins.width;
+      if (place >= 0.0 && place < static_cast<double>(bins.share.size()))
+        bins.share[static_cast<std::size_t>(place)] += map.weight(i) / size;
+    }
+  });
   return bins;
 }
 
@@ -187,8 +202,9 @@ PressureFit finished(PressureFit fit, double reduced_variance) {
 } // namespace
 
 PressureFit fit_pressure_distribution(std::span<const double> pressure,
-                                      std::span<const double> weights) {
-  const ReducedMap map = reduced(pressure, weights);
+                                      std::span<const double> weights,
+                                      const SharedRows* rows) {
+  const ReducedMap map = reduced(pressure, weights, rows);
   PressureFit fit = empty_fit(map);
   if (!fit.reason.empty())
     return fit;
@@ -210,8 +226,9 @@ PressureFit fit_pressure_distribution(std::span<const double> pressure,
 }
 
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
-                                   std::span<const double> weights) {
-  const ReducedMap map = reduced(pressure, weights);
+                                   std::span<const double> weights,
+                                   const SharedRows* rows) {
+  const ReducedMap map = reduced(pressure, weights, rows);
   PressureFit fit = empty_fit(map);
   return fit.reason.empty()
              ? finished(fit, variance_of_excess(map.mean_square_excess))

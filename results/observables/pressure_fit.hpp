@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 
+#include "ranks/in_order.hpp"
+
 namespace asperity::results {
 
 /// The pressure distribution of a map, approximated by Eq. (20) of Yang and
@@ -47,6 +49,7 @@ struct PressureFit {
 ///
 /// @param pressure  [Pa], any sign; contact where > 0
 /// @param weights   relative nodal areas, empty if all are equal
+/// @param rows      if not null, as explained in observables.hpp
 /// @return  the fit. G is also not determined if the mean is not positive or is
 ///          dominated by roundoff, if fewer than 20 nodes are in contact, or if
 ///          there is no minimum within a factor of 50 of the second moment's G.
@@ -56,7 +59,8 @@ struct PressureFit {
 ///                histogram. How well Eq. (20) describes a contact is a
 ///                property of the model.
 PressureFit fit_pressure_distribution(std::span<const double> pressure,
-                                      std::span<const double> weights = {});
+                                      std::span<const double> weights = {},
+                                      const SharedRows* rows = nullptr);
 
 /// Computes G from the second moment. The mean square of the positive pressures
 /// over the nominal area is
@@ -67,6 +71,7 @@ PressureFit fit_pressure_distribution(std::span<const double> pressure,
 /// dominated by the largest pressures.
 /// @throws std::domain_error  as fit_pressure_distribution
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
-                                   std::span<const double> weights = {});
+                                   std::span<const double> weights = {},
+                                   const SharedRows* rows = nullptr);
 
 } // namespace asperity::results

@@ -1,5 +1,6 @@
 // Tests of the contact solver on rows that several ranks share: every number of
 // ranks gives the bits of one process. The ranks are threads.
+#include "contact/certificate/certificate.hpp"
 #include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -168,6 +169,37 @@ TEST(SharedRows, GiveTheBitsOfOneProcessToTheReferenceSolver) {
         grid, ranks, compliance_column(grid, block_of(infinite)));
     EXPECT_TRUE(solve(elasticity, *elasticity.shared_rows()) == alone);
   });
+}
+
+TEST(SharedRows, GiveTheBitsOfOneProcessToTheCertificate) {
+  const Grid grid{256, 128, 1.0, 0.5};
+  const std::vector<double> heights = problems::rough_heights(grid, {});
+  const auto numbers = [&](SurfaceOperator& elasticity,
+                           std::span<const double> own) {
+    std::vector<double> pressure(own.begin(), own.end());
+    for (double& value : pressure) // with some tension
+      value = std::max(-1e-3, value) + 1e-4;
+    const FieldCheck c =
+        check_field(elasticity, {own, 0.02, 1e-3, pressure, 0.01});
+    return std::vector<double>{
+        c.load_error,      c.largest_tension,
+        c.mean_gap,        c.area_fraction,
+        c.complementarity, c.largest_penetration,
+        c.rms_penetration, c.elastic_energy,
+        c.duality_gap,     c.pressure_error,
+        c.mean_gap_error,  static_cast<double>(c.nodes_in_tension)};
+  };
+  FourierOperator whole = halfspace_operator(grid, block_of(infinite));
+  const std::vector<double> alone = numbers(whole, heights);
+  EXPECT_GT(alone[1], 0.0);
+  for (const int n : {1, 2, 3})
+    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
+      SharedFourierOperator elasticity(
+          grid, ranks, compliance_column(grid, block_of(infinite)));
+      EXPECT_EQ(
+          numbers(elasticity, rows_in(*elasticity.shared_rows(), heights)),
+          alone);
+    });
 }
 
 // Without an active-set method on several ranks, another method must finish.

@@ -138,5 +138,22 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
   });
 }
 
+// A row is longer than the pieces in which rank 0 exchanges a field.
+TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
+  const Grid grid{1 << 18, 9, 1.0, 1.0};
+  std::vector<double> all(grid.size());
+  std::iota(all.begin(), all.end(), 0.0);
+  const std::vector<double> nothing;
+  tests::on_thread_ranks(3, [&](RankGroup& three) {
+    const SharedRows rows(grid, three, {0, 1, 5, 9});
+    const bool is_first = rows.first() == 0;
+    const std::vector<double> own = rows.scattered(is_first ? all : nothing);
+    ASSERT_EQ(own.size(), rows.size());
+    EXPECT_EQ(own.front(), static_cast<double>(grid.index(0, rows.first())));
+    EXPECT_EQ(own.back(), own.front() + static_cast<double>(own.size() - 1));
+    EXPECT_TRUE(rows.gathered_on_rank_0(own) == (is_first ? all : nothing));
+  });
+}
+
 } // namespace
 } // namespace asperity
