@@ -91,6 +91,8 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
                      read.reference};
   options.is_exact = command.is_exact;
   options.cache = &cache;
+  options.ranks = n_mpi_ranks();
+  options.ranks_on_machine = n_ranks_on_machine();
   return options;
 }
 
@@ -133,12 +135,12 @@ ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
     if (asked.sweep)
       print_sweep_plan(*asked.sweep, command);
     for (const ReadCase& read : asked.cases) {
-      const Plan plan =
-          make_plan(read.contact_case, options_of(read, {}, command, cache));
-      fmt::print("{}", plan_text(plan, read.contact_case));
-      if (!is_for_ranks(asked, command))
-        fmt::print("{}",
-                   shared_rows_text(plan, read.contact_case, n_mpi_ranks()));
+      RunOptions options = options_of(read, {}, command, cache);
+      if (is_for_ranks(asked, command)) // each works on other parts of the run
+        options.ranks = options.ranks_on_machine = 1;
+      const Plan plan = make_plan(read.contact_case, options);
+      fmt::print("{}{}", plan_text(plan, read.contact_case),
+                 shared_rows_text(plan));
       json += (json.empty() ? "" : ",\n") + plan_json(plan, read.contact_case);
     }
   }

@@ -57,6 +57,10 @@ constexpr double bytes_per_mebibyte = 1024.0 * 1024.0;
 constexpr double program_memory = 24.0 * bytes_per_mebibyte;
 constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
 constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
+/// Likewise, of a rank on its nodes: 60 to 70 bytes of the solver and the
+/// states of two steps, once for the next step and once on their way to the
+/// cache; docs/numerics/shared-rows.md.
+constexpr double arrays_per_rank = 13.0;
 constexpr double doubles_per_atom = 60.0;
 constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
@@ -182,6 +186,10 @@ MethodCost cost_of(const cases::Case& contact_case,
         return cost_of_settings(settings, CostInput{contact_case, grid, rates});
       },
       method.settings);
+}
+
+double memory_of_rank(const Grid& grid, int ranks) {
+  return arrays_per_rank * sizeof(double) * nodes(grid) / ranks;
 }
 
 double study_time(const cases::Case& contact_case, MachineRates& rates) {

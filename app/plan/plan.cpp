@@ -3,6 +3,7 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/methods.hpp"
+#include "app/methods/shared_load_steps.hpp"
 #include "app/methods/step_chain.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "app/methods/worker_pool.hpp"
@@ -41,6 +42,24 @@ int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
   return kept;
 }
 
+/// Lets the ranks of mpirun share the rows of a method, if they do: the memory
+/// is then that of the ranks on this machine, and rank 0 gathers the maps and
+/// the states that it writes.
+void share_by_ranks(const MethodSpec& method, const RunOptions& options,
+                    PlannedMethod& planned) {
+  if (!method.has_fields() ||
+      !is_shared_by_ranks(method, planned.grid, options.ranks))
+    return;
+  planned.ranks = options.ranks;
+  planned.runs_alone = true;
+  const double gathered =
+      2.0 * sizeof(double) * static_cast<double>(planned.grid.size());
+  planned.memory =
+      gathered +
+      options.ranks_on_machine * memory_of_rank(planned.grid, options.ranks) +
+      (options.ranks_on_machine - 1) * base_memory(true);
+}
+
 /// Returns true if the last table of each study is cached.
 bool has_tables(const cases::Case& contact_case, const MethodSpec& theory,
                 const CaseKeys& keys, const Cache& cache) {
@@ -61,7 +80,7 @@ double wall_time(const Plan& plan) {
   for (const PlannedMethod& method : plan.methods) {
     const double work = method.setup_time + method.step_time;
     if (method.runs_alone) {
-      alone += work;
+      alone += work / method.ranks;
       continue;
     }
     shared += work;
@@ -172,6 +191,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     planned.step_time = left > 0 ? left * cost.step_time : 0.0;
     planned.memory = cost.memory;
     planned.runs_alone = describe(method, contact_case.material).runs_alone;
+    share_by_ranks(method, options, planned);
     if (!method.needs_surface())
       planned.grid = {};
     uses_fem |= left > 0 &&

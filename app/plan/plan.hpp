@@ -24,6 +24,7 @@ struct PlannedMethod {
   double step_time = 0.0;  ///< CPU, total of all steps that are not cached [s]
   double memory = 0.0;     ///< per running realisation [B]
   bool runs_alone = false;
+  int ranks = 1; ///< that share the rows of the surface
 };
 
 /// The plan of a run. Times and sizes are predictions; NaN where no prediction
@@ -68,9 +69,8 @@ void add_up_times(Plan& plan);
 /// warnings.
 std::string plan_text(const Plan& plan, const cases::Case& contact_case);
 
-/// Names the methods of a plan whose rows the ranks of mpirun share, a line
-/// each; empty if there are none.
-std::string shared_rows_text(const Plan& plan, const cases::Case& contact_case,
-                             int n_ranks);
+/// Names the methods of a plan whose rows the ranks of mpirun share, with the
+/// memory of a rank, a line each; empty if there are none.
+std::string shared_rows_text(const Plan& plan);
 
 } // namespace asperity::app

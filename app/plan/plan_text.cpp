@@ -1,5 +1,5 @@
 // Formats a plan as readable text.
-#include "app/methods/shared_load_steps.hpp"
+#include "app/plan/cost_model.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
 
@@ -82,15 +82,15 @@ std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
   return text;
 }
 
-std::string shared_rows_text(const Plan& plan, const cases::Case& contact_case,
-                             int n_ranks) {
+std::string shared_rows_text(const Plan& plan) {
   std::string text;
-  for (const cases::MethodSpec& method : contact_case.methods)
-    for (const PlannedMethod& planned : plan.methods)
-      if (planned.name == method.name &&
-          is_shared_by_ranks(method, planned.grid, n_ranks))
-        text += fmt::format("{}: {} ranks share the rows of the surface\n",
-                            method.name, n_ranks);
+  for (const PlannedMethod& planned : plan.methods)
+    if (planned.ranks > 1)
+      text += fmt::format(
+          "{}: {} ranks share the rows of the surface, {} on each\n",
+          planned.name, planned.ranks,
+          size_text(memory_of_rank(planned.grid, planned.ranks) +
+                    base_memory(true)));
   return text;
 }
 
