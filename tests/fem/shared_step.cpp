@@ -158,6 +158,54 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
       .count();
 }
 
+/// Counts what a rank sends to the others.
+class CountingGroup final : public RankGroup {
+public:
+  explicit CountingGroup(RankGroup& ranks) : ranks_(ranks) {}
+
+  int rank() const override { return ranks_.rank(); }
+
+  int size() const override { return ranks_.size(); }
+
+  void gather_to_all(std::span<const std::byte> own,
+                     std::span<const std::size_t> counts,
+                     std::span<std::byte> all) override {
+    sent_ += static_cast<double>(own.size()) * (size() - 1);
+    ++calls_;
+    ranks_.gather_to_all(own, counts, all);
+  }
+
+  void exchange(std::span<const std::byte> sent,
+                std::span<const std::size_t> sent_counts,
+                std::span<std::byte> received,
+                std::span<const std::size_t> received_counts) override {
+    const auto own = static_cast<std::size_t>(rank());
+    for (std::size_t r = 0; r < sent_counts.size(); ++r)
+      sent_ += r == own ? 0.0 : static_cast<double>(sent_counts[r]);
+    ++calls_;
+    ranks_.exchange(sent, sent_counts, received, received_counts);
+  }
+
+  void swap_edges(const Edges& edges) override {
+    sent_ += size() > 1 ? 2.0 * static_cast<double>(edges.first.size()) : 0.0;
+    ++calls_;
+    ranks_.swap_edges(edges);
+  }
+
+  double sent() const { return sent_; } ///< [B]
+
+  double calls() const { return calls_; }
+
+private:
+  RankGroup& ranks_;
+  double sent_ = 0.0, calls_ = 0.0;
+};
+
+CountingGroup& counting_group() {
+  static CountingGroup group(fem::mpi_group());
+  return group;
+}
+
 /// A number of each rank.
 std::vector<double> of_ranks(const SharedRows& rows, double own) {
   if (rows.ranks() == nullptr)
@@ -194,7 +242,7 @@ std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
   const Grid& grid = asked.grid;
   if (!asked.is_alone)
     return std::make_unique<contact::SharedFourierOperator>(
-        grid, fem::mpi_group(),
+        grid, counting_group(),
         asked.is_q1 ? fem::condensed_column_q1(grid, layered_block(grid))
                     : contact::compliance_column(grid, half_space),
         asked.threads);
@@ -226,12 +274,19 @@ void solve(const Asked& asked) {
                                  {mechanics::ContactLaw::hard, 0.0}, 1e-8,
                                  2000);
   const double setup = seconds_since(begin);
+  const double sent = asked.is_alone ? 0.0 : counting_group().sent();
+  const double calls = asked.is_alone ? 0.0 : counting_group().calls();
   const auto start = std::chrono::steady_clock::now();
   const CpuClock clock(2); // of the process
   const contact::ContactSolution solution =
       sequence.solve({mechanics::Control::nominal_pressure, 0.01});
   const double time = seconds_since(start);
   const std::vector<double> cpu_times = of_ranks(rows, clock.seconds());
+  const double sent_in_step =
+      asked.is_alone ? 0.0 : counting_group().sent() - sent;
+  const double calls_in_step =
+      asked.is_alone ? 0.0 : counting_group().calls() - calls;
+  const std::vector<double> sent_by_ranks = of_ranks(rows, sent_in_step);
   const std::vector<double> memory = of_ranks(
       rows, (peak_memory() - before) / static_cast<double>(rows.size()));
   const std::string pressure = hash_of(rows, solution.pressure);
@@ -242,9 +297,12 @@ void solve(const Asked& asked) {
              "converged {} note '{}'\n",
              pressure, gap, solution.mean_gap, solution.iterations,
              solution.transforms, solution.converged, solution.note);
-  fmt::print("set-up {:.3f} s, time {:.3f} s\n", setup, time);
+  fmt::print("points {} ranks {} set-up {:.3f} s, time {:.3f} s\n",
+             asked.grid.points_x, cpu_times.size(), setup, time);
   print("CPU time", cpu_times, "s");
   print("memory", memory, "bytes per own node");
+  print("sent", sent_by_ranks, "B");
+  fmt::print("collective calls {:.0f}\n", calls_in_step);
 }
 
 /// As the program does it: rank 0 broadcasts a command, then all execute it.
