@@ -1,5 +1,6 @@
 // Tests of the remaining time of a run against values that are computed here,
 // and of messages during long steps.
+#include "app/run/method_job.hpp"
 #include "app/run/progress.hpp"
 
 #include <gtest/gtest.h>
@@ -126,6 +127,15 @@ TEST(Progress, MentionsTheStateOfTheSolverInAPipe) {
       << printed;
   EXPECT_NE(printed.find("; Newton step 7; "), std::string::npos) << printed;
   EXPECT_EQ(printed.find("lost"), std::string::npos) << printed;
+}
+
+// The words on a full block; the residual of no step is not known.
+TEST(Progress, DescribesAFullBlock) {
+  EXPECT_EQ(words_on({.unknowns = 81, .linear_iterations = 2}),
+            "Newton step 0, 2 CG iterations, 81 unknowns");
+  EXPECT_EQ(words_on({1, 375, 4, 56, 1.2e-3, 7}),
+            "Newton step 4, residual 1.2e-03, 7 points changed, 56 CG "
+            "iterations, mesh pass 2, 375 unknowns");
 }
 
 TEST(Progress, IsSilentWithoutWork) {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
@@ -314,6 +315,41 @@ TEST(AdaptiveBlock, HasTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(found[i].pressure, found[i + 3].pressure);
     EXPECT_EQ(found[i].gap, found[i + 3].gap);
     EXPECT_EQ(found[i].mean_gap, found[i + 3].mean_gap);
+  }
+}
+
+// The progress counts what the solution states in the end, over all passes,
+// and ends with balanced forces on a contact set that no longer changes. A
+// uniform block has one pass.
+TEST(AdaptiveBlock, ReportsItsProgress) {
+  const Grid grid{32, 32, length, length};
+  for (const bool is_adaptive : {true, false}) {
+    const auto block = is_adaptive
+                           ? make_adaptive_block(adaptive_problem(grid, 2, 2))
+                           : uniform_block(grid, 2);
+    std::vector<BlockProgress> seen;
+    BlockContact contact = contact_of(grid);
+    contact.watch = [&seen](const BlockProgress& progress) {
+      seen.push_back(progress);
+    };
+    const BlockSolution found =
+        block->solve(self_affine_heights(grid), pressed(0.001), contact);
+
+    ASSERT_TRUE(found.converged) << found.note;
+    ASSERT_GT(seen.size(), static_cast<std::size_t>(found.iterations));
+    EXPECT_TRUE(std::isnan(seen.front().residual));
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      EXPECT_GE(seen[i].iterations, seen[i - 1].iterations);
+      EXPECT_GE(seen[i].linear_iterations, seen[i - 1].linear_iterations);
+      EXPECT_GE(seen[i].mesh_pass, seen[i - 1].mesh_pass);
+    }
+    const BlockProgress& last = seen.back();
+    EXPECT_EQ(last.iterations, found.iterations);
+    EXPECT_EQ(last.linear_iterations, found.linear_iterations);
+    EXPECT_EQ(last.unknowns, block->unknowns());
+    EXPECT_LE(last.residual, contact.tolerance);
+    EXPECT_EQ(last.changed_points, 0);
+    EXPECT_EQ(last.mesh_pass > 0, is_adaptive);
   }
 }
 
