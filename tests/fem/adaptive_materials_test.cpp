@@ -115,14 +115,16 @@ std::vector<double> sphere_heights(const Grid& grid, double radius) {
 
 const Grid grid{32, 32, length, length};
 
-// Twice what was measured, rounded: the pressure differs by 0.48 %, the mean
-// gap by 0.27 %, with 0.19 of the unknowns.
+// Twice what was measured, rounded: under a sphere the pressure differs by 0.14
+// %, the mean gap by 0.28 %, with 0.11 of the unknowns. Coarsest cubes, which
+// the interface crosses, are wrong by 22 % and 4.2 %.
 TEST(AdaptiveMaterials, KeepACoating) {
   ModuliField coated(moduli(body));
   coated.add_layer(0.1 * length, moduli({10.0 * soft_modulus, 0.2}));
 
-  expect_within({0.01, 0.006, 0.3},
-                press(pair_of(grid, coated), self_affine_heights(grid), 0.02));
+  expect_within(
+      {0.003, 0.006, 0.2},
+      press(pair_of(grid, coated), sphere_heights(grid, 5.0 * length), 2e-3));
 }
 
 // Measured: 2.1 %, 0.32 %, 0.17.
@@ -145,19 +147,27 @@ TEST(AdaptiveMaterials, KeepAnInclusion) {
       press(pair_of(grid, ball), sphere_heights(grid, 5.0 * length), 9e-4));
 }
 
-// Measured: 0.36 and 0.24 %, 0.16 and 0.08 %, 0.25 and 0.19.
-TEST(AdaptiveMaterials, KeepAVariation) {
-  ModuliField smooth(moduli(body));
-  smooth.set_factor([](const meshes::Place& place) {
-    return std::exp(2.0 * place[2] / length);
+// Measured: less than 0.001 %, 0.21 %, 0.68; without regard to the moduli 0.62
+// %, 0.31 %.
+TEST(AdaptiveMaterials, KeepASteepGradient) {
+  ModuliField graded(moduli(body));
+  graded.set_factor([](const meshes::Place& place) {
+    return std::exp(8.0 * place[2] / length);
   });
-  ModuliField cubes(moduli(body));
-  cubes.set_factor(random_cubes(0.5, 3, 0.25 * length), 0.25 * length);
 
-  for (const ModuliField& varied : {smooth, cubes})
-    expect_within(
-        {0.008, 0.003, 0.35},
-        press(pair_of(grid, varied), self_affine_heights(grid), 0.002));
+  expect_within(
+      {0.0005, 0.004, 0.8},
+      press(pair_of(grid, graded), sphere_heights(grid, 5.0 * length), 4e-4));
+}
+
+// Measured: 0.42 %, 0.30 %, 0.18; without regard to the moduli 2.7 %, 0.78 %.
+TEST(AdaptiveMaterials, KeepRandomCubes) {
+  ModuliField cubes(moduli(body));
+  cubes.set_factor(random_cubes(0.9, 3, 0.125 * length), 0.125 * length);
+
+  expect_within(
+      {0.008, 0.006, 0.3},
+      press(pair_of(grid, cubes), sphere_heights(grid, 5.0 * length), 4e-4));
 }
 
 } // namespace
