@@ -137,7 +137,8 @@ TEST(ElasticBall, IsHertzianWithTheCombinedModulus) {
 // which are proportional to the load: delta = c F^(2/3) + kappa F. Two loads
 // give both constants, and the third tests them. The bounds are the error of
 // the mesh, four nodes to the smallest radius: the peak pressure there is some
-// 2 % too high, as IsHertzianWithTheCombinedModulus measures.
+// 2 % too high, as IsHertzianWithTheCombinedModulus measures. Measured here:
+// c 0.94 % too small, the third approach 0.22 %.
 TEST(ElasticBall, ApproachesLikeHertzAndAnElasticBody) {
   const double modulus = combined(soft, stiff);
   const double hertz = std::cbrt(9.0 / (16.0 * modulus * modulus * ball));
