@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
 namespace asperity::meshes {
@@ -57,7 +58,10 @@ struct BodyNode {
   int i = 0, j = 0; ///< along x and y, 0..across
   int k = 0;        ///< downwards, 0..down
 
-  auto operator<=>(const BodyNode&) const = default;
+  bool operator<(const BodyNode& other) const {
+    return std::tie(shell, i, j, k) <
+           std::tie(other.shell, other.i, other.j, other.k);
+  }
 };
 
 /// The dimensions of the lattice of nodes and their places relative to the

@@ -109,8 +109,8 @@ void BlockSystem::find_face_modulus() {
                        moduli_of(cell).shear_modulus);
   for (double& modulus : largest)
     modulus = dealii::Utilities::MPI::max(modulus, MPI_COMM_WORLD);
-  face_shear_modulus_ = counter_ ? std::min(largest[0], largest[1])
-                                 : largest[0];
+  face_shear_modulus_ =
+      counter_ ? std::min(largest[0], largest[1]) : largest[0];
 }
 
 std::string BlockSystem::report() const {
