@@ -126,9 +126,8 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   double mean_at_points = 0.0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
     mean_at_points += points[i].area * at_points[i];
-  mean_at_points =
-      dealii::Utilities::MPI::sum(mean_at_points, MPI_COMM_WORLD) /
-      points.area();
+  mean_at_points = dealii::Utilities::MPI::sum(mean_at_points, MPI_COMM_WORLD) /
+                   points.area();
   const double missed = mean_at_points - mean_of(step.heights);
   mechanics::LoadTarget load = step.load;
   if (load.control == mechanics::Control::mean_gap)

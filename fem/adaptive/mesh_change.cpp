@@ -16,8 +16,8 @@ namespace {
 class BoxCells {
 public:
   BoxCells(const BlockProblem& problem, const MeshChange::Mesh& mesh)
-      : lengths_(
-            {problem.mesh.length_x, problem.mesh.length_y, problem.mesh.depth}) {
+      : lengths_({problem.mesh.length_x, problem.mesh.length_y,
+                  problem.mesh.depth}) {
     const dealii::BoundingBox<3> box = mesh.begin(0)->bounding_box();
     for (unsigned int i = 0; i < 3; ++i)
       coarsest_[i] =

@@ -38,9 +38,8 @@ SurfaceFields fields_of(const BlockProblem& problem, const BlockSystem& system,
 void unite_ranks(ContactMarks& marks) {
   std::vector<int> numbers(marks.marks().begin(), marks.marks().end());
   dealii::Utilities::MPI::max(numbers, MPI_COMM_WORLD, numbers);
-  std::ranges::transform(numbers, marks.marks().begin(), [](int number) {
-    return static_cast<char>(number);
-  });
+  std::ranges::transform(numbers, marks.marks().begin(),
+                         [](int number) { return static_cast<char>(number); });
 }
 
 /// The range with a margin of its own width on all sides, which contains the

@@ -146,9 +146,10 @@ void BlockSpace::pin(const BlockProblem& problem,
 /// Constrains each node at x = length_x or y = length_y to its root, the node
 /// that it is the periodic image of. The roots are few compared with the
 /// unknowns and are made known to all ranks, so that no chain of images ends at
-/// a rank beyond the neighbour. A second-order cell may have a node at the place
-/// of a hanging one of smaller cells, which depends on it: then the former is
-/// the root, because its image's rank need not know what the latter depends on.
+/// a rank beyond the neighbour. A second-order cell may have a node at the
+/// place of a hanging one of smaller cells, which depends on it: then the
+/// former is the root, because its image's rank need not know what the latter
+/// depends on.
 void BlockSpace::identify_sides() {
   const auto root_place = [&](Point<3> place) {
     for (unsigned int i = 0; i < 2; ++i)

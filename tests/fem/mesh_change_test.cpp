@@ -48,8 +48,8 @@ std::shared_ptr<Mesh> mesh_of(const BlockProblem& problem) {
 BoxCell box_of(const Mesh::cell_iterator& cell) {
   BoxCell box{cell->level(), {}};
   for (unsigned int i = 0; i < 3; ++i)
-    box.place[i] = static_cast<int>(cell->center()[i] / length *
-                                    (4 << cell->level()));
+    box.place[i] =
+        static_cast<int>(cell->center()[i] / length * (4 << cell->level()));
   return box;
 }
 
@@ -181,9 +181,9 @@ std::vector<BoxCell> planned(const std::vector<BoxCell>& cells,
       after.push_back(cell);
     else if (change == CellChange::refine)
       for (int child = 0; child < 8; ++child)
-        after.push_back({cell.level + 1,
-                         {2 * x + child % 2, 2 * y + child / 2 % 2,
-                          2 * z + child / 4}});
+        after.push_back(
+            {cell.level + 1,
+             {2 * x + child % 2, 2 * y + child / 2 % 2, 2 * z + child / 4}});
     else if (x % 2 + y % 2 + z % 2 == 0)
       after.push_back({cell.level - 1, {x / 2, y / 2, z / 2}});
   }
@@ -233,9 +233,9 @@ std::vector<MeshPlan::Wish> nested_cubes(int more) {
     const auto& [x, y, z] = inner.place;
     const std::array<int, 3> base{x / 2 * 2, y / 2 * 2, z / 2 * 2};
     for (int child = 0; child < 8; ++child) {
-      const Box cell{inner.level,
-                     {base[0] + child % 2, base[1] + child / 2 % 2,
-                      base[2] + child / 4}};
+      const Box cell{
+          inner.level,
+          {base[0] + child % 2, base[1] + child / 2 % 2, base[2] + child / 4}};
       if (depth == more || cell.place != inner.place)
         wishes.push_back({cell, CellChange::coarsen});
     }
