@@ -28,8 +28,7 @@ namespace asperity::fem {
 /// @param problem  with `adaptive` set and a coarsest mesh of equal boxes,
 ///                 which halved adaptive.halvings times has the nodes of the
 ///                 grid on its contact surface
-/// On several ranks the cells are distributed anew after each change. Their
-/// number is independent of the ranks.
+/// On several ranks the cells are distributed anew after each change.
 ///
 /// @throws std::domain_error  under the conditions of make_full_block, and for
 ///                            two bodies
