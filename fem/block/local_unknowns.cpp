@@ -49,8 +49,8 @@ void LocalUnknowns::find_ghosts(const BlockSpace& space,
   for (const Unknown unknown : needed)
     take(unknown);
   std::ranges::sort(ghost_nodes_);
-  const auto rest = std::ranges::unique(ghost_nodes_);
-  ghost_nodes_.erase(rest.begin(), rest.end());
+  ghost_nodes_.erase(std::unique(ghost_nodes_.begin(), ghost_nodes_.end()),
+                     ghost_nodes_.end());
 }
 
 std::size_t LocalUnknowns::of(Unknown unknown) const {
