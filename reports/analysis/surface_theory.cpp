@@ -1,27 +1,29 @@
 #include "reports/analysis/surface_theory.hpp"
 
+#include "base/parallel_rows.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "theory/persson/persson.hpp"
 
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace asperity::reports {
 namespace {
+
+using results::SurfaceRecord;
 
 // These are the finest possible shells: the wavevector magnitudes on a square
 // grid are proportional to roots of integers and are hardly ever this close to
 // each other.
 constexpr double shell_width = 1e-6; // in ln q
 
-std::vector<theory::SpectrumShell>
-shells_of(const results::SurfaceRecord& surface) {
-  std::vector<theory::SpectrumShell> shells;
-  for (const surfaces::Shell& shell :
-       surfaces::spectral_shells({surface.grid, surface.heights}, shell_width))
-    shells.push_back({shell.wavevector, shell.mean_square_height});
-  return shells;
+bool has_heights(const SurfaceRecord& surface) {
+  return !surface.heights.empty() &&
+         surface.heights.size() == surface.grid.size();
 }
 
 SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
@@ -37,21 +39,54 @@ SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
   return prepared;
 }
 
-} // namespace
-
-SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
-                                double contact_modulus) {
-  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
-    return {};
-  return prepared(theory::HeightSpectrum(shells_of(surface)), contact_modulus);
+SurfaceTheory theory_on(const surfaces::ModeShells& mode_shells,
+                        const SurfaceRecord& surface, double contact_modulus) {
+  std::vector<theory::SpectrumShell> shells;
+  for (const surfaces::Shell& shell :
+       mode_shells.of({surface.grid, surface.heights}))
+    shells.push_back({shell.wavevector, shell.mean_square_height});
+  return prepared(theory::HeightSpectrum(std::move(shells)), contact_modulus);
 }
 
-const SurfaceTheory&
-SurfaceTheories::of(const results::SurfaceRecord& surface) {
+} // namespace
+
+void SurfaceTheories::compute_realizations() {
+  is_computed_ = true;
+  const auto first = std::ranges::find_if(result_.surfaces, has_heights);
+  if (first == result_.surfaces.end())
+    return;
+  const surfaces::ModeShells shells(first->grid, shell_width);
+  std::vector<const SurfaceRecord*> alike;
+  for (const SurfaceRecord& surface : result_.surfaces)
+    if (has_heights(surface) && surface.grid == first->grid)
+      alike.push_back(&surface);
+  std::vector<SurfaceTheory> computed(alike.size());
+  const int threads =
+      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  parallel_rows(static_cast<int>(alike.size()), threads, [&](int i) {
+    const auto at = static_cast<std::size_t>(i);
+    try {
+      computed[at] = theory_on(shells, *alike[at], result_.contact_modulus);
+    } catch (const std::domain_error&) {
+      // of() computes it again and passes the error to who asks.
+    }
+  });
+  for (std::size_t i = 0; i < alike.size(); ++i)
+    if (computed[i].gap)
+      known_[alike[i]] = std::move(computed[i]);
+}
+
+const SurfaceTheory& SurfaceTheories::of(const SurfaceRecord& surface) {
+  if (!is_computed_)
+    compute_realizations();
   const auto known = known_.find(&surface);
   if (known != known_.end())
     return known->second;
-  return known_[&surface] = theory_of_surface(surface, result_.contact_modulus);
+  if (!has_heights(surface))
+    return known_[&surface] = {};
+  return known_[&surface] =
+             theory_on(surfaces::ModeShells(surface.grid, shell_width), surface,
+                       result_.contact_modulus);
 }
 
 SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,

@@ -20,23 +20,25 @@ struct SurfaceTheory {
   double decay_length = not_a_number;
 };
 
-/// Uses the spectrum of the heights, with one shell per wavevector magnitude;
-/// magnitudes within a relative 1e-6 of each other are equal. The result is
-/// empty if the heights were not saved.
-SurfaceTheory theory_of_surface(const results::SurfaceRecord& surface,
-                                double contact_modulus);
-
 /// The theories of the surfaces of one result, each computed once, because
-/// several methods run on the same surface. The result must outlive it.
+/// several methods run on the same surface. The result must outlive it. The
+/// first call of of() computes those of all realisations, on all cores.
 class SurfaceTheories {
 public:
   explicit SurfaceTheories(const results::Result& result) : result_(result) {}
 
-  /// As theory_of_surface, for a surface that the result contains.
+  /// Uses the spectrum of the heights, with one shell per wavevector magnitude;
+  /// magnitudes within a relative 1e-6 of each other are equal. The theory is
+  /// empty if the heights were not saved.
+  /// @param surface  one that the result contains
+  /// @throws std::domain_error  the surface has no theory
   const SurfaceTheory& of(const results::SurfaceRecord& surface);
 
 private:
+  void compute_realizations();
+
   const results::Result& result_;
+  bool is_computed_ = false;
   std::map<const results::SurfaceRecord*, SurfaceTheory> known_;
 };
 

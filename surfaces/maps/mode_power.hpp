@@ -5,7 +5,10 @@
 
 #include "surfaces/maps/height_map.hpp"
 
-#include <functional>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
 
 namespace asperity::surfaces {
 
@@ -16,7 +19,20 @@ struct ModePower {
   int modes = 0;           ///< number of modes, 1 or 2
 };
 
-/// Calls `take` once for each pair q, -q of the map except q = 0, with
+/// |q| of mode (jx, jy) of the half spectrum of a grid [rad/m]; equal for
+/// (jx, jy) and (jx, points_y - jy).
+inline double mode_wavevector(const Grid& grid, int jx, int jy) {
+  return std::hypot(
+      wavevector(jx, grid.length_x),
+      wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y));
+}
+
+/// The transform of the heights of a map, in the order of
+/// Grid::half_spectrum_size.
+std::vector<std::complex<double>> modes_of(const HeightMap& map);
+
+/// Calls `take` once for each pair q, -q of the map except q = 0, row by row of
+/// the half spectrum, with
 ///
 ///     a_q = (1/N) sum_x h(x) exp(-i q.x),
 ///     sum_{q != 0} |a_q|^2 = <h^2> - <h>^2
@@ -27,7 +43,21 @@ struct ModePower {
 /// that side, which is the same for both. Slopes and curvatures computed from
 /// q^2 |a_q|^2 thus include it with this wavevector. Realised random surfaces
 /// have no Nyquist modes; in measured maps they are noise.
-void for_each_mode(const HeightMap& map,
-                   const std::function<void(const ModePower&)>& take);
+template <class Take>
+void for_each_mode(const HeightMap& map, const Take& take) {
+  const Grid& grid = map.grid;
+  const std::vector<std::complex<double>> modes = modes_of(map);
+  const auto count = static_cast<double>(grid.size());
+  std::size_t at = 0;
+  for (int jy = 0; jy < grid.points_y; ++jy)
+    for (int jx = 0; jx <= grid.points_x / 2; ++jx, ++at) {
+      if (jx == 0 && jy == 0)
+        continue;
+      // Column 0 and an even Nyquist column hold both modes of a pair.
+      const int pair = jx == 0 || 2 * jx == grid.points_x ? 1 : 2;
+      take(ModePower{mode_wavevector(grid, jx, jy),
+                     pair * std::norm(modes[at] / count), pair});
+    }
+}
 
 } // namespace asperity::surfaces

@@ -4,11 +4,10 @@
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <cstdint>
-#include <map>
+#include <cstddef>
 #include <numbers>
-#include <unordered_map>
 
 namespace asperity::surfaces {
 namespace {
@@ -16,6 +15,7 @@ namespace {
 constexpr double exact_up_to = 8.0; // in units of the smallest |q|
 constexpr double resolution = 1e-7; // relative difference of distinct |q|
 constexpr std::int64_t first_logarithmic = 1'000'000'000;
+constexpr std::int64_t none = -1; // below every shell
 
 /// The index of a shell, ascending with |q|.
 /// @param reduced_wavevector  |q| in units of the smallest one, >= 1
@@ -35,36 +35,60 @@ struct Sums {
 
 } // namespace
 
-std::vector<Shell> spectral_shells(const HeightMap& map,
-                                   double relative_width) {
+ModeShells::ModeShells(const Grid& grid, double relative_width) : grid_(grid) {
   require_between("relative_width", relative_width, 1e-6, 1e3, "1");
-  const double longest =
-      wavevector(1, std::max(map.grid.length_x, map.grid.length_y));
-  std::unordered_map<std::int64_t, Sums> sums;
+  const double longest = wavevector(1, std::max(grid.length_x, grid.length_y));
+  // Rows jy and points_y - jy have the same wavevectors.
+  const int n_columns = grid.points_x / 2 + 1;
+  std::vector<std::int64_t> numbers;
+  for (int jy = 0; jy <= grid.points_y / 2; ++jy)
+    for (int jx = 0; jx < n_columns; ++jx)
+      numbers.push_back(
+          jx == 0 && jy == 0
+              ? none
+              : shell_number(mode_wavevector(grid, jx, jy) / longest,
+                             relative_width));
+  std::vector<std::int64_t> distinct(numbers.begin() + 1, numbers.end());
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  n_shells_ = distinct.size();
+  std::vector<std::int32_t> places; // of the modes of these rows
+  places.reserve(numbers.size());
+  for (const std::int64_t number : numbers)
+    places.push_back(static_cast<std::int32_t>(
+        std::lower_bound(distinct.begin(), distinct.end(), number) -
+        distinct.begin()));
+  for (int jy = 0; jy < grid.points_y; ++jy) {
+    const auto row =
+        places.begin() +
+        std::ptrdiff_t{std::min(jy, grid.points_y - jy)} * n_columns;
+    shell_.insert(shell_.end(), row + (jy == 0 ? 1 : 0), row + n_columns);
+  }
+}
+
+std::vector<Shell> ModeShells::of(const HeightMap& map) const {
+  assert(map.grid == grid_);
+  std::vector<Sums> sums(n_shells_);
   double total = 0.0;
-  // Neighbouring modes are mostly in one shell, which is then not looked up.
-  std::int64_t number = -1;
-  Sums* shell = nullptr;
+  auto shell = shell_.begin();
   for_each_mode(map, [&](const ModePower& mode) {
-    const std::int64_t own =
-        shell_number(mode.wavevector / longest, relative_width);
-    if (own != number) {
-      number = own;
-      shell = &sums[own];
-    }
-    shell->power += mode.power;
-    shell->square_slope += mode.wavevector * mode.wavevector * mode.power;
-    shell->modes += mode.modes;
+    Sums& own = sums[static_cast<std::size_t>(*shell++)];
+    own.power += mode.power;
+    own.square_slope += mode.wavevector * mode.wavevector * mode.power;
+    own.modes += mode.modes;
     total += mode.power;
   });
-
   std::vector<Shell> shells;
-  const std::map<std::int64_t, Sums> ascending(sums.begin(), sums.end());
-  for (const auto& [index, sum] : ascending)
+  for (const Sums& sum : sums)
     if (sum.power > 1e-28 * total)
       shells.push_back(
           {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
   return shells;
+}
+
+std::vector<Shell> spectral_shells(const HeightMap& map,
+                                   double relative_width) {
+  return ModeShells(map.grid, relative_width).of(map);
 }
 
 double shell_density(const Shell& shell, const Grid& grid) {
