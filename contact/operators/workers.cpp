@@ -14,11 +14,11 @@ std::size_t group_nodes(const Grid& grid) {
   return chunks_in_group(grid.size()) * chunk_nodes;
 }
 
-/// Smallest even number of rows that makes whole groups.
+/// Smallest multiple of rows_in_cell that makes whole groups.
 std::size_t rows_in_unit(const Grid& grid) {
   const auto width = static_cast<std::size_t>(grid.points_x);
   const std::size_t rows = std::lcm(width, group_nodes(grid)) / width;
-  return std::lcm(rows, std::size_t{2});
+  return std::lcm(rows, rows_in_cell);
 }
 
 /// Rows after which a rank may end: a multiple of those of a unit by a power of

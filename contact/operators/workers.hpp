@@ -19,6 +19,10 @@ inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
 /// are gathered and added in order.
 inline constexpr std::size_t most_groups = 1024;
 
+/// Rows that one rank holds together: the side of the largest cell of
+/// BoundaryExtension.
+inline constexpr std::size_t rows_in_cell = 8;
+
 /// Number of chunks in a group of a field of all ranks together.
 inline std::size_t chunks_in_group(std::size_t all_nodes) {
   const std::size_t chunks = (all_nodes + chunk_nodes - 1) / chunk_nodes;
@@ -41,8 +45,8 @@ struct Workers {
 };
 
 /// Bounds of the rows of each rank, see SharedRows, so that every rank holds
-/// whole groups of chunks and whole pairs of rows. If possible, this also holds
-/// on grids of every second node.
+/// whole groups of chunks and rows_in_cell rows or multiples of them. If
+/// possible, this also holds on grids of every second node.
 /// @throws std::domain_error  n_ranks exceeds most_ranks(grid)
 std::vector<int> row_bounds(const Grid& grid, int n_ranks);
 
@@ -51,7 +55,7 @@ std::vector<int> row_bounds(const Grid& grid, int n_ranks);
 /// multiples of points_x and of chunk_nodes.
 int most_ranks(const Grid& grid);
 
-/// Whether ranks with these bounds hold whole groups of chunks of this grid.
+/// Whether bounds are of this kind on this grid.
 bool holds_whole_groups(const Grid& grid, std::span<const int> bounds);
 
 /// Gathers the sums of the groups of all ranks. Collective.

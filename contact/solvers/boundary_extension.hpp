@@ -6,91 +6,87 @@
 
 #include "contact/operators/workers.hpp"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace asperity::contact {
 
-class NodeBits;
-
 /// The linear map E from a residual on the active nodes to a field on the grid.
-/// It is the identity on the active nodes; on each of the `layers` next rings
-/// of nodes around them it is
+/// It is the identity on the active nodes. Cells of 2, 4 and 8 nodes per side,
+/// the levels 1, 2 and 3, hold the mean of the residual over their active
+/// nodes. Cells without an active node, and inactive nodes, take
 ///
-///     e_i = reach * sum_j w_ij e_j / sum_j w_ij                        (R.1)
+///     e_l = share gain_l (interpolation of e_(l+1))                    (R.1)
 ///
-/// over the neighbours j in the previous ring, w = 1 for nearest neighbours and
-/// 1/2 for diagonal ones.
+/// where the interpolation is bilinear between the centres of the cells; on
+/// level 3 they take 0. The grid is continued periodically.
 ///
 /// Reason: the inverse of C on the active nodes corresponds to the continuation
 /// of the residual with the least energy. F^-1 C^-1 F corresponds to the
 /// continuation by 0, whose jump at the contact boundary has an energy that
-/// grows with the logarithm of contact size over grid spacing. E^T C^-1 E
-/// corresponds to one that decays over a few nodes.
+/// grows with the logarithm of contact size over grid spacing. The least energy
+/// has a continuation that decays over the length on which the residual varies,
+/// short waves sooner than long ones, and a mean over a large cell contains
+/// only the latter.
+///
+/// All calls are collective; fields have the nodes of this process.
 class BoundaryExtension {
 public:
-  static constexpr int layers = 3;
+  static constexpr std::size_t levels = 3;
+
+  /// Of nodes, and of cells of levels 1 and 2: measured, see
+  /// docs/numerics/solver-measurements.md.
+  static constexpr std::array<float, levels> gains{0.85F, 0.75F, 0.65F};
 
   /// @param workers  whose ranks share the rows of the grid, if there are any
   BoundaryExtension(const Grid& grid, const Workers& workers);
 
-  /// Finds the rings around the active nodes, those with is_free[i] > 0. This
-  /// and the other calls are collective; fields have the nodes of this process.
+  /// Counts the active nodes of each cell, those with is_free[i] > 0.
   void build(std::span<const std::uint8_t> is_free);
 
-  /// Number of active nodes at the contact boundary on all ranks when the rings
-  /// were built.
-  std::size_t size() const { return size_; }
-
-  bool is_built() const { return is_built_; }
-
-  /// field = E field. A node of a ring that has become active since build()
-  /// keeps its value.
-  /// @param field  0 at the inactive nodes
-  void extend(double reach, std::span<const std::uint8_t> is_free,
-              std::span<float> field);
-
-  /// Sets the field on the rings to 0.
-  void clear(std::span<const std::uint8_t> is_free,
-             std::span<float> field) const;
+  /// extended = E residual.
+  /// @param residual  0 at the inactive nodes
+  /// @param extended  overwritten; not `residual`
+  void extend(double share, std::span<const std::uint8_t> is_free,
+              std::span<const float> residual, std::span<float> extended);
 
   /// field = E^T field on the active nodes; elsewhere the result has no
   /// meaning.
-  void fold(double reach, std::span<const std::uint8_t> is_free,
+  void fold(double share, std::span<const std::uint8_t> is_free,
             std::span<float> field);
 
 private:
-  struct Ring {
-    std::vector<std::uint32_t> nodes; ///< those off the grid's border first
-    std::size_t n_inside = 0;         ///< number of those off the border
-    std::vector<float> share;         ///< 1 / sum of w over the previous ring
+  /// The cells of one level. Arrays with ghost rows begin with the row before
+  /// those of this process.
+  struct Level {
+    explicit Level(const SharedRows& rows_);
+
+    SharedRows rows;
+    std::vector<float> inverse; ///< 1 / active nodes, 0 if there are none
+    std::vector<float> values;  ///< with ghost rows
+    std::vector<float> outside; ///< with ghost rows; 0 where a cell has nodes
+
+    float* row(std::vector<float>& field, int iy) const {
+      return field.data() + static_cast<std::size_t>(iy + 1) * rows.width();
+    }
   };
 
-  /// Builds the ring of `members`; `before` are the nodes of the previous ring.
-  void collect(const NodeBits& members, const NodeBits& before,
-               Ring& kept) const;
-  void clear_work();
-
-  /// Values of work_ at the nodes of this process.
-  float* own_work() { return work_.data() + rows_.width(); }
-
-  /// Sum of w field over the eight neighbours of node k of the ring.
-  float around(const Ring& ring, std::size_t k, const float* field) const;
-  /// The same for a node on the border of the grid.
-  float around_border(std::size_t node, const float* field) const;
-  template <class DoNodes>
-  void each_chunk(const Ring& ring, const DoNodes& do_nodes) const;
+  template <class DoRow>
+  void each_row(const SharedRows& rows, const DoRow& do_row) const;
+  template <class Value>
+  void sum_cells(const SharedRows& fine, const Value* nodes,
+                 const SharedRows& cells, float* sums) const;
+  void interpolate(std::size_t coarse, double share, int iy,
+                   std::vector<float>& scratch, float* fine);
+  void gather(std::size_t coarse, double share, const SharedRows& fine_rows,
+              const std::vector<float>& outside);
 
   SharedRows rows_;
   int threads_;
-  std::size_t size_ = 0;
-  bool is_built_ = false;
-  std::vector<Ring> rings_; ///< 0: the active nodes adjacent to ring 1
-  std::vector<float> values_;
-  /// Shares of the completed rings, otherwise 0; from the row before those of
-  /// this process to the row after them.
-  std::vector<float> work_;
+  std::vector<Level> levels_;
+  std::vector<float> outside_; ///< with ghost rows; 0 at the active nodes
 };
 
 } // namespace asperity::contact

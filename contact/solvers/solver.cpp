@@ -20,14 +20,6 @@ namespace {
 /// observed to need more than 60.
 constexpr int stagnation_iterations = 150;
 
-/// Fraction of a residual that the next ring of nodes takes over, see
-/// BoundaryExtension.
-constexpr double extension_decay = 0.65;
-
-/// The rings are rebuilt when this many nodes, relative to the number at the
-/// contact boundary, have changed between active and inactive.
-constexpr double rim_change = 0.05;
-
 /// Stagnation criterion: tells when an error has stopped falling.
 class StagnationCriterion {
 public:
@@ -48,7 +40,7 @@ private:
 class Directions {
 public:
   explicit Directions(const ContactState& state)
-      : rim_(state.elasticity.grid(), state.workers),
+      : extension_(state.elasticity.grid(), state.workers),
         preconditioned_(state.pressure.size()),
         direction_(state.pressure.size()),
         compliance_direction_(state.pressure.size()),
@@ -78,18 +70,17 @@ private:
   /// z = E^T (C + c)^-1 E r on the active nodes.
   void precondition(ContactState& state) {
     const double c = state.problem.local_compliance;
-    if (!rim_.is_built() || state.freed - freed_at_build_ >
-                                rim_change * static_cast<double>(rim_.size())) {
-      rim_.build(state.freedom);
+    if (state.freed != freed_at_build_) {
+      extension_.build(state.freedom);
       freed_at_build_ = state.freed;
     }
     // A soft penalty acts locally and does not couple neighbouring nodes.
     const double short_wave = state.elasticity.short_wave_compliance();
-    const double reach = extension_decay * short_wave / (short_wave + c);
-    rim_.extend(reach, state.freedom, state.residual);
-    state.elasticity.pressure_estimate(state.residual, c, preconditioned_);
-    rim_.clear(state.freedom, state.residual);
-    rim_.fold(reach, state.freedom, preconditioned_);
+    const double share = short_wave / (short_wave + c);
+    std::vector<float>& extended = compliance_direction_; // free until step()
+    extension_.extend(share, state.freedom, state.residual, extended);
+    state.elasticity.pressure_estimate(extended, c, preconditioned_);
+    extension_.fold(share, state.freedom, preconditioned_);
     ++state.transforms;
   }
 
@@ -178,8 +169,8 @@ private:
         });
   }
 
-  BoundaryExtension rim_;
-  double freed_at_build_ = 0.0;
+  BoundaryExtension extension_;
+  double freed_at_build_ = 0.0; ///< 0: not built
   std::vector<float> preconditioned_;
   std::vector<float> direction_;
   std::vector<float> compliance_direction_;
@@ -215,6 +206,15 @@ ContactSolution hand_over(ContactState&& state) {
     note += "; then by the unpreconditioned method";
     if (!answer.note.empty())
       note += ": " + answer.note;
+  }
+  if (!answer.converged && !is_shared) {
+    ContactSolution fresh =
+        active_set(state.elasticity, state.problem, state.target, {});
+    iterations += fresh.iterations;
+    transforms += fresh.transforms;
+    note += "; then by the active-set method from a uniform pressure";
+    if (fresh.converged)
+      answer = std::move(fresh);
   }
   answer.iterations = iterations;
   answer.transforms = transforms;
