@@ -35,15 +35,25 @@ public:
                         std::span<std::byte> received,
                         std::span<const std::size_t> received_counts) = 0;
 
+  enum class Direction { backwards, forwards };
+
+  /// Sends to the rank before this one and receives from the rank after it, or
+  /// with `forwards` the other way round. The last rank precedes the first.
+  /// @param received  of the size that the other rank sends, which may be 0
+  virtual void pass(Direction direction, std::span<const std::byte> sent,
+                    std::span<std::byte> received) = 0;
+
   /// The rows at the two ends of what one rank holds, all of one size.
   struct Edges {
     std::span<const std::byte> first, last; ///< sent to the rank before, after
     std::span<std::byte> before, after;     ///< received from these ranks
   };
 
-  /// Exchanges rows with the ranks before and after this one, where the last
-  /// rank precedes the first.
-  virtual void swap_edges(const Edges& edges) = 0;
+  /// Exchanges rows with the ranks before and after this one.
+  void swap_edges(const Edges& edges) {
+    pass(Direction::backwards, edges.first, edges.after);
+    pass(Direction::forwards, edges.last, edges.before);
+  }
 };
 
 } // namespace asperity

@@ -95,9 +95,9 @@ BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<BlockPreconditioner> own,
                          std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
-      is_direct_(!matrix_free &&
-                 (kind == LinearSolver::direct ||
-                  (kind == LinearSolver::automatic && is_small(system)))),
+      is_direct_(!matrix_free && (kind == LinearSolver::direct ||
+                                  (kind == LinearSolver::automatic && !own &&
+                                   is_small(system)))),
       own_(std::move(own)),
       matrix_free_(std::move(matrix_free)),
       factors_(std::make_unique<Factors>()) {

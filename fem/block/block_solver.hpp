@@ -58,7 +58,8 @@ inline constexpr double setup_steps = 20.0;
 /// moduli, that of nu = 0.49; beyond, it may need too many iterations.
 inline constexpr double largest_lame_ratio = 49.0;
 
-/// The stiffness of the block and its inverse, without a matrix.
+/// The stiffness of the block and its inverse without a matrix. Calls are
+/// collective.
 class MatrixFreeBlock {
 public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -101,9 +102,8 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// unknowns are zero except for their diagonal. Only the direct solver
 /// assembles this matrix; conjugate gradients apply it matrix-free.
 ///
-/// A block on a lattice of boxes is solved by multigrid without its matrix on
-/// one rank (LatticeBlock), and one of second-order hexahedra on any number
-/// (HexahedronBlock).
+/// A block on a lattice of boxes and one of second-order hexahedra are solved
+/// by multigrid without their matrix (LatticeBlock, HexahedronBlock).
 ///
 /// Algebraic multigrid (Trilinos ML) is set up for the first contact state: for
 /// the matrix itself, or for a block of second-order hexahedra for the matrix

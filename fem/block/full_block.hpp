@@ -29,7 +29,7 @@ inline constexpr unsigned int most_direct_unknowns = 12000;
 inline constexpr unsigned int most_direct_unknowns_on_ranks = 2000;
 
 /// The same where multigrid needs no matrix: on a lattice of boxes and for
-/// second-order hexahedra.
+/// second-order hexahedra. On several ranks a lattice is never too small.
 inline constexpr unsigned int most_direct_matrix_free_unknowns = 2000;
 
 /// The state of a load step while it is solved.

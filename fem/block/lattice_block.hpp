@@ -1,11 +1,12 @@
 #pragma once
 
-// Geometric multigrid for a block whose mesh is a lattice of boxes: which
-// unknown is at which of its nodes, and what pins and contact points do there.
+// Geometric multigrid for a block whose mesh is a lattice of boxes, and what
+// pins and contact points do there.
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_solver.hpp"
 #include "fem/block/block_system.hpp"
+#include "fem/block/lattice_exchange.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 
 #include <cstddef>
@@ -17,18 +18,19 @@
 namespace asperity::fem {
 
 /// The lattice of a problem if its mesh consists of equal columns of boxes
-/// numbered as by layered_mesh; none for other meshes, two bodies and several
-/// ranks.
+/// numbered as by layered_mesh; none for other meshes and two bodies.
 std::optional<BoxLattice> box_lattice(const BlockProblem& problem);
 
-/// The stiffness of the block and its inverse on the lattice, on one rank.
+/// The stiffness of the block and its inverse on the lattice. On several ranks,
+/// each solves for the nodes of its rows of cells (LatticeSlab), or all do the
+/// same if there are few rows; unknowns and contact are sent there and back.
 ///
 /// Pins (BlockSpace) that only prevent a rigid motion carry the sum of the
 /// forces, and the motion is subtracted from the solution. A pin in z of a
 /// block that contact supports as well is held.
 class LatticeBlock : public MatrixFreeBlock {
 public:
-  /// @param system must outlive this object; its mesh is that of the lattice
+  /// @param system  its mesh is that of the lattice
   LatticeBlock(const BlockSystem& system, const BoxLattice& lattice);
 
   void vmult(Vector& to, const Vector& from) const override;
@@ -52,30 +54,28 @@ public:
 
 private:
   struct Pin {
-    std::size_t place = 0;
+    std::size_t node = 0;  ///< number of the node's component on the lattice
+    std::size_t place = 0; ///< in a vector of this rank, or nowhere
     unsigned int component = 0;
   };
 
-  void number_unknowns();
-  void number_cell(const dealii::DoFHandler<3>::active_cell_iterator& cell);
-  void take(dealii::types::global_dof_index unknown, unsigned int component,
-            std::size_t place);
-  void number_points();
-  void to_lattice(const Vector& from, std::vector<double>& to) const;
-  void from_lattice(const std::vector<double>& from, Vector& to) const;
+  LatticeBlock(const BlockSystem& system, const BoxLattice& lattice,
+               const LatticeNumbering& numbering);
+  void take_pins(const LatticeNumbering& numbering);
   void find_modes();
   std::vector<double> at_pins(const std::vector<double>& right_sides,
                               bool is_transposed) const;
+  void balance_forces();
+  void remove_motions();
 
-  const BlockSystem& system_;
+  RankGroup* ranks_; ///< null if there is only one
   LatticeMultigrid multigrid_;
-  std::vector<double> depths_;      ///< of the sides of the layers [m]
-  std::vector<std::size_t> places_; ///< on the lattice, of each unknown
-  std::vector<Pin> pins_;
-  SparseRows points_; ///< contact points by face nodes
+  LatticeExchange exchange_;
+  std::vector<Pin> pins_; ///< the same on all ranks
   bool has_contact_ = false;
   std::vector<Pin> loose_; ///< pins that hold a rigid motion only
   std::vector<std::vector<double>> modes_; ///< as many rigid motions
+  std::vector<double> at_loose_;           ///< each motion at each of these
   mutable std::vector<double> from_, to_;
 };
 

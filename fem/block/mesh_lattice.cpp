@@ -1,7 +1,5 @@
 #include "fem/block/lattice_block.hpp"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -85,8 +83,7 @@ void join_equal_moduli(BoxLattice& lattice) {
 
 std::optional<BoxLattice> box_lattice(const BlockProblem& problem) {
   const meshes::BlockMesh& mesh = problem.mesh;
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1 ||
-      problem.counter || !mesh.refine_below.empty() ||
+  if (problem.counter || !mesh.refine_below.empty() ||
       mesh.shape != meshes::CellShape::hexahedron || mesh.vertices.size() < 8)
     return {};
   const std::array<std::size_t, 3> cells = cells_along(mesh);

@@ -58,18 +58,27 @@ BoxLattice normalised(const BoxLattice& lattice, double& unit) {
 }
 
 NodeLayout::NodeLayout(const BoxLattice& lattice)
+    : NodeLayout(lattice, lattice.cells_y, lattice.is_periodic) {
+  face_rows_ = nodes_y();
+}
+
+NodeLayout::NodeLayout(const BoxLattice& lattice, int cells_y,
+                       bool has_image_row)
     : degree_(at(lattice.degree)),
       stride_(at(lattice.cells_x) + 1),
-      rows_(degree_ * at(lattice.cells_y) + 1),
+      rows_(degree_ * at(cells_y) + 1),
       planes_(degree_ * at(lattice.layers()) + 1),
-      is_periodic_(lattice.is_periodic) {}
+      has_image_column_(lattice.is_periodic),
+      has_image_row_(has_image_row),
+      face_rows_(static_cast<int>(rows_)) {}
 
 int NodeLayout::nodes_x() const {
-  return static_cast<int>(degree_ * (stride_ - 1)) + (is_periodic_ ? 0 : 1);
+  return static_cast<int>(degree_ * (stride_ - 1)) +
+         (has_image_column_ ? 0 : 1);
 }
 
 int NodeLayout::nodes_y() const {
-  return static_cast<int>(rows_) - (is_periodic_ ? 1 : 0);
+  return static_cast<int>(rows_) - (has_image_row_ ? 1 : 0);
 }
 
 } // namespace asperity::fem

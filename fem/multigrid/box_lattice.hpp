@@ -65,9 +65,19 @@ BoxLattice normalised(const BoxLattice& lattice, double& unit);
 ///
 /// The end of a vector is padded with zeros, which may be read with the last
 /// cells.
+///
+/// A process may hold some rows of cells only (LatticeSlab). Rows of nodes are
+/// then counted from its first, and the last is an image of the first row of
+/// the next process, as it is one of row 0 where the sides are periodic.
 class NodeLayout {
 public:
+  /// All rows of the lattice.
   explicit NodeLayout(const BoxLattice& lattice);
+
+  /// @param cells_y        number of rows of cells that this process holds
+  /// @param has_image_row  whether the last row of nodes is an image of one of
+  ///                       another process
+  NodeLayout(const BoxLattice& lattice, int cells_y, bool has_image_row);
 
   std::size_t index(int x, int y, int plane, int component) const {
     return at(plane) * plane_size() + at(y) * row_size() +
@@ -92,11 +102,17 @@ public:
 
   std::size_t size() const { return used() + padding; }
 
-  bool is_periodic() const { return is_periodic_; }
+  bool has_image_column() const { return has_image_column_; }
+
+  bool has_image_row() const { return has_image_row_; }
 
   /// Number of nodes along x and y without images.
   int nodes_x() const;
   int nodes_y() const;
+
+  /// Number of rows of the contact surface (FaceContact). With the rows of one
+  /// process they include the image row, which the last cells bear.
+  int face_rows() const { return face_rows_; }
 
 private:
   static constexpr std::size_t padding = 64;
@@ -104,7 +120,8 @@ private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   std::size_t degree_, stride_, rows_, planes_;
-  bool is_periodic_;
+  bool has_image_column_, has_image_row_;
+  int face_rows_;
 };
 
 } // namespace asperity::fem

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "ranks/rank_sums.hpp"
@@ -14,19 +15,17 @@ namespace asperity::fem {
 
 /// The largest eigenvalue of D^-1 K by the power method, made larger by its
 /// possible error.
+/// @param vector    random; zero at unknowns that are not solved for
 /// @param diagonal  D; zero at unknowns that are not solved for
 /// @param apply     computes a vector K x from a vector x, both of float
 /// @param ranks     share the unknowns; null for this process alone
 template <class Apply>
-double eigenvalue_estimate(const std::vector<float>& diagonal,
-                           const Apply& apply, RankGroup* ranks = nullptr) {
+double eigenvalue_from(std::vector<float> vector,
+                       const std::vector<float>& diagonal, const Apply& apply,
+                       RankGroup* ranks = nullptr) {
   constexpr int steps = 25;
   constexpr double margin = 1.15;
-  std::mt19937 engine(1);
-  std::vector<float> vector(diagonal.size(), 0.0F), image(diagonal.size());
-  for (std::size_t i = 0; i < vector.size(); ++i)
-    if (diagonal[i] > 0.0F)
-      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
+  std::vector<float> image(diagonal.size());
   double estimate = 0.0;
   for (int step = 0; step < steps; ++step) {
     apply(vector.data(), image.data());
@@ -45,6 +44,18 @@ double eigenvalue_estimate(const std::vector<float>& diagonal,
       value *= scale;
   }
   return margin * estimate;
+}
+
+/// The same from a vector of its own.
+template <class Apply>
+double eigenvalue_estimate(const std::vector<float>& diagonal,
+                           const Apply& apply, RankGroup* ranks = nullptr) {
+  std::mt19937 engine(1);
+  std::vector<float> vector(diagonal.size(), 0.0F);
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    if (diagonal[i] > 0.0F)
+      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
+  return eigenvalue_from(std::move(vector), diagonal, apply, ranks);
 }
 
 /// The vectors that are smoothed. The residual must be that of the

@@ -77,7 +77,8 @@ void CoarsestLattice::set_contact(const FaceContact& contact) {
   for (std::size_t row = 0; row < springs.rows(); ++row)
     for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
       matrix(row_of(row), row_of(springs.column[i])) += springs.weight[i];
-  for (const auto& mode : rigid_modes(lattice_, layout_, !contact.is_free())) {
+  for (const auto& mode :
+       rigid_modes(lattice_, LatticeSlab(lattice_), !contact.is_free())) {
     Eigen::VectorXd values(matrix.rows());
     for (std::size_t i = 0; i < places_.size(); ++i)
       values[static_cast<Eigen::Index>(i)] = mode[places_[i]];

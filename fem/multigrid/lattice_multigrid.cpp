@@ -10,14 +10,21 @@ BoxLattice in_units(const BoxLattice& lattice, double& unit) {
   return normalised(lattice, unit);
 }
 
+LatticeSlab slab_of(const BoxLattice& lattice, RankGroup* ranks) {
+  require_lattice(lattice);
+  return MultigridCycle::has_levels(lattice) ? divided(lattice, ranks)
+                                             : LatticeSlab(lattice);
+}
+
 } // namespace
 
-LatticeMultigrid::LatticeMultigrid(const BoxLattice& lattice)
+LatticeMultigrid::LatticeMultigrid(const BoxLattice& lattice, RankGroup* ranks)
     : lattice_(lattice),
-      stiffness_(lattice),
-      cycle_(in_units(lattice, unit_)),
+      stiffness_(lattice, slab_of(lattice, ranks)),
+      cycle_(in_units(lattice, unit_), slab()),
       places_(face_places(stiffness_.layout())) {
   lattice_.moduli.clear();
+  gradients_.ranks = slab().ranks();
   set_contact({});
 }
 
@@ -30,10 +37,10 @@ void LatticeMultigrid::apply(std::vector<double>& displacement,
 
 void LatticeMultigrid::apply_all(std::vector<double>& displacement,
                                  std::vector<double>& force) const {
-  apply(displacement, force);
-  if (!contact_.springs.is_empty())
-    add_spring_force(contact_.springs, places_, displacement.data(),
-                     force.data());
+  force.resize(layout().size());
+  stiffness_.apply(displacement.data(), force.data(),
+                   {&contact_.springs, &places_});
+  clear_far_boundary(lattice_, layout(), force.data());
   clear_held(force);
 }
 
@@ -47,6 +54,7 @@ void LatticeMultigrid::clear_held(std::vector<double>& vector) const {
 
 void LatticeMultigrid::set_contact(FaceContact contact) {
   contact_ = std::move(contact);
+  share_held(layout(), slab(), contact_);
   held_ = held_places(layout(), contact_);
   FaceContact scaled = contact_;
   for (double& spring : scaled.springs.weight)

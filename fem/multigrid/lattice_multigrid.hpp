@@ -17,15 +17,24 @@ namespace asperity::fem {
 /// K + S without a matrix, in double precision, and its inverse, where S are
 /// springs on the contact surface. Unknowns that the far boundary or contact
 /// holds are zero in all displacements and forces that are returned.
+///
+/// Ranks may share the rows of cells, as slab() says. Displacements, forces and
+/// contact are then those of the rank's rows, and all calls are collective. The
+/// results depend on the number of ranks by rounding only.
 class LatticeMultigrid {
 public:
   /// @throws std::domain_error  under the conditions of require_lattice, or if
   ///                            the block can tilt
-  explicit LatticeMultigrid(const BoxLattice& lattice);
+  /// @param ranks  may be null; otherwise it must outlive this object
+  explicit LatticeMultigrid(const BoxLattice& lattice,
+                            RankGroup* ranks = nullptr);
 
   const NodeLayout& layout() const { return stiffness_.layout(); }
 
   const BoxLattice& lattice() const { return lattice_; } ///< without moduli
+
+  /// The rows of this rank: all rows if there are too few to share.
+  const LatticeSlab& slab() const { return stiffness_.slab(); }
 
   /// Computes force = K displacement, without springs; not masked at held nodes
   /// of the contact surface.
@@ -55,7 +64,7 @@ public:
 
   std::size_t levels() const { return cycle_.levels(); }
 
-  std::size_t bytes() const;
+  std::size_t bytes() const; ///< on this rank
 
   // The parts of the iteration (conjugate_gradients.hpp).
   void clear_held(std::vector<double>& vector) const;

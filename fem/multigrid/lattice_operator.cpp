@@ -58,47 +58,13 @@ void append_as(const std::vector<double>& numbers, std::vector<Number>& to) {
 } // namespace
 
 template <class Number>
-void write_images(const NodeLayout& layout, Number* displacement) {
-  if (!layout.is_periodic())
-    return;
-  const std::size_t line = layout.degree() * layout.stride();
-  const std::size_t last = layout.stride() - 1;
-  for (std::size_t plane = 0; plane < layout.planes(); ++plane) {
-    Number* const first_row = displacement + plane * layout.plane_size();
-    Number* const last_row =
-        first_row + layout.plane_size() - layout.row_size();
-    for (Number* row = first_row; row != last_row; row += line)
-      row[last] = row[0];
-    std::copy_n(first_row, layout.row_size(), last_row);
-  }
-}
-
-template <class Number>
-void fold_images(const NodeLayout& layout, Number* force) {
-  if (!layout.is_periodic())
-    return;
-  const std::size_t line = layout.degree() * layout.stride();
-  const std::size_t last = layout.stride() - 1;
-  for (std::size_t plane = 0; plane < layout.planes(); ++plane) {
-    Number* const first_row = force + plane * layout.plane_size();
-    Number* const last_row =
-        first_row + layout.plane_size() - layout.row_size();
-    for (std::size_t i = 0; i < layout.row_size(); ++i)
-      first_row[i] += last_row[i];
-    std::fill_n(last_row, layout.row_size(), Number(0));
-    for (Number* row = first_row; row != last_row; row += line) {
-      row[0] += row[last];
-      row[last] = 0;
-    }
-  }
-}
-
-template <class Number>
-LatticeOperator<Number>::LatticeOperator(const BoxLattice& lattice)
+LatticeOperator<Number>::LatticeOperator(const BoxLattice& lattice,
+                                         LatticeSlab slab)
     : degree_(checked_lattice(lattice).degree),
       cells_x_(static_cast<std::size_t>(lattice.cells_x)),
-      cells_y_(static_cast<std::size_t>(lattice.cells_y)),
-      layout_(lattice) {
+      cells_y_(static_cast<std::size_t>(slab.count())),
+      slab_(std::move(slab)),
+      layout_(slab_.layout(lattice)) {
   for (int layer = 0; layer < lattice.layers(); ++layer)
     add_layer(lattice, layer);
 }
@@ -143,8 +109,8 @@ void LatticeOperator<Number>::take_factors(const BoxLattice& lattice, int layer,
     own.shear = own.factor;
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < cells_x_; ++x) {
-      const CellModuli& moduli =
-          lattice.moduli_of(static_cast<int>(x), static_cast<int>(y), layer);
+      const CellModuli& moduli = lattice.moduli_of(
+          static_cast<int>(x), slab_.first() + static_cast<int>(y), layer);
       own.factor[y * padded + x] =
           static_cast<Number>(has_shear ? moduli.lame : moduli.shear);
       if (has_shear)
@@ -153,8 +119,9 @@ void LatticeOperator<Number>::take_factors(const BoxLattice& lattice, int layer,
 }
 
 template <class Number>
-void LatticeOperator<Number>::apply(Number* displacement, Number* force) const {
-  write_images(layout_, displacement);
+void LatticeOperator<Number>::apply(Number* displacement, Number* force,
+                                    const FaceSprings& springs) const {
+  write_images(layout_, slab_, displacement);
   std::fill_n(force, layout_.size(), Number(0));
   LayerProduct<Number> product;
   product.stride = layout_.stride();
@@ -173,7 +140,12 @@ void LatticeOperator<Number>::apply(Number* displacement, Number* force) const {
     product.from += layout_.degree() * layout_.plane_size();
     product.to += layout_.degree() * layout_.plane_size();
   }
-  fold_images(layout_, force);
+  // The springs of this rank on the image row act on the next rank's nodes.
+  const auto own_nodes = static_cast<std::size_t>(layout_.nodes_x()) *
+                         static_cast<std::size_t>(layout_.nodes_y());
+  springs.add_force(own_nodes, springs.nodes(), displacement, force);
+  fold_images(layout_, slab_, force);
+  springs.add_force(0, own_nodes, displacement, force);
 }
 
 /// Adds the diagonal of the cell (x, y) of a layer, whose first plane is
@@ -207,7 +179,7 @@ std::vector<Number> LatticeOperator<Number>::diagonal() const {
       for (std::size_t x = 0; x < cells_x_; ++x)
         add_diagonal(layers_[layer], layer * layout_.degree(),
                      static_cast<int>(x), static_cast<int>(y), sum);
-  fold_images(layout_, sum.data());
+  fold_images(layout_, slab_, sum.data());
   return sum;
 }
 
@@ -219,10 +191,6 @@ std::size_t LatticeOperator<Number>::bytes() const {
   return numbers * sizeof(Number);
 }
 
-template void write_images(const NodeLayout&, float*);
-template void write_images(const NodeLayout&, double*);
-template void fold_images(const NodeLayout&, float*);
-template void fold_images(const NodeLayout&, double*);
 template class LatticeOperator<float>;
 template class LatticeOperator<double>;
 

@@ -5,37 +5,40 @@
 
 #include "fem/multigrid/box_lattice.hpp"
 #include "fem/multigrid/cell_kernel.hpp"
+#include "fem/multigrid/face_contact.hpp"
+#include "fem/multigrid/lattice_slab.hpp"
 
 #include <cstddef>
 #include <vector>
 
 namespace asperity::fem {
 
-/// Copies the displacements of the nodes at x = 0 and y = 0 to their images.
-template <class Number>
-void write_images(const NodeLayout& layout, Number* displacement);
-
-/// Adds the forces on images to those of their nodes and sets them to zero.
-template <class Number>
-void fold_images(const NodeLayout& layout, Number* force);
-
 /// Computes K u cell by cell. The cells of a layer share their matrix up to a
 /// factor, or if their Poisson's ratios differ, two matrices, of lambda = 1 and
 /// mu = 1; see ParitySlots for how a product is split. The supports of the far
-/// boundary are not part of K.
+/// boundary are not part of K. If ranks share the rows of cells, each has the
+/// displacements and forces of its own, and calls are collective.
 /// @tparam Number  float or double
 template <class Number>
 class LatticeOperator {
 public:
   /// @throws std::domain_error  under the conditions of require_lattice
-  explicit LatticeOperator(const BoxLattice& lattice);
+  explicit LatticeOperator(const BoxLattice& lattice)
+      : LatticeOperator(lattice, LatticeSlab(lattice)) {}
+
+  /// @param lattice  with all rows
+  LatticeOperator(const BoxLattice& lattice, LatticeSlab slab);
 
   const NodeLayout& layout() const { return layout_; }
 
-  /// Computes force = K displacement.
+  const LatticeSlab& slab() const { return slab_; }
+
+  /// Computes force = (K + S) displacement.
   /// @param displacement  layout().size() values; the images are overwritten
   /// @param force         layout().size() values; zero at images
-  void apply(Number* displacement, Number* force) const;
+  /// @param springs       S
+  void apply(Number* displacement, Number* force,
+             const FaceSprings& springs = {}) const;
 
   /// The diagonal of K, zero at images and padding.
   std::vector<Number> diagonal() const;
@@ -61,6 +64,7 @@ private:
 
   int degree_;
   std::size_t cells_x_, cells_y_;
+  LatticeSlab slab_;
   NodeLayout layout_;
   std::vector<Layer> layers_;
   double bound_ = 0.0;

@@ -25,27 +25,35 @@ std::size_t unknowns_of(const BoxLattice& lattice) {
 
 /// The largest eigenvalue of diag(K)^-1 K: an estimate, unless that of a cell
 /// is a smaller bound.
-float largest_eigenvalue(const LatticeOperator<float>& stiffness,
+float largest_eigenvalue(const BoxLattice& lattice,
+                         const LatticeOperator<float>& stiffness,
                          const std::vector<float>& diagonal) {
-  const double estimate = eigenvalue_estimate(
-      diagonal, [&](float* from, float* to) { stiffness.apply(from, to); });
+  const double estimate = eigenvalue_from(
+      random_displacement(lattice, stiffness.slab()), diagonal,
+      [&](float* from, float* to) { stiffness.apply(from, to); },
+      stiffness.slab().ranks());
   return static_cast<float>(std::min(estimate, stiffness.jacobi_bound()));
 }
 
 } // namespace
 
+bool MultigridCycle::has_levels(const BoxLattice& lattice) {
+  return can_coarsen(lattice) && unknowns_of(lattice) > most_exact_unknowns;
+}
+
 struct MultigridCycle::Level : SmoothedVectors {
-  Level(const BoxLattice& fine, const BoxLattice& next)
+  Level(const BoxLattice& fine, const LatticeSlab& slab, const BoxLattice& next,
+        const LatticeSlab& next_slab)
       : lattice(fine),
-        stiffness(fine),
+        stiffness(fine, slab),
         diagonal(stiffness.diagonal()),
-        transfer(fine, next),
-        face_transfer(fine, next),
+        transfer(fine, slab, next, next_slab),
+        face_transfer(fine, slab, next, next_slab),
         places(face_places(stiffness.layout())),
         product(diagonal.size()) {
     displacement = residual = direction = product;
     lattice.moduli.clear();
-    eigenvalue = largest_eigenvalue(stiffness, diagonal);
+    eigenvalue = largest_eigenvalue(lattice, stiffness, diagonal);
     face_diagonal.reserve(places.size());
     for (const std::size_t place : places)
       face_diagonal.push_back(diagonal[place]);
@@ -81,15 +89,17 @@ void MultigridCycle::Level::set_contact(const FaceContact& own) {
   for (const auto& [place, value] : held_lateral)
     inverse[place] = value;
   held_lateral.clear();
-  for (std::size_t node = 0; node < places.size(); ++node) {
-    double sum = 0.0;
-    if (!contact.springs.is_empty())
-      for (std::size_t i = contact.springs.start[node];
-           i < contact.springs.start[node + 1]; ++i)
-        sum += std::abs(contact.springs.weight[i]);
-    inverse[places[node]] = static_cast<float>(
-        1.0 / (static_cast<double>(eigenvalue * face_diagonal[node]) + sum));
-  }
+  std::vector<double> sums(places.size(), 0.0);
+  for (std::size_t node = 0; node < contact.springs.rows(); ++node)
+    for (std::size_t i = contact.springs.start[node];
+         i < contact.springs.start[node + 1]; ++i)
+      sums[node] += std::abs(contact.springs.weight[i]);
+  fold_face_row(stiffness.layout(), stiffness.slab(), sums);
+  for (std::size_t node = 0; node < places.size(); ++node)
+    if (face_diagonal[node] > 0.0F) // zero at images
+      inverse[places[node]] = static_cast<float>(
+          1.0 /
+          (static_cast<double>(eigenvalue * face_diagonal[node]) + sums[node]));
   held = held_places(stiffness.layout(), contact);
   const std::size_t n_normal = static_cast<std::size_t>(
       std::count(contact.held.begin(), contact.held.end(), true));
@@ -108,9 +118,8 @@ void MultigridCycle::Level::clear_held(std::vector<float>& vector) const {
 
 /// Subtracts (K + S) direction from the residual.
 void MultigridCycle::Level::apply() {
-  stiffness.apply(direction.data(), product.data());
-  if (!contact.springs.is_empty())
-    add_spring_force(contact.springs, places, direction.data(), product.data());
+  stiffness.apply(direction.data(), product.data(),
+                  {&contact.springs, &places});
   for (std::size_t i = 0; i < residual.size(); ++i)
     residual[i] -= product[i];
 }
@@ -124,12 +133,16 @@ void MultigridCycle::Level::smooth(bool is_first) {
                       [this] { apply(); });
 }
 
-MultigridCycle::MultigridCycle(const BoxLattice& lattice) {
+MultigridCycle::MultigridCycle(const BoxLattice& lattice, LatticeSlab slab) {
   BoxLattice own = lattice;
-  while (can_coarsen(own) && unknowns_of(own) > most_exact_unknowns) {
+  while (has_levels(own)) {
     BoxLattice next = coarser(own);
-    levels_.push_back(std::make_unique<Level>(own, next));
+    // The coarsest lattice is solved by every rank.
+    LatticeSlab next_slab =
+        has_levels(next) ? coarser(own, slab, next) : LatticeSlab(next);
+    levels_.push_back(std::make_unique<Level>(own, slab, next, next_slab));
     own = std::move(next);
+    slab = std::move(next_slab);
   }
   coarsest_ = std::make_unique<CoarsestLattice>(own);
 }

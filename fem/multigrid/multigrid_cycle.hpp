@@ -26,7 +26,12 @@ namespace asperity::fem {
 class MultigridCycle {
 public:
   /// @param lattice  in the units of normalised()
-  explicit MultigridCycle(const BoxLattice& lattice);
+  explicit MultigridCycle(const BoxLattice& lattice)
+      : MultigridCycle(lattice, LatticeSlab(lattice)) {}
+
+  /// @param slab  the rows of this rank, which may be shared only if the
+  ///              lattice has coarser ones. All calls are then collective.
+  MultigridCycle(const BoxLattice& lattice, LatticeSlab slab);
   ~MultigridCycle();
 
   /// Transfers contact to all lattices and factorises the coarsest.
@@ -41,6 +46,10 @@ public:
   const std::vector<float>& displacement() const;
 
   void run();
+
+  /// Whether there are coarser lattices; otherwise the cycle is an exact
+  /// solution.
+  static bool has_levels(const BoxLattice& lattice);
 
   std::size_t levels() const { return levels_.size() + 1; }
 

@@ -27,7 +27,7 @@ std::array<double, 3> velocity(RigidMotion motion, double x, double y) {
 } // namespace
 
 std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
-                                             const NodeLayout& layout,
+                                             const LatticeSlab& slab,
                                              bool has_contact) {
   if (!lattice.is_periodic && !lattice.holds_normal)
     throw std::domain_error("a block with free sides whose far boundary does "
@@ -40,6 +40,8 @@ std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
   if (!lattice.holds_normal && !has_contact)
     motions.push_back(RigidMotion::shift_z);
   const auto axes = axes_of(lattice);
+  const NodeLayout layout = slab.layout(lattice);
+  const int first = lattice.degree * slab.first();
   std::vector<std::vector<double>> modes;
   for (const RigidMotion motion : motions) {
     std::vector<double>& mode = modes.emplace_back(layout.size(), 0.0);
@@ -49,7 +51,7 @@ std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
           const double x =
               axes[0].node(static_cast<std::size_t>(i)) / lattice.length_x -
               0.5;
-          const double y = (axes[1].node(static_cast<std::size_t>(j)) -
+          const double y = (axes[1].node(static_cast<std::size_t>(first + j)) -
                             0.5 * lattice.length_y) /
                            lattice.length_x;
           const auto own = velocity(motion, x, y);

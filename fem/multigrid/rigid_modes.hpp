@@ -3,6 +3,7 @@
 // The rigid motions that the supports of a lattice permit.
 
 #include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/lattice_slab.hpp"
 
 #include <vector>
 
@@ -11,12 +12,12 @@ namespace asperity::fem {
 /// One displacement [1] per rigid motion that neither the far boundary nor
 /// contact prevents: shifts in x and y and, with free sides, the rotation about
 /// z, unless the far boundary holds lateral displacements; the shift in z
-/// unless it holds that or there is contact. Values are without images.
+/// unless it holds that or there is contact. Values are those of the slab,
+/// without images.
 /// @throws std::domain_error  the block can tilt: its sides are free and the
-/// far
-///                            boundary does not hold u_z
+///                            far boundary does not hold u_z
 std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
-                                             const NodeLayout& layout,
+                                             const LatticeSlab& slab,
                                              bool has_contact);
 
 } // namespace asperity::fem

@@ -51,6 +51,20 @@ SparseRows product(const SparseRows& left, const SparseRows& right,
   return result;
 }
 
+SparseRows some_rows(const SparseRows& matrix, std::size_t first,
+                     std::size_t count) {
+  SparseRows result;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t row = (first + i) % matrix.rows();
+    for (std::size_t at = matrix.start[row]; at < matrix.start[row + 1]; ++at) {
+      result.column.push_back(matrix.column[at]);
+      result.weight.push_back(matrix.weight[at]);
+    }
+    result.start.push_back(result.column.size());
+  }
+  return result;
+}
+
 SparseRows tensor_product(const SparseRows& along_y, const SparseRows& along_x,
                           std::size_t columns_x) {
   SparseRows result;

@@ -30,6 +30,10 @@ SparseRows transposed(const SparseRows& matrix, std::size_t columns);
 SparseRows product(const SparseRows& left, const SparseRows& right,
                    std::size_t columns);
 
+/// The rows first..first+count-1, where row 0 follows the last.
+SparseRows some_rows(const SparseRows& matrix, std::size_t first,
+                     std::size_t count);
+
 /// The product of interpolations along y and x: row y * (rows of x) + x.
 /// @param columns_x  number of columns of `along_x`
 SparseRows tensor_product(const SparseRows& along_y, const SparseRows& along_x,

@@ -58,17 +58,16 @@ public:
                   ranks_);
   }
 
-  void swap_edges(const Edges& edges) override {
+  void pass(Direction direction, std::span<const std::byte> sent,
+            std::span<std::byte> received) override {
     const int before = (rank_ + size_ - 1) % size_;
     const int after = (rank_ + 1) % size_;
-    constexpr int downwards = 0, upwards = 1; // tags
-    const int count = mpi_count(edges.first.size(), "bytes of a row");
-    MPI_Sendrecv(edges.first.data(), count, MPI_BYTE, before, downwards,
-                 edges.after.data(), count, MPI_BYTE, after, downwards, ranks_,
-                 MPI_STATUS_IGNORE);
-    MPI_Sendrecv(edges.last.data(), count, MPI_BYTE, after, upwards,
-                 edges.before.data(), count, MPI_BYTE, before, upwards, ranks_,
-                 MPI_STATUS_IGNORE);
+    const bool is_forwards = direction == Direction::forwards;
+    const int tag = static_cast<int>(direction);
+    MPI_Sendrecv(sent.data(), mpi_count(sent.size(), "bytes of a row"),
+                 MPI_BYTE, is_forwards ? after : before, tag, received.data(),
+                 mpi_count(received.size(), "bytes of a row"), MPI_BYTE,
+                 is_forwards ? before : after, tag, ranks_, MPI_STATUS_IGNORE);
   }
 
 private:

@@ -6,6 +6,7 @@
 #include "fem/block/hexahedron_block.hpp"
 #include "fem/block/lattice_block.hpp"
 #include "fem/block/lattice_preconditioner.hpp"
+#include "fem/parallel/ranks.hpp"
 #include "fem/solution/block_section.hpp"
 #include "meshes/layered_mesh.hpp"
 
@@ -48,7 +49,7 @@ bool is_lattice(const BlockProblem& problem) {
 }
 
 /// The Fourier preconditioner if it is requested, or if it may be used for a
-/// block too large for a direct solver; null otherwise.
+/// block too large for a direct solver on one rank; null otherwise.
 std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::fourier;
@@ -57,7 +58,8 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
         "linear_solver = fourier: the block is not a periodic regular grid of "
         "boxes; choose auto, direct or multigrid");
   const bool serves = problem.linear_solver == LinearSolver::automatic &&
-                      is_lattice(problem) && !is_small(system);
+                      is_lattice(problem) &&
+                      (n_ranks() > 1 || !is_small(system));
   if (!is_asked && !serves)
     return nullptr;
   return std::make_unique<LatticePreconditioner>(system, problem.degree,
@@ -69,8 +71,9 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
 std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
                                            const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
-  const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_matrix_free_unknowns;
+  const bool may_serve =
+      problem.linear_solver == LinearSolver::automatic &&
+      (n_ranks() > 1 || system.n_unknowns() > most_direct_matrix_free_unknowns);
   if (!is_asked && !may_serve)
     return nullptr;
   const std::optional<BoxLattice> lattice = box_lattice(problem);

@@ -1,6 +1,6 @@
 // Tests of fem/block/lattice_block.hpp: the stiffness without a matrix and
 // geometric multigrid, compared with deal.II's assembled matrix and the direct
-// solver.
+// solver. The tests also run on two and three ranks, which share the rows.
 #include "fem/block/block_solver.hpp"
 #include "fem/block/lattice_block.hpp"
 
@@ -28,11 +28,11 @@ struct LatticeCase {
   Material material;
 };
 
-/// Boxes with unequal sides, 8 by 6 nodes per plane, in layers of any
-/// thickness.
+/// Boxes with unequal sides, 8 nodes and 12 rows of cells per plane, in layers
+/// of any thickness.
 BlockProblem problem_of(const LatticeCase& own) {
-  const Grid cells{8 / own.degree, 6 / own.degree, length, 0.6 * length};
-  const Grid grid{8, 6, length, 0.6 * length};
+  const Grid cells{8 / own.degree, 12, length, 1.2 * length};
+  const Grid grid{8, 12 * own.degree, length, 1.2 * length};
   LayeredBlock layers;
   layers.far_boundary = own.far_boundary;
   const std::vector<double> thickness{0.1 * length, 0.17 * length,

@@ -1,7 +1,9 @@
 // Contact curves of small blocks of every type, printed by the first rank:
 // ranks_test.py runs this program alone and under mpirun. With the argument
-// "own", only the blocks whose solver distributes its work itself: those that
-// the Fourier solver preconditions, and those without a matrix.
+// "waves", only the blocks that the Fourier solver preconditions; with
+// "lattice", only those whose ranks share the rows of a lattice of boxes; with
+// "hexahedra", only those of second-order hexahedra without a matrix and of
+// adaptive meshes.
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/counter_body.hpp"
@@ -65,8 +67,9 @@ BlockProblem by_waves(int degree, mechanics::FarBoundary far_boundary) {
 
 void print_meshes() {
   const BlockProblem boxes = boxes_problem(grid, 1, body, 1e-6);
-  print_curve("direct", boxes, mechanics::ContactLaw::penalty);
   BlockProblem problem = boxes;
+  problem.linear_solver = LinearSolver::direct;
+  print_curve("direct", problem, mechanics::ContactLaw::penalty);
   problem.linear_solver = LinearSolver::multigrid;
   print_curve("multigrid", problem, mechanics::ContactLaw::penalty);
   print_curve("hard", problem, mechanics::ContactLaw::hard);
@@ -103,6 +106,36 @@ void print_meshes() {
   problem.mesh = meshes::hanging_mesh(problem.grid, 1e-6, 4);
   problem.linear_solver = LinearSolver::multigrid;
   print_curve("hanging", problem, mechanics::ContactLaw::penalty);
+}
+
+/// Twelve rows of cells, which two and three ranks share.
+void print_lattices() {
+  using mechanics::BlockSides;
+  using mechanics::ContactLaw;
+  for (const int degree : {1, 2})
+    for (const BlockSides sides : {BlockSides::periodic, BlockSides::free})
+      for (const ContactLaw law : {ContactLaw::hard, ContactLaw::penalty}) {
+        const int points = 12 * degree;
+        BlockProblem problem =
+            boxes_problem({points, points, 1e-6, 1e-6}, degree, body, 1e-6);
+        problem.sides = sides;
+        problem.linear_solver = LinearSolver::multigrid;
+        problem.moduli.set_factor(
+            random_factor(0.5, 1, problem.grid.spacing_x()));
+        std::string name = degree == 1 ? "first" : "second";
+        name += sides == BlockSides::free ? "_free" : "_periodic";
+        name += law == ContactLaw::hard ? "_hard" : "_penalty";
+        print_curve(name.c_str(), problem, law);
+      }
+  for (const int degree : {1, 2}) {
+    const int points = 12 * degree;
+    BlockProblem problem =
+        boxes_problem({points, points, 1e-6, 1e-6}, degree, body, 1e-6);
+    problem.linear_solver = LinearSolver::multigrid;
+    problem.far_boundary = mechanics::FarBoundary::pressure;
+    problem.contact_at = mechanics::ContactPoints::gauss;
+    print_curve("pressed_gauss", problem, ContactLaw::augmented);
+  }
 }
 
 void print_waves() {
@@ -190,8 +223,16 @@ void print_matrix_free() {
 
 int main(int n_arguments, char** arguments) {
   start_mpi();
-  if (n_arguments < 2 || std::string(arguments[1]) != "own")
+  const std::string which = n_arguments > 1 ? arguments[1] : "";
+  const auto is_asked = [&](const char* blocks) {
+    return which.empty() || which == blocks;
+  };
+  if (which.empty())
     print_meshes();
-  print_waves();
-  print_matrix_free();
+  if (is_asked("lattice"))
+    print_lattices();
+  if (is_asked("waves"))
+    print_waves();
+  if (is_asked("hexahedra"))
+    print_matrix_free();
 }

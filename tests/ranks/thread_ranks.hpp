@@ -98,12 +98,14 @@ public:
     place_.wait();
   }
 
-  void swap_edges(const Edges& edges) override {
-    show({edges.first, edges.last});
+  void pass(Direction direction, std::span<const std::byte> sent,
+            std::span<std::byte> received) override {
+    show({sent});
     const auto n = static_cast<std::size_t>(size());
     const auto own = static_cast<std::size_t>(rank_);
-    copy(place_.data()[(own + n - 1) % n][1], edges.before);
-    copy(place_.data()[(own + 1) % n][0], edges.after);
+    const std::size_t from =
+        direction == Direction::forwards ? own + n - 1 : own + 1;
+    copy(place_.data()[from % n][0], received);
     place_.wait();
   }
 
