@@ -40,9 +40,15 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   row.area_fraction_corrected = results::Observed::none;
   if (observation.has_rim)
     observe("area_fraction_corrected", [&] {
-      return results::corrected_area_fraction(
-          grid, pressure, solution.gap, observation.contact_modulus,
-          observation.area_coefficients, observation.border, rows);
+      return rows != nullptr
+                 ? results::corrected_area_fraction(
+                       *rows, pressure, solution.gap,
+                       observation.contact_modulus,
+                       observation.area_coefficients)
+                 : results::corrected_area_fraction(
+                       grid, pressure, solution.gap,
+                       observation.contact_modulus,
+                       observation.area_coefficients, observation.border);
     });
   observe_pressure_fits(observe, pressure, weights, rows);
   observe("elastic_energy", [&] {

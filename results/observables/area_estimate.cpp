@@ -181,15 +181,11 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
           std::lerp(measured[i].euler, measured[i + 1].euler, share)};
 }
 
-Observed corrected_area_fraction(const Grid& grid,
-                                 std::span<const double> pressure,
-                                 std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients,
-                                 Border border, const SharedRows* rows) {
-  const Contact contact(grid, pressure, border, rows);
-  require_size("gap", gap.size(), pressure.size());
-  const auto n = static_cast<double>(grid.size());
+namespace {
+
+Observed corrected_area(const Contact& contact, std::span<const double> gap,
+                        double contact_modulus,
+                        const AreaCoefficients& coefficients, double n) {
   const BoundaryPairs boundary = contact.boundary(gap, contact_modulus);
   const double euler = 0.25 * static_cast<double>(contact.twists()); // (A.4)
   const double share =
@@ -204,6 +200,28 @@ Observed corrected_area_fraction(const Grid& grid,
                 "is only {:.2g} of the counted area, but must be at least {}",
                 share / counted, least_corrected_share)};
   return std::min(share, 1.0); // (A.5)
+}
+
+} // namespace
+
+Observed
+corrected_area_fraction(const Grid& grid, std::span<const double> pressure,
+                        std::span<const double> gap, double contact_modulus,
+                        const AreaCoefficients& coefficients, Border border) {
+  require_size("gap", gap.size(), grid.size());
+  return corrected_area(Contact(grid, pressure, border), gap, contact_modulus,
+                        coefficients, static_cast<double>(grid.size()));
+}
+
+Observed corrected_area_fraction(const SharedRows& rows,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients) {
+  require_size("gap", gap.size(), rows.size());
+  return corrected_area(Contact(rows.grid(), pressure, Border::periodic, &rows),
+                        gap, contact_modulus, coefficients,
+                        static_cast<double>(rows.grid().size()));
 }
 
 } // namespace asperity::results

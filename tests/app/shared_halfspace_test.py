@@ -32,7 +32,7 @@ element = "Q1"
 element = "Q2"
 """)
 SHARED = ["fem.q1", "halfspace", "halfspace.thin"]
-PATIENCE = 60.0  # [s]
+PATIENCE = 200.0  # [s]
 
 
 class Runner:

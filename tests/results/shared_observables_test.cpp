@@ -44,16 +44,22 @@ struct Numbers {
   bool operator==(const Numbers&) const = default;
 };
 
+Observed corrected(const Grid& grid, const Maps& maps, double modulus,
+                   const SharedRows* rows) {
+  return rows != nullptr
+             ? corrected_area_fraction(*rows, maps.pressure, maps.gap, modulus,
+                                       halfspace_area_coefficients)
+             : corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
+                                       halfspace_area_coefficients);
+}
+
 Numbers observed(const Grid& grid, const Maps& maps, const SharedRows* rows) {
   const std::vector<double>& p = maps.pressure;
   const PressureFit fit = fit_pressure_distribution(p, {}, rows);
   return {weighted_mean(maps.displacement, {}, rows),
           counted_area_fraction(p, {}, rows),
           contact_perimeter(grid, p, Border::periodic, rows),
-          corrected_area_fraction(grid, p, maps.gap, 2.0,
-                                  halfspace_area_coefficients, Border::periodic,
-                                  rows)
-              .value,
+          corrected(grid, maps, 2.0, rows).value,
           elastic_energy(p, maps.displacement, {}, rows),
           contact_energy(p, 0.7, {}, rows),
           fit.area_fraction,
@@ -97,9 +103,7 @@ TEST(SharedObservables, FailOnAllRanks) {
   maps.gap[grid.index(4, 12)] = std::numeric_limits<double>::quiet_NaN();
   const auto message_of = [&](const Maps& own, const SharedRows* rows) {
     try {
-      corrected_area_fraction(grid, own.pressure, own.gap, 1.0,
-                              halfspace_area_coefficients, Border::periodic,
-                              rows);
+      static_cast<void>(corrected(grid, own, 1.0, rows));
     } catch (const std::domain_error& error) {
       return std::string(error.what());
     }
