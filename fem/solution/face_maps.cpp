@@ -17,6 +17,19 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
 
+/// The place of a node of the cell that is closer than the roundoff of the
+/// inverse mapping, which would give the node a share of its neighbours' values
+/// and make a contact of those beside it.
+Point<3> at_node_if_close(Point<3> unit, unsigned int degree) {
+  constexpr double roundoff = 1e-9;
+  for (unsigned int axis = 0; axis < 3; ++axis) {
+    const double node = std::round(unit[axis] * degree) / degree;
+    if (std::abs(unit[axis] - node) < roundoff)
+      unit[axis] = node;
+  }
+  return unit;
+}
+
 } // namespace
 
 FaceMaps::FaceMaps(const BlockSystem& system, HeightInterpolation between)
@@ -87,7 +100,8 @@ void FaceMaps::take_sample(
     return;
   Sample sample;
   sample.node = grid.periodic_index(ix, iy);
-  sample.row = points.row_at(cell, unit);
+  sample.row =
+      points.row_at(cell, at_node_if_close(unit, space.element().degree));
   if (!points.is_nodal())
     sample.nearest =
         points.nearest_on_face(first_point, Point<2>(place[0], place[1]));

@@ -192,17 +192,19 @@ TEST(CounterBody, RefusesWhatIsNoBody) {
   EXPECT_EQ(refusal(good), "accepted");
   CounterBody body = good;
   body.height = 1.1 * radius;
-  EXPECT_EQ(refusal(body), "counter.height = 0.0022, but must be between "
+  EXPECT_EQ(refusal(body), "mesh.counter.height = 0.0022, but must be between "
                            "0.0005 and 0.002 [m]");
   body = good;
   body.fine_radius = 0.5 * radius;
-  EXPECT_EQ(refusal(body).find("counter.fine_radius = 0.001, but must be"), 0U);
+  EXPECT_EQ(refusal(body).find("mesh.counter.fine_radius = 0.001, but must be"),
+            0U);
   body = good;
   body.size_at_contact = 0.2 * radius;
-  EXPECT_NE(refusal(body).find("counter."), std::string::npos);
+  EXPECT_NE(refusal(body).find("mesh.counter."), std::string::npos);
   body = good;
   body.size_far = 0.01 * radius;
-  EXPECT_EQ(refusal(body).find("counter.size_far = 2e-05, but must be"), 0U);
+  EXPECT_EQ(refusal(body).find("mesh.counter.size_far = 2e-05, but must be"),
+            0U);
 }
 
 } // namespace
