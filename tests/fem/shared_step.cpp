@@ -186,10 +186,11 @@ public:
     ranks_.exchange(sent, sent_counts, received, received_counts);
   }
 
-  void swap_edges(const Edges& edges) override {
-    sent_ += size() > 1 ? 2.0 * static_cast<double>(edges.first.size()) : 0.0;
+  void pass(Direction direction, std::span<const std::byte> sent,
+            std::span<std::byte> received) override {
+    sent_ += size() > 1 ? static_cast<double>(sent.size()) : 0.0;
     ++calls_;
-    ranks_.swap_edges(edges);
+    ranks_.pass(direction, sent, received);
   }
 
   double sent() const { return sent_; } ///< [B]
