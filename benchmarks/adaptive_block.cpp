@@ -22,10 +22,10 @@
 #include "base/field_sums.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "meshes/graded_layers.hpp"
-#include "meshes/halvable_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
+#include "meshes/layers/halvable_layers.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>

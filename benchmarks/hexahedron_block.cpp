@@ -16,9 +16,9 @@
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
-#include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -12,8 +12,8 @@
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -11,7 +11,7 @@
 #include "base/cpu_clock.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
 

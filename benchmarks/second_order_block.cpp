@@ -13,8 +13,8 @@
 #include "fem/block/block_solver.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
-#include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <deal.II/lac/solver_cg.h>
 

@@ -16,7 +16,7 @@
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
 

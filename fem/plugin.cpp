@@ -9,7 +9,7 @@
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <deal.II/base/config.h>
 

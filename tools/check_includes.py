@@ -45,6 +45,7 @@ ORDER = {
     "results": ["types", "observables", "storage", "."],
     "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "analysis", "."],
+    "meshes": ["layers", "."],
     "fem": ["parallel", "waves", "multigrid", "block", "solution", "adaptive", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],

@@ -2,8 +2,8 @@
 
 #include "base/special_numbers.hpp"
 #include "meshes/counter_body.hpp"
-#include "meshes/graded_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <algorithm>
 #include <cmath>

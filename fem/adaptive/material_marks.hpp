@@ -17,7 +17,7 @@ namespace asperity::fem {
 ///
 /// - a plane between two layers crosses it. The coarsest layers are such that
 ///   this ends with cells on both sides of the plane
-///   (meshes/halvable_layers.hpp);
+///   (meshes/layers/halvable_layers.hpp);
 /// - the surface of the inclusion crosses it, or the factor on E differs by
 ///   more than moduli_ratio between two of its points, and it is larger than
 ///   its place permits: an edge of a quarter of its depth, and of a quarter of

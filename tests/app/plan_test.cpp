@@ -4,7 +4,7 @@
 #include "app/plan/plan.hpp"
 #include "app/run/run_case.hpp"
 #include "cases/reader/read_case.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 #include "results/result_reader.hpp"
 
 #include <gtest/gtest.h>

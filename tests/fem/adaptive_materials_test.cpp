@@ -2,8 +2,8 @@
 // meshes that follow the contact (fem/adaptive): the results of blocks that
 // have the finest cells everywhere.
 #include "fem/adaptive/adaptive_block.hpp"
-#include "meshes/halvable_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "meshes/layers/halvable_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // Blocks and pressures that several tests of the module use.
 
 #include "fem/waves/elastic_layers.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <algorithm>
 #include <cmath>

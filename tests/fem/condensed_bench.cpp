@@ -3,7 +3,7 @@
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/condensed_q2.hpp"
 #include "fem/waves/lattice_factors.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -4,9 +4,9 @@
 #include "fem/adaptive/refinement_rule.hpp"
 #include "fem/block/block_triangulation.hpp"
 #include "fem/parallel/mpi_session.hpp"
-#include "meshes/halvable_layers.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/halvable_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 // generator of meshes/ makes.
 
 #include "fem/block/block_problem.hpp"
-#include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <algorithm>
 #include <array>

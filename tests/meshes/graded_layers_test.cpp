@@ -1,5 +1,5 @@
-// Tests of meshes/graded_layers.hpp.
-#include "meshes/graded_layers.hpp"
+// Tests of meshes/layers/graded_layers.hpp.
+#include "meshes/layers/graded_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Tests of meshes/halvable_layers.hpp: every interface is a plane of cells, and
-// the cells are nearly cubes where that is possible.
-#include "meshes/halvable_layers.hpp"
+// Tests of meshes/layers/halvable_layers.hpp: every interface is a plane of
+// cells, and the cells are nearly cubes where that is possible.
+#include "meshes/layers/halvable_layers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Tests of meshes/layered_mesh.hpp.
-#include "meshes/graded_layers.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,7 +1,7 @@
 #include "contact/operators/halfspace.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
 

@@ -1,4 +1,4 @@
-#include "meshes/graded_layers.hpp"
+#include "meshes/layers/graded_layers.hpp"
 
 #include "base/require.hpp"
 

@@ -1,4 +1,4 @@
-#include "meshes/halvable_layers.hpp"
+#include "meshes/layers/halvable_layers.hpp"
 
 #include "base/require.hpp"
 
