@@ -13,7 +13,7 @@ Key length_key_or(std::string fallback, std::string name,
   return key;
 }
 
-std::vector<Key> mesh_shape_keys() {
+std::vector<Key> mesh_kind_keys() {
   return {
       {.name = "kind",
        .type = ValueType::word,
@@ -59,6 +59,11 @@ std::vector<Key> mesh_shape_keys() {
            "With adaptive: how often cells with a larger ratio, or at the "
            "surface of the inclusion, are halved. Without it their edge is at "
            "most a quarter of their depth and of the radius."},
+  };
+}
+
+std::vector<Key> mesh_geometry_keys() {
+  return {
       {.name = "geometry",
        .type = ValueType::word,
        .words = {"block", "indentation", "layered", "inclusion", "file"},
@@ -113,7 +118,7 @@ std::vector<Key> mesh_file_keys() {
 }
 
 /// Returns a key that is a length along x or y, of either sign.
-Key offset_key(std::string name, std::string axis) {
+Key offset_key(std::string name, const std::string& axis) {
   Key key = length_key_or("\"0 length\"", std::move(name),
                           "Distance of the body's axis from the centre of the "
                           "block along " +
@@ -188,7 +193,8 @@ std::vector<Table> mesh_tables() {
                   "Optional; for [fem] with solver = \"full\", whose layers "
                   "(growth, surface_cell_depth) it replaces.",
               .description = "The mesh of the full 3-D block.",
-              .keys = mesh_shape_keys()};
+              .keys = mesh_kind_keys()};
+  append_keys(table.keys, mesh_geometry_keys());
   append_keys(table.keys, mesh_size_keys());
   append_keys(table.keys, mesh_file_keys());
   return {table, mesh_counter_table()};

@@ -145,7 +145,7 @@ void add_cut_off(std::vector<Key>& keys, const CutOff& cut_off) {
        .description = cut_off.description + ", as a wavelength 2 pi / q."});
 }
 
-std::vector<Key> shape_keys() {
+std::vector<Key> round_shape_keys() {
   return {
       {.name = "radius",
        .dimension = Dimension::length,
@@ -187,6 +187,11 @@ std::vector<Key> shape_keys() {
        .example = "0.001",
        .show = Show::no,
        .description = "Slope of the flat end along x: an eccentric load."},
+  };
+}
+
+std::vector<Key> wave_keys() {
+  return {
       {.name = "amplitude",
        .dimension = Dimension::length,
        .range = positive(),
@@ -230,7 +235,8 @@ Table surface_table() {
               {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
                "\"8 h\"", "q_1, high cut-off wavevector of the spectrum"});
   append_keys(table.keys, map_keys());
-  append_keys(table.keys, shape_keys());
+  append_keys(table.keys, round_shape_keys());
+  append_keys(table.keys, wave_keys());
   return table;
 }
 

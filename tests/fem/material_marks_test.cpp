@@ -116,8 +116,9 @@ TEST(MaterialMarks, FollowTheSurfaceOfAnInclusion) {
   });
   problem.adaptive->interface_halvings = 2;
   for_each_cell(*refined(problem), [&](const auto& cell) {
-    if (has_both_sides(cell, centre, radius))
+    if (has_both_sides(cell, centre, radius)) {
       EXPECT_EQ(cell->level(), 2);
+    }
   });
 }
 
@@ -136,8 +137,9 @@ TEST(MaterialMarks, HalveCellsUntilTheModuliInThemAreSimilar) {
     const double edge = cell->bounding_box().side_length(0);
     const double depth = cell->bounding_box().lower_bound(2);
     EXPECT_LE(cell->level(), 2);
-    if (edge > 0.25 * depth)
+    if (edge > 0.25 * depth) {
       EXPECT_EQ(cell->level(), 2) << depth;
+    }
   });
 }
 
@@ -154,8 +156,9 @@ TEST(MaterialMarks, SeeEveryBoxOfATable) {
 
   for_each_cell(*mesh, [&](const auto& cell) {
     const auto bounds = cell->bounding_box();
-    if (bounds.point_inside({3.5 * box, 3.5 * box, 0.5 * box}))
+    if (bounds.point_inside({3.5 * box, 3.5 * box, 0.5 * box})) {
       EXPECT_LE(bounds.side_length(0), box * (1.0 + 1e-9));
+    }
   });
 }
 
