@@ -166,11 +166,11 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   mesh.cells_a_level = table.integer("cells_a_level");
   mesh.halvings = table.integer("halvings");
   mesh.moduli_ratio = table.number("moduli_ratio");
-  if (const Node* const node = table.node().find("interface_halvings")) {
+  if (const Node* const own = table.node().find("interface_halvings")) {
     mesh.interface_halvings = table.integer("interface_halvings");
     if (*mesh.interface_halvings > mesh.halvings)
-      table.refuse(*node, "must not exceed mesh.halvings = " +
-                              std::to_string(mesh.halvings));
+      table.refuse(*own, "must not exceed mesh.halvings = " +
+                             std::to_string(mesh.halvings));
   }
   mesh.geometry = table.choice("geometry", mesh.geometry);
   mesh.cells = table.choice("cells", mesh.cells);

@@ -137,7 +137,7 @@ void CounterFaces::sort_into_boxes() {
     const auto to = box_of(last);
     for (int iy = from[1]; iy <= to[1]; ++iy)
       for (int ix = from[0]; ix <= to[0]; ++ix)
-        in_box_[static_cast<std::size_t>(ix + n_boxes_[0] * iy)].push_back(i);
+        in_box_[number_of({ix, iy})].push_back(i);
   }
 }
 
@@ -180,12 +180,10 @@ std::optional<Point<2>> CounterFaces::coordinates_in(const Face& face,
 }
 
 std::optional<FaceRow> CounterFaces::row_at(const Point<2>& place) const {
-  const auto box = box_of(place);
   const Face* found = nullptr;
   Point<2> at;
   double least = border;
-  for (const std::size_t i :
-       in_box_[static_cast<std::size_t>(box[0] + n_boxes_[0] * box[1])])
+  for (const std::size_t i : in_box_[number_of(box_of(place))])
     if (const auto unit = coordinates_in(faces_[i], place);
         unit && excess(*unit) < least) {
       found = &faces_[i];

@@ -42,6 +42,13 @@ private:
   void gather(const BlockSpace& space);
   void sort_into_boxes();
   std::array<int, 2> box_of(const dealii::Point<2>& place) const;
+
+  std::size_t number_of(const std::array<int, 2>& box) const {
+    return static_cast<std::size_t>(box[0]) +
+           static_cast<std::size_t>(n_boxes_[0]) *
+               static_cast<std::size_t>(box[1]);
+  }
+
   static std::optional<dealii::Point<2>>
   coordinates_in(const Face& face, const dealii::Point<2>& place);
 

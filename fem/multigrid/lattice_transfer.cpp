@@ -66,7 +66,7 @@ void LatticeTransfer::find_rows_of_ranks(const SparseRows& along_y) {
     auto& rows = rows_of_ranks_.emplace_back(
         rows_of_rank(along_y, fine_slab_, r, fine_.degree()).column);
     std::ranges::sort(rows);
-    rows.erase(std::ranges::unique(rows).begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   }
 }
 

@@ -41,7 +41,8 @@ std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
     motions.push_back(RigidMotion::shift_z);
   const auto axes = axes_of(lattice);
   const NodeLayout layout = slab.layout(lattice);
-  const int first = lattice.degree * slab.first();
+  const std::size_t first = static_cast<std::size_t>(lattice.degree) *
+                            static_cast<std::size_t>(slab.first());
   std::vector<std::vector<double>> modes;
   for (const RigidMotion motion : motions) {
     std::vector<double>& mode = modes.emplace_back(layout.size(), 0.0);
@@ -51,7 +52,7 @@ std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
           const double x =
               axes[0].node(static_cast<std::size_t>(i)) / lattice.length_x -
               0.5;
-          const double y = (axes[1].node(static_cast<std::size_t>(first + j)) -
+          const double y = (axes[1].node(first + static_cast<std::size_t>(j)) -
                             0.5 * lattice.length_y) /
                            lattice.length_x;
           const auto own = velocity(motion, x, y);
