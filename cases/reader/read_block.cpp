@@ -138,8 +138,9 @@ mechanics::CounterMeshSpec read_counter_mesh(const Node& node, const Case& read,
     return counter;
   }
   const bool is_sphere = read.surface.kind == mechanics::SurfaceKind::sphere;
-  if (!is_sphere && !read.surface.form_radius)
-    table.refuse(*node.find("shape"),
+  const Node* const shape = node.find("shape"); // missed above if there is none
+  if (shape != nullptr && !is_sphere && !read.surface.form_radius)
+    table.refuse(*shape,
                  "needs the radius of the sphere in [surface]: kind = "
                  "\"sphere\" with radius, or a rough surface with form_radius");
   counter.radius = {is_sphere ? read.surface.radius

@@ -244,6 +244,7 @@ const std::string pair =
 INSTANTIATE_TEST_SUITE_P(
     CounterBody, FullBlock,
     testing::Values(
+        Refused{pair, "fem.growth=1.2", "mesh.counter.shape is missing"},
         Refused{pair + "shape = \"sphere\"\n", "fem.growth=1.2",
                 "needs the radius of the sphere in [surface]"},
         Refused{pair + "shape = \"sphere\"\nradius = 1e-6\n",
