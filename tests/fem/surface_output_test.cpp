@@ -258,8 +258,6 @@ bool is_hanging(const Surface& surface, std::size_t point) {
 // hanging nodes and only there. Everywhere else the fields are those of the
 // solution.
 TEST_F(SurfaceFiles, TellLevelsAndHangingNodes) {
-  if (mpi::n_mpi_processes(MPI_COMM_WORLD) > 1)
-    GTEST_SKIP() << "an adaptive mesh needs one rank";
   const Grid grid{64, 64, length, length};
   constexpr int halvings = 3;
   constexpr double coarsest = length / 4.0;
