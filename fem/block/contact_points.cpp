@@ -24,6 +24,30 @@ constexpr double same_place = 1e-6; // in node spacings
 
 } // namespace
 
+void for_gauss_points(const BlockSpace& space,
+                      const dealii::Quadrature<2>& quadrature,
+                      const std::function<void(const dealii::FEFaceValues<3>&,
+                                               unsigned int, FaceRow)>& visit) {
+  dealii::FEFaceValues<3> values(space.mapping(), space.element(), quadrature,
+                                 dealii::update_quadrature_points |
+                                     dealii::update_JxW_values |
+                                     dealii::update_values);
+  const dealii::FEValuesExtractors::Scalar vertical(2);
+  std::vector<global_dof_index> unknowns(space.element().n_dofs_per_cell());
+  for_contact_faces(space, [&](const auto& cell, unsigned int f) {
+    values.reinit(cell, f);
+    cell->get_dof_indices(unknowns);
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      FaceRow row;
+      for (const unsigned int i : values.dof_indices())
+        if (const double value = values[vertical].value(i, q);
+            std::abs(value) > 1e-14)
+          row.emplace_back(unknowns[i], value);
+      visit(values, q, space.resolved(row));
+    }
+  });
+}
+
 int grid_node_at(const Grid& grid, double x, double y) {
   const double across = x / grid.spacing_x();
   const double along = y / grid.spacing_y();
@@ -167,26 +191,12 @@ void ContactPoints::take_nodes(const Grid& grid) {
 }
 
 void ContactPoints::take_gauss_points(const Grid& grid) {
-  dealii::FEFaceValues<3> values(
-      space_.mapping(), space_.element(), space_.face_quadrature(),
-      dealii::update_quadrature_points | dealii::update_JxW_values |
-          dealii::update_values);
-  const dealii::FEValuesExtractors::Scalar vertical(2);
-  std::vector<global_dof_index> unknowns(space_.element().n_dofs_per_cell());
-  for_contact_faces(space_, [&](const auto& cell, unsigned int f) {
-    values.reinit(cell, f);
-    cell->get_dof_indices(unknowns);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      FaceRow row;
-      for (const unsigned int i : values.dof_indices())
-        if (const double value = values[vertical].value(i, q);
-            std::abs(value) > 1e-14)
-          row.emplace_back(unknowns[i], value);
-      const Point<3> place = values.quadrature_point(q);
-      add_point(grid, Point<2>(place[0], place[1]), values.JxW(q),
-                space_.resolved(row));
-    }
-  });
+  for_gauss_points(space_, space_.face_quadrature(),
+                   [&](const auto& values, unsigned int q, FaceRow row) {
+                     const Point<3> place = values.quadrature_point(q);
+                     add_point(grid, Point<2>(place[0], place[1]),
+                               values.JxW(q), std::move(row));
+                   });
 }
 
 void ContactPoints::finish(const Grid& grid) {

@@ -9,6 +9,9 @@
 #include "fem/block/block_triangulation.hpp"
 #include "fem/block/counter_faces.hpp"
 
+#include <deal.II/fe/fe_values.h>
+
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +32,15 @@ void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
         visit(cell, f);
   }
 }
+
+/// Calls `visit(face values, number of the point, row of u_z)` for each point
+/// of the quadrature on these faces, face by face. The values are those of u_z
+/// with places and weights; the row is resolved in the constraints of the
+/// space.
+void for_gauss_points(const BlockSpace& space,
+                      const dealii::Quadrature<2>& quadrature,
+                      const std::function<void(const dealii::FEFaceValues<3>&,
+                                               unsigned int, FaceRow)>& visit);
 
 /// One point of the contact surface.
 struct ContactPoint {

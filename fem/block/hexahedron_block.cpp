@@ -144,25 +144,11 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
 /// functions contain those of first order, whose values at the points are thus
 /// the Galerkin product.
 void FirstOrderCorrection::find_gauss_points(const BlockSystem& fine) {
-  const BlockSpace& space = coarse_.space();
-  dealii::FEFaceValues<3> values(space.mapping(), space.element(),
-                                 fine.space().face_quadrature(),
-                                 dealii::update_values);
-  const dealii::FEValuesExtractors::Scalar vertical(2);
-  std::vector<Unknown> unknowns(space.element().n_dofs_per_cell());
-  for_contact_faces(space, [&](const auto& cell, unsigned int f) {
-    values.reinit(cell, f);
-    cell->get_dof_indices(unknowns);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      FaceRow row;
-      for (const unsigned int i : values.dof_indices())
-        if (const double value = values[vertical].value(i, q);
-            std::abs(value) > 1e-14)
-          row.emplace_back(unknowns[i], value);
-      points_.push_back(space.resolved(row));
-      vertices_.emplace_back();
-    }
-  });
+  for_gauss_points(coarse_.space(), fine.space().face_quadrature(),
+                   [&](const auto&, unsigned int, FaceRow row) {
+                     points_.push_back(std::move(row));
+                     vertices_.emplace_back();
+                   });
 }
 
 /// Computes the rigid motions of the block, the near null space of the matrix:
