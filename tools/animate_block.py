@@ -5,7 +5,7 @@
     tools/animate_block.py RESULT/fem-0/block.pvd PICTURE.png --step 5
 
 Takes the files that the full block writes for ParaView: of each step, the block
-and its contact surface. Draws the pressed face, with the cells coloured by the
+and its contact surface. Draws this surface with the cells coloured by the
 number of their halvings and by contact, and a section along x through the middle
 of the block with the von Mises stress, up to `top` [MPa]. With --step, one step
 becomes a PNG. The files must be those of a block of hexahedra that are boxes.
@@ -66,7 +66,7 @@ def whole_cell(low, high, level, edge):
 
 
 def face_of(step, edge):
-    """Polygons (outline, colour) of the pressed face, and the rectangles of its cells."""
+    """Polygons (outline, colour) of the contact surface, and the rectangles of its cells."""
     polygons, cells = [], set()
     for arrays in parts_of(step):
         contact, level = arrays["contact"], arrays["level"]
@@ -140,7 +140,7 @@ def frame(number, pressure, face, section, size, chosen):
     lines = ["set multiplot", "unset key", "unset colorbox", "unset border", "unset tics",
              "set size 0.48,0.82", "set origin 0.01,0.02",
              "set lmargin 0; set rmargin 0; set tmargin 0; set bmargin 0",
-             "set label 1 'pressed face: cells by their halvings, red in contact' "
+             "set label 1 'contact surface: cells by their halvings, contact in red' "
              "at screen 0.01,0.875 left",
              f"set label 2 'step {number}: p = {pressure * 1e-6:.3g} MPa, "
              f"{100 * contact:.1f} % in contact, {len(cells)} cells at the surface' "

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""A picture of a solved block: von Mises on its pressed face and on a cut.
+"""A picture of a solved block: von Mises on its contact surface and on a cut.
 
     tools/render_block.py STEP.pvtu PICTURE.png [--cut 0.5] [--warp 1] [--top 2e8]
 
 Takes the files that the full block writes for ParaView, leaves out the cells in
 front of the cut (a share of the block's width) and draws what is then seen from
-the front, the right and above, the pressed face upwards. Displacements are
+the front, the right and above, the contact surface upwards. Displacements are
 drawn `warp` times; colours end at `top` [Pa], without it at the largest value.
 Needs gnuplot with pngcairo.
 """
@@ -82,7 +82,7 @@ def skin(cells, cut):
 
 
 def is_seen(face, lengths, cut, grain):
-    """On the pressed face, on the right side, or in front."""
+    """On the contact surface, on the right side, or in front."""
     def all_at(axis, place):
         return all(abs(corner[0][axis] - place) < 10 * grain for corner in face)
     if all_at(2, 0.0) or all_at(0, lengths[0]):
@@ -108,7 +108,7 @@ def pieces(face, warp):
 
 
 def script(polygons, picture, top):
-    """What gnuplot is told; z points up out of the pressed face."""
+    """What gnuplot is told; z points up out of the contact surface."""
     lines = ["$skin << EOD"]
     for corners in polygons:  # each a surface of two rows of two points
         rows = [f"{x:.5g} {y:.5g} {-z:.5g} {value:.4g}" for x, y, z, value in corners]
