@@ -24,10 +24,10 @@ constexpr double same_place = 1e-6; // in node spacings
 
 } // namespace
 
-void for_gauss_points(const BlockSpace& space,
-                      const dealii::Quadrature<2>& quadrature,
-                      const std::function<void(const dealii::FEFaceValues<3>&,
-                                               unsigned int, FaceRow)>& visit) {
+void for_gauss_points(
+    const BlockSpace& space, const dealii::Quadrature<2>& quadrature,
+    const std::function<void(const dealii::FEFaceValues<3>&, unsigned int,
+                             const FaceRow&)>& visit) {
   dealii::FEFaceValues<3> values(space.mapping(), space.element(), quadrature,
                                  dealii::update_quadrature_points |
                                      dealii::update_JxW_values |
@@ -192,10 +192,10 @@ void ContactPoints::take_nodes(const Grid& grid) {
 
 void ContactPoints::take_gauss_points(const Grid& grid) {
   for_gauss_points(space_, space_.face_quadrature(),
-                   [&](const auto& values, unsigned int q, FaceRow row) {
+                   [&](const auto& values, unsigned int q, const FaceRow& row) {
                      const Point<3> place = values.quadrature_point(q);
                      add_point(grid, Point<2>(place[0], place[1]),
-                               values.JxW(q), std::move(row));
+                               values.JxW(q), row);
                    });
 }
 

@@ -37,10 +37,10 @@ void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
 /// of the quadrature on these faces, face by face. The values are those of u_z
 /// with places and weights; the row is resolved in the constraints of the
 /// space.
-void for_gauss_points(const BlockSpace& space,
-                      const dealii::Quadrature<2>& quadrature,
-                      const std::function<void(const dealii::FEFaceValues<3>&,
-                                               unsigned int, FaceRow)>& visit);
+void for_gauss_points(
+    const BlockSpace& space, const dealii::Quadrature<2>& quadrature,
+    const std::function<void(const dealii::FEFaceValues<3>&, unsigned int,
+                             const FaceRow&)>& visit);
 
 /// One point of the contact surface.
 struct ContactPoint {

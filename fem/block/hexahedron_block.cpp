@@ -145,8 +145,8 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
 /// the Galerkin product.
 void FirstOrderCorrection::find_gauss_points(const BlockSystem& fine) {
   for_gauss_points(coarse_.space(), fine.space().face_quadrature(),
-                   [&](const auto&, unsigned int, FaceRow row) {
-                     points_.push_back(std::move(row));
+                   [&](const auto&, unsigned int, const FaceRow& row) {
+                     points_.push_back(row);
                      vertices_.emplace_back();
                    });
 }
