@@ -94,6 +94,12 @@ struct SurfaceSpec {
   double tilt = 0.0;       ///< punch: slope of its flat end along x [1]
   double amplitude = 0.0;  ///< waves
   double wavelength = 0.0; ///< waves; length is an integer multiple of it
+
+  /// Whether the surface is a single shape in the middle of the map.
+  bool has_middle() const {
+    return kind == SurfaceKind::sphere || kind == SurfaceKind::punch ||
+           form_radius.has_value();
+  }
 };
 
 } // namespace asperity::mechanics

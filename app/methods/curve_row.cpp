@@ -50,6 +50,12 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                        observation.contact_modulus,
                        observation.area_coefficients, observation.border);
     });
+  if (observation.has_middle) {
+    const results::PressureCentre centre =
+        results::pressure_centre(grid, pressure, weights, rows);
+    row.pressure_centre_x = centre.x;
+    row.pressure_centre_y = centre.y;
+  }
   observe_pressure_fits(observe, pressure, weights, rows);
   observe("elastic_energy", [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,

@@ -22,6 +22,9 @@ struct Observation {
   double contact_modulus = 0.0; ///< effective E* at the contact boundary [Pa]
   bool has_rim = true;          ///< false: the caller sets the corrected area
   results::Border border = results::Border::periodic;
+  /// Whether the surface has a middle and thus the load a lever: a single
+  /// shape.
+  bool has_middle = false;
   /// The rows of the fields, if ranks share them: then the evaluation is
   /// collective and every rank gets the row of one process.
   const SharedRows* rows = nullptr;

@@ -84,7 +84,8 @@ public:
     StepAnswer answer =
         observe(as_contact(std::move(solution), surface_),
                 {block_->nodal_weights(), penalty_compliance,
-                 area_coefficients(settings_), rim_modulus_, has_rim},
+                 area_coefficients(settings_), rim_modulus_, has_rim,
+                 results::Border::periodic, surface_.has_middle},
                 surface_);
     answer.row.area_fraction = area;
     if (!has_rim) // quadrature points between the nodes do not resolve the

@@ -90,6 +90,7 @@ void add_setting(const LoadStepsSetting& setting, json& command) {
   command["area_coefficients"] = {observed.area_coefficients.perimeter,
                                   observed.area_coefficients.euler};
   command["contact_modulus"] = observed.contact_modulus;
+  command["has_middle"] = observed.has_middle;
 }
 
 LoadStepsSetting setting_in(const json& command) {
@@ -106,6 +107,7 @@ LoadStepsSetting setting_in(const json& command) {
   const json& coefficients = command.at("area_coefficients");
   observed.area_coefficients = {coefficients.at(0), coefficients.at(1)};
   observed.contact_modulus = command.at("contact_modulus");
+  observed.has_middle = command.at("has_middle");
   return setting;
 }
 

@@ -38,6 +38,7 @@ SurfaceOfCase as_taken(const cases::Case& contact_case,
     throw input::InputError(contact_case.path +
                             ": the surface is flat; there is no roughness "
                             "to press on");
+  surface.has_middle = contact_case.surface.has_middle();
   return surface;
 }
 
@@ -60,6 +61,7 @@ SurfaceOfCase single_map(const cases::Case& contact_case,
   surface.record.grid = map.grid;
   surface.record.heights = std::move(map.heights);
   surface.scales.length = map.grid.length_x;
+  surface.has_middle = true;
   return surface;
 }
 

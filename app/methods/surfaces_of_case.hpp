@@ -19,6 +19,9 @@ namespace asperity::app {
 struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
   mechanics::Scales scales;      ///< scales of this surface
+  /// Whether the surface is a single shape, whose middle is that of the map: a
+  /// sphere, a punch, roughness on a sphere, or a map without continuation.
+  bool has_middle = false;
 };
 
 /// Returns the surface of a map with its statistics.

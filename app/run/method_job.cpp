@@ -38,6 +38,17 @@ bool has_failed(const CurvePoint& row) {
   return row.status == results::StepStatus::not_converged;
 }
 
+/// Lines, of which the last one may end with a line break, as parts of one
+/// sentence.
+std::string in_one_line(std::string lines) {
+  while (lines.ends_with('\n'))
+    lines.pop_back();
+  for (std::size_t at = lines.find('\n'); at != std::string::npos;
+       at = lines.find('\n', at))
+    lines.replace(at, 1, lines[at - 1] == ':' ? " " : "; ");
+  return lines;
+}
+
 } // namespace
 
 void Tally::add_kept(const std::string& thing, const KeptWork& work) {
@@ -176,7 +187,7 @@ void MethodJob::describe_found(const std::string& found) {
   const MethodDescription description =
       describe(method_, context_.contact_case.material);
   context_.writer.begin_method(method_.name, description.kind,
-                               description.text + "; " + found);
+                               description.text + "; " + in_one_line(found));
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {

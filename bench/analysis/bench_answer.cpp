@@ -157,7 +157,7 @@ BenchAnswer answer_of(const results::Result& result,
     for (const results::Curve& curve : method.realizations)
       for (const double difference : hertz_differences(curve, contact_case))
         answer.values[pressure_field].push_back(difference);
-  if (!is_exact_shape(contact_case))
+  if (!has_exact_curve(contact_case))
     add_fits(result, contact_case, name, answer);
   return answer;
 }
@@ -210,7 +210,7 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   BenchAnswer exact;
   exact.rms_height = answer.rms_height;
   exact.pressure = answer.pressure;
-  if (!is_exact_shape(contact_case))
+  if (!has_exact_curve(contact_case))
     return exact;
   // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
@@ -266,7 +266,7 @@ std::string error_words(const std::string& quantity) {
 }
 
 std::string exact_words(const cases::Case& contact_case) {
-  if (!is_exact_shape(contact_case))
+  if (!has_exact_curve(contact_case))
     return "";
   switch (contact_case.surface.kind) {
   case SurfaceKind::sphere:

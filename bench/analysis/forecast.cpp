@@ -127,7 +127,7 @@ std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
     if (std::find(asked.begin(), asked.end(), name) == asked.end())
       asked.push_back(name);
   };
-  const bool is_exact = reports::is_exact_shape(contact_case);
+  const bool is_exact = reports::has_exact_curve(contact_case);
   for (const cases::Expectation& one : contact_case.expectations) {
     const std::string& name = one.quantity;
     if (name == "gap_deviation" || name == "mean_gap_error" ||

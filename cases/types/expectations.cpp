@@ -86,6 +86,18 @@ std::vector<ExpectationName> error_names() {
        .description =
            "Largest relative error of the depth of that maximum [1].",
        .surfaces = {sphere}},
+      {.name = "normal_stiffness_error",
+       .description = "Largest relative error of the normal stiffness of a "
+                      "single contact, 2 E* a; needs [fem] stiffness [1].",
+       .surfaces = {sphere, punch}},
+      {.name = "tangential_stiffness_error",
+       .description = "Largest relative error of Mindlin's tangential "
+                      "stiffness, 8 a G/(2 - nu); needs [fem] stiffness [1].",
+       .surfaces = {sphere, punch}},
+      {.name = "moment_error",
+       .description = "Largest relative error of the moment of a tilted punch "
+                      "whose whole end is in contact [1].",
+       .surfaces = {punch}},
       {.name = "penetration",
        .description = "Largest penetration / h_rms in the saved fields [1]."},
   };

@@ -36,16 +36,20 @@ ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
 ExactPoint on_punch(const SurfaceSpec& surface, double contact_modulus,
                     double nominal_pressure, double surface_top) {
   ExactPoint exact;
-  if (!surface.length || surface.tilt != 0.0)
+  if (!surface.length)
     return exact;
   const double side = *surface.length;
   const double load = nominal_pressure * side * side;
   const theory::PunchContact punch =
       theory::FlatPunch(surface.radius, contact_modulus).contact(load);
+  if (punch.approach < 2.0 * surface.radius * std::abs(surface.tilt))
+    return exact; // the edge of the end lifts
   exact.contact_radius = punch.contact_radius;
-  exact.approach = punch.approach;
   exact.area_fraction = std::numbers::pi * punch.contact_radius *
                         punch.contact_radius / (side * side);
+  if (surface.tilt != 0.0)
+    return exact; // of the approach, only that of the middle is known
+  exact.approach = punch.approach;
   exact.mean_gap = surface_top - punch.approach +
                    approach_excess(surface, contact_modulus, load, false);
   return exact;

@@ -39,8 +39,11 @@ bool is_exact_shape(const cases::Case& contact_case) {
   const SurfaceKind kind = contact_case.surface.kind;
   return contact_case.material.is_uniform() &&
          (kind == SurfaceKind::sphere || kind == SurfaceKind::wave_1d ||
-          kind == SurfaceKind::wave_2d ||
-          (kind == SurfaceKind::punch && contact_case.surface.tilt == 0.0));
+          kind == SurfaceKind::wave_2d || kind == SurfaceKind::punch);
+}
+
+bool has_exact_curve(const cases::Case& contact_case) {
+  return is_exact_shape(contact_case) && contact_case.surface.tilt == 0.0;
 }
 
 const results::SurfaceRecord* surface_of(const results::Result& result,

@@ -4,6 +4,7 @@
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/rough.hpp"
+#include "reports/analysis/stiffness_quantities.hpp"
 #include "reports/analysis/study_quantities.hpp"
 #include "reports/analysis/verdict.hpp"
 
@@ -113,6 +114,10 @@ MethodSummary summarize_method(const Result& result,
       add_claim_quantities(result, contact_case, method, reference, summary);
     });
   }
+  if (contact_case.material.is_uniform())
+    attempt(summary, "stiffness", [&] {
+      add_stiffness_quantities(result, contact_case, method, summary);
+    });
   if (method.kind != "theory") {
     Estimate iterations;
     iterations.value = summary.cost.largest_iterations;

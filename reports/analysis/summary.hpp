@@ -112,6 +112,10 @@ struct Summary {
 /// meaningless, on the uniform block to which that solution applies.
 bool is_exact_shape(const cases::Case& contact_case);
 
+/// True for those whose area and mean gap the solution has: of a tilted punch,
+/// only the moment is known.
+bool has_exact_curve(const cases::Case& contact_case);
+
 /// True if the method is a theory that used the analytical spectrum of the
 /// case.
 bool uses_formula(const cases::Case& contact_case,

@@ -39,7 +39,11 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"approach_error", "approach", "largest relative", false},
       {"von_mises_error", "von Mises", "largest relative", false},
       {"von_mises_depth_error", "depth of von Mises maximum",
-       "largest relative", false}};
+       "largest relative", false},
+      {"moment_error", "moment", "largest relative", false},
+      {"normal_stiffness_error", "normal stiffness", "largest relative", false},
+      {"tangential_stiffness_error", "tangential stiffness", "largest relative",
+       false}};
   return is_exact ? exact : rough;
 }
 
@@ -284,6 +288,9 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   const List block_costs = block_cost_rows(*entry.result);
   page.set("has_full_block", !block_costs.empty());
   page.set("block_costs", block_costs);
+  const List stiffnesses = stiffness_rows(*entry.result);
+  page.set("has_stiffness", !stiffnesses.empty());
+  page.set("stiffness", stiffnesses);
   const List boundaries = boundary_rows(entry);
   page.set("has_boundaries", !boundaries.empty());
   page.set("boundaries", boundaries);

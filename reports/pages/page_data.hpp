@@ -55,6 +55,11 @@ kainjow::mustache::list certified_rows(const ReportEntry& entry);
 /// realisation 0; the list is empty if one of them is missing.
 kainjow::mustache::list boundary_rows(const ReportEntry& entry);
 
+/// Lists the stiffness of the contact and the centre of pressure, at each
+/// converged load step of realisation 0 that has a stiffness or whose centre is
+/// more than 1e-6 of the side off the middle.
+kainjow::mustache::list stiffness_rows(const results::Result& result);
+
 /// Lists the cost of each finite-element method and of the half-space method if
 /// one of them solved a full 3-D block; otherwise the list is empty.
 kainjow::mustache::list block_cost_rows(const results::Result& result);

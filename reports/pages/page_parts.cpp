@@ -87,6 +87,8 @@ kainjow::mustache::list contents_of(const Value& page) {
   add_content(contents, "methods" + suffix, "Comparison and cost");
   if (first.get("has_published")->is_true())
     add_content(contents, "published" + suffix, "Published values");
+  if (first.get("has_stiffness")->is_true())
+    add_content(contents, "stiffness" + suffix, "Stiffness");
   for (const Value& group : page.get("groups")->list_value())
     add_content(contents, group.get("anchor")->string_value(),
                 group.get("heading")->string_value());

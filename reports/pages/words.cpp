@@ -23,8 +23,10 @@ std::string kind_words(const mechanics::SurfaceSpec& surface) {
   case SurfaceKind::sphere:
     return fmt::format("sphere of radius {:.6g} µm", surface.radius * 1e6);
   case SurfaceKind::punch:
-    return fmt::format("flat punch of radius {:.6g} µm, tilted by {:.3g}",
-                       surface.radius * 1e6, surface.tilt);
+    return fmt::format("flat punch of radius {:.6g} µm", surface.radius * 1e6) +
+           (surface.tilt == 0.0
+                ? ""
+                : fmt::format(", tilted by {:.3g}", surface.tilt));
   case SurfaceKind::wave_1d:
     return fmt::format("one-dimensional wave, amplitude {:.4g} nm, length "
                        "{:.4g} µm",

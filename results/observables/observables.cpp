@@ -113,6 +113,29 @@ double isotropic_perimeter(double contact_perimeter) {
   return 0.25 * std::numbers::pi * contact_perimeter;
 }
 
+PressureCentre pressure_centre(const Grid& grid,
+                               std::span<const double> pressure,
+                               std::span<const double> weights,
+                               const SharedRows* rows) {
+  const int first_row = rows != nullptr ? rows->first() : 0;
+  const std::size_t size = rows != nullptr ? rows->size() : grid.size();
+  require_size("pressure", pressure.size(), size);
+  const auto nx = static_cast<std::size_t>(grid.points_x);
+  const auto mean_of = [&](auto lever_of) {
+    return mean_over(size, weights, rows, [&](std::size_t i) {
+      return pressure[i] * lever_of(static_cast<int>(i % nx),
+                                    first_row + static_cast<int>(i / nx));
+    });
+  };
+  const double mean = mean_of([](int, int) { return 1.0; });
+  if (!(mean > 0.0))
+    return {};
+  return {grid.spacing_x() / mean *
+              mean_of([&](int ix, int) { return ix - grid.points_x / 2; }),
+          grid.spacing_y() / mean *
+              mean_of([&](int, int iy) { return iy - grid.points_y / 2; })};
+}
+
 double elastic_energy(std::span<const double> pressure,
                       std::span<const double> displacement,
                       std::span<const double> weights, const SharedRows* rows) {

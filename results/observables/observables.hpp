@@ -82,6 +82,23 @@ double contact_perimeter(const Grid& grid, std::span<const double> pressure,
 /// curve whose representation on the grid has the length S_d.
 double isotropic_perimeter(double contact_perimeter);
 
+/// The place (x, y) of the resultant force of a pressure.
+struct PressureCentre {
+  double x = Observed::none; ///< [m] from the middle of the map
+  double y = Observed::none; ///< [m]
+};
+
+/// Returns the centre of pressure, sum w p x / sum w p, from the middle of the
+/// map: the node (points_x / 2, points_y / 2), where shapes have their axis.
+/// The moment of the load about the middle is the force times this lever.
+/// @param pressure  [Pa] >= 0
+/// @return          NaN where no node is under pressure
+/// @throws std::domain_error  the size of a map is wrong
+PressureCentre pressure_centre(const Grid& grid,
+                               std::span<const double> pressure,
+                               std::span<const double> weights = {},
+                               const SharedRows* rows = nullptr);
+
 /// Returns U/A_0 = <p w>/2, the elastic energy of the block due to the contact
 /// pressure.
 /// @param pressure      [Pa]

@@ -69,6 +69,8 @@ constexpr std::array all_columns{
     column<&CurvePoint::memory>("memory", "bytes"),
     column<&CurvePoint::normal_stiffness>("normal_stiffness", "N/m"),
     column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m"),
+    column<&CurvePoint::pressure_centre_x>("pressure_centre_x", "m", any),
+    column<&CurvePoint::pressure_centre_y>("pressure_centre_y", "m", any),
     column<&CurvePoint::von_mises>("von_mises", "Pa"),
     column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged",

@@ -50,6 +50,10 @@ struct CurvePoint {
   double memory = not_given;           ///< matrix and preconditioner [bytes]
   double normal_stiffness = not_given; ///< of the contact, full 3-D block [N/m]
   double tangential_stiffness = not_given; ///< likewise, nodes that stick [N/m]
+  /// Place of the resultant force from the middle of the surface [m]; NaN: the
+  /// surface continues periodically and has no middle, or without contact.
+  double pressure_centre_x = not_given;
+  double pressure_centre_y = not_given;
   double von_mises = not_given;       ///< maximum in the full 3-D block [Pa]
   double von_mises_depth = not_given; ///< depth of this maximum [m]
   StepStatus status = StepStatus::converged;

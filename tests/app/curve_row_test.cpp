@@ -20,7 +20,8 @@ using PressureAt = std::function<double(int node)>;
 
 /// The row of a solution with these pressures [Pa] and a gap of 1 nm where they
 /// are 0.
-results::CurvePoint row_of(const PressureAt& pressure_at) {
+results::CurvePoint row_of(const PressureAt& pressure_at,
+                           bool has_middle = false) {
   SurfaceOfCase surface;
   surface.record.grid = {points, points, 1e-6, 1e-6};
   surface.scales.rms_height = 1e-9;
@@ -32,7 +33,14 @@ results::CurvePoint row_of(const PressureAt& pressure_at) {
   }
   solution.converged = true;
   return observe(std::move(solution),
-                 {{}, 0.0, results::halfspace_area_coefficients, 1e9}, surface)
+                 {{},
+                  0.0,
+                  results::halfspace_area_coefficients,
+                  1e9,
+                  true,
+                  results::Border::periodic,
+                  has_middle},
+                 surface)
       .row;
 }
 
@@ -70,6 +78,15 @@ TEST(CurveRow, OfAnyFieldsIsARow) {
           << row.note;
     }
   }
+}
+
+// Only a surface with a middle has a centre of pressure.
+TEST(CurveRow, HasTheCentreOfPressureOfAShape) {
+  const auto one = [](int node) { return node == 7 ? 1e6 : 0.0; };
+
+  EXPECT_DOUBLE_EQ(row_of(one, true).pressure_centre_x, -1e-6 / points);
+  EXPECT_DOUBLE_EQ(row_of(one, true).pressure_centre_y, -0.5e-6);
+  EXPECT_TRUE(std::isnan(row_of(one, false).pressure_centre_x));
 }
 
 // Verifies the text of the note; a row without a missing number has none.

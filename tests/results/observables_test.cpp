@@ -133,6 +133,30 @@ TEST(NodalWeights, OfRoundedSumsGiveNoAreaAboveOne) {
   EXPECT_EQ(counted_area_fraction(pressure, weights), 1.0);
 }
 
+// The lever of a force is the mean place of its pressure, from the node in the
+// middle. Two nodes carry 1 and 3 units; weights count a node by its area.
+TEST(PressureCentre, IsTheMeanPlaceOfThePressure) {
+  const Grid grid{8, 4, 4.0, 1.0}; // cells of 0.5 m x 0.25 m, middle (4, 2)
+  std::vector<double> pressure(32, 0.0);
+  pressure[grid.index(4, 2)] = 1.0;
+  pressure[grid.index(6, 1)] = 3.0;
+  std::vector<double> weights(32, 1.0);
+  weights[grid.index(6, 1)] = 1.0 / 3.0;
+
+  EXPECT_DOUBLE_EQ(pressure_centre(grid, pressure).x, 0.75 * 2 * 0.5);
+  EXPECT_DOUBLE_EQ(pressure_centre(grid, pressure).y, -0.75 * 0.25);
+  EXPECT_DOUBLE_EQ(pressure_centre(grid, pressure, weights).x, 0.5 * 2 * 0.5);
+}
+
+TEST(PressureCentre, IsNotDeterminedWithoutContact) {
+  const Grid grid{4, 4, 1.0, 1.0};
+
+  EXPECT_TRUE(
+      std::isnan(pressure_centre(grid, std::vector<double>(16, 0.0)).x));
+  EXPECT_THROW(pressure_centre(grid, std::vector<double>(15, 0.0)),
+               std::domain_error);
+}
+
 TEST(MapSizes, AreCheckedByName) {
   const Grid grid{4, 4, 1.0, 1.0};
   const std::vector<double> pressure(15, 1.0);

@@ -39,7 +39,7 @@ Maps patchy(const Grid& grid) {
 
 struct Numbers {
   double mean, area, perimeter, corrected, elastic, contact, fit, variance,
-      moment;
+      moment, centre_x, centre_y;
 
   bool operator==(const Numbers&) const = default;
 };
@@ -56,6 +56,7 @@ Observed corrected(const Grid& grid, const Maps& maps, double modulus,
 Numbers observed(const Grid& grid, const Maps& maps, const SharedRows* rows) {
   const std::vector<double>& p = maps.pressure;
   const PressureFit fit = fit_pressure_distribution(p, {}, rows);
+  const PressureCentre centre = pressure_centre(grid, p, {}, rows);
   return {weighted_mean(maps.displacement, {}, rows),
           counted_area_fraction(p, {}, rows),
           contact_perimeter(grid, p, Border::periodic, rows),
@@ -64,7 +65,9 @@ Numbers observed(const Grid& grid, const Maps& maps, const SharedRows* rows) {
           contact_energy(p, 0.7, {}, rows),
           fit.area_fraction,
           fit.variance,
-          pressure_fit_by_moment(p, {}, rows).area_fraction};
+          pressure_fit_by_moment(p, {}, rows).area_fraction,
+          centre.x,
+          centre.y};
 }
 
 Maps rows_in(const SharedRows& rows, const Maps& maps) {

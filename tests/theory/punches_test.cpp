@@ -68,12 +68,39 @@ TEST(Punches, ArePointLoadsFarAway) {
   }
 }
 
+// A tilted end has the pressure (2 E* angle/pi) x/sqrt(a^2 - r^2) (Johnson,
+// Sec. 3.8), whose moment is the integral of x p over the end: after that over
+// the angle, 2 E* angle times the integral of r^3/sqrt(a^2 - r^2), here by
+// quadrature. Its edge lifts where this exceeds the pressure of the load, at an
+// approach of 2 a angle. Tolerance: that of a root singularity.
+TEST(Punches, HaveTheMomentOfTheirPressure) {
+  const double a = 1e-3, angle = 1e-4;
+  const FlatPunch punch(a, modulus);
+  boost::math::quadrature::tanh_sinh<double> quadrature;
+  const double integral = quadrature.integrate(
+      [&](double r, double from_end) {
+        return r * r * r /
+               std::sqrt((a + r) * (r < 0.5 * a ? a - r : std::abs(from_end)));
+      },
+      0.0, a);
+  const double least = 2.0 * modulus * a * 2.0 * a * angle; // load
+  const double edge = 0.999 * a;
+
+  EXPECT_NEAR(punch.moment(angle) / (2.0 * modulus * angle * integral), 1.0,
+              1e-7);
+  EXPECT_NEAR(punch.pressure(least, edge) /
+                  (2.0 * modulus * angle / std::numbers::pi * a /
+                   std::sqrt(a * a - edge * edge)),
+              1.0, 1e-12);
+}
+
 TEST(Punches, RefuseWhatIsOutsideTheirRange) {
   EXPECT_THROW(FlatPunch(0.0, 1.0), std::domain_error);
   EXPECT_THROW(Cone(-0.1, 1.0), std::domain_error);
   EXPECT_THROW(Cone(0.1, 1.0).contact(-1.0), std::domain_error);
   EXPECT_NO_THROW(FlatPunch(1.0, 1.0).contact(-1.0));
   EXPECT_THROW(FlatPunch(1.0, 1.0).pressure(1.0, -1.0), std::domain_error);
+  EXPECT_THROW(FlatPunch(1.0, 1.0).moment(NAN), std::domain_error);
 }
 
 } // namespace

@@ -38,6 +38,13 @@ double FlatPunch::displacement(double load, double radius) const {
   return 2.0 / pi * approach * std::asin(punch_radius_ / radius);
 }
 
+double FlatPunch::moment(double angle) const {
+  if (!std::isfinite(angle))
+    refuse_argument("angle", angle, "finite [rad]");
+  return 4.0 / 3.0 * contact_modulus_ * punch_radius_ * punch_radius_ *
+         punch_radius_ * angle;
+}
+
 Cone::Cone(double slope, double contact_modulus)
     : slope_(slope), contact_modulus_(contact_modulus) {
   require_positive("slope", slope, "1");

@@ -32,6 +32,12 @@ public:
   /// Surface displacement delta for r <= a, (2 delta/pi) asin(a/r) outside [m].
   double displacement(double load, double radius) const;
 
+  /// Moment about the middle of its end under which it tilts by a small angle,
+  /// (4/3) E* a^3 angle [N m]. The whole end stays in contact while the
+  /// approach is at least 2 a |angle|.
+  /// @param angle  [rad], finite
+  double moment(double angle) const;
+
 private:
   double punch_radius_;
   double contact_modulus_;
