@@ -17,10 +17,12 @@ namespace asperity::app {
 
 /// The kinds of entries, used as file name extensions.
 namespace entry_kind {
-inline constexpr const char* step = "step";   ///< row, saved fields
-inline constexpr const char* state = "state"; ///< restart state
-inline constexpr const char* table = "table"; ///< table of a study
-inline constexpr const char* face = "face";   ///< surface operator
+inline constexpr const char* step = "step";     ///< row, saved fields
+inline constexpr const char* state = "state";   ///< restart state
+inline constexpr const char* table = "table";   ///< table of a study
+inline constexpr const char* face = "face";     ///< surface operator
+inline constexpr const char* output = "output"; ///< list of a run's files
+inline constexpr const char* file = "file";     ///< one of them
 } // namespace entry_kind
 
 /// A size-limited store of byte strings. An entry is written to a temporary

@@ -64,8 +64,16 @@ EndedRun run_one(const cases::Case& contact_case, const RunOptions& options,
   return ended;
 }
 
-/// Runs a case unless its folder already holds what the run would write.
-/// Without the cache or a report it is run in any case.
+int n_steps_of(const results::Result& result) {
+  std::size_t steps = 0;
+  for (const results::MethodRecord& method : result.methods)
+    for (const results::Curve& curve : method.realizations)
+      steps += curve.points.size();
+  return static_cast<int>(steps);
+}
+
+/// Runs a case unless its folder or the cache already holds what the run would
+/// write. Without the cache or a report it is run in any case.
 ExitCode run_if_needed(const cases::Case& contact_case,
                        const RunOptions& options, const RunCommand& command) {
   if (!options.cache->is_on() || command.no_report)
@@ -79,9 +87,19 @@ ExitCode run_if_needed(const cases::Case& contact_case,
     return print_findings(summary_of(results::read_result(options.folder)),
                           options.folder);
   }
+  if (const auto files =
+          options.resume ? std::nullopt : cached_output(key, *options.cache)) {
+    fmt::print("{}: {}\n", contact_case.name, contact_case.title);
+    put_last_run_aside(options.folder);
+    write_output(options.folder, *files);
+    const results::Result result = results::read_result(options.folder);
+    fmt::print("{0} steps: 0 computed, {0} from the cache, with the report\n",
+               n_steps_of(result));
+    return print_findings(summary_of(result), options.folder);
+  }
   const EndedRun ended = run_one(contact_case, options, false, command.has_pdf);
   if (ended.is_complete)
-    record_output(options.folder, key);
+    record_output(options.folder, key, *options.cache);
   return ended.exit_code;
 }
 

@@ -3,13 +3,17 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "base/atomic_file.hpp"
+#include "base/child_process.hpp"
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <cstdint>
-#include <map>
+#include <fstream>
+#include <system_error>
 
 namespace asperity::app {
 namespace {
@@ -19,8 +23,23 @@ using Json = nlohmann::json;
 
 constexpr const char* list_name = "output.json";
 
+/// Largest part of the cache that one output may take: maps on large grids
+/// would replace the steps of many other cases.
+constexpr std::uintmax_t smallest_number_of_outputs = 10;
+
 std::string hash_of_file(const fs::path& file) {
   return content_hash(read_file(file, INT64_MAX));
+}
+
+/// Identifies the program that draws the figures: equal texts draw equal bytes.
+std::string drawing_program() {
+  const fs::path path = program_on_path("gnuplot");
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  const auto changed = fs::last_write_time(path, error);
+  return error ? "none"
+               : fmt::format("{} {} {}", path.string(), size,
+                             changed.time_since_epoch().count());
 }
 
 bool is_listed(const fs::path& file) {
@@ -35,9 +54,9 @@ std::string output_key(const cases::Case& contact_case,
                        const RunOptions& options, const std::string& extras) {
   // Cache keys leave out what a report shows: its program, titles, comments and
   // expectations.
-  std::string text = hash_of_file("/proc/self/exe") + "\n" + extras + "\n" +
-                     contact_case.name + "\n" + contact_case.text + "\n" +
-                     options.reference + "\n";
+  std::string text = hash_of_file("/proc/self/exe") + "\n" + drawing_program() +
+                     "\n" + extras + "\n" + contact_case.name + "\n" +
+                     contact_case.text + "\n" + options.reference + "\n";
   const CaseKeys keys(contact_case, program_identity());
   for (const cases::MethodSpec& method :
        chosen_methods(contact_case, options.methods, options.is_exact)) {
@@ -48,17 +67,30 @@ std::string output_key(const cases::Case& contact_case,
   return content_hash(text);
 }
 
-void record_output(const fs::path& folder, const std::string& key) {
+void record_output(const fs::path& folder, const std::string& key,
+                   Cache& cache) {
   std::map<std::string, std::string> hashes;
+  std::uintmax_t size = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && is_listed(entry.path()))
-      hashes[fs::relative(entry.path(), folder).string()] =
-          hash_of_file(entry.path());
+    if (entry.is_regular_file() && is_listed(entry.path())) {
+      size += entry.file_size();
+      hashes[fs::relative(entry.path(), folder).string()] = "";
+    }
+  const bool fits = size <= cache.most_bytes() / smallest_number_of_outputs;
+  for (auto& [file, hash] : hashes) {
+    const std::string bytes = read_file(folder / file, INT64_MAX);
+    hash = content_hash(bytes);
+    if (fits && !cache.has(hash, entry_kind::file))
+      cache.write(hash, entry_kind::file, bytes);
+  }
   const Json list = {{"format", "asperity-output"},
                      {"format_version", 1},
                      {"key", key},
                      {"sha256", hashes}};
-  write_file_atomically(folder / list_name, list.dump(2) + "\n");
+  const std::string text = list.dump(2) + "\n";
+  write_file_atomically(folder / list_name, text);
+  if (fits)
+    cache.write(key, entry_kind::output, text);
 }
 
 bool has_output(const fs::path& folder, const std::string& key) {
@@ -76,6 +108,38 @@ bool has_output(const fs::path& folder, const std::string& key) {
     return false; // edited by hand
   } catch (const FileError&) {
     return false; // a file is missing
+  }
+}
+
+std::optional<OutputFiles> cached_output(const std::string& key, Cache& cache) {
+  const std::optional<std::string> text = cache.read(key, entry_kind::output);
+  if (!text)
+    return std::nullopt;
+  OutputFiles files;
+  const Json list = Json::parse(*text);
+  for (const auto& [file, hash] : list.at("sha256").items()) {
+    std::optional<std::string> bytes =
+        cache.read(hash.get<std::string>(), entry_kind::file);
+    if (!bytes)
+      return std::nullopt;
+    files[file] = std::move(*bytes);
+  }
+  files[list_name] = *text;
+  return files;
+}
+
+void write_output(const fs::path& folder, const OutputFiles& files) {
+  for (const auto& [file, bytes] : files) {
+    const fs::path path = folder / file;
+    fs::create_directories(path.parent_path());
+    const fs::path part = temporary_beside(path);
+    std::ofstream stream(part, std::ios::binary);
+    stream << bytes;
+    stream.close();
+    if (!stream)
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot write " + part.string());
+    fs::rename(part, path);
   }
 }
 

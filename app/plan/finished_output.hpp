@@ -1,31 +1,50 @@
 #pragma once
 
-// Recognises a run whose output is already in its folder, so that nothing is
-// read from the cache, written or drawn again. This file defines what
-// determines that output and the list of its files, output.json.
+// Recognises a run whose output is already in its folder or in the cache, so
+// that nothing is computed or drawn again. This file defines what determines
+// that output and the list of its files, output.json.
 
+#include "app/cache/cache.hpp"
 #include "app/plan/run_options.hpp"
 #include "cases/types/case.hpp"
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 
 namespace asperity::app {
 
 /// A hash of everything that determines the files of a run: the program itself,
-/// the processor, the case with its files, the methods and `extras`.
+/// gnuplot, the processor, the case with its files, the methods and `extras`.
 /// @param extras  options of the command beyond those of the run
 /// @throws input::InputError  a file of the case cannot be read
 std::string output_key(const cases::Case& contact_case,
                        const RunOptions& options, const std::string& extras);
 
 /// Lists the files in the folder of a completed run with their hashes in
-/// output.json. Hidden files and the previous result are left out.
+/// output.json, and saves list and files in the cache unless together they are
+/// larger than a tenth of its size limit. Hidden files and the previous result
+/// are left out.
 /// @throws std::system_error, FileError  a file cannot be read or written
-void record_output(const std::filesystem::path& folder, const std::string& key);
+void record_output(const std::filesystem::path& folder, const std::string& key,
+                   Cache& cache);
 
 /// Whether the folder holds every file of a completed run with this key, byte
 /// for byte.
 bool has_output(const std::filesystem::path& folder, const std::string& key);
+
+/// The bytes of each file of a run, by its path in the output folder.
+using OutputFiles = std::map<std::string, std::string>;
+
+/// Returns the files of a completed run with this key, output.json among them;
+/// nothing unless the cache has all of them.
+std::optional<OutputFiles> cached_output(const std::string& key, Cache& cache);
+
+/// Writes the files into the folder, without waiting for the disk: after a
+/// power failure has_output() finds those that are incomplete.
+/// @throws std::system_error  a file cannot be written
+void write_output(const std::filesystem::path& folder,
+                  const OutputFiles& files);
 
 } // namespace asperity::app

@@ -1,7 +1,10 @@
 // Tests of the program with a cache: a second run, a killed one, two at once.
 // The numbers must not depend on the cache.
+#include "base/content_hash.hpp"
+
 #include <cstdio>
 #include <future>
+#include <map>
 
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
@@ -141,6 +144,90 @@ TEST_F(CachedProgram, AnUnchangedFolderIsKept) {
   EXPECT_NE(second.output.find(first.output.substr(findings)),
             std::string::npos)
       << second.output;
+}
+
+/// The bytes of all files under a folder by their relative paths.
+std::map<std::string, std::string> files_in(const std::filesystem::path& top) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(top))
+    if (entry.is_regular_file())
+      files[std::filesystem::relative(entry.path(), top).string()] =
+          text_of(entry.path());
+  return files;
+}
+
+bool is_restored(const Ended& run) {
+  return run.output.find(" from the cache, with the report") !=
+         std::string::npos;
+}
+
+// A deleted folder comes back byte for byte, with findings and exit code, and
+// the figures are those that a run without the cache draws.
+TEST_F(CachedProgram, ADeletedFolderIsRestored) {
+  write("small.toml",
+        small_case +
+            "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n");
+  const Ended first = run("run small.toml --out o");
+  ASSERT_EQ(first.exit_code, 1) << first.output;
+  const auto written = files_in(folder / "o");
+  std::filesystem::remove_all(folder / "o");
+
+  const Ended second = run("run small.toml --out o");
+
+  EXPECT_TRUE(is_restored(second)) << second.output;
+  EXPECT_EQ(computed(second), 0);
+  EXPECT_EQ(second.exit_code, 1);
+  EXPECT_TRUE(files_in(folder / "o") == written);
+  const std::size_t findings = first.output.find("kappa ");
+  ASSERT_NE(findings, std::string::npos);
+  EXPECT_NE(second.output.find(first.output.substr(findings)),
+            std::string::npos)
+      << second.output;
+  ASSERT_EQ(run("run small.toml --no-cache --out whole").exit_code, 1);
+  int figures = 0;
+  for (const auto& [file, bytes] : files_in(folder / "whole"))
+    if (file.starts_with("figures/") && !file.starts_with("figures/cost")) {
+      EXPECT_TRUE(written.at(file) == bytes) << file;
+      ++figures;
+    }
+  EXPECT_GT(figures, 0);
+}
+
+// The folder of another run is not mixed with the files that are restored, and
+// a file that the cache has lost is drawn or written again.
+TEST_F(CachedProgram, ARestoredFolderIsWhole) {
+  const std::string theory = "run small.toml --methods theory --out ";
+  ASSERT_EQ(run(theory + "o").exit_code, 0);
+  const auto written = files_in(folder / "o");
+  ASSERT_EQ(run("run small.toml --set report.fields=2 --out p").exit_code, 0);
+
+  EXPECT_TRUE(is_restored(run(theory + "p")));
+
+  auto other = files_in(folder / "p");
+  EXPECT_EQ(other.erase("result.previous.h5"), 1U);
+  EXPECT_TRUE(other == written);
+
+  ASSERT_TRUE(std::filesystem::remove(
+      folder / "cache" / (content_hash(written.at("report.html")) + ".file")));
+  const Ended again = run(theory + "q");
+  EXPECT_FALSE(is_restored(again)) << again.output;
+  EXPECT_EQ(computed(again), 0);
+  EXPECT_EQ(again.exit_code, 0);
+}
+
+// An output that is larger than a tenth of the cache would displace the steps
+// of other cases. Here the limit is 150 kB and the page alone is larger than a
+// tenth of it.
+TEST_F(CachedProgram, ALargeOutputIsNotSaved) {
+  const std::string limited = "ASPERITY_CACHE_SIZE=150kB";
+  const std::string theory = "run small.toml --methods theory --out ";
+  ASSERT_EQ(run(theory + "o", limited).exit_code, 0);
+  ASSERT_GT(std::filesystem::file_size(folder / "o/report.html"), 15000U);
+
+  const Ended again = run(theory + "p", limited);
+
+  EXPECT_FALSE(is_restored(again)) << again.output;
+  EXPECT_EQ(computed(again), 0);
 }
 
 // Whatever the files of the folder depend on, or a file itself, changes.
