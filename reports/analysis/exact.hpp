@@ -1,8 +1,9 @@
 #pragma once
 
 // This file compares numerical solutions with exact contact solutions for the
-// shapes that have one: the sphere (Hertz), the 1-D wave (Westergaard) and the
-// 2-D wave (its two limits and, between them, the table of the theory module).
+// shapes that have one: the sphere (Hertz), the punch, the 1-D wave
+// (Westergaard) and the 2-D wave (its two limits and, between them, the table
+// of the theory module).
 
 #include "reports/analysis/summary.hpp"
 
@@ -43,5 +44,16 @@ void add_exact_quantities(const results::Result& result,
                           const cases::Case& contact_case,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
+
+/// Adds, if the method has found them, normal_stiffness_error and
+/// tangential_stiffness_error for a sphere and an upright punch on a clamped
+/// periodic block, after the correction for the strain of the block and the
+/// other contacts (theory/exact/contact_stiffness.hpp), and moment_error for a
+/// tilted punch whose whole end is in contact. Each is the largest relative
+/// error over the converged loading rows.
+void add_stiffness_quantities(const results::Result& result,
+                              const cases::Case& contact_case,
+                              const results::MethodRecord& method,
+                              MethodSummary& summary);
 
 } // namespace asperity::reports

@@ -1,5 +1,3 @@
-#include "reports/analysis/stiffness_quantities.hpp"
-
 #include "reports/analysis/exact.hpp"
 #include "theory/exact/contact_stiffness.hpp"
 #include "theory/exact/punches.hpp"

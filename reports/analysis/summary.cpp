@@ -4,7 +4,6 @@
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/rough.hpp"
-#include "reports/analysis/stiffness_quantities.hpp"
 #include "reports/analysis/study_quantities.hpp"
 #include "reports/analysis/verdict.hpp"
 

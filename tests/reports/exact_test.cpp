@@ -1,7 +1,6 @@
 // Tests of reports/analysis/exact.hpp: curves from textbook formulas, which are
 // written out here, have no error; a known offset is the error that is found.
 #include "reports/analysis/exact.hpp"
-#include "reports/analysis/stiffness_quantities.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 
