@@ -183,13 +183,23 @@ void PairTransforms<Real>::join(const Complex* columns, std::size_t first,
 }
 
 template <class Real>
-void PairTransforms<Real>::convolve(Complex* columns,
-                                    const Real* multiplier) const {
+void PairTransforms<Real>::transform_columns(Complex* columns) const {
   Plans::Library::columns(plans_->columns, as_fftw(columns), as_fftw(columns));
-  for (std::size_t i = 0; i < block_width * column_stride_; ++i)
-    columns[i] *= multiplier[i];
+}
+
+template <class Real>
+void PairTransforms<Real>::transform_columns_back(Complex* columns) const {
   Plans::Library::columns(plans_->columns_back, as_fftw(columns),
                           as_fftw(columns));
+}
+
+template <class Real>
+void PairTransforms<Real>::convolve(Complex* columns,
+                                    const Real* multiplier) const {
+  transform_columns(columns);
+  for (std::size_t i = 0; i < block_width * column_stride_; ++i)
+    columns[i] *= multiplier[i];
+  transform_columns_back(columns);
 }
 
 template <class Real>

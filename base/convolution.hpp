@@ -68,6 +68,12 @@ public:
   void join(const Complex* columns, std::size_t first, std::size_t n,
             std::size_t stride, Complex* spectrum) const;
 
+  /// Transforms a block of block_width * column_stride() values.
+  void transform_columns(Complex* columns) const;
+
+  /// The inverse, without a factor.
+  void transform_columns_back(Complex* columns) const;
+
   /// Transforms a block of columns, multiplies and transforms back.
   /// @param columns     block_width * column_stride() values
   /// @param multiplier  as many values

@@ -142,23 +142,88 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
                                         const Take& take,
                                         std::span<Real> answer) {
   assert(field.size() == rows_.size() && answer.size() == rows_.size());
+  Complex* const spectrum = prepared(answer);
+  const std::size_t stride = transforms_->column_stride();
+  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  const std::size_t block_size = block_width * stride;
+  multipliers_.resize(static_cast<std::size_t>(threads_) * block_size);
+  transforms_->forward(field, threads_, pairs_.data(), spectrum);
+  each_round(spectrum, {},
+             [&](std::size_t first, std::size_t n, Complex* columns,
+                 std::size_t worker) {
+               Real* const multipliers = &multipliers_[worker * block_size];
+               for (std::size_t k = 0; k < n; ++k) {
+                 Real* const column = multipliers + k * stride;
+                 take(first + k, column);
+                 for (std::size_t jy = half_height(); jy < height; ++jy)
+                   column[jy] = column[height - jy];
+               }
+               transforms_->convolve(columns, multipliers);
+             });
+  transforms_->backward(spectrum, threads_, pairs_.data(), answer);
+}
+
+template <class Real>
+void SharedConvolution<Real>::synthesise(const FillColumn& fill,
+                                         std::span<Real> answer) {
+  assert(answer.size() == rows_.size());
+  Complex* const spectrum = prepared(answer);
+  const std::size_t stride = transforms_->column_stride();
+  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  each_round(
+      spectrum, {false, true},
+      [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+        std::fill(columns, columns + block_width * stride, Complex{});
+        for (std::size_t k = 0; k < n; ++k)
+          fill(static_cast<int>(this->columns().first + first + k),
+               {columns + k * stride, height});
+        transforms_->transform_columns_back(columns);
+      });
+  transforms_->backward(spectrum, threads_, pairs_.data(), answer);
+}
+
+template <class Real>
+void SharedConvolution<Real>::analyse(std::span<const Real> field,
+                                      const TakeColumn& take) {
+  assert(field.size() == rows_.size());
+  Complex* const spectrum = prepared({});
+  const std::size_t stride = transforms_->column_stride();
+  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  transforms_->forward(field, threads_, pairs_.data(), spectrum);
+  each_round(
+      spectrum, {true, false},
+      [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+        transforms_->transform_columns(columns);
+        for (std::size_t k = 0; k < n; ++k)
+          take(static_cast<int>(this->columns().first + first + k),
+               {columns + k * stride, height});
+      });
+}
+
+template <class Real>
+auto SharedConvolution<Real>::prepared(std::span<Real> answer) -> Complex* {
   const auto workers = static_cast<std::size_t>(threads_);
   const std::size_t most = blocks_a_round_ * block_width;
   std::size_t all_rows = 0;
   for (std::size_t r = 0; r < n_ranks_; ++r)
     all_rows += padded_rows(r);
-  Complex* spectrum = memory_of(answer);
-  if (spectrum == nullptr) {
-    spectrum_.resize(transforms_->spectrum_size());
-    spectrum = spectrum_.data();
-  }
   pairs_.resize(workers * transforms_->pair_stride());
   columns_.resize(workers * block_width * transforms_->column_stride());
-  multipliers_.resize(columns_.size());
   by_rows_.resize(n_ranks_ * most * padded_rows(own_));
   by_ranks_.resize(most * all_rows);
+  // FFTW plans for arrays on 16-byte boundaries.
+  const bool is_aligned =
+      reinterpret_cast<std::uintptr_t>(answer.data()) % 16 == 0;
+  if (is_dense_ && is_aligned && !answer.empty())
+    return reinterpret_cast<Complex*>(answer.data());
+  spectrum_.resize(transforms_->spectrum_size());
+  return spectrum_.data();
+}
 
-  transforms_->forward(field, threads_, pairs_.data(), spectrum);
+template <class Real>
+template <class Change>
+void SharedConvolution<Real>::each_round(Complex* spectrum, const Ways& ways,
+                                         const Change& change) {
   std::vector<std::size_t> sent(n_ranks_), received(n_ranks_);
   for (std::size_t round = 0; round < n_rounds_; ++round) {
     const Blocks own = blocks_of(own_, round);
@@ -167,33 +232,26 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
                 sizeof(Complex);
       received[r] = own.count * block_width * padded_rows(r) * sizeof(Complex);
     }
-    each_block(round, [&](std::size_t block, Complex* columns) {
-      transforms_->separate(spectrum, block * block_width, columns_in(block),
-                            padded_rows(own_), columns);
-    });
     const std::span<std::byte> rows_side =
         std::as_writable_bytes(std::span(by_rows_));
     const std::span<std::byte> ranks_side =
         std::as_writable_bytes(std::span(by_ranks_));
-    rows_.ranks()->exchange(rows_side, sent, ranks_side, received);
-    convolve_own(own, take);
-    rows_.ranks()->exchange(ranks_side, received, rows_side, sent);
-    each_block(round, [&](std::size_t block, Complex* columns) {
-      transforms_->join(columns, block * block_width, columns_in(block),
-                        padded_rows(own_), spectrum);
-    });
+    if (ways.from_rows) {
+      each_block(round, [&](std::size_t block, Complex* columns) {
+        transforms_->separate(spectrum, block * block_width, columns_in(block),
+                              padded_rows(own_), columns);
+      });
+      rows_.ranks()->exchange(rows_side, sent, ranks_side, received);
+    }
+    change_own(own, ways, change);
+    if (ways.to_rows) {
+      rows_.ranks()->exchange(ranks_side, received, rows_side, sent);
+      each_block(round, [&](std::size_t block, Complex* columns) {
+        transforms_->join(columns, block * block_width, columns_in(block),
+                          padded_rows(own_), spectrum);
+      });
+    }
   }
-  transforms_->backward(spectrum, threads_, pairs_.data(), answer);
-}
-
-template <class Real>
-auto SharedConvolution<Real>::memory_of(std::span<Real> answer) const
-    -> Complex* {
-  // FFTW plans for arrays on 16-byte boundaries.
-  const bool is_aligned =
-      reinterpret_cast<std::uintptr_t>(answer.data()) % 16 == 0;
-  return is_dense_ && is_aligned ? reinterpret_cast<Complex*>(answer.data())
-                                 : nullptr;
 }
 
 template <class Real>
@@ -222,39 +280,33 @@ void SharedConvolution<Real>::each_block(std::size_t round,
 }
 
 template <class Real>
-template <class Take>
-void SharedConvolution<Real>::convolve_own(const Blocks& own,
-                                           const Take& take) {
+template <class Change>
+void SharedConvolution<Real>::change_own(const Blocks& own, const Ways& ways,
+                                         const Change& change) {
   const std::size_t stride = transforms_->column_stride();
-  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
   parallel_turns(
-      static_cast<int>(own.count), threads_, [&](int turn, int worker) {
+      static_cast<int>(own.count), threads_, [&](int turn, int worker_number) {
         const auto block = static_cast<std::size_t>(turn);
+        const auto worker = static_cast<std::size_t>(worker_number);
         const std::size_t n = columns_in(own.first + block);
-        Complex* const columns =
-            &columns_[static_cast<std::size_t>(worker) * block_width * stride];
-        each_piece(block, own.count, n,
-                   [&](Complex* piece, std::size_t at, std::size_t rows) {
-                     std::copy_n(piece, rows, columns + at);
-                   });
-        std::fill(columns + n * stride, columns + block_width * stride,
-                  Complex{});
-        const std::size_t first =
-            (own.first - first_blocks_[own_] + block) * block_width;
-        Real* const multipliers =
-            &multipliers_[static_cast<std::size_t>(worker) * block_width *
-                          stride];
-        for (std::size_t k = 0; k < n; ++k) {
-          Real* const column = multipliers + k * stride;
-          take(first + k, column);
-          for (std::size_t jy = half_height(); jy < height; ++jy)
-            column[jy] = column[height - jy];
+        Complex* const columns = &columns_[worker * block_width * stride];
+        if (ways.from_rows) {
+          each_piece(block, own.count, n,
+                     [&](Complex* piece, std::size_t at, std::size_t rows) {
+                       std::copy_n(piece, rows, columns + at);
+                     });
+          std::fill(columns + n * stride, columns + block_width * stride,
+                    Complex{});
         }
-        transforms_->convolve(columns, multipliers);
-        each_piece(block, own.count, n,
-                   [&](Complex* piece, std::size_t at, std::size_t rows) {
-                     std::copy_n(columns + at, rows, piece);
-                   });
+        change((own.first - first_blocks_[own_] + block) * block_width, n,
+               columns, worker);
+        if (ways.to_rows)
+          each_piece(block, own.count, n,
+                     [&](Complex* piece, std::size_t at, std::size_t rows) {
+                       std::copy_n(columns + at, rows, piece);
+                       if (rows % 2 != 0) // the row that completes a pair
+                         piece[rows] = {};
+                     });
       });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the convolution of convolution.hpp for a field whose rows
-// are shared by several processes.
+// This file computes the convolution of convolution.hpp, and the two transforms
+// of which it consists, for a field whose rows are shared by several processes.
 
 #include "base/convolution.hpp"
 
@@ -67,13 +67,32 @@ public:
   void apply(std::span<const Real> field, const MultiplierAt& multiplier_at,
              std::span<Real> answer);
 
+  using Complex = std::complex<Real>;
+
+  /// Column jx of the half spectrum, as points_y values by jy. Threads call it
+  /// at the same time, each with other columns.
+  using FillColumn = std::function<void(int jx, std::span<Complex> column)>;
+  using TakeColumn =
+      std::function<void(int jx, std::span<const Complex> column)>;
+
+  /// The field with this half spectrum, by the backward transform of
+  /// RealFourier. Collective.
+  /// @param fill    called once for each column of this rank, with zeros;
+  ///                columns 0 and points_x/2 must be those of a real field
+  /// @param answer  rows.size() values, overwritten
+  void synthesise(const FillColumn& fill, std::span<Real> answer);
+
+  /// The half spectrum of a field, by the forward transform of RealFourier.
+  /// Collective.
+  /// @param field  rows.size() values
+  /// @param take   called once for each column of this rank
+  void analyse(std::span<const Real> field, const TakeColumn& take);
+
   /// Frees the memory of the spectrum and the buffers, which the next apply()
   /// allocates again.
   void free_scratch();
 
 private:
-  using Complex = std::complex<Real>;
-
   /// Some adjacent blocks of columns.
   struct Blocks {
     std::size_t first = 0, count = 0;
@@ -100,10 +119,21 @@ private:
   template <class Take>
   void transform(std::span<const Real> field, const Take& take,
                  std::span<Real> answer);
-  /// The memory of the answer as that of the spectrum; null if it does not fit.
-  Complex* memory_of(std::span<Real> answer) const;
-  template <class Take>
-  void convolve_own(const Blocks& own, const Take& take);
+
+  /// What happens to the columns in rounds: they come from the rows, and their
+  /// values are returned to the rows.
+  struct Ways {
+    bool from_rows = true, to_rows = true;
+  };
+
+  /// The spectrum of the own rows, in the memory of the answer if it fits.
+  Complex* prepared(std::span<Real> answer);
+  /// Calls change(first own column, their number, columns, worker) for each
+  /// block of own columns.
+  template <class Change>
+  void each_round(Complex* spectrum, const Ways& ways, const Change& change);
+  template <class Change>
+  void change_own(const Blocks& own, const Ways& ways, const Change& change);
   /// Calls copy(piece in by_ranks_, place in the columns of a block, number of
   /// rows) for the n columns of one of n_blocks own blocks.
   template <class Copy>

@@ -1,13 +1,16 @@
 // Tests of ranks/shared_convolution.hpp and ranks/shared_rows.hpp: any number
 // of ranks and threads gives the bits of the convolution in one process.
 #include "base/convolution.hpp"
+#include "base/fourier.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <numeric>
 #include <vector>
 
+#include "ranks/one_rank.hpp"
 #include "ranks/shared_convolution.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
@@ -74,7 +77,8 @@ std::vector<Real> on_ranks(const Grid& grid, int n, int threads) {
 const std::vector<Grid> shared_grids{{16, 64, 1.0, 1.0},
                                      {17, 41, 1.0, 2.0},
                                      {130, 66, 1.0, 1.0},
-                                     {300, 34, 1.0, 1.0}};
+                                     {300, 34, 1.0, 1.0},
+                                     {300, 41, 1.0, 1.0}};
 
 TEST(SharedConvolution, HasTheBitsOfOneProcess) {
   for (const Grid& grid : shared_grids)
@@ -88,6 +92,73 @@ TEST(SharedConvolution, HasTheBitsOfOneProcess) {
         EXPECT_EQ(on_ranks<double>(grid, n, threads),
                   in_one_process<double>(grid));
       }
+}
+
+/// Analyses a field on n ranks and synthesises it from its columns.
+struct ThereAndBack {
+  std::vector<std::complex<double>> spectrum; ///< column by column
+  std::vector<double> field;
+
+  friend bool operator==(const ThereAndBack&, const ThereAndBack&) = default;
+};
+
+ThereAndBack there_and_back(const Grid& grid, int n, int threads) {
+  ThereAndBack found{
+      std::vector<std::complex<double>>(grid.half_spectrum_size()),
+      std::vector<double>(grid.size())};
+  const auto act = [&](const SharedRows& rows) {
+    SharedConvolution<double> transform(rows, threads);
+    const std::vector<double> field = uneven_field(grid);
+    const std::size_t first = grid.index(0, rows.first());
+    const auto height = static_cast<std::size_t>(grid.points_y);
+    const auto column = [&](int jx) {
+      return std::span(found.spectrum)
+          .subspan(static_cast<std::size_t>(jx) * height, height);
+    };
+    transform.analyse(std::span(field).subspan(first, rows.size()),
+                      [&](int jx, std::span<const std::complex<double>> own) {
+                        std::ranges::copy(own, column(jx).begin());
+                      });
+    transform.synthesise(
+        [&](int jx, std::span<std::complex<double>> own) {
+          ASSERT_EQ(own.front(), 0.0);
+          std::ranges::copy(column(jx), own.begin());
+        },
+        std::span(found.field).subspan(first, rows.size()));
+  };
+  if (n == 0)
+    act(rows_of_one(grid));
+  else
+    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
+      act(SharedRows(grid, ranks, uneven_bounds(grid, n)));
+    });
+  return found;
+}
+
+// Expected: the transforms of FFTW in two dimensions. Tolerance: roundoff, some
+// eps log2 N times the largest value.
+TEST(SharedConvolution, TransformsThereAndBackWithTheSameBits) {
+  for (const Grid& grid : shared_grids) {
+    const ThereAndBack alone = there_and_back(grid, 0, 1);
+    const std::vector<double> field = uneven_field(grid);
+    std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
+    RealFourier(grid).forward(field, spectrum);
+    const std::size_t columns = grid.half_spectrum_columns();
+    const auto height = static_cast<std::size_t>(grid.points_y);
+    const auto count = static_cast<double>(grid.size());
+    for (std::size_t jx = 0; jx < columns; ++jx)
+      for (std::size_t jy = 0; jy < height; ++jy)
+        EXPECT_LT(std::abs(alone.spectrum[jx * height + jy] -
+                           spectrum[jy * columns + jx]),
+                  1e-14 * count);
+    for (std::size_t i = 0; i < field.size(); ++i)
+      EXPECT_NEAR(alone.field[i] / count, field[i], 1e-14);
+    for (int n = 1; n <= 4; ++n)
+      for (const int threads : {1, 3})
+        EXPECT_TRUE(there_and_back(grid, n, threads) == alone)
+            << grid.points_x << " x " << grid.points_y << ", " << n
+            << " ranks, " << threads << " threads";
+  }
 }
 
 TEST(SharedConvolution, RefusesOddBounds) {

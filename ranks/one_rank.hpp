@@ -1,0 +1,45 @@
+#pragma once
+
+// This file contains the group of one rank, with which one process calls what
+// is written for several.
+
+#include <algorithm>
+
+#include "ranks/rank_group.hpp"
+#include "ranks/shared_rows.hpp"
+
+namespace asperity {
+
+/// This process alone. It has no state, so that threads may share it.
+class OneRank final : public RankGroup {
+public:
+  int rank() const override { return 0; }
+
+  int size() const override { return 1; }
+
+  void gather_to_all(std::span<const std::byte> own,
+                     std::span<const std::size_t> /*counts*/,
+                     std::span<std::byte> all) override {
+    std::ranges::copy(own, all.begin());
+  }
+
+  void exchange(std::span<const std::byte> sent,
+                std::span<const std::size_t> sent_counts,
+                std::span<std::byte> received,
+                std::span<const std::size_t> /*received_counts*/) override {
+    std::ranges::copy(sent.first(sent_counts.front()), received.begin());
+  }
+
+  void pass(Direction /*direction*/, std::span<const std::byte> sent,
+            std::span<std::byte> received) override {
+    std::ranges::copy(sent, received.begin());
+  }
+};
+
+/// All rows of a grid as those of a group of one rank.
+inline SharedRows rows_of_one(const Grid& grid) {
+  static OneRank group;
+  return {grid, group, {0, grid.points_y}};
+}
+
+} // namespace asperity
