@@ -130,6 +130,33 @@ SharedRows::gathered_on_rank_0(std::span<const double> own) const {
   return all;
 }
 
+void SharedRows::pass_to_rank_0(
+    std::span<const double> own,
+    const std::function<void(std::span<const double>)>& take) const {
+  const std::size_t n_ranks = ranks_ == nullptr ? 1 : bounds_.size() - 1;
+  const std::size_t most =
+      std::max<std::size_t>(1, most_bytes / sizeof(double) / width()) * width();
+  std::vector<double> received;
+  for (std::size_t r = 0; r < n_ranks; ++r)
+    for (std::size_t at = 0; at < size_of(r); at += most) {
+      const std::size_t n = std::min(most, size_of(r) - at);
+      if (r == 0) {
+        if (own_ == 0)
+          take(own.subspan(at, n));
+        continue;
+      }
+      const std::size_t sent = own_ == r ? n : 0;
+      received.resize(own_ == 0 ? n : 0);
+      std::vector<std::size_t> bytes(n_ranks, 0);
+      bytes[r] = received.size() * sizeof(double);
+      ranks_->exchange(std::as_bytes(own.subspan(sent > 0 ? at : 0, sent)),
+                       bytes_of_rank_0(sent * sizeof(double)),
+                       std::as_writable_bytes(std::span(received)), bytes);
+      if (own_ == 0)
+        take(received);
+    }
+}
+
 std::vector<double> SharedRows::scattered(std::span<const double> all) const {
   if (ranks_ == nullptr)
     return {all.begin(), all.end()};

@@ -6,6 +6,7 @@
 #include "base/grid.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -79,6 +80,14 @@ public:
   /// All rows of a field on rank 0, nothing on the others. Collective.
   /// @param own  size() values
   std::vector<double> gathered_on_rank_0(std::span<const double> own) const;
+
+  /// Passes all values of a field to a function of rank 0, from the first row
+  /// to the last, in pieces of at most 4 MB or one row. Collective.
+  /// @param own   size() values
+  /// @param take  not called on the other ranks
+  void pass_to_rank_0(
+      std::span<const double> own,
+      const std::function<void(std::span<const double>)>& take) const;
 
   /// The rows of this process. Collective.
   /// @param all  grid().size() values on rank 0; not read on the others

@@ -15,9 +15,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
+
+#include "ranks/one_rank.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -103,32 +106,38 @@ std::string band_end_name(const SurfaceSpec& surface) {
              : std::string("surface.wavevector_high");
 }
 
-/// Factor that scales the map to the rms value of the case, which the spectrum
+/// Factor that scales a map to the rms value of the case, which the spectrum
 /// already has.
-double rescaling(const HeightMap& map, const SurfaceSpec& surface,
+double rescaling(const Statistics& found, const SurfaceSpec& surface,
                  const IsotropicSpectrum& spectrum) {
-  const Statistics found = statistics(map);
   const bool is_by_slope = surface.rms_slope && !surface.rms_height;
   return is_by_slope
              ? std::sqrt(spectrum.mean_square_slope) / found.rms_slope
              : std::sqrt(spectrum.mean_square_height) / found.rms_height;
 }
 
-void multiply(HeightMap& map, double factor) {
-  for (double& height : map.heights)
+void multiply(std::vector<double>& heights, double factor) {
+  for (double& height : heights)
     height *= factor;
 }
 
-HeightMap random_surface(const SurfaceSpec& surface, int realization) {
-  const Grid grid = square_grid(surface);
-  const IsotropicSpectrum spectrum = formula_spectrum(surface);
-  require_points(surface, "surface.points", grid, band_end_name(surface),
-                 spectrum.wavevector_high());
-  HeightMap map =
-      realize(spectrum, grid, {surface.seed, realization}, surface.amplitudes);
+/// The spectrum of a random surface on its own grid.
+IsotropicSpectrum own_spectrum(const SurfaceSpec& surface) {
+  IsotropicSpectrum spectrum = formula_spectrum(surface);
+  require_points(surface, "surface.points", square_grid(surface),
+                 band_end_name(surface), spectrum.wavevector_high());
+  return spectrum;
+}
+
+std::vector<double> random_rows(const SurfaceSpec& surface, int realization,
+                                const SharedRows& rows, int threads) {
+  const IsotropicSpectrum spectrum = own_spectrum(surface);
+  std::vector<double> heights = realize_rows(
+      spectrum, rows, {surface.seed, realization}, surface.amplitudes, threads);
   if (surface.rescale)
-    multiply(map, rescaling(map, surface, spectrum));
-  return map;
+    multiply(heights,
+             rescaling(statistics(rows, heights, threads), surface, spectrum));
+  return heights;
 }
 
 /// The spectrum up to a wavevector within its band; its moments remain those of
@@ -142,32 +151,60 @@ IsotropicSpectrum cut(IsotropicSpectrum spectrum, double highest) {
   return spectrum;
 }
 
-HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
-                            const Grid& grid,
-                            const std::optional<double>& highest) {
-  const RandomKey key{surface.seed, realization};
-  const IsotropicSpectrum whole = formula_spectrum(surface);
+/// Rows of the coarsest grid that resolves a spectrum, divided among the same
+/// ranks.
+SharedRows enough_rows(const IsotropicSpectrum& spectrum,
+                       const SharedRows& rows) {
+  const double length_x = rows.grid().length_x;
+  const double length_y = rows.grid().length_y;
+  const int points = points_needed(spectrum.wavevector_high(), length_x);
+  const Grid enough{points, points, length_x, length_y};
+  const int n_ranks = rows.ranks()->size();
+  if (points < 2 * n_ranks)
+    return rows_of_one(enough);
+  std::vector<int> bounds;
+  for (int r = 0; r <= n_ranks; ++r)
+    bounds.push_back(
+        static_cast<int>(std::int64_t{points / 2} * r / n_ranks * 2));
+  return {enough, *rows.ranks(), std::move(bounds)};
+}
+
+/// The spectrum of a random surface up to highest, if it is given.
+IsotropicSpectrum kept_spectrum(const SurfaceSpec& surface, const Grid& grid,
+                                const IsotropicSpectrum& whole,
+                                const std::optional<double>& highest) {
   const bool is_cut = highest && *highest < whole.wavevector_high();
   if (is_cut && *highest < whole.wavevector_low())
     refuse_argument(
         "highest_wavevector", *highest,
         fmt::format(">= {:.6g} rad/m, the lowest wavevector of the spectrum",
                     whole.wavevector_low()));
-  const IsotropicSpectrum kept = is_cut ? cut(whole, *highest) : whole;
+  IsotropicSpectrum kept = is_cut ? cut(whole, *highest) : whole;
   require_points(surface, "points of the grid", grid,
                  is_cut ? "highest_wavevector" : band_end_name(surface),
                  kept.wavevector_high());
+  return kept;
+}
 
-  HeightMap map = realize(kept, grid, key, surface.amplitudes);
+std::vector<double> random_rows_on(const SurfaceSpec& surface, int realization,
+                                   const SharedRows& rows,
+                                   const std::optional<double>& highest,
+                                   int threads) {
+  const RandomKey key{surface.seed, realization};
+  const IsotropicSpectrum whole = formula_spectrum(surface);
+  std::vector<double> heights =
+      realize_rows(kept_spectrum(surface, rows.grid(), whole, highest), rows,
+                   key, surface.amplitudes, threads);
   if (surface.rescale) {
     // The factor depends on the modes only, so any grid that resolves them can
     // be used.
-    const int points = points_needed(whole.wavevector_high(), grid.length_x);
-    const Grid enough{points, points, grid.length_x, grid.length_y};
-    multiply(map, rescaling(realize(whole, enough, key, surface.amplitudes),
-                            surface, whole));
+    const SharedRows enough = enough_rows(whole, rows);
+    const std::vector<double> all =
+        realize_rows(whole, enough, key, surface.amplitudes, threads);
+    multiply(heights,
+             rescaling(statistics(enough, all, threads), surface, whole));
   }
-  return map;
+  return heights;
 }
 
 HeightMap measured_surface(const SurfaceSpec& surface) {
@@ -192,13 +229,19 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
 }
 
 /// Lays a rough surface on its form.
-HeightMap on_form(HeightMap map, const SurfaceSpec& surface) {
+std::vector<double> on_form(std::vector<double> heights, const SharedRows& rows,
+                            const SurfaceSpec& surface) {
   if (!surface.form_radius)
-    return map;
-  const HeightMap form = paraboloid(map.grid, *surface.form_radius);
-  for (std::size_t i = 0; i < map.heights.size(); ++i)
-    map.heights[i] += form.heights[i];
-  return map;
+    return heights;
+  const std::vector<double> form = paraboloid_rows(rows, *surface.form_radius);
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    heights[i] += form[i];
+  return heights;
+}
+
+HeightMap on_form(HeightMap map, const SurfaceSpec& surface) {
+  return {map.grid,
+          on_form(std::move(map.heights), SharedRows(map.grid), surface)};
 }
 
 HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
@@ -241,7 +284,9 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
 
 HeightMap build_surface(const SurfaceSpec& surface, int realization) {
   if (is_random(surface.kind))
-    return on_form(random_surface(surface, realization), surface);
+    return {
+        square_grid(surface),
+        build_rows(surface, realization, rows_of_one(square_grid(surface)))};
   if (surface.kind == SurfaceKind::measured)
     return on_form(measured_surface(surface), surface);
   return shape_on(surface, square_grid(surface));
@@ -256,12 +301,36 @@ HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
     return on_form(measured_surface_on(surface, grid, highest_wavevector),
                    surface);
   require_length(surface, grid);
-  if (is_random(surface.kind))
-    return on_form(
-        random_surface_on(surface, realization, grid, highest_wavevector),
-        surface);
+  if (is_random(surface.kind)) {
+    const SharedRows rows = rows_of_one(grid);
+    return {grid, on_form(random_rows_on(surface, realization, rows,
+                                         highest_wavevector, 1),
+                          rows, surface)};
+  }
   const HeightMap shape = shape_on(surface, grid);
   return highest_wavevector ? low_passed(shape, *highest_wavevector) : shape;
+}
+
+void require_rows(const SurfaceSpec& surface,
+                  std::optional<double> highest_wavevector) {
+  if (highest_wavevector)
+    kept_spectrum(surface, square_grid(surface), formula_spectrum(surface),
+                  highest_wavevector);
+  else
+    own_spectrum(surface);
+}
+
+std::vector<double> build_rows(const SurfaceSpec& surface, int realization,
+                               const SharedRows& rows,
+                               std::optional<double> highest_wavevector,
+                               int threads) {
+  if (!is_random(surface.kind) || rows.grid() != square_grid(surface))
+    throw std::domain_error("rows are built of a random surface on its grid");
+  return on_form(highest_wavevector
+                     ? random_rows_on(surface, realization, rows,
+                                      highest_wavevector, threads)
+                     : random_rows(surface, realization, rows, threads),
+                 rows, surface);
 }
 
 } // namespace asperity::surfaces

@@ -52,4 +52,20 @@ HeightMap build_surface_on(const mechanics::SurfaceSpec& surface,
                            int realization, const Grid& grid,
                            std::optional<double> highest_wavevector = {});
 
+/// The rows of this process of build_surface(), or with a highest_wavevector of
+/// build_surface_on() on the grid of the surface, for a random surface; the
+/// bits are those of these functions on any number of ranks. Collective.
+/// @param rows  of a group of ranks, with even bounds, on the square grid of
+///              the surface
+/// @throws  as these functions; std::domain_error also for another kind
+std::vector<double> build_rows(const mechanics::SurfaceSpec& surface,
+                               int realization, const SharedRows& rows,
+                               std::optional<double> highest_wavevector = {},
+                               int threads = 1);
+
+/// Checks what build_rows() requires of the surface, in one process.
+/// @throws  as build_rows()
+void require_rows(const mechanics::SurfaceSpec& surface,
+                  std::optional<double> highest_wavevector = {});
+
 } // namespace asperity::surfaces

@@ -1,16 +1,19 @@
 #include "surfaces/realization.hpp"
 
-#include "base/fourier.hpp"
 #include "base/require.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
+
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/shared_convolution.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -47,34 +50,31 @@ std::complex<double> draw_coefficient(double mean_square, const RandomKey& key,
   return std::polar(std::sqrt(mean_square) * spread, two_pi * draw.second);
 }
 
-/// The half spectrum of the surface; all zeros if the band contains no mode.
-std::vector<std::complex<double>> draw_modes(const IsotropicSpectrum& spectrum,
-                                             const Grid& grid,
-                                             const RandomKey& key,
-                                             mechanics::Amplitudes amplitudes) {
+/// Draws the modes of column i >= 0 of the half spectrum.
+/// @return  whether the band has a mode there
+bool draw_column(const IsotropicSpectrum& spectrum, const Grid& grid,
+                 const RandomKey& key, mechanics::Amplitudes amplitudes, int i,
+                 std::span<std::complex<double>> column) {
   const double wavevector_high = spectrum.wavevector_high();
-  const int highest_x = highest_wavenumber(wavevector_high, grid.length_x);
-  const int highest_y = highest_wavenumber(wavevector_high, grid.length_y);
+  if (i > highest_wavenumber(wavevector_high, grid.length_x))
+    return false;
+  const int highest = highest_wavenumber(wavevector_high, grid.length_y);
   const double mode_area = two_pi * two_pi / grid.area();
-  std::vector<std::complex<double>> modes(grid.half_spectrum_size());
-  const auto mode_at = [&](int i, int j) -> std::complex<double>& {
-    const int row = j >= 0 ? j : j + grid.points_y;
-    return modes[static_cast<std::size_t>(row) * grid.half_spectrum_columns() +
-                 static_cast<std::size_t>(i)];
+  const auto mode_at = [&](int j) -> std::complex<double>& {
+    return column[static_cast<std::size_t>(j >= 0 ? j : j + grid.points_y)];
   };
-
-  for (int j = -highest_y; j <= highest_y; ++j)
-    for (int i = j > 0 ? 0 : 1; i <= highest_x; ++i) {
-      const double density = spectrum.density(std::hypot(
-          wavevector(i, grid.length_x), wavevector(j, grid.length_y)));
-      if (density <= 0.0)
-        continue;
-      mode_at(i, j) =
-          draw_coefficient(density * mode_area, key, i, j, amplitudes);
-      if (i == 0) // FFTW stores both modes of a pair in its column 0
-        mode_at(0, -j) = std::conj(mode_at(0, j));
-    }
-  return modes;
+  bool has_modes = false;
+  for (int j = i > 0 ? -highest : 1; j <= highest; ++j) {
+    const double density = spectrum.density(
+        std::hypot(wavevector(i, grid.length_x), wavevector(j, grid.length_y)));
+    if (density <= 0.0)
+      continue;
+    has_modes = true;
+    mode_at(j) = draw_coefficient(density * mode_area, key, i, j, amplitudes);
+    if (i == 0) // column 0 has both modes of a pair
+      mode_at(-j) = std::conj(mode_at(j));
+  }
+  return has_modes;
 }
 
 } // namespace
@@ -87,25 +87,35 @@ int points_needed(double wavevector_high, double length) {
 
 HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
                   const RandomKey& key, mechanics::Amplitudes amplitudes) {
+  return {grid, realize_rows(spectrum, rows_of_one(grid), key, amplitudes)};
+}
+
+std::vector<double> realize_rows(const IsotropicSpectrum& spectrum,
+                                 const SharedRows& rows, const RandomKey& key,
+                                 mechanics::Amplitudes amplitudes,
+                                 int threads) {
+  const Grid& grid = rows.grid();
   const double wavevector_high = spectrum.wavevector_high();
   require_points("points_x", grid.points_x, wavevector_high, grid.length_x);
   require_points("points_y", grid.points_y, wavevector_high, grid.length_y);
   require_not_negative("realization", key.realization, "1");
 
-  std::vector<std::complex<double>> modes =
-      draw_modes(spectrum, grid, key, amplitudes);
-  const bool is_empty = std::all_of(
-      modes.begin(), modes.end(), [](const auto& mode) { return mode == 0.0; });
-  if (is_empty)
+  std::vector<double> heights(rows.size());
+  std::atomic<bool> has_modes = false;
+  SharedConvolution<double>(rows, threads)
+      .synthesise(
+          [&](int jx, std::span<std::complex<double>> column) {
+            if (draw_column(spectrum, grid, key, amplitudes, jx, column))
+              has_modes = true;
+          },
+          heights);
+  if (rank_max(rows.ranks(), has_modes ? 1.0 : 0.0) == 0.0)
     throw std::domain_error(fmt::format(
         "the band from {:.6g} to {:.6g} rad/m contains no wavevector that fits "
         "the periodic cell of {:.6g} m by {:.6g} m",
         spectrum.wavevector_low(), wavevector_high, grid.length_x,
         grid.length_y));
-
-  HeightMap map{grid, std::vector<double>(grid.size())};
-  RealFourier(grid).backward(modes, map.heights);
-  return map;
+  return heights;
 }
 
 } // namespace asperity::surfaces

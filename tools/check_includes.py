@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "cases": {"base", "input", "mechanics"},
     "theory": {"base"},
     "contact": {"base", "ranks", "mechanics"},
-    "surfaces": {"base", "input", "mechanics", "results/storage/hdf5_file.hpp",
+    "surfaces": {"base", "input", "mechanics", "ranks", "results/storage/hdf5_file.hpp",
                  "results/trial_read.hpp"},
     "meshes": {"base", "input", "mechanics", "surfaces"},
     "fem": {"base", "ranks", "input", "mechanics", "surfaces", "meshes", "contact"},

@@ -38,22 +38,33 @@ std::vector<double> cosine_along(const char* length_name, double length,
 }
 
 template <class Height>
-HeightMap map_of(const Grid& grid, Height height) {
-  HeightMap map{grid, std::vector<double>(grid.size())};
-  for (int iy = 0; iy < grid.points_y; ++iy)
+std::vector<double> rows_of(const SharedRows& rows, Height height) {
+  const Grid& grid = rows.grid();
+  std::vector<double> heights(rows.size());
+  for (int iy = 0; iy < rows.count(); ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
-      map.heights[grid.index(ix, iy)] = height(ix, iy);
-  remove_mean(map);
-  return map;
+      heights[grid.index(ix, iy)] = height(ix, rows.first() + iy);
+  remove_mean(rows, heights);
+  return heights;
+}
+
+template <class Height>
+HeightMap map_of(const Grid& grid, Height height) {
+  return {grid, rows_of(SharedRows(grid), height)};
 }
 
 } // namespace
 
 HeightMap paraboloid(const Grid& grid, double radius) {
+  return {grid, paraboloid_rows(SharedRows(grid), radius)};
+}
+
+std::vector<double> paraboloid_rows(const SharedRows& rows, double radius) {
   require_positive("radius", radius, "m");
+  const Grid& grid = rows.grid();
   const int centre_x = grid.points_x / 2;
   const int centre_y = grid.points_y / 2;
-  return map_of(grid, [&](int ix, int iy) {
+  return rows_of(rows, [&](int ix, int iy) {
     const double x = (ix - centre_x) * grid.spacing_x();
     const double y = (iy - centre_y) * grid.spacing_y();
     return -(x * x + y * y) / (2.0 * radius);

@@ -14,6 +14,10 @@ namespace asperity::surfaces {
 /// @param radius  R [m] > 0
 HeightMap paraboloid(const Grid& grid, double radius);
 
+/// The rows of this process of the same shape, with the bits of one process.
+/// Collective.
+std::vector<double> paraboloid_rows(const SharedRows& rows, double radius);
+
 /// A flat-ended cylinder about the centre of the cell: h = tilt x for r <= R,
 /// x from the centre, and -recess outside, with the mean removed. The centre is
 /// the node (points_x/2, points_y/2).

@@ -5,7 +5,10 @@
 
 #include "base/grid.hpp"
 
+#include <span>
 #include <vector>
+
+#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 
@@ -18,6 +21,11 @@ struct HeightMap {
 
 /// Mean height (1/N) sum_x h(x) [m].
 double mean_height(const HeightMap& map);
+
+/// The same of a map of which this process has some rows, rows.size() heights.
+/// Collective, as the call below; both have the bits of one process.
+double mean_height(const SharedRows& rows, std::span<const double> heights);
+void remove_mean(const SharedRows& rows, std::span<double> heights);
 
 /// Shifts the map to mean height 0.
 /// @par Accuracy  |mean| is at most a few eps of the remaining rms height,

@@ -8,7 +8,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <vector>
+
+#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 
@@ -30,6 +34,23 @@ inline double mode_wavevector(const Grid& grid, int jx, int jy) {
 /// The transform of the heights of a map, in the order of
 /// Grid::half_spectrum_size.
 std::vector<std::complex<double>> modes_of(const HeightMap& map);
+
+/// Calls take(jx, power) for columns jx of the half spectrum of a map, with the
+/// power of its modes jy = 0..points_y-1, as for_each_mode() does, and 0 for
+/// q = 0. Each rank has some adjacent columns, which follow those of the ranks
+/// before. Threads call it at the same time. Collective; the bits are the same
+/// on any number of ranks.
+/// @param rows     of a group of ranks, with even bounds
+/// @param heights  rows.size() values
+void each_column(
+    const SharedRows& rows, std::span<const double> heights, int threads,
+    const std::function<void(int jx, std::span<const double> power)>& take);
+
+/// Number of modes, q and -q, that one value of column jx stands for: column 0
+/// and an even Nyquist column hold both modes of a pair.
+inline int modes_in_column(const Grid& grid, int jx) {
+  return jx == 0 || 2 * jx == grid.points_x ? 1 : 2;
+}
 
 /// Calls `take` once for each pair q, -q of the map except q = 0, row by row of
 /// the half spectrum, with
@@ -53,8 +74,7 @@ void for_each_mode(const HeightMap& map, const Take& take) {
     for (int jx = 0; jx <= grid.points_x / 2; ++jx, ++at) {
       if (jx == 0 && jy == 0)
         continue;
-      // Column 0 and an even Nyquist column hold both modes of a pair.
-      const int pair = jx == 0 || 2 * jx == grid.points_x ? 1 : 2;
+      const int pair = modes_in_column(grid, jx);
       take(ModePower{mode_wavevector(grid, jx, jy),
                      pair * std::norm(modes[at] / count), pair});
     }

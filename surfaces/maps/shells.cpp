@@ -8,6 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
+
+#include "ranks/in_order.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -33,11 +38,88 @@ struct Sums {
   int modes = 0;
 };
 
+void require_width(double relative_width) {
+  require_between("relative_width", relative_width, 1e-6, 1e3, "1");
+}
+
+double smallest_wavevector(const Grid& grid) {
+  return wavevector(1, std::max(grid.length_x, grid.length_y));
+}
+
+/// @param total  sum of the power of all shells
+std::vector<Shell> shells_with_power(const std::vector<Sums>& sums,
+                                     double total) {
+  std::vector<Shell> shells;
+  for (const Sums& sum : sums)
+    if (sum.power > 1e-28 * total)
+      shells.push_back(
+          {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
+  return shells;
+}
+
+/// What a column of the half spectrum adds to a shell.
+struct ColumnShell {
+  std::int64_t number = 0;
+  Sums sums;
+};
+
+/// The shells of a column, ascending.
+std::vector<ColumnShell> column_shells(const Grid& grid, int jx,
+                                       std::span<const double> power,
+                                       double relative_width) {
+  const double longest = smallest_wavevector(grid);
+  const int height = grid.points_y;
+  std::vector<ColumnShell> shells;
+  for (int jy = jx == 0 ? 1 : 0; jy <= height / 2; ++jy) {
+    const double q = mode_wavevector(grid, jx, jy);
+    const std::int64_t number = shell_number(q / longest, relative_width);
+    if (shells.empty() || shells.back().number != number)
+      shells.push_back({number, {}});
+    Sums& sums = shells.back().sums;
+    const bool has_opposite = jy > 0 && 2 * jy < height;
+    const double both =
+        power[static_cast<std::size_t>(jy)] +
+        (has_opposite ? power[static_cast<std::size_t>(height - jy)] : 0.0);
+    sums.power += both;
+    sums.square_slope += q * q * both;
+    sums.modes += modes_in_column(grid, jx) * (has_opposite ? 2 : 1);
+  }
+  return shells;
+}
+
+/// The numbers of the shells of all columns of all ranks, ascending.
+std::vector<std::int64_t>
+shells_of_ranks(const SharedRows& rows,
+                const std::vector<std::vector<ColumnShell>>& columns) {
+  const auto sorted = [](std::vector<std::int64_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+  };
+  std::vector<std::int64_t> own;
+  for (const std::vector<ColumnShell>& column : columns) {
+    for (const ColumnShell& shell : column)
+      own.push_back(shell.number);
+    own = sorted(std::move(own));
+  }
+  std::vector<std::size_t> bytes;
+  double total = 0.0;
+  for (const double count :
+       of_ranks(rows.ranks(), static_cast<double>(own.size()))) {
+    bytes.push_back(static_cast<std::size_t>(count) * sizeof(std::int64_t));
+    total += count;
+  }
+  std::vector<std::int64_t> all(static_cast<std::size_t>(total));
+  rows.ranks()->gather_to_all(std::as_bytes(std::span(own)), bytes,
+                              std::as_writable_bytes(std::span(all)));
+  return sorted(std::move(all));
+}
+
 } // namespace
 
 ModeShells::ModeShells(const Grid& grid, double relative_width) : grid_(grid) {
-  require_between("relative_width", relative_width, 1e-6, 1e3, "1");
-  const double longest = wavevector(1, std::max(grid.length_x, grid.length_y));
+  require_width(relative_width);
+  const double longest = smallest_wavevector(grid);
   // Rows jy and points_y - jy have the same wavevectors.
   const int n_columns = grid.points_x / 2 + 1;
   std::vector<std::int64_t> numbers;
@@ -78,17 +160,41 @@ std::vector<Shell> ModeShells::of(const HeightMap& map) const {
     own.modes += mode.modes;
     total += mode.power;
   });
-  std::vector<Shell> shells;
-  for (const Sums& sum : sums)
-    if (sum.power > 1e-28 * total)
-      shells.push_back(
-          {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
-  return shells;
+  return shells_with_power(sums, total);
 }
 
 std::vector<Shell> spectral_shells(const HeightMap& map,
                                    double relative_width) {
-  return ModeShells(map.grid, relative_width).of(map);
+  return spectral_shells(rows_of_one(map.grid), map.heights, 1, relative_width);
+}
+
+std::vector<Shell> spectral_shells(const SharedRows& rows,
+                                   std::span<const double> heights, int threads,
+                                   double relative_width) {
+  require_width(relative_width);
+  std::vector<std::vector<ColumnShell>> columns(
+      rows.grid().half_spectrum_columns());
+  each_column(rows, heights, threads,
+              [&](int jx, std::span<const double> power) {
+                columns[static_cast<std::size_t>(jx)] =
+                    column_shells(rows.grid(), jx, power, relative_width);
+              });
+  const std::vector<std::int64_t> numbers = shells_of_ranks(rows, columns);
+  std::vector<Sums> sums(numbers.size());
+  bytes_in_order(&rows, std::as_writable_bytes(std::span(sums)), [&] {
+    for (const std::vector<ColumnShell>& column : columns)
+      for (const ColumnShell& shell : column) {
+        const auto place = std::ranges::lower_bound(numbers, shell.number);
+        Sums& sum = sums[static_cast<std::size_t>(place - numbers.begin())];
+        sum.power += shell.sums.power;
+        sum.square_slope += shell.sums.square_slope;
+        sum.modes += shell.sums.modes;
+      }
+  });
+  double total = 0.0;
+  for (const Sums& sum : sums)
+    total += sum.power;
+  return shells_with_power(sums, total);
 }
 
 double shell_density(const Shell& shell, const Grid& grid) {

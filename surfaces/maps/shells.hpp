@@ -6,7 +6,10 @@
 #include "surfaces/maps/height_map.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
+
+#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 
@@ -48,8 +51,17 @@ private:
   std::vector<std::int32_t> shell_; ///< of each mode but q = 0
 };
 
-/// ModeShells(map.grid, relative_width).of(map)
+/// The shells of ModeShells(map.grid, relative_width).of(map) to roundoff.
 std::vector<Shell> spectral_shells(const HeightMap& map,
+                                   double relative_width = 0.025);
+
+/// The same of a map of which this process has some rows; the bits are those of
+/// spectral_shells() on any number of ranks. Collective.
+/// @param rows     of a group of ranks, with even bounds
+/// @param heights  rows.size() values
+std::vector<Shell> spectral_shells(const SharedRows& rows,
+                                   std::span<const double> heights,
+                                   int threads = 1,
                                    double relative_width = 0.025);
 
 /// C(q) [m^4] of the shell, the mean over its modes:

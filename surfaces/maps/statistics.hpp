@@ -5,7 +5,10 @@
 
 #include "surfaces/maps/height_map.hpp"
 
+#include <span>
 #include <vector>
+
+#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 
@@ -29,6 +32,13 @@ struct Statistics {
 };
 
 Statistics statistics(const HeightMap& map);
+
+/// The same of a map of which this process has some rows; the bits are those of
+/// statistics() on any number of ranks. Collective.
+/// @param rows     of a group of ranks, with even bounds
+/// @param heights  rows.size() values
+Statistics statistics(const SharedRows& rows, std::span<const double> heights,
+                      int threads = 1);
 
 /// One bin of the height distribution.
 struct HeightBin {

@@ -177,6 +177,16 @@ TEST(SharedRows, RefusesBoundsThatAreNone) {
   });
 }
 
+std::vector<double> passed_to_rank_0(const SharedRows& rows,
+                                     std::span<const double> own) {
+  std::vector<double> passed;
+  rows.pass_to_rank_0(own, [&](std::span<const double> values) {
+    EXPECT_EQ(values.size() % rows.width(), 0U);
+    passed.insert(passed.end(), values.begin(), values.end());
+  });
+  return passed;
+}
+
 // The number of a row is the value of its nodes.
 TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
   const Grid grid{3, 9, 1.0, 1.0};
@@ -199,6 +209,7 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
     const std::vector<double> nothing;
     EXPECT_EQ(rows.gathered_on_rank_0(own), is_first ? all : nothing);
     EXPECT_EQ(rows.scattered(is_first ? all : nothing), own);
+    EXPECT_EQ(passed_to_rank_0(rows, own), is_first ? all : nothing);
   };
   check(SharedRows(grid));
   tests::on_thread_ranks(1, [&](RankGroup& one) {
@@ -223,6 +234,7 @@ TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
     EXPECT_EQ(own.front(), static_cast<double>(grid.index(0, rows.first())));
     EXPECT_EQ(own.back(), own.front() + static_cast<double>(own.size() - 1));
     EXPECT_TRUE(rows.gathered_on_rank_0(own) == (is_first ? all : nothing));
+    EXPECT_TRUE(passed_to_rank_0(rows, own) == (is_first ? all : nothing));
   });
 }
 
