@@ -52,6 +52,11 @@ void write_case(Hdf5File& file, const CaseInfo& info) {
     file.open_or_create(group);
 }
 
+Hdf5Group curve_group(const Hdf5File& file, const std::string& method,
+                      int realization) {
+  return file.open("methods").open(method).open(std::to_string(realization));
+}
+
 std::filesystem::path file_in(const std::filesystem::path& folder) {
   return folder / layout::file_name;
 }
@@ -92,6 +97,16 @@ void ResultWriter::record(Change change) {
   cpu_time_ += clock.seconds();
 }
 
+void ResultWriter::fold_with(const Change& change,
+                             const ResultFile::Edit& last) {
+  const CpuClock clock;
+  file_.fold([&](Hdf5File& file) {
+    write_change(file, change);
+    last(file);
+  });
+  cpu_time_ += clock.seconds();
+}
+
 void ResultWriter::require_begun(const std::string& method,
                                  int realization) const {
   require_index("realization", realization);
@@ -127,6 +142,16 @@ void ResultWriter::record_surface(int realization,
   record({.surfaces = {{realization, surface}}});
 }
 
+void ResultWriter::record_surface(int realization, const SurfaceRecord& surface,
+                                  const MapRows& heights) {
+  require_index("realization", realization);
+  const std::lock_guard lock(mutex_);
+  fold_with({.surfaces = {{realization, surface}}}, [&](Hdf5File& file) {
+    Hdf5Group group = file.open("surfaces").open(std::to_string(realization));
+    write_heights(group, surface.grid, heights);
+  });
+}
+
 void ResultWriter::begin_method(const std::string& name,
                                 const std::string& kind,
                                 const std::string& description) {
@@ -158,6 +183,23 @@ void ResultWriter::record_own_surface(const std::string& method,
   record({.methods = {{.name = method,
                        .realization = realization,
                        .own_surface = surface}}});
+}
+
+void ResultWriter::record_own_surface(const std::string& method,
+                                      int realization,
+                                      const SurfaceRecord& surface,
+                                      const MapRows& heights) {
+  const std::lock_guard lock(mutex_);
+  require_begun(method, realization);
+  fold_with(
+      {.methods = {{.name = method,
+                    .realization = realization,
+                    .own_surface = surface}}},
+      [&](Hdf5File& file) {
+        Hdf5Group group =
+            curve_group(file, method, realization).open(layout::own_surface);
+        write_heights(group, surface.grid, heights);
+      });
 }
 
 void ResultWriter::append_step(const std::string& method, int realization,
@@ -193,6 +235,29 @@ void ResultWriter::append_step_with_fields(const std::string& method,
   change.fields.push_back(std::move(fields));
   change.points.push_back(point);
   record({.methods = {std::move(change)}});
+  steps_[{method, realization}].insert(point.step);
+}
+
+void ResultWriter::append_step_with_fields(const std::string& method,
+                                           int realization,
+                                           const CurvePoint& point,
+                                           const Grid& grid,
+                                           const FieldRows& fields) {
+  require_index("fields.step", fields.step);
+  if (fields.step != point.step)
+    refuse_argument("fields.step", fields.step,
+                    fmt::format("equal to point.step = {}", point.step));
+  const std::lock_guard lock(mutex_);
+  require_new(method, realization, {&point, 1});
+  fold_with(
+      {.methods = {{.name = method,
+                    .realization = realization,
+                    .points = {point}}}},
+      [&](Hdf5File& file) {
+        Hdf5Group maps =
+            curve_group(file, method, realization).open_or_create("fields");
+        write_fields(maps, grid, fields);
+      });
   steps_[{method, realization}].insert(point.step);
 }
 
@@ -241,10 +306,8 @@ void ResultWriter::finish(const std::string& status) {
     if (status != "complete")
       return; // a resumed curve will be extended, so its ends are not final
     for (const auto& [curve_of, steps] : steps_) {
-      Hdf5Group curve = file.open("methods")
-                            .open(curve_of.first)
-                            .open(std::to_string(curve_of.second))
-                            .open("curve");
+      Hdf5Group curve =
+          curve_group(file, curve_of.first, curve_of.second).open("curve");
       fill_stored_stiffness(curve);
     }
   });

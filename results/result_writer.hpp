@@ -5,6 +5,7 @@
 
 #include "results/result_reader.hpp"
 #include "results/storage/result_file.hpp"
+#include "results/types/map_rows.hpp"
 #include "results/types/result.hpp"
 
 #include <filesystem>
@@ -69,6 +70,9 @@ public:
   /// Replaces the surface of a realisation; writes no empty map or spectrum.
   /// @param realization  >= 0
   void record_surface(int realization, const SurfaceRecord& surface);
+  /// The same for a surface whose heights come by rows and not with the record.
+  void record_surface(int realization, const SurfaceRecord& surface,
+                      const MapRows& heights);
 
   /// Adds a method. It is called once before the steps of the method; when
   /// called again after a resume, it replaces kind and description.
@@ -84,6 +88,8 @@ public:
   /// @throws std::domain_error  begin_method() was not called for this method
   void record_own_surface(const std::string& method, int realization,
                           const SurfaceRecord& surface);
+  void record_own_surface(const std::string& method, int realization,
+                          const SurfaceRecord& surface, const MapRows& heights);
 
   /// Adds a row to a curve. A contact_stiffness of NaN is computed from the
   /// curve by finite differences when the run is complete.
@@ -100,6 +106,12 @@ public:
   void append_step_with_fields(const std::string& method, int realization,
                                const CurvePoint& point, const Grid& grid,
                                Fields fields);
+
+  /// The same for maps that come by rows. They are written to result.h5 at once
+  /// and never held in memory, so that this costs a copy of the file.
+  void append_step_with_fields(const std::string& method, int realization,
+                               const CurvePoint& point, const Grid& grid,
+                               const FieldRows& fields);
 
   /// Adds the maps of a step and replaces those of an earlier attempt. It must
   /// be called before the row is added, because otherwise an interruption in
@@ -131,6 +143,8 @@ public:
 
 private:
   void record(Change change); // requires mutex_, as do the following
+  /// Writes the change and what `last` adds in one change of result.h5.
+  void fold_with(const Change& change, const ResultFile::Edit& last);
   void require_begun(const std::string& method, int realization) const;
   void require_new(const std::string& method, int realization,
                    std::span<const CurvePoint> points) const;

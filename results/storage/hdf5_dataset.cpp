@@ -11,6 +11,9 @@ namespace {
 
 constexpr hsize_t column_chunk = 128; // rows
 constexpr unsigned deflate_level = 4;
+constexpr const char* wrong_size =
+    "write a map whose size differs from that of its grid";
+constexpr hsize_t most_in_chunk = hsize_t{1} << 22; ///< values of a map
 
 hid_t file_type(Hdf5Number number) {
   switch (number) {
@@ -82,21 +85,94 @@ void append_to(hid_t dataset, hid_t memory_type, hsize_t count,
           place, "write this dataset");
 }
 
+/// Writes the values of a map in order, as many rows at a time as a chunk has.
+class RowWriter {
+public:
+  RowWriter(hid_t dataset, const std::array<hsize_t, 2>& extents,
+            hsize_t rows_at_a_time, std::string place)
+      : dataset_(dataset),
+        extents_(extents),
+        rows_at_a_time_(rows_at_a_time),
+        place_(std::move(place)) {}
+
+  void take(std::span<const double> values) {
+    const std::size_t whole = rows_at_a_time_ * extents_[1];
+    while (!values.empty()) {
+      const std::size_t n = std::min(whole - kept_.size(), values.size());
+      if (n == whole) { // without a copy
+        write(values.first(n));
+      } else {
+        kept_.insert(kept_.end(), values.begin(),
+                     values.begin() + static_cast<std::ptrdiff_t>(n));
+        if (kept_.size() == whole) {
+          write(kept_);
+          kept_.clear();
+        }
+      }
+      values = values.subspan(n);
+    }
+  }
+
+  void finish() {
+    if (!kept_.empty())
+      write(kept_);
+    if (rows_ != extents_[0] || rows_ == 0)
+      refuse();
+  }
+
+private:
+  void write(std::span<const double> values) {
+    const std::array<hsize_t, 2> count{values.size() / extents_[1],
+                                       extents_[1]};
+    if (values.size() % extents_[1] != 0 || rows_ + count[0] > extents_[0])
+      refuse();
+    const std::array<hsize_t, 2> start{rows_, 0};
+    const Hdf5Handle space(H5Dget_space(dataset_), H5Sclose);
+    checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(),
+                                nullptr, count.data(), nullptr),
+            place_, "select rows");
+    const Hdf5Handle memory(H5Screate_simple(2, count.data(), nullptr),
+                            H5Sclose);
+    checked(H5Dwrite(dataset_, H5T_NATIVE_DOUBLE, memory.id(), space.id(),
+                     H5P_DEFAULT, values.data()),
+            place_, "write this dataset");
+    rows_ += count[0];
+  }
+
+  [[noreturn]] void refuse() const { refuse_hdf5(place_, wrong_size); }
+
+  hid_t dataset_;
+  std::array<hsize_t, 2> extents_;
+  hsize_t rows_at_a_time_;
+  std::string place_;
+  hsize_t rows_ = 0; ///< that are written
+  std::vector<double> kept_;
+};
+
 } // namespace
 
 void Hdf5Group::write_map(const std::string& name, std::span<const double> map,
                           Hdf5Shape shape, Hdf5Number number,
                           const std::string& unit) {
   if (map.size() != shape.rows * shape.columns || map.empty())
-    refuse_hdf5(place(name),
-                "write a map whose size differs from that of its grid");
+    refuse_hdf5(place(name), wrong_size);
+  write_map(name, rows_of_map(map), shape, number, unit);
+}
+
+void Hdf5Group::write_map(const std::string& name, const MapRows& rows,
+                          Hdf5Shape shape, Hdf5Number number,
+                          const std::string& unit) {
   const std::array<hsize_t, 2> extents{shape.rows, shape.columns};
+  const std::array<hsize_t, 2> chunk{
+      std::clamp<hsize_t>(most_in_chunk / std::max(hsize_t{1}, extents[1]), 1,
+                          std::max(hsize_t{1}, extents[0])),
+      extents[1]};
   const Hdf5Handle space(H5Screate_simple(2, extents.data(), nullptr),
                          H5Sclose);
   const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.id(), false); // equal data, equal bytes
   if (number == Hdf5Number::float32_packed) {
-    H5Pset_chunk(creation.id(), 2, extents.data());
+    H5Pset_chunk(creation.id(), 2, chunk.data());
     H5Pset_shuffle(creation.id());
     H5Pset_deflate(creation.id(), deflate_level);
   }
@@ -106,9 +182,9 @@ void Hdf5Group::write_map(const std::string& name, std::span<const double> map,
               place(name), "create this dataset"),
       H5Dclose);
   set_unit(dataset.id(), unit, place(name));
-  checked(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
-                   H5P_DEFAULT, map.data()),
-          place(name), "write this dataset");
+  RowWriter writer(dataset.id(), extents, chunk[0], place(name));
+  rows([&](std::span<const double> values) { writer.take(values); });
+  writer.finish();
 }
 
 void Hdf5Group::append(const std::string& name, std::span<const double> values,

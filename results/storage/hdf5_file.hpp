@@ -4,6 +4,8 @@
 // library are made behind them, and each error is reported as an exception that
 // names the file and the object.
 
+#include "results/types/map_rows.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
@@ -101,6 +103,11 @@ public:
   /// Writes a new map of shape.rows * shape.columns values.
   void write_map(const std::string& name, std::span<const double> map,
                  Hdf5Shape shape, Hdf5Number number, const std::string& unit);
+  /// The same from a map that is passed on by rows. Packed maps are
+  /// stored in chunks of whole rows, of at most 2^22 values; no more than these
+  /// are in memory besides what `rows` passes on.
+  void write_map(const std::string& name, const MapRows& rows, Hdf5Shape shape,
+                 Hdf5Number number, const std::string& unit);
   /// Appends to a column, which the first call creates.
   void append(const std::string& name, std::span<const double> values,
               Hdf5Number number, const std::string& unit);

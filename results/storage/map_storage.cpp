@@ -155,10 +155,13 @@ void write_surface(Hdf5Group& group, const SurfaceRecord& surface) {
   for (const auto& [name, unit, number] : surface_numbers)
     set_with_unit(group, name, surface.*number, unit);
   if (!surface.heights.empty())
-    group.write_map("heights", surface.heights, shape_of(grid),
-                    Hdf5Number::float64, "m");
+    write_heights(group, grid, rows_of_map(surface.heights));
   if (!surface.spectrum.empty())
     write_spectrum(group.open_or_create("spectrum"), surface.spectrum);
+}
+
+void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights) {
+  group.write_map("heights", heights, shape_of(grid), Hdf5Number::float64, "m");
 }
 
 SurfaceRecord read_surface(const Hdf5Group& group) {
@@ -176,6 +179,12 @@ SurfaceRecord read_surface(const Hdf5Group& group) {
 }
 
 void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields) {
+  write_fields(group, grid,
+               {fields.step, fields.nominal_pressure,
+                rows_of_map(fields.pressure), rows_of_map(fields.gap)});
+}
+
+void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields) {
   const std::string name = std::to_string(fields.step);
   if (group.has(name))
     group.remove(name);

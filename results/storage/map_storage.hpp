@@ -13,11 +13,14 @@ namespace asperity::results {
 
 /// Writes a surface into an empty group.
 void write_surface(Hdf5Group& group, const SurfaceRecord& surface);
+/// Adds the heights of a surface that was written without them.
+void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights);
 SurfaceRecord read_surface(const Hdf5Group& group);
 
 /// Writes the maps of a step into the group `fields` and replaces those of an
 /// earlier attempt.
 void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
+void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields);
 /// Reads the maps of all steps, sorted by step. The lengths of a grid are 0 if
 /// the file does not contain them, and so are its numbers of points if the map
 /// is not two-dimensional.
