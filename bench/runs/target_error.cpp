@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bench/analysis/bench_answer.hpp"
+#include "bench/settings/block_settings.hpp"
 #include "bench/settings/case_values.hpp"
 #include "bench/settings/sweep.hpp"
 #include "bench/settings/sweep_axes.hpp"
@@ -66,13 +67,21 @@ TargetSearch::TargetSearch(const cases::Case& contact_case,
   const int least = std::max(least_target_points,
                              least_carrying_points(contact_case.surface));
   int coarsest = own;
-  while (coarsest % 4 == 0 && coarsest / 2 >= least)
+  while (coarsest % 4 == 0 && coarsest / 2 >= least && permits(coarsest / 2))
     coarsest /= 2;
-  if (4 * least <= 3 * coarsest) // an intermediate grid
+  if (4 * least <= 3 * coarsest && permits(least)) // an intermediate grid
     coarsest = least;
   for (const int factor : {1, 2, 4})
     if (own > 0 && (factor <= 2 || factor * coarsest <= own))
       grids_.push_back(factor * coarsest);
+}
+
+/// Returns whether all methods accept so many points per side.
+bool TargetSearch::permits(int points) const {
+  return points % 2 == 0 &&
+         std::ranges::all_of(case_.methods, [&](const auto& method) {
+           return permits_points(case_, method, points);
+         });
 }
 
 BenchPoint TargetSearch::run_at(const std::string& method,
@@ -159,7 +168,7 @@ bool TargetSearch::find_choice(double target) {
     for (const int points : {base, base + base / 2})
       for (const double growth_share : growth_shares) {
         Choice choice;
-        if (points % 2 == 0 && points <= last &&
+        if (permits(points) && points <= last &&
             choose_at(points, growth_share, target, choice) &&
             (!is_found || choice.cpu_time < choice_.cpu_time)) {
           choice_ = std::move(choice);

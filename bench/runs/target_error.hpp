@@ -61,6 +61,7 @@ private:
   bool choose_at(int points, double growth_share, double target,
                  Choice& choice);
   bool find_choice(double target);
+  bool permits(int points) const;
   int finest_points() const;
   void add_checks(reports::TargetOutcome& outcome) const;
   std::string why_none(double target);

@@ -91,4 +91,15 @@ mesh_overrides(const cases::Case& contact_case, int points) {
   return overrides;
 }
 
+bool permits_points(const cases::Case& contact_case,
+                    const cases::MethodSpec& method, int points) {
+  if (!is_block_on_mesh(contact_case, method) ||
+      contact_case.mesh.kind != MeshKind::adaptive)
+    return points % 2 == 0;
+  const auto& fem = std::get<mechanics::FemSettings>(method.settings);
+  const int step = degree_of(fem.block.element)
+                   << contact_case.mesh.halvings;
+  return points % step == 0 && points / step >= 2;
+}
+
 } // namespace asperity::app

@@ -40,4 +40,10 @@ std::vector<AddedMethod> same_block_methods(const cases::Case& contact_case,
 std::optional<std::vector<std::string>>
 mesh_overrides(const cases::Case& contact_case, int points);
 
+/// Returns whether a method accepts so many points per side with the other
+/// settings of the case: an adaptive mesh needs a multiple of p 2^halvings and
+/// at least twice as many, where p is the order of the elements.
+bool permits_points(const cases::Case& contact_case,
+                    const cases::MethodSpec& method, int points);
+
 } // namespace asperity::app

@@ -1,6 +1,7 @@
 #include "bench/settings/scaling_settings.hpp"
 
 #include "app/methods/chosen.hpp"
+#include "app/methods/shared_load_steps.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench/settings/block_settings.hpp"
 #include "bench/settings/case_values.hpp"
 
 namespace asperity::app {
@@ -28,7 +30,8 @@ private:
   void add(const MethodSpec& method, bool has_ranks, bool is_weak);
   BenchPoint run_of(const MethodSpec& method, int points,
                     int realizations) const;
-  int points_for(double growth) const;
+  bool shares_rows(const MethodSpec& method, int points, int ranks) const;
+  int points_for(const MethodSpec& method, double growth, int ranks) const;
   std::size_t point(BenchPoint wanted);
 
   const cases::Case& case_;
@@ -37,11 +40,28 @@ private:
   Sweep sweep_;
 };
 
-int ScalingPlanner::points_for(double growth) const {
+/// Returns whether so many ranks share the rows of a single realisation.
+bool ScalingPlanner::shares_rows(const MethodSpec& method, int points,
+                                 int ranks) const {
+  const double length = case_.surface.length.value_or(0.0);
+  return n_realizations(case_, method) == 1 &&
+         is_shared_by_ranks(method, {points, points, length, length}, ranks);
+}
+
+/// Returns the next number of points per side that the method accepts and, if
+/// the ranks share the rows of the case, that they can share.
+int ScalingPlanner::points_for(const MethodSpec& method, double growth,
+                               int ranks) const {
   const int own = case_.surface.points.value_or(0);
-  return growth == 1.0 ? own
-                       : transformable_points(static_cast<int>(
-                             std::ceil(own * std::sqrt(growth))));
+  if (growth == 1.0)
+    return own;
+  const bool needs_rows = ranks > 1 && shares_rows(method, own, ranks);
+  int points = transformable_points(
+      static_cast<int>(std::ceil(own * std::sqrt(growth))));
+  while (!permits_points(case_, method, points) ||
+         (needs_rows && !shares_rows(method, points, ranks)))
+    points = transformable_points(points + 2);
+  return points;
 }
 
 BenchPoint ScalingPlanner::run_of(const MethodSpec& method, int points,
@@ -79,13 +99,16 @@ void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
                          bool is_weak) {
   ScalingSeries series{method.name, has_ranks, is_weak};
   const std::vector<int>& all = has_ranks ? options_.ranks : options_.threads;
-  const bool grows_in_points = !has_ranks || is_full_block(method);
+  const int own = case_.surface.points.value_or(0);
+  const bool grows_in_points = !has_ranks || is_full_block(method) ||
+                               shares_rows(method, own, all.back());
   for (const int workers : all) {
     const int growth = is_weak ? workers : 1;
     const int points =
         grows_in_points
-            ? points_for(double(growth) / (is_weak ? all.front() : 1))
-            : points_for(1.0);
+            ? points_for(method, double(growth) / (is_weak ? all.front() : 1),
+                         has_ranks ? workers : 1)
+            : own;
     const int realizations = grows_in_points ? 1
                              : is_weak       ? workers
                                              : n_realizations(case_, method);
@@ -116,13 +139,16 @@ Sweep ScalingPlanner::plan() && {
     if (options_.ranks.empty())
       continue;
     const int most = options_.ranks.back();
-    if (!is_full_block(method) && n_realizations(case_, method) < most)
+    const bool shares_block =
+        is_full_block(method) ||
+        shares_rows(method, case_.surface.points.value_or(0), most);
+    if (!shares_block && n_realizations(case_, method) < most)
       throw input::InputError(fmt::format(
           "--ranks {}: ranks share the realisations of {}, which are {}; more "
           "of them: --set surface.realizations={}",
           most, method.name, n_realizations(case_, method), most));
     add(method, true, false);
-    if (has_points || !is_full_block(method))
+    if (has_points || !shares_block)
       add(method, true, true);
   }
   if (sweep_.points.empty())

@@ -21,7 +21,8 @@ struct ScalingOptions {
 /// Returns the runs. Threads share the work on the nodes: in the weak series
 /// the points per side grow with the square root of the threads, on the same
 /// surface. Ranks share the realisations, of which the weak series has one per
-/// rank, or the block of a method with `solver = "full"`, whose points grow.
+/// rank; or the block of a method with `solver = "full"`, or the rows of a
+/// single realisation (is_shared_by_ranks), whose points grow.
 /// The theory is left out, because it takes no time.
 ///
 /// @throws input::InputError  a method is unknown, there is none besides the

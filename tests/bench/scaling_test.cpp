@@ -84,6 +84,44 @@ TEST(ScalingSettings, RanksShareRealisationsOrAFullBlock) {
             (std::vector<std::string>{"256 1 1 100", "512 1 4 400"}));
 }
 
+// One realisation with at least 512^2 nodes: the ranks share its rows. 512
+// sqrt(2) = 724.1 is rounded up to 750 = 2 375, which has no factors above 5
+// but no rows of whole chunks of 2^13 nodes, and then to 768; 512 sqrt(3) =
+// 886.8 to 900 = 4 225 for the same reason, and then to 960 = 64 15.
+TEST(ScalingSettings, RanksShareTheRowsOfOneRealisation) {
+  std::string text = rough_case("[halfspace]\n[fem]\nelement = \"Q1\"\n");
+  text.replace(text.find("points = 256"), 12, "points = 512");
+
+  const Sweep sweep = scaling(text, {.ranks = {1, 2, 3, 4}});
+
+  ASSERT_EQ(sweep.scaling.size(), 4U);
+  for (const ScalingSeries& series : sweep.scaling) {
+    std::vector<int> points;
+    for (const std::size_t i : series.points) {
+      points.push_back(sweep.points[i].points);
+      for (const std::string& one : sweep.points[i].overrides)
+        EXPECT_EQ(one.find("realizations"), std::string::npos) << one;
+    }
+    EXPECT_EQ(points, series.is_weak ? (std::vector{512, 768, 960, 1024})
+                                     : (std::vector{512, 512, 512, 512}));
+  }
+}
+
+// A mesh with four halvings of quadratic elements needs multiples of 32.
+TEST(ScalingSettings, TakesPointsThatAnAdaptiveMeshPermits) {
+  const std::string text =
+      rough_case("[fem]\nsolver = \"full\"\nelement = \"Q2\"\n"
+                 "mesh = \"case\"\n[mesh]\nkind = \"adaptive\"\n"
+                 "halvings = 4\n");
+
+  const Sweep sweep = scaling(text, {.threads = {1, 2, 3}});
+
+  ASSERT_EQ(sweep.scaling.size(), 2U);
+  EXPECT_EQ(
+      runs_of(sweep, sweep.scaling[1]),
+      (std::vector<std::string>{"256 1 1 100", "384 2 1 225", "480 3 1 352"}));
+}
+
 TEST(ScalingSettings, RefusesWhatCannotScale) {
   const auto refusal = [](const std::string& text,
                           const ScalingOptions& options) {
