@@ -88,6 +88,7 @@ void distrust_non_finite(StepAnswer& answer) {
   if (!has_maps) {
     add_note(row, "the fields are not finite and were not saved");
     answer.pressure = answer.gap = {};
+    answer.rows = {};
   }
 }
 

@@ -37,6 +37,10 @@ public:
 
   std::vector<double> state() const override { return steps_->memory(); }
 
+  std::size_t gathered_state_bytes() const override {
+    return steps_->gathered_memory_bytes();
+  }
+
   void restore(std::span<const double> state) override {
     steps_->recall(state);
   }
@@ -86,11 +90,11 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
     setting.threads = workforce.threads_a_rank;
     return std::make_unique<OperatorSolver>(
         make_shared_load_steps(
-            grid,
+            surface,
             block != nullptr ? SharedBlock(fem::load_fem_module().text_of(
                                    request(*block, surface, setting.threads)))
                              : SharedBlock(continuum),
-            surface.record.heights, setting),
+            setting),
         0.0);
   }
   Face face = shared_operator(method, surface, workforce.threads);

@@ -6,6 +6,7 @@
 #include "app/methods/curve_row.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -22,6 +23,10 @@ public:
   virtual StepAnswer solve(const StepTarget& target) = 0;
 
   virtual std::vector<double> memory() const = 0;
+
+  /// Size of memory() at most, if it is gathered from ranks; else 0 [B].
+  virtual std::size_t gathered_memory_bytes() const { return 0; }
+
   virtual void recall(std::span<const double> memory) = 0;
 };
 

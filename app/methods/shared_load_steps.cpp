@@ -1,6 +1,7 @@
 #include "app/methods/shared_load_steps.hpp"
 
 #include "app/methods/chosen.hpp"
+#include "app/methods/shared_surface.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/plugin.hpp"
@@ -67,6 +68,8 @@ elasticity_in(const json& command, const Grid& grid, int threads) {
 struct RankPart {
   SharedRows rows;
   std::unique_ptr<LoadSteps> steps;
+  /// Of the last step, if its maps are needed.
+  std::vector<double> pressure = {}, gap = {};
 };
 
 std::map<int, RankPart>& parts_of_this_rank() {
@@ -121,26 +124,40 @@ void build_part(const json& command, std::span<const double> heights) {
   std::unique_ptr<contact::SurfaceOperator> elasticity =
       elasticity_in(command, grid, setting.threads);
   const SharedRows rows = *elasticity->shared_rows();
-  std::vector<double> own = rows.scattered(heights);
+  std::vector<double> own =
+      command.contains("surface")
+          ? take_heights(command.at("surface"), rows, setting.threads)
+          : rows.scattered(heights);
   parts_of_this_rank().insert_or_assign(
       command.at("number").get<int>(),
       RankPart{rows, make_load_steps(std::move(elasticity), std::move(own),
                                      setting)});
 }
 
-/// The fields are gathered only if they are needed.
+/// Each rank keeps its rows of the maps until the next call, if they are
+/// needed.
 StepAnswer solve_part(const json& command) {
   RankPart& part = part_in(command);
+  part.pressure = part.gap = {};
   const bool needs_maps = command.at("needs_maps");
   StepAnswer answer = part.steps->solve(
       {{static_cast<mechanics::Control>(command.at("control").get<int>()),
         command.at("amount")},
        command.at("step"),
        needs_maps});
-  for (std::vector<double>* field : {&answer.pressure, &answer.gap})
-    *field = needs_maps ? part.rows.gathered_on_rank_0(*field)
-                        : std::vector<double>();
+  if (needs_maps) {
+    part.pressure = std::move(answer.pressure);
+    part.gap = std::move(answer.gap);
+  }
+  answer.pressure = answer.gap = {};
   return answer;
+}
+
+/// Passes a map of the last step to rank 0.
+void send_part(const json& command, const results::TakeValues& take) {
+  const RankPart& part = part_in(command);
+  part.rows.pass_to_rank_0(
+      command.at("field") == "pressure" ? part.pressure : part.gap, take);
 }
 
 /// The layout of contact::LoadSequence::memory(): a number, then a number and a
@@ -186,11 +203,13 @@ int made = 0;
 
 class SharedLoadSteps final : public LoadSteps {
 public:
-  SharedLoadSteps(const Grid& grid, const SharedBlock& block,
-                  std::span<const double> heights,
+  SharedLoadSteps(const SurfaceOfCase& surface, const SharedBlock& block,
                   const LoadStepsSetting& setting)
-      : number_(made++), nodes_(grid.size()) {
+      : number_(made++), nodes_(surface.record.grid.size()) {
+    const Grid& grid = surface.record.grid;
     json build = command("build");
+    if (surface.source)
+      build["surface"] = json_of(*surface.source);
     build["grid"] = {grid.points_x, grid.points_y, grid.length_x,
                      grid.length_y};
     if (const auto* request = std::get_if<std::string>(&block))
@@ -198,7 +217,7 @@ public:
     else
       build["block"] = json_of_block(std::get<mechanics::ElasticBlock>(block));
     add_setting(setting, build);
-    lead(build, [&] { build_part(build, heights); });
+    lead(build, [&] { build_part(build, surface.record.heights); });
   }
 
   ~SharedLoadSteps() override {
@@ -217,7 +236,14 @@ public:
     solve["needs_maps"] = target.needs_maps;
     StepAnswer answer;
     lead(solve, [&] { answer = solve_part(solve); });
+    if (target.needs_maps)
+      answer.rows = {target.step, answer.row.nominal_pressure, sent("pressure"),
+                     sent("gap")};
     return answer;
+  }
+
+  std::size_t gathered_memory_bytes() const override {
+    return (2 * nodes_ + 3) * sizeof(double);
   }
 
   std::vector<double> memory() const override {
@@ -243,6 +269,15 @@ public:
   }
 
 private:
+  /// A map of the last step, which the ranks send when it is asked for.
+  results::MapRows sent(const char* field) const {
+    json send = command("send");
+    send["field"] = field;
+    return [send](const results::TakeValues& take) {
+      lead(send, [&] { send_part(send, take); });
+    };
+  }
+
   json command(const char* what) const {
     return {{command_key, what}, {"number", number_}};
   }
@@ -271,10 +306,9 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
 }
 
 std::unique_ptr<LoadSteps>
-make_shared_load_steps(const Grid& grid, const SharedBlock& block,
-                       std::span<const double> heights,
+make_shared_load_steps(const SurfaceOfCase& surface, const SharedBlock& block,
                        const LoadStepsSetting& setting) {
-  return std::make_unique<SharedLoadSteps>(grid, block, heights, setting);
+  return std::make_unique<SharedLoadSteps>(surface, block, setting);
 }
 
 bool is_for_shared_steps(const std::string& text) {
@@ -288,6 +322,8 @@ void follow_shared_steps(const std::string& text) {
     build_part(command, {});
   else if (what == "solve")
     static_cast<void>(solve_part(command));
+  else if (what == "send")
+    send_part(command, {});
   else if (what == "memory")
     static_cast<void>(memory_part(command));
   else if (what == "recall")

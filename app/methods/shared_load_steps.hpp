@@ -8,7 +8,6 @@
 #include "mechanics/elastic_block.hpp"
 
 #include <memory>
-#include <span>
 #include <string>
 #include <variant>
 
@@ -29,13 +28,12 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
 using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;
 
 /// Solves the load steps on all ranks, with the bits of one process. To be
-/// called on rank 0, which holds the heights and the fields of a finished step;
-/// the fields of the solver are divided among the ranks. One call at a time may
-/// be active for all such objects.
-/// @param heights  all nodes; must outlive the object
+/// called on rank 0; the fields of the solver are divided among the ranks. One
+/// call at a time may be active for all such objects.
+/// @param surface  the ranks generate its rows if it has a source; otherwise
+///                 rank 0 sends its heights to them
 std::unique_ptr<LoadSteps>
-make_shared_load_steps(const Grid& grid, const SharedBlock& block,
-                       std::span<const double> heights,
+make_shared_load_steps(const SurfaceOfCase& surface, const SharedBlock& block,
                        const LoadStepsSetting& setting);
 
 /// Returns whether a text that rank 0 has sent to all ranks is a command of

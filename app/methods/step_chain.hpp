@@ -21,6 +21,12 @@ public:
 
   bool is_on() const { return cache_.is_on(); }
 
+  /// Returns false if the cache would refuse an entry of so many bytes, besides
+  /// some for names.
+  bool has_room_for(std::size_t bytes) const {
+    return bytes <= cache_.most_bytes();
+  }
+
   /// Returns true if an entry for the step exists. The entry is not opened.
   bool has(std::size_t step) const;
 

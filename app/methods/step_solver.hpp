@@ -4,8 +4,10 @@
 // a row of the curve, the fields behind it and a description of the method.
 
 #include "cases/types/case.hpp"
+#include "results/types/map_rows.hpp"
 #include "results/types/result.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -27,6 +29,9 @@ struct StepAnswer {
   Grid grid;                    ///< grid of the fields
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m]
+  /// The same fields by rows, if ranks hold them and the vectors are empty.
+  /// Valid until the solver is called again.
+  std::optional<results::FieldRows> rows = {};
   /// Whether the fields are finite, also those that the answer is without.
   bool has_finite_fields = true;
   /// Stress section computed by the method itself, only at step_with_section().
@@ -47,6 +52,10 @@ public:
   /// can continue with identical results. It is empty for a method that cannot
   /// be continued.
   virtual std::vector<double> state() const { return {}; }
+
+  /// Returns the size of state() at most, if ranks would have to gather it on
+  /// rank 0; 0 if this process has it [B].
+  virtual std::size_t gathered_state_bytes() const { return 0; }
 
   /// Restores the state of an equal solver.
   virtual void restore(std::span<const double> state) {

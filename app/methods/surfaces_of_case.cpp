@@ -13,27 +13,8 @@
 namespace asperity::app {
 namespace {
 
-results::SurfaceRecord surface_record(const surfaces::HeightMap& map) {
-  const surfaces::Statistics numbers = surfaces::statistics(map);
-  results::SurfaceRecord record;
-  record.grid = map.grid;
-  record.heights = map.heights;
-  record.rms_height = numbers.rms_height;
-  record.rms_slope = numbers.rms_slope;
-  record.rms_curvature = numbers.rms_curvature;
-  record.skewness = numbers.skewness;
-  record.kurtosis = numbers.kurtosis;
-  record.highest = numbers.highest;
-  for (const surfaces::Shell& shell : surfaces::spectral_shells(map))
-    record.spectrum.push_back(
-        {shell.wavevector, surfaces::shell_density(shell, map.grid)});
-  return record;
-}
-
-SurfaceOfCase as_taken(const cases::Case& contact_case,
-                       const surfaces::HeightMap& map) {
-  SurfaceOfCase surface =
-      surface_of_map(map, contact_case.material.contact_modulus);
+/// @throws input::InputError  the surface is flat
+SurfaceOfCase as_taken(const cases::Case& contact_case, SurfaceOfCase surface) {
   if (!(surface.record.rms_height > 0.0))
     throw input::InputError(contact_case.path +
                             ": the surface is flat; there is no roughness "
@@ -72,12 +53,34 @@ bool has_own_surface(const cases::Case& contact_case,
   return method.magnification || presses_single_map(contact_case, method);
 }
 
+SurfaceOfCase described_surface(const Grid& grid,
+                                const surfaces::Statistics& numbers,
+                                std::vector<surfaces::Shell> shells,
+                                double contact_modulus) {
+  SurfaceOfCase surface;
+  results::SurfaceRecord& record = surface.record;
+  record.grid = grid;
+  record.rms_height = numbers.rms_height;
+  record.rms_slope = numbers.rms_slope;
+  record.rms_curvature = numbers.rms_curvature;
+  record.skewness = numbers.skewness;
+  record.kurtosis = numbers.kurtosis;
+  record.highest = numbers.highest;
+  for (const surfaces::Shell& shell : shells)
+    record.spectrum.push_back(
+        {shell.wavevector, surfaces::shell_density(shell, grid)});
+  surface.scales = {contact_modulus, grid.length_x, grid.spacing_x(),
+                    record.rms_height, record.rms_slope};
+  surface.shells = std::move(shells);
+  return surface;
+}
+
 SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus) {
-  SurfaceOfCase surface;
-  surface.record = surface_record(map);
-  surface.scales = {contact_modulus, map.grid.length_x, map.grid.spacing_x(),
-                    surface.record.rms_height, surface.record.rms_slope};
+  SurfaceOfCase surface =
+      described_surface(map.grid, surfaces::statistics(map),
+                        surfaces::spectral_shells(map), contact_modulus);
+  surface.record.heights = map.heights;
   return surface;
 }
 
@@ -94,16 +97,14 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 
 CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
                            const std::vector<cases::MethodSpec>& methods,
-                           const std::set<int>& only)
+                           const std::set<int>& only,
+                           const BuildByRows& by_rows)
     : case_(contact_case) {
   if (!needs_surfaces(methods))
     return;
   const auto is_built = [&](int r) { return only.empty() || only.contains(r); };
   for (int r = 0; r < contact_case.surface.realizations; ++r)
-    whole_.push_back(
-        is_built(r) ? as_taken(contact_case,
-                               surfaces::build_surface(contact_case.surface, r))
-                    : SurfaceOfCase{});
+    whole_.push_back(is_built(r) ? built(r, by_rows) : SurfaceOfCase{});
   if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
       }))
@@ -116,13 +117,29 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
     for (int r = 0; r < contact_case.surface.realizations; ++r)
       shown.push_back(
           is_built(r)
-              ? as_taken(contact_case,
-                         surfaces::build_surface_on(
-                             contact_case.surface, r,
-                             whole_[static_cast<std::size_t>(r)].record.grid,
-                             highest_wavevector(contact_case, method)))
+              ? magnified(r, *highest_wavevector(contact_case, method), by_rows)
               : SurfaceOfCase{});
   }
+}
+
+SurfaceOfCase CaseSurfaces::built(int realization,
+                                  const BuildByRows& by_rows) const {
+  return as_taken(case_, by_rows
+                             ? by_rows({case_.surface, realization})
+                             : surface_of_map(surfaces::build_surface(
+                                                  case_.surface, realization),
+                                              case_.material.contact_modulus));
+}
+
+SurfaceOfCase CaseSurfaces::magnified(int realization, double highest,
+                                      const BuildByRows& by_rows) const {
+  const Grid& grid = whole_[static_cast<std::size_t>(realization)].record.grid;
+  return as_taken(
+      case_,
+      by_rows ? by_rows({case_.surface, realization, highest})
+              : surface_of_map(surfaces::build_surface_on(
+                                   case_.surface, realization, grid, highest),
+                               case_.material.contact_modulus));
 }
 
 const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
@@ -161,8 +178,7 @@ theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
 
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
   std::vector<theory::SpectrumShell> shells;
-  for (const surfaces::Shell& shell :
-       surfaces::spectral_shells({surface.record.grid, surface.record.heights}))
+  for (const surfaces::Shell& shell : surface.shells)
     shells.push_back({shell.wavevector, shell.mean_square_height});
   return theory::HeightSpectrum(std::move(shells));
 }

@@ -6,14 +6,24 @@
 #include "cases/types/case.hpp"
 #include "results/types/result.hpp"
 #include "surfaces/maps/height_map.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
 namespace asperity::app {
+
+/// What a random surface is generated from.
+struct SurfaceSource {
+  mechanics::SurfaceSpec surface;
+  int realization = 0;
+  std::optional<double> highest_wavevector = {}; ///< of a magnification [rad/m]
+};
 
 /// The surface of one realisation as a method uses it.
 struct SurfaceOfCase {
@@ -22,7 +32,18 @@ struct SurfaceOfCase {
   /// Whether the surface is a single shape, whose middle is that of the map: a
   /// sphere, a punch, roughness on a sphere, or a map without continuation.
   bool has_middle = false;
+  std::vector<surfaces::Shell> shells = {};
+  /// Set if ranks generate the rows of the surface when they need them; the
+  /// record then has no heights.
+  std::optional<SurfaceSource> source = {};
 };
+
+/// Returns the surface of these numbers without heights.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase described_surface(const Grid& grid,
+                                const surfaces::Statistics& numbers,
+                                std::vector<surfaces::Shell> shells,
+                                double contact_modulus);
 
 /// Returns the surface of a map with its statistics.
 /// @param contact_modulus  E* [Pa]
@@ -44,6 +65,8 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 bool has_own_surface(const cases::Case& contact_case,
                      const cases::MethodSpec& method);
 
+using BuildByRows = std::function<SurfaceOfCase(const SurfaceSource& source)>;
+
 /// The surfaces of a case: one per realisation, one more per realisation for
 /// each magnification that a method uses, and the measured map itself if a
 /// half-space has free boundaries.
@@ -54,11 +77,13 @@ public:
   ///
   /// @param only  builds the surfaces of these realisations only, and those of
   ///              the others have no points; empty: all
+  /// @param by_rows  builds a surface without heights on the ranks of mpirun
+  ///                 (shared_surface.hpp); empty: in this process
   /// @throws input::InputError, std::domain_error  the surfaces module rejects
   ///           the surface
   CaseSurfaces(const cases::Case& contact_case,
                const std::vector<cases::MethodSpec>& methods,
-               const std::set<int>& only = {});
+               const std::set<int>& only = {}, const BuildByRows& by_rows = {});
 
   /// Returns the surfaces with full roughness, one per realisation.
   const std::vector<SurfaceOfCase>& whole() const;
@@ -72,6 +97,10 @@ public:
                                    int realization) const;
 
 private:
+  SurfaceOfCase built(int realization, const BuildByRows& by_rows) const;
+  SurfaceOfCase magnified(int realization, double highest,
+                          const BuildByRows& by_rows) const;
+
   const cases::Case& case_;
   std::vector<SurfaceOfCase> whole_;
   std::map<double, std::vector<SurfaceOfCase>> magnified_;

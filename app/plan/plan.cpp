@@ -4,6 +4,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/methods.hpp"
 #include "app/methods/shared_load_steps.hpp"
+#include "app/methods/shared_surface.hpp"
 #include "app/methods/step_chain.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "app/methods/worker_pool.hpp"
@@ -44,7 +45,7 @@ int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
 
 /// Lets the ranks of mpirun share the rows of a method, if they do: the memory
 /// is then that of the ranks on this machine, and rank 0 gathers the maps and
-/// the states that it writes.
+/// the states that the cache takes.
 void share_by_ranks(const MethodSpec& method, const RunOptions& options,
                     PlannedMethod& planned) {
   if (!method.has_fields() ||
@@ -52,8 +53,11 @@ void share_by_ranks(const MethodSpec& method, const RunOptions& options,
     return;
   planned.ranks = options.ranks;
   planned.runs_alone = true;
-  const double gathered =
-      2.0 * sizeof(double) * static_cast<double>(planned.grid.size());
+  const double maps = 2.0 * static_cast<double>(planned.grid.size());
+  const bool fit_into_cache =
+      options.cache != nullptr &&
+      sizeof(float) * maps <= static_cast<double>(options.cache->most_bytes());
+  const double gathered = fit_into_cache ? sizeof(double) * maps : 0.0;
   planned.memory =
       gathered +
       options.ranks_on_machine * memory_of_rank(planned.grid, options.ranks) +
@@ -204,11 +208,14 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
         time_on_first_surface(contact_case, methods, grid, keys, cache, rates);
   plan.base_time = base_time(rates);
   add_up_times(plan);
-  plan.memory = peak_memory(
-      plan, grid,
+  const double n_surfaces =
       options.realizations.empty()
           ? contact_case.surface.realizations
-          : static_cast<double>(options.realizations.size()),
+          : static_cast<double>(options.realizations.size());
+  plan.memory = peak_memory(
+      plan, grid,
+      has_surfaces_by_rows(contact_case, methods, options.ranks) ? 0.0
+                                                                 : n_surfaces,
       base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);

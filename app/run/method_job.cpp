@@ -34,6 +34,15 @@ bool leaves_files(const cases::MethodSpec& method,
   return (md != nullptr && md->dump) || (is_full_block(method) && report.vtu);
 }
 
+std::vector<double> whole_map(const results::MapRows& rows, const Grid& grid) {
+  std::vector<double> map;
+  map.reserve(grid.size());
+  rows([&](std::span<const double> values) {
+    map.insert(map.end(), values.begin(), values.end());
+  });
+  return map;
+}
+
 bool has_failed(const CurvePoint& row) {
   return row.status == results::StepStatus::not_converged;
 }
@@ -168,17 +177,23 @@ void MethodJob::take(std::size_t step, CachedStep& kept,
 }
 
 void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
-  if (!needs_maps(step) || answer.pressure.empty()) {
+  if (!needs_maps(step) || (answer.pressure.empty() && !answer.rows)) {
     context_.writer.append_step(method_.name, realization_, row);
     return;
   }
   if (needs_section(step)) // before the step, which counts as done when it is
                            // written
     context_.writer.record_table(answer.section.value());
+  if (answer.rows) {
+    answer.rows->nominal_pressure = row.nominal_pressure;
+    context_.writer.append_step_with_fields(method_.name, realization_, row,
+                                            answer.grid, *answer.rows);
+    return;
+  }
   context_.writer.append_step_with_fields(
       method_.name, realization_, row, answer.grid,
-      {row.step, row.nominal_pressure, std::move(answer.pressure),
-       std::move(answer.gap)});
+      results::Fields{row.step, row.nominal_pressure,
+                      std::move(answer.pressure), std::move(answer.gap)});
 }
 
 void MethodJob::describe_found(const std::string& found) {
@@ -318,15 +333,38 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   ++context_.tally.computed_steps;
   context_.tally.failed_steps += has_failed(row);
   answer.row = row;
-  if (!needs_maps(step))
+  if (!needs_maps(step)) {
     answer.pressure = answer.gap = {};
+    answer.rows = {};
+  }
   CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
-  if (chain_.is_on())
-    chain_.keep(step, kept, solver.state());
+  keep(step, kept, solver);
   record(row, kept.answer, step);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);
   return true;
+}
+
+/// Caches a step. What ranks hold by rows is gathered for it, unless the cache
+/// would refuse an entry of that size.
+void MethodJob::keep(std::size_t step, CachedStep& kept,
+                     const StepSolver& solver) {
+  if (!chain_.is_on())
+    return;
+  StepAnswer& answer = kept.answer;
+  if (answer.rows &&
+      chain_.has_room_for(2 * sizeof(float) * answer.grid.size())) {
+    answer.pressure = whole_map(answer.rows->pressure, answer.grid);
+    answer.gap = whole_map(answer.rows->gap, answer.grid);
+    answer.rows = {};
+    context_.tally.gathered_bytes += 2 * sizeof(double) * answer.grid.size();
+  }
+  std::vector<double> state;
+  if (chain_.has_room_for(solver.gathered_state_bytes()))
+    state = solver.state();
+  if (solver.gathered_state_bytes() > 0)
+    context_.tally.gathered_bytes += state.size() * sizeof(double);
+  chain_.keep(step, kept, state);
 }
 
 Resources MethodJob::resources() const {

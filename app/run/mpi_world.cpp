@@ -1,6 +1,7 @@
 #include "app/run/mpi_world.hpp"
 
 #include "app/methods/shared_load_steps.hpp"
+#include "app/methods/shared_surface.hpp"
 #include "app/run/child_run.hpp"
 #include "fem/plugin.hpp"
 
@@ -32,6 +33,10 @@ nlohmann::json json_of(const RankedRun& run) {
 void run_own_share(const std::string& text, int rank) {
   if (is_for_shared_steps(text)) {
     follow_shared_steps(text);
+    return;
+  }
+  if (is_for_shared_surface(text)) {
+    follow_shared_surface(text);
     return;
   }
   const nlohmann::json run = nlohmann::json::parse(text);

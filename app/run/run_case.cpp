@@ -3,6 +3,7 @@
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/shared_load_steps.hpp"
+#include "app/methods/shared_surface.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
 #include "app/plan/skipped.hpp"
@@ -57,7 +58,8 @@ public:
         methods_(std::move(methods)),
         only_(options.realizations),
         pool_(options.threads),
-        surfaces_(case_, methods_, only_),
+        builds_by_rows_(has_surfaces_by_rows(case_, methods_, n_mpi_ranks())),
+        surfaces_(case_, methods_, only_, build_by_rows()),
         writer_(prepared(options),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
                  case_.material.contact_modulus, options.reference,
@@ -84,8 +86,15 @@ private:
     return only_.empty() || only_.contains(r);
   }
 
+  int threads_a_rank() const {
+    return std::max(1, pool_.threads() / n_ranks_on_machine());
+  }
+
+  BuildByRows build_by_rows() const;
   RemainingWork work_to_do(const RunOptions& options) const;
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
+  void record_surface(int realization);
+  void record_own_surface(const MethodSpec& method, int realization);
   void begin();
   bool runs_alone(const MethodSpec& method, int realization);
   void run_jobs();
@@ -95,6 +104,7 @@ private:
   std::vector<MethodSpec> methods_;
   std::set<int> only_; ///< realisations; empty: all
   WorkerPool pool_;
+  bool builds_by_rows_; ///< no rank holds a whole surface
   CaseSurfaces surfaces_;
   results::ResultWriter writer_;
   Cache no_cache_;
@@ -129,20 +139,53 @@ RemainingWork Run::work_to_do(const RunOptions& options) const {
   return {work, std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0};
 }
 
+/// Returns how ranks build a surface, or nothing if this process does.
+BuildByRows Run::build_by_rows() const {
+  if (!builds_by_rows_)
+    return {};
+  return [this](const SurfaceSource& source) {
+    return surface_by_rows(source, case_.material.contact_modulus,
+                           threads_a_rank());
+  };
+}
+
+void Run::record_surface(int realization) {
+  const SurfaceOfCase& surface =
+      surfaces_.whole()[static_cast<std::size_t>(realization)];
+  if (surface.source)
+    writer_.record_surface(realization, surface.record,
+                           heights_by_rows(*surface.source, threads_a_rank()));
+  else
+    writer_.record_surface(realization, surface.record);
+}
+
+void Run::record_own_surface(const MethodSpec& method, int realization) {
+  const results::SurfaceRecord record =
+      surfaces_.record_of(method, realization);
+  if (builds_by_rows_ && method.needs_surface())
+    writer_.record_own_surface(
+        method.name, realization, record,
+        heights_by_rows(*surfaces_.of(method, realization).source,
+                        threads_a_rank()));
+  else
+    writer_.record_own_surface(method.name, realization, record);
+}
+
 void Run::begin() {
   for (const std::string& warning :
        cases::locking_warnings(case_.material, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
+  if (builds_by_rows_)
+    fmt::print("{} ranks generate the rows of the surface\n", n_mpi_ranks());
   for (std::size_t i = 0; i < surfaces_.whole().size(); ++i)
     if (const int r = static_cast<int>(i); has_realization(r))
-      writer_.record_surface(r, surfaces_.whole()[i].record);
+      record_surface(r);
   for (const MethodSpec& method : methods_) {
     const MethodDescription description = describe(method, case_.material);
     writer_.begin_method(method.name, description.kind, description.text);
     if (has_own_surface(case_, method))
       for (const int r : realizations(method))
-        writer_.record_own_surface(method.name, r,
-                                   surfaces_.record_of(method, r));
+        record_own_surface(method, r);
   }
 }
 
@@ -228,6 +271,9 @@ RunOutcome Run::execute() {
   fmt::print("{} steps: {} computed, {} from the cache\n",
              tally_.computed_steps + tally_.kept_steps(),
              tally_.computed_steps.load(), tally_.kept_steps());
+  if (tally_.gathered_bytes > 0)
+    fmt::print("rank 0 gathered {:.1f} MB for the cache\n",
+               1e-6 * static_cast<double>(tally_.gathered_bytes));
   for (const std::string& problem : cache_.problems())
     fmt::print(stderr, "{}\n", problem);
   return {was_interrupted, tally_.failed_steps, tally_.computed_steps,

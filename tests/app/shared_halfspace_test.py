@@ -2,7 +2,7 @@
 of one process, also when a run is resumed by another number of ranks, and for
 steps that the cache of one process has kept.
 
-Arguments: asperity, mpirun, an empty folder. Tolerance: none, equal bits.
+Arguments: asperity, mpirun, an empty folder, same_maps. Tolerance: none, equal bits.
 """
 import os
 import re
@@ -36,8 +36,9 @@ PATIENCE = 200.0  # [s]
 
 
 class Runner:
-    def __init__(self, program, mpirun, folder):
+    def __init__(self, program, mpirun, folder, same_maps):
         self.program, self.mpirun, self.folder = program, mpirun, folder
+        self.same_maps = same_maps
 
     def start(self, *words, ranks=1, output=subprocess.PIPE):
         environment = os.environ | {
@@ -55,6 +56,12 @@ class Runner:
         assert process.returncode == code, f"{words}: {process.returncode}, not {code}\n{output}"
         return output
 
+    def expect_same_maps(self, one, other):
+        """The heights and fields bit by bit, of which diff says nothing."""
+        answer = subprocess.run([self.same_maps, one, other], cwd=self.folder, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        assert answer.returncode == 0, answer.stdout
+
 
 def shared_by(output):
     """The methods whose rows are shared, with the number of ranks."""
@@ -68,6 +75,25 @@ def check_bits(runner):
         output = runner.run(*ask, "--out", f"on-{ranks}", ranks=ranks)
         assert sorted(shared_by(output)) == [(name, str(ranks)) for name in SHARED], output
         runner.run("diff", "alone", f"on-{ranks}", "--tolerance", "0")
+
+
+def check_surface_by_rows(runner):
+    """Without methods that need the whole surface, no rank holds it. What the
+    result keeps is the same, also if the surface is rescaled, and without the
+    cache nothing is gathered."""
+    scaled = ["--set", "surface.rescale=true", "--set", 'surface.amplitudes="gaussian"']
+    for name, settings, all_ranks in (("plain", [], (2, 3)), ("scaled", scaled, (2,))):
+        ask = ["run", "shared.toml", "--methods", ",".join(["theory", *SHARED]), "--exactly",
+               "--no-cache", "--no-report", *settings]
+        alone = runner.run(*ask, "--out", f"{name}-alone")
+        assert "generate the rows" not in alone, alone
+        for ranks in all_ranks:
+            folder = f"{name}-{ranks}"
+            output = runner.run(*ask, "--out", folder, ranks=ranks)
+            assert f"{ranks} ranks generate the rows of the surface" in output, output
+            assert "gathered" not in output, output
+            runner.run("diff", f"{name}-alone", folder, "--tolerance", "0")
+            runner.expect_same_maps(f"{name}-alone", folder)
 
 
 def check_plan(runner):
@@ -98,6 +124,7 @@ def check_cache(runner):
     runner.run(*ask, *short, "--out", "kept")
     output = runner.run(*ask, *longer, "--out", "kept", ranks=2)
     assert "3 steps: 1 computed, 2 from the cache" in output, output
+    assert "rank 0 gathered" in output, output
     output = runner.run(*ask, *longest, "--out", "kept")
     assert "4 steps: 1 computed, 3 from the cache" in output, output
     assert "again" not in output, output
@@ -128,13 +155,13 @@ def check_kill(runner):
     runner.run("diff", "killed", "whole-1024", "--tolerance", "0")
 
 
-def main(program, mpirun, folder):
+def main(program, mpirun, folder, same_maps):
     folder = Path(folder)
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     (folder / "shared.toml").write_text(CASE)
-    runner = Runner(program, mpirun, folder)
-    for check in (check_plan, check_bits, check_small, check_cache, check_kill):
+    runner = Runner(program, mpirun, folder, same_maps)
+    for check in (check_plan, check_bits, check_surface_by_rows, check_small, check_cache, check_kill):
         check(runner)
 
 
