@@ -84,9 +84,10 @@ void run(int points, const std::string& kind, int pairs, bool with_both) {
   std::printf("%s%.2f s CPU for mesh and unknowns\n", system.report().c_str(),
               building.seconds());
   const Patch patch(system, HexahedronBlock(problem, system), is_touched);
-  compare_in_pairs(problem, patch, pairs, with_both, [&](auto& displacement) {
-    return own_cost(problem, system, patch, displacement);
-  });
+  compare_in_pairs(problem, system, patch, pairs, with_both,
+                   [&](auto& displacement) {
+                     return own_cost(problem, system, patch, displacement);
+                   });
 }
 
 } // namespace

@@ -67,9 +67,10 @@ void run(int degree, int points, int pairs, bool with_both) {
               building.seconds());
   const Patch patch(system, LatticeBlock(system, *box_lattice(problem)),
                     is_touched);
-  compare_in_pairs(problem, patch, pairs, with_both, [&](auto& displacement) {
-    return own_cost(problem, system, patch, displacement);
-  });
+  compare_in_pairs(problem, system, patch, pairs, with_both,
+                   [&](auto& displacement) {
+                     return own_cost(problem, system, patch, displacement);
+                   });
 }
 
 } // namespace

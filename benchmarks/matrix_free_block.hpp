@@ -71,9 +71,10 @@ inline Cost cost_of(MatrixFreeBlock& block, const CpuClock& setting_up,
   return cost;
 }
 
-inline Cost cost_of_algebra(const BlockProblem& problem, const Patch& patch,
+inline Cost cost_of_algebra(const BlockProblem& problem,
+                            const BlockSystem& same_mesh, const Patch& patch,
                             Patch::Vector& displacement) {
-  const BlockSystem system(problem); // its matrix is assembled again
+  const BlockSystem system(problem, same_mesh); // assembles its matrix again
   Cost cost;
   const CpuClock setting_up;
   BlockSolver solver(system, LinearSolver::multigrid);
@@ -94,8 +95,8 @@ inline Cost cost_of_algebra(const BlockProblem& problem, const Patch& patch,
 /// @param own_cost   solves without a matrix and prints the cost
 /// @param with_both  whether algebraic multigrid runs, too
 inline void
-compare_in_pairs(const BlockProblem& problem, const Patch& patch, int pairs,
-                 bool with_both,
+compare_in_pairs(const BlockProblem& problem, const BlockSystem& system,
+                 const Patch& patch, int pairs, bool with_both,
                  const std::function<Cost(Patch::Vector&)>& own_cost) {
   std::printf("             set-up    solve  iter   memory\n"
               "            [s CPU]  [s CPU]          [MB]\n");
@@ -104,7 +105,7 @@ compare_in_pairs(const BlockProblem& problem, const Patch& patch, int pairs,
     const Cost own = own_cost(found);
     if (!with_both)
       continue;
-    const Cost other = cost_of_algebra(problem, patch, expected);
+    const Cost other = cost_of_algebra(problem, system, patch, expected);
     const double size = expected.linfty_norm();
     expected -= found;
     std::printf("ratio of CPU %.1f, of the solve %.1f, of memory %.1f; answers "

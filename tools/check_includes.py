@@ -46,7 +46,7 @@ ORDER = {
     "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "analysis", "."],
     "meshes": ["layers", "."],
-    "fem": ["parallel", "waves", "multigrid", "block", "solution", "adaptive", "."],
+    "fem": ["parallel", "waves", "multigrid", "block", "refined", "solution", "adaptive", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],
     "app": ["cache", "methods", "plan", "run", "asked", "answers", "board", "sweeps", "parts",

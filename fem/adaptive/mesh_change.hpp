@@ -4,7 +4,7 @@
 // displacement.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/adaptive/mesh_plan.hpp"
+#include "fem/refined/mesh_plan.hpp"
 #include "fem/block/block_problem.hpp"
 
 #include <deal.II/distributed/tria.h>

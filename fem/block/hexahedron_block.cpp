@@ -57,20 +57,6 @@ BlockProblem first_order(const BlockProblem& problem) {
   return coarse;
 }
 
-/// Whether no cell is too incompressible for multigrid without a matrix.
-bool is_compressible(const BlockSystem& system) {
-  double largest = 0.0;
-  for (const auto& cell :
-       system.space().dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    const Moduli own = system.moduli_of(cell);
-    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
-  }
-  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
-         largest_lame_ratio;
-}
-
 } // namespace
 
 FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
@@ -178,7 +164,8 @@ void FirstOrderCorrection::find_rigid_modes() {
 
 void FirstOrderCorrection::prepare(std::span<const double> springs,
                                    const std::vector<bool>& held,
-                                   bool is_sticking) {
+                                   bool is_sticking,
+                                   const MeshContact& /*contact*/) {
   // A hierarchy without stiff springs, or with springs where there are none, is
   // useless, whereas nodes can be held without it.
   const bool is_new = !std::ranges::equal(springs, springs_);
@@ -270,92 +257,35 @@ std::size_t FirstOrderCorrection::bytes() const {
 
 HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
                                  const BlockSystem& system)
-    : system_(system),
-      unknowns_(system.space(), system.contact().needed()),
-      correction_(problem, system, unknowns_),
-      multigrid_(mesh_of(system, unknowns_)) {
-  multigrid_.set_correction([this](const auto& residual, auto& displacement) {
-    correction_.add(residual, displacement, multigrid_.unit());
-  });
-}
+    : HexahedronBlock(problem, system,
+                      std::make_shared<const LocalUnknowns>(
+                          system.space(), system.contact().needed())) {}
 
-/// Copies the own unknowns; those of other ranks are zero.
-void HexahedronBlock::copy_owned(const Vector& from,
-                                 std::vector<double>& to) const {
-  to.assign(from.begin(), from.end());
-  to.resize(unknowns_.size(), 0.0);
-}
+HexahedronBlock::HexahedronBlock(
+    const BlockProblem& problem, const BlockSystem& system,
+    const std::shared_ptr<const LocalUnknowns>& unknowns)
+    : HexahedronBlock(
+          system, unknowns,
+          std::make_unique<FirstOrderCorrection>(problem, system, *unknowns)) {}
 
-void HexahedronBlock::vmult(Vector& to, const Vector& from) const {
-  copy_owned(from, from_);
-  multigrid_.apply(from_, to_);
-  std::copy_n(to_.begin(), unknowns_.owned(), to.begin());
-}
+HexahedronBlock::HexahedronBlock(
+    const BlockSystem& system,
+    const std::shared_ptr<const LocalUnknowns>& unknowns,
+    std::unique_ptr<MeshCorrection> correction)
+    : MeshBlock(system, unknowns, mesh_of(system, *unknowns),
+                std::move(correction)) {}
 
-void HexahedronBlock::prepare(std::span<const double> springs,
-                              const std::vector<bool>& held, bool is_sticking) {
-  HexahedronContact contact;
-  SparseRows points; // by number of an unknown in contact.unknowns
-  std::vector<std::size_t> number(unknowns_.size(), 0);
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    const auto& row = system_.contact()[i].row;
-    if (held[i])
-      append_held(static_cast<dealii::types::global_dof_index>(
-                      unknowns_.of(row.front().first)),
-                  is_sticking, contact.held);
-    if (springs[i] == 0.0)
+bool is_compressible(const BlockSystem& system) {
+  double largest = 0.0;
+  for (const auto& cell :
+       system.space().dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
       continue;
-    for (const auto& [global, value] : row) {
-      const std::size_t unknown = unknowns_.of(global);
-      if (number[unknown] == 0) {
-        contact.unknowns.push_back(unknown);
-        number[unknown] = contact.unknowns.size();
-      }
-      points.column.push_back(number[unknown] - 1);
-      points.weight.push_back(value * std::sqrt(springs[i]));
-    }
-    points.start.push_back(points.column.size());
+    const Moduli own = system.moduli_of(cell);
+    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
   }
-  const std::size_t size = contact.unknowns.size();
-  if (size > 0)
-    contact.springs = product(transposed(points, size), points, size);
-  contact.has_springs =
-      dealii::Utilities::MPI::max(size > 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
-  multigrid_.set_contact(std::move(contact));
-  correction_.prepare(springs, held, is_sticking);
-}
-
-LinearSolution HexahedronBlock::solve(Vector& unknowns, const Vector& forces,
-                                      double tolerance, int most_iterations) {
-  copy_owned(forces, to_);
-  copy_owned(unknowns, from_);
-  // A hierarchy of another contact state may be useless for this one.
-  constexpr int most_with_old = 50;
-  const bool is_old = !correction_.is_current();
-  LinearSolution solution = multigrid_.solve(
-      to_, from_, tolerance,
-      is_old ? std::min(most_with_old, most_iterations) : most_iterations);
-  if (solution.has_converged || !is_old) {
-    correction_.judge(solution.iterations, std::log10(solution.first_residual /
-                                                      solution.last_residual));
-  } else {
-    const int before = solution.iterations;
-    correction_.renew();
-    solution = multigrid_.solve(to_, from_, tolerance, most_iterations);
-    solution.iterations += before;
-  }
-  multigrid_.clear_held(from_);
-  std::copy_n(from_.begin(), unknowns_.owned(), unknowns.begin());
-  return solution;
-}
-
-std::string HexahedronBlock::name() const {
-  return "CG, multigrid without a matrix, first order by Trilinos ML";
-}
-
-std::size_t HexahedronBlock::bytes() const {
-  return unknowns_.bytes() + multigrid_.bytes() + correction_.bytes() +
-         (from_.size() + to_.size()) * sizeof(double);
+  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
+         largest_lame_ratio;
 }
 
 bool is_hexahedron_block(const BlockSystem& system) {

@@ -4,10 +4,8 @@
 // as plain data, and the correction by first-order functions on the same mesh.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_solver.hpp"
-#include "fem/block/block_system.hpp"
-#include "fem/block/local_unknowns.hpp"
-#include "fem/multigrid/hexahedron_multigrid.hpp"
+#include "fem/block/mesh_block.hpp"
+#include "fem/multigrid/hexahedron_operator.hpp"
 
 #include <memory>
 #include <span>
@@ -22,7 +20,7 @@ namespace asperity::fem {
 /// A node of the contact surface is held if the second-order node at its place
 /// is; springs are those of the second-order block on first-order functions
 /// (Galerkin).
-class FirstOrderCorrection {
+class FirstOrderCorrection final : public MeshCorrection {
 public:
   /// @param fine      must outlive this object
   /// @param unknowns  those of `fine`
@@ -30,26 +28,22 @@ public:
                        const LocalUnknowns& unknowns);
 
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
-               bool is_sticking);
-
-  /// Adds the correction for a residual, both over the second-order unknowns.
-  /// @param unit  of the residual over that of the correction [N/m]
+               bool is_sticking, const MeshContact& contact) override;
   void add(const std::vector<float>& residual, std::vector<float>& displacement,
-           double unit);
+           double unit) override;
 
-  /// Reports that a solution took `iterations` for `decades` of the residual:
-  /// the hierarchy is renewed when its age has cost more than a new one.
-  void judge(int iterations, double decades);
+  /// The hierarchy is renewed when its age has cost more than a new one.
+  void judge(int iterations, double decades) override;
 
-  /// Whether the hierarchy is, or will be at its next use, that of the present
-  /// contact.
-  bool is_current() const { return is_new_ || is_stale_; }
+  bool is_current() const override { return is_new_ || is_stale_; }
 
-  void renew() { is_stale_ = true; } ///< at the next use
+  void renew() override { is_stale_ = true; }
 
-  int setups() const { return setups_; }
+  int setups() const override { return setups_; }
 
-  std::size_t bytes() const;
+  std::string name() const override { return "first order by Trilinos ML"; }
+
+  std::size_t bytes() const override;
 
 private:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -83,40 +77,32 @@ private:
   int setups_ = 0;
 };
 
-/// The stiffness of a block of second-order hexahedra and its inverse. Each
-/// rank sums over its own cells; set-up, products and solutions are collective.
-class HexahedronBlock : public MatrixFreeBlock {
+/// The stiffness of a block of second-order hexahedra and its inverse.
+class HexahedronBlock : public MeshBlock<HexahedronOperator> {
 public:
   /// @param system must outlive this object
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system);
 
-  void vmult(Vector& to, const Vector& from) const override;
-  void prepare(std::span<const double> springs, const std::vector<bool>& held,
-               bool is_sticking) override;
-  LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
-                       int most_iterations) override;
+  /// The same with another correction, which refers to the unknowns.
+  HexahedronBlock(const BlockSystem& system,
+                  const std::shared_ptr<const LocalUnknowns>& unknowns,
+                  std::unique_ptr<MeshCorrection> correction);
 
   /// Gives some cells tangents at their Gauss points, as a plastic body has
   /// them; the preconditioner stays that of the elastic block.
   /// @param cells  in the order of the active cells of this rank, each once
   void set_tangents(std::span<const CellTangents> cells) {
-    multigrid_.set_tangents(cells);
+    multigrid().stiffness().set_tangents(cells);
   }
 
-  int setups() const override { return correction_.setups(); }
-
-  std::string name() const override;
-  std::size_t bytes() const override;
-
 private:
-  void copy_owned(const Vector& from, std::vector<double>& to) const;
-
-  const BlockSystem& system_;
-  LocalUnknowns unknowns_;
-  FirstOrderCorrection correction_;
-  HexahedronMultigrid multigrid_;
-  mutable std::vector<double> from_, to_;
+  HexahedronBlock(const BlockProblem& problem, const BlockSystem& system,
+                  const std::shared_ptr<const LocalUnknowns>& unknowns);
 };
+
+/// Whether no cell is too incompressible for multigrid without a matrix.
+/// Collective.
+bool is_compressible(const BlockSystem& system);
 
 /// Whether HexahedronBlock can solve the problem: one body of second-order
 /// hexahedra. With two bodies, stiff springs between them leave

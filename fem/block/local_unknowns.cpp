@@ -1,8 +1,12 @@
 #include "fem/block/local_unknowns.hpp"
 
+#include "fem/block/block_solver.hpp"
 #include "fem/parallel/mpi_group.hpp"
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace asperity::fem {
@@ -105,6 +109,40 @@ std::size_t LocalUnknowns::bytes() const {
   return cell_nodes_.size() * sizeof(std::uint32_t) +
          ghost_nodes_.size() * sizeof(std::size_t) + constraints_.bytes() +
          (ghosts_ ? ghosts_->bytes() : 0);
+}
+
+MeshContact mesh_contact(const BlockSystem& system,
+                         const LocalUnknowns& unknowns,
+                         std::span<const double> springs,
+                         const std::vector<bool>& held, bool is_sticking) {
+  MeshContact contact;
+  SparseRows points; // by number of an unknown in contact.unknowns
+  std::vector<std::size_t> number(unknowns.size(), 0);
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const auto& row = system.contact()[i].row;
+    if (held[i])
+      append_held(static_cast<dealii::types::global_dof_index>(
+                      unknowns.of(row.front().first)),
+                  is_sticking, contact.held);
+    if (springs[i] == 0.0)
+      continue;
+    for (const auto& [global, value] : row) {
+      const std::size_t unknown = unknowns.of(global);
+      if (number[unknown] == 0) {
+        contact.unknowns.push_back(unknown);
+        number[unknown] = contact.unknowns.size();
+      }
+      points.column.push_back(number[unknown] - 1);
+      points.weight.push_back(value * std::sqrt(springs[i]));
+    }
+    points.start.push_back(points.column.size());
+  }
+  const std::size_t size = contact.unknowns.size();
+  if (size > 0)
+    contact.springs = product(transposed(points, size), points, size);
+  contact.has_springs =
+      dealii::Utilities::MPI::max(size > 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
+  return contact;
 }
 
 } // namespace asperity::fem

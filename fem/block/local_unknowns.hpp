@@ -4,11 +4,13 @@
 // deal.II: its own ones, then those of other ranks.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_space.hpp"
+#include "fem/block/block_system.hpp"
 #include "fem/multigrid/hexahedron_operator.hpp"
+#include "fem/multigrid/smoothed_level.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ranks/ghost_values.hpp"
@@ -57,5 +59,13 @@ private:
   std::vector<std::uint32_t> cell_nodes_;
   UnknownConstraints constraints_;
 };
+
+/// The contact of a block for the linear solver of its mesh [m, N]. This call
+/// is collective.
+/// @param springs, held, is_sticking  as BlockSolver::set_contact has them
+MeshContact mesh_contact(const BlockSystem& system,
+                         const LocalUnknowns& unknowns,
+                         std::span<const double> springs,
+                         const std::vector<bool>& held, bool is_sticking);
 
 } // namespace asperity::fem

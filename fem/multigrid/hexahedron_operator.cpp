@@ -144,6 +144,17 @@ void UnknownConstraints::condense(Number* force) const {
   }
 }
 
+void UnknownConstraints::condense_diagonal(
+    std::vector<double>& diagonal) const {
+  for (std::size_t row = 0; row < unknowns.size(); ++row) {
+    double& slave = diagonal[unknowns[row]];
+    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
+      diagonal[masters.column[i]] +=
+          masters.weight[i] * masters.weight[i] * slave;
+    slave = 0.0;
+  }
+}
+
 template void UnknownConstraints::distribute(float*) const;
 template void UnknownConstraints::distribute(double*) const;
 template void UnknownConstraints::condense(float*) const;
@@ -256,17 +267,8 @@ void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
       for (std::size_t k = 0; k < 3; ++k)
         sum[mesh.nodes[cell][a] + k] += own[3 * a + k];
   }
-  const UnknownConstraints& own = mesh.constraints;
-  for (std::size_t row = 0; row < own.unknowns.size(); ++row) {
-    double& slave = sum[own.unknowns[row]];
-    for (std::size_t i = own.masters.start[row]; i < own.masters.start[row + 1];
-         ++i)
-      sum[own.masters.column[i]] +=
-          own.masters.weight[i] * own.masters.weight[i] * slave;
-    slave = 0.0;
-  }
-  if (ghosts_ != nullptr)
-    ghosts_->add_to_owners(sum.data());
+  constraints_.condense_diagonal(sum);
+  collect(sum.data());
   diagonal_.assign(sum.begin(), sum.end());
 }
 

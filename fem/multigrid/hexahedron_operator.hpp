@@ -32,6 +32,10 @@ struct UnknownConstraints {
   template <class Number>
   void condense(Number* force) const;
 
+  /// The same for a diagonal, without the terms that couple two masters of one
+  /// unknown.
+  void condense_diagonal(std::vector<double>& diagonal) const;
+
   std::size_t bytes() const {
     return unknowns.size() * sizeof(std::size_t) + masters.bytes();
   }
@@ -67,6 +71,8 @@ HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit);
 template <class Number>
 class HexahedronOperator {
 public:
+  using Mesh = HexahedronMesh;
+
   explicit HexahedronOperator(const HexahedronMesh& mesh);
 
   std::size_t size() const { return size_; }
@@ -83,7 +89,8 @@ public:
   void apply_own(Number* displacement, Number* force) const;
 
   /// Moves forces on unknowns of other ranks to these.
-  void collect(Number* force) const {
+  template <class Other>
+  void collect(Other* force) const {
     if (ghosts_ != nullptr)
       ghosts_->add_to_owners(force);
   }

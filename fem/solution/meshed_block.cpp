@@ -7,6 +7,7 @@
 #include "fem/block/lattice_block.hpp"
 #include "fem/block/lattice_preconditioner.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "fem/refined/refined_block.hpp"
 #include "fem/solution/block_section.hpp"
 #include "meshes/layered_mesh.hpp"
 
@@ -99,6 +100,8 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
     matrix_free = multigrid_of(problem, system);
   if (has_own_mesh && !matrix_free)
     fourier = lattice_of(problem, system);
+  if (!matrix_free && !fourier)
+    matrix_free = refined_block_of(problem, system);
   if (!matrix_free && !fourier)
     matrix_free = hexahedron_block_of(problem, system);
   return ContactNewton(system, problem.linear_solver, std::move(fourier),

@@ -1,4 +1,4 @@
-#include "fem/adaptive/mesh_plan.hpp"
+#include "fem/refined/mesh_plan.hpp"
 
 #include <algorithm>
 #include <stdexcept>

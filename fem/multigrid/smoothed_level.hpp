@@ -1,0 +1,140 @@
+#pragma once
+
+// One level of a multigrid cycle on a mesh: the stiffness in single precision,
+// contact, and the smoother before and after a correction by coarser functions.
+
+#include "fem/multigrid/chebyshev.hpp"
+#include "fem/multigrid/face_contact.hpp"
+#include "fem/multigrid/sparse_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Contact as the linear solver of a mesh sees it.
+struct MeshContact {
+  std::vector<std::size_t> unknowns; ///< u_z of the contact surface
+  SparseRows springs; ///< symmetric matrix on these, or no rows; [N/m] or in
+                      ///< the unit of a level's stiffness
+  bool has_springs = false;      ///< on any rank
+  std::vector<std::size_t> held; ///< unknowns that are held
+};
+
+/// A level with the stiffness of Operator<float>, which has apply(),
+/// apply_own(), collect() and diagonal() as HexahedronOperator.
+template <template <class> class Operator>
+class SmoothedLevel : public SmoothedVectors {
+public:
+  using Mesh = typename Operator<float>::Mesh;
+
+  /// @param mesh  in units in which its stiffness fits into a float
+  explicit SmoothedLevel(const Mesh& mesh)
+      : stiffness_(mesh), constrained_(mesh.constraints.unknowns) {
+    eigenvalue_ = static_cast<float>(eigenvalue_estimate(
+        stiffness_.diagonal(),
+        [&](float* from, float* to) { stiffness_.apply(from, to); },
+        mesh.ranks()));
+    displacement.assign(mesh.unknowns, 0.0F);
+    residual = direction = product_ = displacement;
+    set_contact({});
+  }
+
+  /// @param contact  springs in the unit of the stiffness
+  void set_contact(MeshContact contact) {
+    contact_ = std::move(contact);
+    const std::vector<float>& diagonal = stiffness_.diagonal();
+    inverse_.resize(diagonal.size());
+    for (std::size_t i = 0; i < inverse_.size(); ++i)
+      inverse_[i] =
+          diagonal[i] > 0.0F ? 1.0F / (eigenvalue_ * diagonal[i]) : 0.0F;
+    if (contact_.has_springs)
+      soften();
+    for (const std::size_t unknown : contact_.held)
+      inverse_[unknown] = 0.0F;
+  }
+
+  const MeshContact& contact() const { return contact_; }
+
+  const std::vector<std::size_t>& constrained() const { return constrained_; }
+
+  /// Smooths from zero for the force in `residual`, which becomes the residual
+  /// of the displacement, zero at unknowns that are not solved for.
+  void smooth_before() {
+    std::fill(displacement.begin(), displacement.end(), 0.0F);
+    smooth_by_chebyshev(*this, inverse_, terms, false, [this] { subtract(); });
+    clear_held(residual);
+  }
+
+  /// Adds a correction, which is in `direction`, to the displacement.
+  void add_correction() {
+    clear_held(direction);
+    for (std::size_t i = 0; i < product_.size(); ++i)
+      displacement[i] += direction[i];
+    subtract();
+  }
+
+  void smooth_after() {
+    smooth_by_chebyshev(*this, inverse_, terms, true, [this] { subtract(); });
+    clear_held(displacement);
+  }
+
+  /// Sets unknowns to zero that constraints or contact determine.
+  template <class Number>
+  void clear_held(std::vector<Number>& vector) const {
+    for (const std::size_t unknown : constrained_)
+      vector[unknown] = Number(0);
+    for (const std::size_t unknown : contact_.held)
+      vector[unknown] = Number(0);
+  }
+
+  std::size_t bytes() const {
+    return stiffness_.bytes() + 5 * product_.size() * sizeof(float) +
+           contact_.springs.bytes() +
+           (constrained_.size() + contact_.unknowns.size() +
+            contact_.held.size()) *
+               sizeof(std::size_t);
+  }
+
+private:
+  /// Terms of the polynomial before and after the correction.
+  static constexpr int terms = 4;
+
+  /// Adds the sum of the magnitudes in each row of the springs to the diagonal.
+  void soften() {
+    const std::vector<float>& diagonal = stiffness_.diagonal();
+    std::vector<double> sums(diagonal.size(), 0.0);
+    const SparseRows& springs = contact_.springs;
+    for (std::size_t row = 0; row < springs.rows(); ++row)
+      for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
+        sums[contact_.unknowns[row]] += std::abs(springs.weight[i]);
+    stiffness_.collect(sums.data());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (sums[i] > 0.0)
+        inverse_[i] = static_cast<float>(
+            1.0 / (static_cast<double>(eigenvalue_ * diagonal[i]) + sums[i]));
+  }
+
+  /// Subtracts (K + S) direction from the residual.
+  void subtract() {
+    stiffness_.apply_own(direction.data(), product_.data());
+    if (!contact_.springs.is_empty())
+      add_spring_force(contact_.springs, contact_.unknowns, direction.data(),
+                       product_.data());
+    stiffness_.collect(product_.data());
+    for (std::size_t i = 0; i < product_.size(); ++i)
+      residual[i] -= product_[i];
+  }
+
+  Operator<float> stiffness_;
+  std::vector<std::size_t> constrained_;
+  float eigenvalue_ = 0.0F;
+  std::vector<float> inverse_; ///< of the diagonal times eigenvalue_
+  MeshContact contact_;
+  std::vector<float> product_;
+};
+
+} // namespace asperity::fem

@@ -1,0 +1,364 @@
+#include "fem/refined/box_levels.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace asperity::fem {
+namespace {
+
+using Place = std::array<std::uint32_t, 3>; ///< in edges of the smallest cells
+
+constexpr std::uint32_t nowhere = UINT32_MAX;
+
+/// The nodes of halved boxes by their places.
+class BoxNodes {
+public:
+  BoxNodes(const BoxLattice& lattice, const std::vector<BoxCell>& cells)
+      : is_periodic_(lattice.is_periodic) {
+    for (const BoxCell& cell : cells)
+      depth_ = std::max(depth_, cell.level);
+    extent_ = {static_cast<std::uint32_t>(lattice.cells_x) << depth_,
+               static_cast<std::uint32_t>(lattice.cells_y) << depth_,
+               static_cast<std::uint32_t>(lattice.layers()) << depth_};
+    for (const std::uint32_t along : extent_)
+      if (along >= 1U << bits)
+        throw std::length_error("a mesh has too many cells along an axis");
+    keys_.reserve(cells.size() * nodes_in_box);
+    for (const BoxCell& cell : cells)
+      for (std::uint32_t v = 0; v < nodes_in_box; ++v)
+        keys_.push_back(key(at(cell, {v & 1U, v >> 1U & 1U, v >> 2U}, 1)));
+    std::ranges::sort(keys_);
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+  }
+
+  std::size_t size() const { return keys_.size(); }
+
+  int depth() const { return depth_; }
+
+  /// A place in a cell, in units of its edge divided by `steps`.
+  Place at(const BoxCell& cell, const Place& offset,
+           std::uint32_t steps) const {
+    const std::uint32_t edge = 1U << (depth_ - cell.level);
+    Place place{};
+    for (std::size_t i = 0; i < 3; ++i)
+      place[i] = static_cast<std::uint32_t>(cell.place[i]) * edge +
+                 offset[i] * edge / steps;
+    return place;
+  }
+
+  /// The number of the node at a place, if there is one.
+  std::uint32_t number(const Place& place) const {
+    const auto found = std::ranges::lower_bound(keys_, key(place));
+    return found == keys_.end() || *found != key(place)
+               ? nowhere
+               : static_cast<std::uint32_t>(found - keys_.begin());
+  }
+
+  bool is_far(std::uint32_t node) const {
+    return keys_[node] >> (2 * bits) == extent_[2];
+  }
+
+private:
+  static constexpr unsigned int bits = 21;
+
+  std::uint64_t key(Place place) const {
+    if (is_periodic_)
+      for (std::size_t i = 0; i < 2; ++i)
+        place[i] %= extent_[i];
+    std::uint64_t key = place[2];
+    key = key << bits | place[1];
+    return key << bits | place[0];
+  }
+
+  bool is_periodic_;
+  int depth_ = 0;
+  Place extent_{};
+  std::vector<std::uint64_t> keys_;
+};
+
+/// Nodes in the middle of an edge or a face of a larger cell.
+class HangingNodes {
+public:
+  HangingNodes(const BoxNodes& nodes, const std::vector<BoxCell>& cells)
+      : rows_(nodes.size(), nowhere) {
+    for (const BoxCell& cell : cells)
+      if (cell.level < nodes.depth())
+        for (std::uint32_t i = 0; i < 27; ++i)
+          add({i % 3, i / 3 % 3, i / 9}, nodes, cell);
+  }
+
+  bool is_hanging(std::uint32_t node) const { return rows_[node] != nowhere; }
+
+  /// Adds the nodes that a node is interpolated from, none of them hanging.
+  void resolve(std::uint32_t node, double weight,
+               std::map<std::uint32_t, double>& sum) const {
+    if (!is_hanging(node)) {
+      sum[node] += weight;
+      return;
+    }
+    const std::vector<std::uint32_t>& masters = masters_[rows_[node]];
+    for (const std::uint32_t master : masters)
+      resolve(master, weight / static_cast<double>(masters.size()), sum);
+  }
+
+private:
+  /// @param offset  of the node in halves of the edge
+  void add(const Place& offset, const BoxNodes& nodes, const BoxCell& cell) {
+    const auto middles = std::ranges::count(offset, 1U);
+    if (middles == 0 || middles == 3)
+      return;
+    const std::uint32_t node = nodes.number(nodes.at(cell, offset, 2));
+    if (node == nowhere || is_hanging(node))
+      return;
+    rows_[node] = static_cast<std::uint32_t>(masters_.size());
+    std::vector<std::uint32_t>& own = masters_.emplace_back();
+    for (std::uint32_t v = 0; v < nodes_in_box; ++v) {
+      Place corner{};
+      bool is_master = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        corner[i] = 2 * (v >> i & 1U);
+        is_master = is_master && (offset[i] == 1 || offset[i] == corner[i]);
+      }
+      if (is_master)
+        own.push_back(nodes.number(nodes.at(cell, corner, 2)));
+    }
+  }
+
+  std::vector<std::uint32_t> rows_;
+  std::vector<std::vector<std::uint32_t>> masters_;
+};
+
+UnknownConstraints constraints_of(const BoxLattice& lattice,
+                                  const BoxNodes& nodes,
+                                  const std::vector<BoxCell>& cells) {
+  const HangingNodes hanging(nodes, cells);
+  const auto is_held = [&](std::uint32_t node, std::size_t component) {
+    return nodes.is_far(node) &&
+           (component < 2 ? lattice.holds_lateral : lattice.holds_normal);
+  };
+  UnknownConstraints found;
+  std::map<std::uint32_t, double> masters;
+  for (std::uint32_t node = 0; node < nodes.size(); ++node) {
+    masters.clear();
+    if (hanging.is_hanging(node))
+      hanging.resolve(node, 1.0, masters);
+    else if (!nodes.is_far(node))
+      continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (masters.empty() && !is_held(node, c))
+        continue;
+      found.unknowns.push_back(3 * std::size_t{node} + c);
+      for (const auto& [master, weight] : masters)
+        if (!is_held(master, c)) {
+          found.masters.column.push_back(3 * std::size_t{master} + c);
+          found.masters.weight.push_back(weight);
+        }
+      found.masters.start.push_back(found.masters.column.size());
+    }
+  }
+  return found;
+}
+
+BoxCell parent_of_box(const BoxCell& cell) {
+  return {cell.level - 1,
+          {cell.place[0] / 2, cell.place[1] / 2, cell.place[2] / 2}};
+}
+
+} // namespace
+
+bool HalvedBoxes::is_lattice() const {
+  return std::ranges::all_of(
+      cells, [](const BoxCell& cell) { return cell.level == 0; });
+}
+
+HalvedBoxes merged(const BoxLattice& lattice, const HalvedBoxes& boxes,
+                   std::vector<std::uint32_t>& merged_in) {
+  std::vector<MeshPlan::Wish> wishes;
+  wishes.reserve(boxes.cells.size());
+  for (const BoxCell& cell : boxes.cells)
+    wishes.push_back({cell, CellChange::coarsen});
+  const MeshPlan plan({lattice.cells_x, lattice.cells_y, lattice.layers()},
+                      lattice.is_periodic, wishes);
+  if (plan.count().coarsened == 0)
+    throw std::logic_error("the cells of a mesh do not merge");
+  HalvedBoxes result;
+  merged_in.clear();
+  std::unordered_map<std::uint64_t, std::uint32_t> number;
+  for (std::size_t i = 0; i < boxes.cells.size(); ++i) {
+    const BoxCell& cell = boxes.cells[i];
+    const bool merges = plan.change_of(cell) == CellChange::coarsen;
+    const BoxCell own = merges ? parent_of_box(cell) : cell;
+    const auto next = static_cast<std::uint32_t>(result.cells.size());
+    const std::uint32_t into =
+        merges ? number.emplace(own.key(), next).first->second : next;
+    if (into == next) {
+      result.cells.push_back(own);
+      result.moduli.emplace_back();
+    }
+    const double share = merges ? 0.125 : 1.0;
+    result.moduli[into].lame += share * boxes.moduli[i].lame;
+    result.moduli[into].shear += share * boxes.moduli[i].shear;
+    merged_in.push_back(into);
+  }
+  return result;
+}
+
+std::array<double, 3> edges_of(const BoxLattice& lattice, const BoxCell& cell) {
+  std::array<double, 3> edges =
+      lattice.cell_size(cell.place[2] / (1 << cell.level));
+  for (double& edge : edges)
+    edge /= 1 << cell.level;
+  return edges;
+}
+
+BoxLevel::BoxLevel(const BoxLattice& lattice, HalvedBoxes own)
+    : boxes(std::move(own)) {
+  const BoxNodes nodes(lattice, boxes.cells);
+  for (const BoxCell& cell : boxes.cells) {
+    auto& corners = mesh.nodes.emplace_back();
+    for (std::uint32_t v = 0; v < nodes_in_box; ++v)
+      corners[v] =
+          3 * nodes.number(nodes.at(cell, {v & 1U, v >> 1U & 1U, v >> 2U}, 1));
+    mesh.edges.push_back(edges_of(lattice, cell));
+  }
+  mesh.moduli = boxes.moduli;
+  mesh.unknowns = 3 * nodes.size();
+  mesh.constraints = constraints_of(lattice, nodes, boxes.cells);
+}
+
+bool BoxLevel::is_constrained(std::size_t unknown) const {
+  return std::ranges::binary_search(mesh.constraints.unknowns, unknown);
+}
+
+NodeInterpolation::NodeInterpolation(const NodesOfCells& fine,
+                                     const BoxLevel& coarse,
+                                     std::span<const std::uint32_t> coarse_of,
+                                     std::vector<bool> is_wanted) {
+  const std::size_t line = fine.in_line;
+  for (std::size_t i = 0; i < fine.cells.size(); ++i) {
+    const BoxCell& cell = fine.cells[i];
+    const BoxCell& above = coarse.boxes.cells[coarse_of[i]];
+    const double size = 1.0 / (1 << (cell.level - above.level));
+    for (std::size_t n = 0; n < fine.in_cell(); ++n) {
+      const std::uint32_t node = fine.nodes[i * fine.in_cell() + n];
+      if (!is_wanted[node / 3])
+        continue;
+      is_wanted[node / 3] = false;
+      const Place step{static_cast<std::uint32_t>(n % line),
+                       static_cast<std::uint32_t>(n / line % line),
+                       static_cast<std::uint32_t>(n / line / line)};
+      std::array<double, 3> at{};
+      for (std::size_t k = 0; k < 3; ++k)
+        at[k] = size * (cell.place[k] + static_cast<double>(step[k]) /
+                                            static_cast<double>(line - 1)) -
+                above.place[k];
+      if (cell.place[2] == 0 && step[2] == 0)
+        surface_.emplace_back(node, static_cast<std::uint32_t>(nodes_.size()));
+      add_row(node, at, coarse.mesh.nodes[coarse_of[i]]);
+    }
+  }
+  std::ranges::sort(surface_);
+}
+
+/// @param at  in the coarse cell, 0..1 along each axis
+void NodeInterpolation::add_row(
+    std::uint32_t node, const std::array<double, 3>& at,
+    const std::array<std::uint32_t, nodes_in_box>& corners) {
+  for (std::size_t v = 0; v < nodes_in_box; ++v) {
+    double weight = 1.0;
+    for (std::size_t k = 0; k < 3; ++k)
+      weight *= (v >> k & 1U) == 1 ? at[k] : 1.0 - at[k];
+    if (weight == 0.0)
+      continue;
+    column_.push_back(corners[v]);
+    weight_.push_back(static_cast<float>(weight));
+  }
+  nodes_.push_back(node);
+  start_.push_back(static_cast<std::uint32_t>(column_.size()));
+}
+
+void NodeInterpolation::restrict_force(const std::vector<float>& fine,
+                                       float factor,
+                                       std::vector<float>& coarse) const {
+  for (std::size_t row = 0; row < nodes_.size(); ++row) {
+    const float* const from = fine.data() + nodes_[row];
+    for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        coarse[column_[k] + c] += factor * weight_[k] * from[c];
+  }
+}
+
+void NodeInterpolation::interpolate(const std::vector<float>& coarse,
+                                    std::vector<float>& fine) const {
+  for (std::size_t row = 0; row < nodes_.size(); ++row) {
+    float* const to = fine.data() + nodes_[row];
+    for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        to[c] += weight_[k] * coarse[column_[k] + c];
+  }
+}
+
+/// The row of a node of the contact surface; the number of rows if it is not
+/// interpolated.
+std::size_t NodeInterpolation::row_of(std::size_t unknown) const {
+  const auto node = static_cast<std::uint32_t>(unknown - unknown % 3);
+  const auto found = std::ranges::lower_bound(
+      surface_, std::pair<std::uint32_t, std::uint32_t>(node, 0));
+  return found == surface_.end() || found->first != node ? nodes_.size()
+                                                         : found->second;
+}
+
+MeshContact NodeInterpolation::coarse(const MeshContact& fine,
+                                      const BoxLevel& level) const {
+  MeshContact found;
+  found.has_springs = fine.has_springs;
+  for (const std::size_t unknown : fine.held) {
+    const std::size_t row = row_of(unknown);
+    if (row == nodes_.size() || start_[row + 1] != start_[row] + 1)
+      continue;
+    const std::size_t at_place = column_[start_[row]] + unknown % 3;
+    if (!level.is_constrained(at_place))
+      found.held.push_back(at_place);
+  }
+  SparseRows interpolation; // by number in found.unknowns
+  std::map<std::size_t, std::size_t> number;
+  const auto add = [&](std::size_t unknown, double weight) {
+    const auto [place, is_new] = number.emplace(unknown, number.size());
+    if (is_new)
+      found.unknowns.push_back(unknown);
+    interpolation.column.push_back(place->second);
+    interpolation.weight.push_back(weight);
+  };
+  const UnknownConstraints& constraints = level.mesh.constraints;
+  for (const std::size_t unknown : fine.unknowns) {
+    const std::size_t row = row_of(unknown);
+    if (row < nodes_.size())
+      for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k) {
+        const std::size_t master = column_[k] + unknown % 3;
+        const auto weight = static_cast<double>(weight_[k]);
+        const auto slave =
+            std::ranges::lower_bound(constraints.unknowns, master);
+        if (slave == constraints.unknowns.end() || *slave != master) {
+          add(master, weight);
+          continue;
+        }
+        const auto own =
+            static_cast<std::size_t>(slave - constraints.unknowns.begin());
+        for (std::size_t i = constraints.masters.start[own];
+             i < constraints.masters.start[own + 1]; ++i)
+          add(constraints.masters.column[i],
+              weight * constraints.masters.weight[i]);
+      }
+    interpolation.start.push_back(interpolation.column.size());
+  }
+  const std::size_t size = found.unknowns.size();
+  if (size > 0)
+    found.springs = product(transposed(interpolation, size),
+                            product(fine.springs, interpolation, size), size);
+  return found;
+}
+
+} // namespace asperity::fem

@@ -1,0 +1,94 @@
+#pragma once
+
+// The stiffness of a mesh of first-order boxes without a matrix, under linear
+// constraints. This file does not depend on deal.II.
+
+#include "fem/multigrid/hexahedron_operator.hpp"
+#include "fem/refined/box_kernel.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace asperity::fem {
+
+/// Boxes with edges along the axes, those of this rank if several share the
+/// block; the three unknowns of a node are consecutive.
+struct BoxMesh {
+  /// The first unknown of each of the nodes of a cell, x fastest.
+  std::vector<std::array<std::uint32_t, nodes_in_box>> nodes;
+  std::vector<std::array<double, 3>> edges; ///< of each cell [m]
+  std::vector<CellModuli> moduli;           ///< of each cell
+  std::size_t unknowns = 0; ///< including copies of those of other ranks
+  UnknownConstraints constraints;
+  /// The nodes of other ranks; null for a block on one process. It must outlive
+  /// what is made from the mesh.
+  const GhostValues* ghosts = nullptr;
+
+  RankGroup* ranks() const {
+    return ghosts == nullptr ? nullptr : &ghosts->ranks();
+  }
+
+  /// Measures lengths and moduli in other units.
+  void rescale(double length, double modulus);
+};
+
+/// The shortest edge [m] and the largest shear modulus [Pa] on any rank.
+struct BoxUnits {
+  double length = 0.0, modulus = 0.0;
+
+  double stiffness() const { return length * modulus; } ///< [N/m]
+};
+
+BoxUnits units_of(const BoxMesh& mesh);
+
+/// The mesh in these units, so that its stiffness can be stored in single
+/// precision.
+/// @param unit  unit of the stiffness of the result [N/m]
+BoxMesh normalised(const BoxMesh& mesh, double& unit);
+
+/// K on vectors of all unknowns, with isotropic linear elasticity. The calls
+/// are those of HexahedronOperator.
+template <class Number>
+class BoxOperator {
+public:
+  using Mesh = BoxMesh;
+
+  explicit BoxOperator(const BoxMesh& mesh);
+
+  std::size_t size() const { return diagonal_.size(); }
+
+  void apply(Number* displacement, Number* force) const {
+    apply_own(displacement, force);
+    collect(force);
+  }
+
+  void apply_own(Number* displacement, Number* force) const;
+
+  template <class Other>
+  void collect(Other* force) const {
+    if (ghosts_ != nullptr)
+      ghosts_->add_to_owners(force);
+  }
+
+  const std::vector<Number>& diagonal() const { return diagonal_; }
+
+  const UnknownConstraints& constraints() const { return constraints_; }
+
+  std::size_t bytes() const;
+
+private:
+  void take_diagonal(const BoxMesh& mesh);
+
+  const GhostValues* ghosts_;
+  UnknownConstraints constraints_;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<Number> boxes_;
+  std::vector<Number> diagonal_;
+};
+
+extern template class BoxOperator<float>;
+extern template class BoxOperator<double>;
+
+} // namespace asperity::fem

@@ -1,0 +1,243 @@
+// Tests of fem/refined/refined_block.hpp: first-order boxes with hanging nodes
+// without a matrix, and multigrid on coarser meshes for first and second order,
+// compared with deal.II's assembled matrix and the direct solver.
+#include "fem/block/block_triangulation.hpp"
+#include "fem/parallel/mpi_session.hpp"
+#include "fem/refined/refined_block.hpp"
+#include "meshes/hanging_mesh.hpp"
+
+#include <deal.II/base/mpi.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "tests/fem/block_vectors.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+
+namespace asperity::fem {
+namespace {
+
+using mechanics::BlockSides;
+using mechanics::ContactPoints;
+using mechanics::FarBoundary;
+using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+constexpr double length = 1e-6; // m
+
+bool is_alone() {
+  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
+}
+
+struct RefinedCase {
+  const char* name;
+  FarBoundary far_boundary;
+  BlockSides sides;
+  int degree = 1;
+  ContactPoints contact_at = ContactPoints::nodes;
+};
+
+/// Two materials on boxes that are halved at the contact surface, and there
+/// round a corner of the contact of HalfContact. Edges differ along x, y and z.
+struct RefinedMesh {
+  BlockProblem problem;
+  BlockSystem system;
+
+  RefinedMesh(const RefinedCase& own, int cells, int halvings)
+      : problem(problem_of(own, cells)), system(problem, mesh(halvings)) {}
+
+  static BlockProblem problem_of(const RefinedCase& own, int cells) {
+    const Grid grid{32, 32, length, 1.25 * length};
+    BlockProblem problem{
+        grid,
+        meshes::layered_mesh({cells, cells, length, 1.25 * length},
+                             std::vector<double>{0.2 * length, 0.3 * length,
+                                                 0.4 * length, 0.5 * length}),
+        own.degree,
+        ModuliField(moduli(mechanics::BodyModuli{soft_modulus, 0.2}))};
+    problem.moduli.add_layer(
+        0.2 * length, moduli(mechanics::BodyModuli{5.0 * soft_modulus, 0.4}));
+    problem.far_boundary = own.far_boundary;
+    problem.sides = own.sides;
+    problem.contact_at = own.contact_at;
+    problem.linear_solver = LinearSolver::multigrid;
+    return problem;
+  }
+
+  std::shared_ptr<dealii::parallel::TriangulationBase<3>>
+  mesh(int halvings) const {
+    start_mpi();
+    auto made = make_triangulation(problem.mesh, false);
+    for (int pass = 0; pass < halvings; ++pass) {
+      for (const auto& cell : made->active_cell_iterators()) {
+        if (!cell->is_locally_owned())
+          continue;
+        const dealii::Point<3> centre = cell->center();
+        if (centre[2] < cell->extent_in_direction(2) &&
+            (pass == 0 || centre.distance({0.5 * length, 0.6 * length, 0.0}) <
+                              0.5 * length / (1 << pass)))
+          cell->set_refine_flag();
+      }
+      made->execute_coarsening_and_refinement();
+    }
+    return made;
+  }
+};
+
+const RefinedCase usual{"free", FarBoundary::clamped, BlockSides::free};
+
+std::vector<RefinedCase> all_refined_cases() {
+  return {
+      usual,
+      {"periodic", FarBoundary::clamped, BlockSides::periodic},
+      {"free_sliding", FarBoundary::sliding, BlockSides::free},
+      {"periodic_sliding", FarBoundary::sliding, BlockSides::periodic},
+      {"periodic_pressure", FarBoundary::pressure, BlockSides::periodic},
+      {"gauss", FarBoundary::clamped, BlockSides::periodic, 1,
+       ContactPoints::gauss},
+      {"second_order", FarBoundary::clamped, BlockSides::free, 2},
+      {"second_order_periodic", FarBoundary::sliding, BlockSides::periodic, 2},
+      {"second_order_gauss", FarBoundary::clamped, BlockSides::periodic, 2,
+       ContactPoints::gauss}};
+}
+
+class RefinedCases : public ::testing::TestWithParam<RefinedCase> {};
+
+// Verifies K u without a matrix against deal.II's matrix. Tolerance: roundoff
+// of a sum over the unknowns of a cell.
+TEST_P(RefinedCases, HaveTheStiffnessOfTheMatrix) {
+  if (GetParam().contact_at == ContactPoints::gauss && !is_alone())
+    GTEST_SKIP() << "on one process only";
+  const RefinedMesh own(GetParam(), 4, 2);
+  const std::unique_ptr<MatrixFreeBlock> block =
+      refined_block_of(own.problem, own.system);
+  ASSERT_TRUE(block);
+  const Vector displacement = random_vector(own.system, 1);
+  Vector found(displacement), expected(displacement);
+
+  block->vmult(found, displacement);
+
+  own.system.stiffness().vmult(expected, displacement);
+  own.system.space().constraints().set_zero(expected);
+  EXPECT_LT(relative_difference(found, expected), 1e-13);
+}
+
+/// A contact state of the points in one half of the surface.
+struct HalfContact {
+  std::vector<double> springs;
+  std::vector<bool> held;
+  bool is_sticking;
+  Vector force; ///< random, zero at constrained and held unknowns
+
+  HalfContact(const BlockSystem& system, double spring, bool is_held,
+              bool sticks = false)
+      : springs(system.contact().size(), 0.0),
+        held(springs.size(), false),
+        is_sticking(sticks),
+        force(random_vector(system, 2)) {
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      if (system.contact()[i].place[0] > 0.5 * length)
+        continue;
+      springs[i] = spring;
+      held[i] = is_held;
+      if (!is_held)
+        continue;
+      const auto normal = system.contact()[i].row.front().first;
+      for (unsigned int before = sticks ? 3 : 1; before-- > 0;)
+        force(normal - before) = 0.0;
+    }
+    force.compress(dealii::VectorOperation::insert);
+  }
+};
+
+// Verifies the solution against the direct solver, with pinned nodes, springs
+// of any stiffness, and nodes that are held and slide or stick. Tolerance: the
+// residual times the condition number.
+TEST_P(RefinedCases, HaveTheSolutionOfTheDirectSolver) {
+  const bool is_nodal = GetParam().contact_at == ContactPoints::nodes;
+  if (!is_nodal && !is_alone())
+    GTEST_SKIP() << "on one process only";
+  const RefinedMesh own(GetParam(), 4, 2);
+  const std::unique_ptr<MatrixFreeBlock> block =
+      refined_block_of(own.problem, own.system);
+  ASSERT_TRUE(block);
+  BlockSolver direct(own.system, LinearSolver::direct);
+  for (const double spring : {0.0, 1e-2, 1e4, -1.0, -2.0}) {
+    SCOPED_TRACE(spring);
+    const bool is_held = spring < 0.0;
+    if (is_held && !is_nodal)
+      continue;
+    const HalfContact contact(
+        own.system, is_held ? 0.0 : spring * soft_modulus * length / 16.0,
+        is_held, spring == -2.0);
+    Vector expected = own.system.space().make_vector();
+    Vector found(expected);
+    direct.set_contact(contact.springs, contact.held, contact.is_sticking);
+    ASSERT_TRUE(direct.solve(expected, contact.force, 0.0));
+    block->prepare(contact.springs, contact.held, contact.is_sticking);
+
+    const LinearSolution solution =
+        block->solve(found, contact.force, 1e-12 * contact.force.l2_norm(), 60);
+
+    EXPECT_TRUE(solution.has_converged) << solution.last_residual;
+    EXPECT_LT(relative_difference(found, expected), 1e-9);
+    RecordProperty("iterations", solution.iterations);
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<RefinedCase>& tested) {
+  return tested.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RefinedCases,
+                         ::testing::ValuesIn(all_refined_cases()), name_of);
+
+// Verifies that the iterations to 1e-8 are bounded, whatever the number of
+// halvings, without contact, with springs of any stiffness, and with held
+// nodes. The bound is that of the lattice, 12 with the stiffest springs, and
+// half as many more for materials and hanging nodes. Cells have an aspect of
+// two at most, because first-order functions correct those of second order
+// badly on slender cells.
+TEST(RefinedBlockIterations, AreBounded) {
+  for (const int degree : {1, 2})
+    for (const int halvings : {0, 1, 4}) {
+      RefinedCase own = usual;
+      own.degree = degree;
+      const RefinedMesh mesh(own, 4, halvings);
+      const std::unique_ptr<MatrixFreeBlock> block =
+          refined_block_of(mesh.problem, mesh.system);
+      ASSERT_TRUE(block);
+      for (const double spring : {0.0, 1.0, 1e4, -1.0}) {
+        const bool is_held = spring < 0.0;
+        const HalfContact contact(
+            mesh.system,
+            is_held ? 0.0 : spring * soft_modulus * length / (4 << halvings),
+            is_held);
+        Vector found(contact.force);
+        found = 0.0;
+        block->prepare(contact.springs, contact.held, false);
+
+        const LinearSolution solution = block->solve(
+            found, contact.force, 1e-8 * contact.force.l2_norm(), 100);
+
+        EXPECT_TRUE(solution.has_converged);
+        EXPECT_LE(solution.iterations, 18)
+            << "order " << degree << ", " << halvings << " halvings, spring "
+            << spring;
+      }
+      EXPECT_EQ(block->setups(), 1);
+    }
+}
+
+// Verifies which meshes are left to other solvers.
+TEST(RefinedBlock, NeedsALatticeOfCoarsestCells) {
+  RefinedMesh mesh(usual, 4, 1);
+  EXPECT_TRUE(is_refined_block(mesh.problem, mesh.system));
+  shake(mesh.problem.mesh, 0.02 * length);
+  EXPECT_FALSE(is_refined_block(mesh.problem, mesh.system));
+}
+
+} // namespace
+} // namespace asperity::fem
