@@ -135,8 +135,8 @@ TEST(SharedSurface, RefusesAnotherGridAndAnotherKind) {
   mechanics::SurfaceSpec wave = rough(160);
   wave.kind = mechanics::SurfaceKind::wave_1d;
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    const SharedRows coarse({80, 80, length, length}, ranks, {0, 40, 80});
-    EXPECT_THROW(build_rows(rough(160), 0, coarse), std::domain_error);
+    const SharedRows finer({320, 320, length, length}, ranks, {0, 40, 320});
+    EXPECT_THROW(build_rows(rough(160), 0, finer), std::domain_error);
     const SharedRows rows({160, 160, length, length}, ranks, {0, 40, 160});
     EXPECT_THROW(build_rows(wave, 0, rows), std::domain_error);
   });
