@@ -97,8 +97,7 @@ bool permits_points(const cases::Case& contact_case,
       contact_case.mesh.kind != MeshKind::adaptive)
     return points % 2 == 0;
   const auto& fem = std::get<mechanics::FemSettings>(method.settings);
-  const int step = degree_of(fem.block.element)
-                   << contact_case.mesh.halvings;
+  const int step = degree_of(fem.block.element) << contact_case.mesh.halvings;
   return points % step == 0 && points / step >= 2;
 }
 
