@@ -6,22 +6,25 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace asperity::fem {
 namespace {
 
-/// Finds the places of the cells of a mesh of equal boxes.
+/// Finds the places of the cells of a mesh of layers of boxes. The columns are
+/// equal, the layers need not be.
 class BoxCells {
 public:
   BoxCells(const BlockProblem& problem, const MeshChange::Mesh& mesh)
-      : lengths_({problem.mesh.length_x, problem.mesh.length_y,
-                  problem.mesh.depth}) {
+      : lengths_({problem.mesh.length_x, problem.mesh.length_y}),
+        planes_(planes_of(mesh, same_depth * problem.mesh.depth)) {
     const dealii::BoundingBox<3> box = mesh.begin(0)->bounding_box();
-    for (unsigned int i = 0; i < 3; ++i)
-      coarsest_[i] =
-          static_cast<int>(std::lround(lengths_[i] / box.side_length(i)));
+    for (unsigned int i = 0; i < 2; ++i)
+      coarsest_.at(i) =
+          static_cast<int>(std::lround(lengths_.at(i) / box.side_length(i)));
+    coarsest_[2] = static_cast<int>(planes_.size()) - 1;
   }
 
   const std::array<int, 3>& coarsest() const { return coarsest_; }
@@ -29,14 +32,44 @@ public:
   BoxCell of(const dealii::Triangulation<3>::cell_iterator& cell) const {
     BoxCell found{cell->level(), {}};
     const dealii::Point<3> centre = cell->center();
-    for (unsigned int i = 0; i < 3; ++i)
-      found.place[i] = static_cast<int>(centre[i] / lengths_[i] *
-                                        (coarsest_[i] << found.level));
+    for (unsigned int i = 0; i < 2; ++i)
+      found.place.at(i) = static_cast<int>(centre[i] / lengths_.at(i) *
+                                           (coarsest_.at(i) << found.level));
+    const auto below =
+        std::upper_bound(planes_.begin() + 1, planes_.end() - 1, centre[2]);
+    const double above = *(below - 1);
+    found.place[2] =
+        (static_cast<int>(below - planes_.begin() - 1) << found.level) +
+        static_cast<int>((centre[2] - above) / (*below - above) *
+                         (1 << found.level));
     return found;
   }
 
 private:
-  std::array<double, 3> lengths_;
+  /// Roundoff of the depth of a vertex, relative to the depth of the block.
+  static constexpr double same_depth = 1e-12;
+
+  /// Depths of the planes between the layers of the coarsest cells, which every
+  /// rank knows [m].
+  static std::vector<double> planes_of(const MeshChange::Mesh& mesh,
+                                       double tolerance) {
+    std::vector<double> planes;
+    for (const auto& cell : mesh.cell_iterators_on_level(0)) {
+      const dealii::BoundingBox<3> box = cell->bounding_box();
+      planes.push_back(box.lower_bound(2));
+      planes.push_back(box.upper_bound(2));
+    }
+    std::sort(planes.begin(), planes.end());
+    planes.erase(std::unique(planes.begin(), planes.end(),
+                             [tolerance](double a, double b) {
+                               return b - a < tolerance;
+                             }),
+                 planes.end());
+    return planes;
+  }
+
+  std::array<double, 2> lengths_;
+  std::vector<double> planes_;
   std::array<int, 3> coarsest_{};
 };
 

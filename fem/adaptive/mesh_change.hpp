@@ -17,8 +17,8 @@
 
 namespace asperity::fem {
 
-/// One change of the mesh of a box of equal coarsest boxes, the same on any
-/// number of ranks (mesh_plan.hpp). Every rank knows all cells for that.
+/// One change of the mesh of a block of layers of boxes, the same on any number
+/// of ranks (mesh_plan.hpp). Every rank knows all cells for that.
 ///
 /// The rules of deal.II would follow cells that a rank does not know, so that
 /// the mesh would depend on the ranks. The flags of the plan leave nothing to

@@ -7,6 +7,7 @@
 #include "fem/block/block_triangulation.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "meshes/layered_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "tests/fem/bent_block.hpp"
@@ -44,13 +46,25 @@ std::shared_ptr<Mesh> mesh_of(const BlockProblem& problem) {
   return std::dynamic_pointer_cast<Mesh>(mesh);
 }
 
-/// The place of a cell in a mesh of four coarsest cells per side.
+/// The place of a cell in a mesh of four coarsest cells per side: the layer is
+/// that of its coarsest ancestor, and each halving adds a bit.
 BoxCell box_of(const Mesh::cell_iterator& cell) {
-  BoxCell box{cell->level(), {}};
-  for (unsigned int i = 0; i < 3; ++i)
-    box.place[i] =
-        static_cast<int>(cell->center()[i] / length * (4 << cell->level()));
-  return box;
+  if (cell->level() > 0) {
+    BoxCell box = box_of(cell->parent());
+    for (unsigned int i = 0; i < 3; ++i)
+      box.place[i] =
+          2 * box.place[i] +
+          static_cast<int>(cell->center()[i] > cell->parent()->center()[i]);
+    return {box.level + 1, box.place};
+  }
+  std::set<double> above;
+  for (const auto& other : cell->get_triangulation().cell_iterators_on_level(0))
+    if (other->center()[2] < cell->bounding_box().lower_bound(2))
+      above.insert(other->bounding_box().lower_bound(2));
+  return {0,
+          {static_cast<int>(cell->center()[0] / length * 4),
+           static_cast<int>(cell->center()[1] / length * 4),
+           static_cast<int>(above.size())}};
 }
 
 /// A random change of a cell that is not yet of the finest level. Cells of one
@@ -190,11 +204,10 @@ std::vector<BoxCell> planned(const std::vector<BoxCell>& cells,
   return after;
 }
 
-// Random changes of three levels give the mesh of a list of cells that knows
-// neither deal.II nor ranks, over many changes.
-TEST(MeshChange, DoesWhatIsPlanned) {
+/// Changes a mesh of 4^3 coarsest cells at random and compares it with the list
+/// of cells that is planned without it.
+void expect_what_is_planned(const BlockProblem& problem) {
   constexpr int levels = 3;
-  const BlockProblem problem = problem_of(1, mechanics::BlockSides::periodic);
   const auto mesh = mesh_of(problem);
   std::vector<BoxCell> cells;
   for (int i = 0; i < 64; ++i)
@@ -220,6 +233,18 @@ TEST(MeshChange, DoesWhatIsPlanned) {
   }
   EXPECT_EQ(mesh->n_global_levels(), levels + 1U);
   EXPECT_GT(merged, 0U);
+}
+
+// Random changes of three levels give the mesh of a list of cells that knows
+// neither deal.II nor ranks, over many changes; under a thin coating too, where
+// the layers of the coarsest cells have different thicknesses.
+TEST(MeshChange, DoesWhatIsPlanned) {
+  BlockProblem problem = problem_of(1, mechanics::BlockSides::periodic);
+  expect_what_is_planned(problem);
+  problem.mesh = meshes::layered_mesh(
+      {4, 4, length, length},
+      {0.01 * length, 0.1 * length, 0.5 * length, 0.39 * length});
+  expect_what_is_planned(problem);
 }
 
 using Box = BoxCell;
