@@ -98,6 +98,8 @@ BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
       is_direct_(!matrix_free && (kind == LinearSolver::direct ||
                                   (kind == LinearSolver::automatic && !own &&
                                    is_small(system)))),
+      may_turn_direct_(kind == LinearSolver::automatic && is_alone() &&
+                       system.n_unknowns() <= most_unknowns_of_last_resort),
       own_(std::move(own)),
       matrix_free_(std::move(matrix_free)),
       factors_(std::make_unique<Factors>()) {
@@ -246,12 +248,38 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
     factors_->direct->solve(unknowns, forces);
     return true;
   }
-  constexpr unsigned int most_steps = 1000;
+  if (solve_iteratively(unknowns, forces, tolerance))
+    return true;
+  if (!may_turn_direct_)
+    return false;
+  turn_direct();
+  factors_->direct->solve(unknowns, forces);
+  return true;
+}
+
+/// Replaces conjugate gradients by the direct solver, in the same contact
+/// state.
+void BlockSolver::turn_direct() {
+  is_direct_ = true;
+  matrix_free_.reset();
+  own_.reset();
+  factors_->multigrid.clear();
+  low_order_.clear();
+  is_set_ = false;
+  const std::vector<double> springs = springs_;
+  const std::vector<bool> held = holds_;
+  set_contact(springs, held, is_sticking_);
+}
+
+bool BlockSolver::solve_iteratively(Vector& unknowns, const Vector& forces,
+                                    double tolerance) {
+  const unsigned int most_steps =
+      may_turn_direct_ ? most_steps_before_direct : 1000;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
   if (matrix_free_) {
-    const LinearSolution solution =
-        matrix_free_->solve(unknowns, forces, tolerance, most_steps);
+    const LinearSolution solution = matrix_free_->solve(
+        unknowns, forces, tolerance, static_cast<int>(most_steps));
     iterations_ += solution.iterations;
     setups_ = matrix_free_->setups();
     return solution.has_converged;

@@ -89,6 +89,12 @@ public:
   virtual std::size_t bytes() const = 0;
 };
 
+/// LinearSolver::automatic replaces conjugate gradients by the direct solver if
+/// a solution needs more than this number of steps, on one rank and up to this
+/// number of unknowns.
+inline constexpr unsigned int most_steps_before_direct = 200;
+inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
+
 /// Whether LinearSolver::automatic takes the direct solver if there is none
 /// without a matrix.
 bool is_small(const BlockSystem& system);
@@ -113,6 +119,10 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// pay for another setup. Held unknowns are masked outside of the hierarchy, so
 /// a hierarchy that was set up without them remains symmetric and contains no
 /// large penalty numbers.
+///
+/// Flat cells next to a large contrast of moduli can make any of these
+/// preconditioners useless. LinearSolver::automatic then goes on with the
+/// direct solver, if the block is not too large for it.
 class BlockSolver {
 public:
   /// @param system       must outlive the solver
@@ -140,7 +150,7 @@ public:
   /// is the solution.
   /// @param tolerance  of the l2 norm of the residual [N]; ignored by the
   ///                   direct solver
-  /// @return           false if CG did not converge
+  /// @return           false if CG did not converge and is not replaced
   [[nodiscard]] bool solve(dealii::TrilinosWrappers::MPI::Vector& unknowns,
                            const dealii::TrilinosWrappers::MPI::Vector& forces,
                            double tolerance);
@@ -174,6 +184,10 @@ private:
                        const std::vector<bool>& held, bool is_sticking) const;
   void write_matrix(const dealii::TrilinosWrappers::SparseMatrix& stiffness);
   void clear_held(dealii::TrilinosWrappers::MPI::Vector& vector) const;
+  bool solve_iteratively(dealii::TrilinosWrappers::MPI::Vector& unknowns,
+                         const dealii::TrilinosWrappers::MPI::Vector& forces,
+                         double tolerance);
+  void turn_direct();
   void refresh_multigrid();
   bool iterate(dealii::TrilinosWrappers::MPI::Vector& unknowns,
                const dealii::TrilinosWrappers::MPI::Vector& forces,
@@ -182,6 +196,7 @@ private:
 
   const BlockSystem& system_;
   bool is_direct_;
+  bool may_turn_direct_; ///< if conjugate gradients need too many steps
   std::unique_ptr<BlockPreconditioner> own_;
   std::unique_ptr<MatrixFreeBlock> matrix_free_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
