@@ -17,6 +17,18 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
 
+/// The place in a tetrahedron in units of the cell. The iteration of deal.II
+/// for it stops only below an absolute length, which roundoff exceeds in cells
+/// of kilometres.
+Point<3> unit_place(const dealii::DoFHandler<3>::active_cell_iterator& cell,
+                    const Point<3>& place) {
+  dealii::Tensor<2, 3> edges; // columns
+  for (unsigned int edge = 0; edge < 3; ++edge)
+    for (unsigned int axis = 0; axis < 3; ++axis)
+      edges[axis][edge] = cell->vertex(edge + 1)[axis] - cell->vertex(0)[axis];
+  return Point<3>(dealii::invert(edges) * (place - cell->vertex(0)));
+}
+
 /// The place of a node of the cell that is closer than the roundoff of the
 /// inverse mapping, which would give the node a share of its neighbours' values
 /// and make a contact of those beside it.
@@ -92,7 +104,9 @@ void FaceMaps::take_sample(
   const Point<3> place(ix * grid.spacing_x(), iy * grid.spacing_y(), 0.0);
   Point<3> unit;
   try {
-    unit = space.mapping().transform_real_to_unit_cell(cell, place);
+    unit = cell->reference_cell().is_simplex()
+               ? unit_place(cell, place)
+               : space.mapping().transform_real_to_unit_cell(cell, place);
   } catch (const dealii::Mapping<3>::ExcTransformationFailed&) {
     return;
   }
