@@ -79,6 +79,7 @@ const std::vector<Axis>& axes() {
   using mechanics::ContactLaw;
   using mechanics::Control;
   using mechanics::FarBoundary;
+  using mechanics::MeshKind;
   static const std::vector<Axis> all{
       {"family", names(Family::halfspace, Family::flawed)},
       {"shape", names(Shape::rough, Shape::flat)},
@@ -108,7 +109,8 @@ const std::vector<Axis>& axes() {
       {"threads", {"1", "2", "3"}},
       {"sides", {"periodic", "free"}},
       {"linear-solver", {"auto", "multigrid", "fourier"}},
-      {"modulus-ratio", modulus_ratios.labels()}};
+      {"modulus-ratio", modulus_ratios.labels()},
+      {"mesh", names(MeshKind::layers, MeshKind::gmsh)}};
   return all;
 }
 
@@ -159,7 +161,8 @@ std::vector<std::string> labels_of(const Instance& instance) {
             instance.has_free_sides ? "free" : "periodic"),
       where(family == Family::full_block, name_of(instance.linear_solver)),
       where(family == Family::full_block,
-            modulus_ratios.label_of(instance.modulus_ratio))};
+            modulus_ratios.label_of(instance.modulus_ratio)),
+      where(family == Family::full_block, name_of(instance.mesh))};
 }
 
 InstanceFilter::InstanceFilter(const std::string& words) {

@@ -47,6 +47,7 @@ enum class Stream {
   sides,
   linear_solver,
   modulus_ratio,
+  mesh,
 };
 
 /// The random numbers of one instance.

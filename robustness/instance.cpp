@@ -118,6 +118,11 @@ void draw_block(const Draw& draw, Instance& instance) {
       Stream::linear_solver,
       {mechanics::LinearSolver::automatic, mechanics::LinearSolver::multigrid,
        mechanics::LinearSolver::fourier});
+  instance.mesh = draw.weigh<mechanics::MeshKind>(
+      Stream::mesh, {{mechanics::MeshKind::layers, 4.0},
+                     {mechanics::MeshKind::hanging, 2.0},
+                     {mechanics::MeshKind::adaptive, 2.0},
+                     {mechanics::MeshKind::gmsh, 2.0}});
   instance.modulus_ratio =
       draw.coin(Stream::modulus_ratio)
           ? draw.log_uniform(Stream::modulus_ratio, 1.0, 1e3)
@@ -142,10 +147,12 @@ Instance with_block_settings(Instance instance) {
     instance.has_free_sides = false;
     instance.linear_solver = LinearSolver::automatic;
     instance.modulus_ratio = 1.0;
+    instance.mesh = mechanics::MeshKind::layers;
   }
   if (instance.far_boundary == mechanics::FarBoundary::pressure)
     instance.has_free_sides = false;
-  if (instance.has_free_sides &&
+  if ((instance.has_free_sides ||
+       instance.mesh != mechanics::MeshKind::layers) &&
       instance.linear_solver == LinearSolver::fourier)
     instance.linear_solver = LinearSolver::multigrid;
   // Their iterations grow beyond the cost of a direct solver, which `auto`
@@ -154,6 +161,22 @@ Instance with_block_settings(Instance instance) {
     instance.modulus_ratio = std::min(instance.modulus_ratio, 10.0);
   if (instance.linear_solver == LinearSolver::multigrid)
     instance.poisson_ratio = std::min(instance.poisson_ratio, 0.49);
+  return instance;
+}
+
+/// Restricts a full 3-D model to what its mesh accepts and a direct solver of
+/// it can do within a minute. Cells of gmsh are at most a quarter of the
+/// thickness. An adaptive block is solved some ten times per load, and where
+/// moduli vary all of its cells are the finest: it has half of the cells.
+Instance with_block_thickness(Instance instance) {
+  using mechanics::MeshKind;
+  double thinnest = 0.1;
+  double thickest = instance.points == 8 ? 2.0 : 0.5;
+  if (instance.mesh == MeshKind::gmsh)
+    thinnest = 4.0 / instance.points;
+  if (instance.mesh == MeshKind::adaptive)
+    thickest *= 0.5;
+  instance.thickness = std::clamp(instance.thickness, thinnest, thickest);
   return instance;
 }
 
@@ -251,8 +274,7 @@ Instance within_reach(Instance instance) {
   }
   instance = with_block_settings(instance);
   if (is_full) {
-    instance.thickness =
-        std::clamp(instance.thickness, 0.1, instance.points == 8 ? 2.0 : 0.5);
+    instance = with_block_thickness(instance);
     instance.growth = std::max(instance.growth, 1.5);
   }
   if (instance.family == Family::atoms) {

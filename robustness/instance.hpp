@@ -127,7 +127,8 @@ struct Instance {
   double coating_stiffness = 1.0;
   /// In units of the block's thickness [1] 0..1.
   double coating_thickness = 0.1;
-  // Only full 3-D models use the following three.
+  // Only full 3-D models use the following four.
+  mechanics::MeshKind mesh = mechanics::MeshKind::layers;
   bool has_free_sides = false;
   mechanics::LinearSolver linear_solver = mechanics::LinearSolver::automatic;
   /// r: the moduli of the cells differ from each other by random factors within
@@ -169,6 +170,7 @@ std::string name_of(mechanics::Control control);
 std::string name_of(mechanics::FarBoundary far_boundary);
 std::string name_of(Program program);
 std::string name_of(mechanics::LinearSolver linear_solver);
+std::string name_of(mechanics::MeshKind mesh);
 std::string name_of(MetamorphicRelation relation);
 std::string name_of(Flaw flaw);
 std::string name_of(Path path);

@@ -49,6 +49,10 @@ std::string name_of(mechanics::LinearSolver linear_solver) {
              linear_solver);
 }
 
+std::string name_of(mechanics::MeshKind mesh) {
+  return nth(std::array{"layers", "hanging", "adaptive", "gmsh"}, mesh);
+}
+
 std::string name_of(MetamorphicRelation relation) {
   return nth(std::array{"none", "binary-units", "decimal-units", "threads",
                         "direct-solver"},
@@ -102,7 +106,8 @@ std::string in_words(const Instance& instance) {
   if (instance.has_free_boundaries)
     words += "free boundaries, ";
   if (instance.family == Family::full_block)
-    words += fmt::format("Q{}, {} sides, solver {}, ", instance.degree,
+    words += fmt::format("Q{}, mesh {}, {} sides, solver {}, ", instance.degree,
+                         name_of(instance.mesh),
                          instance.has_free_sides ? "free" : "periodic",
                          name_of(instance.linear_solver));
   if (instance.modulus_ratio != 1.0)

@@ -35,7 +35,7 @@ std::string csv_header() {
          "rms slope,length [m],contact modulus [Pa],nu,thickness [length],top,"
          "growth,gamma,metamorphic pair,flaw,degree,coating stiffness [E],"
          "coating thickness [thickness],path,threads,sides,linear solver,"
-         "modulus ratio [1]\n";
+         "modulus ratio [1],mesh\n";
 }
 
 std::string csv_line(const InstanceResult& result) {
@@ -54,7 +54,7 @@ std::string csv_line(const InstanceResult& result) {
                   name_of(instance.program), instance.points);
   line += fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
-      "{},{},{}\n",
+      "{},{},{},{}\n",
       instance.shortest_wave, instance.hurst, instance.roll_off,
       instance.rms_slope, instance.length, instance.contact_modulus,
       instance.poisson_ratio, instance.thickness,
@@ -63,7 +63,8 @@ std::string csv_line(const InstanceResult& result) {
       instance.coating_stiffness, instance.coating_thickness,
       name_of(instance.path), instance.threads,
       instance.has_free_sides ? "free" : "periodic",
-      name_of(instance.linear_solver), instance.modulus_ratio);
+      name_of(instance.linear_solver), instance.modulus_ratio,
+      instance.family == Family::full_block ? name_of(instance.mesh) : "");
   return line;
 }
 
