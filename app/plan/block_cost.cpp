@@ -4,6 +4,7 @@
 #include "fem/plugin.hpp"
 #include "surfaces/build.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::app {
@@ -21,11 +22,12 @@ constexpr double rough_newton_steps = 7.5;
 constexpr double smooth_newton_steps = 5.0;
 
 /// Multigrid iterations per Newton step at 32 nodes per side: 36 in
-/// `heterogeneous` (24 at 16), 16 in `step42`, 49 in `two-blocks`.
+/// `heterogeneous` (24 at 16), 16 in `step42`. The factor of two bodies is that
+/// of the CPU time of `two-blocks` in 12 138 unknowns, 1.0 s per load step.
 constexpr double iterations_at_32 = 36.0;
 constexpr double block_iterations_exponent = 0.6; ///< of the nodes per side
 constexpr double block_smooth_factor = 0.45;
-constexpr double two_bodies_factor = 1.35;
+constexpr double two_bodies_factor = 0.5;
 constexpr double block_q2_factor = 1.3;
 /// Multigrid set-ups per Newton step. Contact between two bodies needs a new
 /// hierarchy in each step.
@@ -39,22 +41,25 @@ constexpr double hierarchy_time[] = {10e-6, 36e-6};
 /// CPU times of the Fourier solver per unknown and Newton step, with moduli
 /// that are uniform within each layer (2 iterations) and with moduli that are
 /// not (12 iterations) [s].
-constexpr double fourier_time[] = {2.3e-6, 3.7e-6};
-constexpr double uneven_fourier_time[] = {3.2e-6, 6.0e-6};
+constexpr double fourier_time[] = {2.0e-6, 3.7e-6};
+constexpr double uneven_fourier_time[] = {2.2e-6, 6.0e-6};
 /// CPU time of a factorisation per unknown squared [s]: 2.6 s for 12138.
 constexpr double direct_time = 1.75e-8;
 constexpr double assembly_time = 20e-6; ///< mesh and matrix assembly, per
                                         ///< unknown [s]
-/// Geometric multigrid on a lattice of boxes (`rough-3d` at 64^2 in Q1 and
-/// 128^2 in Q2, on a busy Xeon): CPU times per unknown and Newton step, and of
-/// mesh and set-up per unknown [s].
-constexpr double lattice_time[] = {2.3e-6, 2.2e-6};
+/// Geometric multigrid on a lattice of boxes (`rough-3d` and
+/// `heterogeneous` at 64^2 in Q1, `rough-3d` at 128^2 in Q2): CPU times per
+/// unknown and Newton step, and of mesh and set-up per unknown [s].
+constexpr double lattice_time[] = {1.4e-6, 2.2e-6};
 constexpr double lattice_setup_time[] = {14e-6, 4e-6};
 
 /// Multigrid without a matrix for second-order hexahedra (`hertz-3d`), in the
 /// same units.
 constexpr double hexahedron_time = 3.5e-6;
 constexpr double hexahedron_setup_time = 10e-6;
+/// The same for a block and a counter-body of finite size (`elastic-sphere`),
+/// whose stiff springs need four times the iterations of one body.
+constexpr double pair_time = 18e-6;
 
 constexpr double kilobyte = 1000.0;
 constexpr double hexahedron_memory = 0.46 * kilobyte;
@@ -75,10 +80,10 @@ bool is_on_lattice(const cases::Case& contact_case,
 
 /// Whether the mesh consists of second-order hexahedra for which multigrid
 /// needs no matrix. The cells of a file are not known yet.
-bool has_matrix_free_hexahedra(const cases::Case& contact_case,
-                               const mechanics::FemSettings& settings) {
+bool has_hexahedra(const cases::Case& contact_case,
+                   const mechanics::FemSettings& settings) {
   const mechanics::MeshSpec& mesh = contact_case.mesh;
-  return settings.full.bodies == 1 && settings.full.uses_case_mesh &&
+  return settings.full.uses_case_mesh &&
          settings.block.element == mechanics::Element::q2 &&
          (mesh.kind == mechanics::MeshKind::hanging ||
           mesh.kind == mechanics::MeshKind::adaptive ||
@@ -87,18 +92,19 @@ bool has_matrix_free_hexahedra(const cases::Case& contact_case,
            mesh.geometry != mechanics::MeshGeometry::file));
 }
 
-LinearSolver solver_of(const cases::Case& contact_case,
-                       const mechanics::FemSettings& settings,
-                       double unknowns) {
-  if (settings.full.linear_solver != LinearSolver::automatic)
-    return settings.full.linear_solver;
-  // Without a matrix a block that is small enough for the direct solver takes
-  // tenths of a second.
-  return unknowns <= fem::most_direct_unknowns &&
-                 !is_on_lattice(contact_case, settings) &&
-                 !has_matrix_free_hexahedra(contact_case, settings)
-             ? LinearSolver::direct
-             : LinearSolver::multigrid;
+/// Poisson's ratio above which multigrid without a matrix may need too many
+/// iterations.
+constexpr double largest_poisson_ratio = 0.49;
+
+bool is_compressible(const mechanics::MaterialSpec& material) {
+  double largest = material.poisson_ratio.value_or(0.0);
+  for (const mechanics::MaterialLayer& layer : material.layers)
+    largest = std::max(largest, layer.moduli.poisson_ratio);
+  if (material.inclusion)
+    largest = std::max(largest, material.inclusion->moduli.poisson_ratio);
+  if (material.counter)
+    largest = std::max(largest, material.counter->poisson_ratio);
+  return largest <= largest_poisson_ratio;
 }
 
 bool is_rough(const mechanics::SurfaceSpec& surface) {
@@ -122,11 +128,52 @@ double multigrid_time(const cases::Case& contact_case,
              hierarchy_time[order];
 }
 
+/// Returns what multigrid without a matrix is used, if the block allows it:
+/// algebraic otherwise.
+BlockCostKind matrix_free_kind(const cases::Case& contact_case,
+                               const mechanics::FemSettings& settings,
+                               int ranks) {
+  const bool has_two = settings.full.bodies == 2;
+  if (is_on_lattice(contact_case, settings))
+    return BlockCostKind::lattice;
+  if (!has_hexahedra(contact_case, settings))
+    return BlockCostKind::algebraic;
+  if (!has_two)
+    return BlockCostKind::hexahedra;
+  return contact_case.mesh.counter && ranks == 1 ? BlockCostKind::pair
+                                                 : BlockCostKind::algebraic;
+}
+
 } // namespace
+
+BlockCostKind block_cost_kind(const cases::Case& contact_case,
+                              const mechanics::FemSettings& settings,
+                              double unknowns, int ranks) {
+  const LinearSolver asked = settings.full.linear_solver;
+  if (asked == LinearSolver::direct)
+    return BlockCostKind::direct;
+  if (asked == LinearSolver::fourier)
+    return BlockCostKind::fourier;
+  const BlockCostKind free = matrix_free_kind(contact_case, settings, ranks);
+  if (asked == LinearSolver::multigrid)
+    return free;
+  const bool is_lattice = free == BlockCostKind::lattice;
+  if (free != BlockCostKind::algebraic &&
+      is_compressible(contact_case.material) &&
+      (unknowns > fem::most_direct_matrix_free_unknowns ||
+       (is_lattice && ranks > 1)))
+    return free;
+  const double largest = ranks == 1 ? fem::most_direct_unknowns
+                                    : fem::most_direct_unknowns_on_ranks;
+  if (is_lattice && (unknowns > largest || ranks > 1))
+    return BlockCostKind::fourier;
+  return unknowns <= largest ? BlockCostKind::direct : BlockCostKind::algebraic;
+}
 
 MethodCost cost_of_full_block(const cases::Case& contact_case,
                               const mechanics::FemSettings& settings,
-                              const Grid& grid, MachineRates& rates) {
+                              const Grid& grid, MachineRates& rates,
+                              int ranks) {
   const mechanics::Scales scales{contact_case.material.contact_modulus,
                                  grid.length_x, grid.spacing_x(), 0.0};
   const BlockSize size = block_size(contact_case, settings, scales, grid);
@@ -137,28 +184,30 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
   double unknown_time = 0.0; // per Newton step
   double unknown_setup = assembly_time;
   double unknown_memory = multigrid_memory[order];
-  switch (solver_of(contact_case, settings, size.unknowns)) {
-  case LinearSolver::direct:
+  switch (block_cost_kind(contact_case, settings, size.unknowns, ranks)) {
+  case BlockCostKind::direct:
     unknown_time = direct_time * size.unknowns;
     unknown_memory += direct_memory;
     break;
-  case LinearSolver::fourier:
+  case BlockCostKind::fourier:
     unknown_time = (is_uneven ? uneven_fourier_time : fourier_time)[order];
     unknown_memory = fourier_memory[order];
     break;
-  default:
-    if (is_on_lattice(contact_case, settings)) {
-      unknown_time = lattice_time[order];
-      unknown_setup = lattice_setup_time[order];
-      unknown_memory = lattice_memory[order];
-    } else if (has_matrix_free_hexahedra(contact_case, settings)) {
-      unknown_time = hexahedron_time;
-      unknown_setup = hexahedron_setup_time;
-      unknown_memory = hexahedron_memory;
-    } else {
-      unknown_time =
-          multigrid_time(contact_case, settings, size.nodes_per_side, order);
-    }
+  case BlockCostKind::lattice:
+    unknown_time = lattice_time[order];
+    unknown_setup = lattice_setup_time[order];
+    unknown_memory = lattice_memory[order];
+    break;
+  case BlockCostKind::hexahedra:
+  case BlockCostKind::pair:
+    unknown_time = settings.full.bodies == 2 ? pair_time : hexahedron_time;
+    unknown_setup = hexahedron_setup_time;
+    unknown_memory = hexahedron_memory;
+    break;
+  case BlockCostKind::algebraic:
+    unknown_time =
+        multigrid_time(contact_case, settings, size.nodes_per_side, order);
+    break;
   }
   MethodCost cost;
   cost.unknowns = size.unknowns;

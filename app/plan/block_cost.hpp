@@ -20,9 +20,27 @@ inline constexpr double block_factor = 3.0;
 /// Predicts the cost of a method with solver = "full". A condensed method is
 /// treated as if it used the full block. The prediction is NaN if the mesh is
 /// read from a file.
+/// @param ranks  number of processes that share the block
 MethodCost cost_of_full_block(const cases::Case& contact_case,
                               const mechanics::FemSettings& settings,
-                              const Grid& grid, MachineRates& rates);
+                              const Grid& grid, MachineRates& rates,
+                              int ranks = 1);
+
+/// The linear solvers of a full block, by what they cost.
+enum class BlockCostKind {
+  direct,    ///< sparse factorisation
+  algebraic, ///< multigrid from the matrix
+  fourier,   ///< preconditioner of a lattice of boxes
+  lattice,   ///< multigrid without a matrix on a lattice of boxes
+  hexahedra, ///< the same for other second-order hexahedra, one body
+  pair       ///< the same for a block and a counter-body of finite size
+};
+
+/// Returns the linear solver that fem/ will choose for a block, by the rules of
+/// docs/numerics/full-block.md.
+BlockCostKind block_cost_kind(const cases::Case& contact_case,
+                              const mechanics::FemSettings& settings,
+                              double unknowns, int ranks);
 
 /// Returns the memory that deal.II and Trilinos need for any full block, in
 /// addition to the memory for loading them [B].

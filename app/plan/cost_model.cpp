@@ -16,13 +16,17 @@ using mechanics::Element;
 // The constants are measured in the release build on a 2-core AMD EPYC;
 // MachineRates::slowness() scales the times to other machines.
 
-/// Iterations per load step that starts from the previous solution: 18 and 19
-/// in `polymer` at 512^2 (half-space, fem), 15 in `md-small` at 162^2;
-/// docs/numerics/solver-measurements.md shows how they grow. A single sphere or
-/// wave takes half of them: 9 to 14 in `hertz` and `wave-2d`.
-constexpr double iterations_at_512 = 18.0;
-constexpr double smooth_factor = 0.5;
-constexpr double iterations_exponent = 0.4;
+/// Iterations per load step that starts from the previous solution, at 512^2
+/// and a tolerance of 1e-8: 13.3 and 14.0 in `polymer` (half-space, fem.hard).
+/// Their growth with the grid is that of the mean of cold steps in
+/// docs/numerics/solver-measurements.md, 11.4 at 256^2 to 19.4 at 2048^2. The
+/// error falls by the same factor in each iteration: with 1e-5, 8.3 and 8.9. A
+/// single sphere or wave takes fewer: 9.6 and 9.9 in `hertz`, 11.3 and 12.3 in
+/// `wave-2d`.
+constexpr double iterations_at_512 = 13.5;
+constexpr double smooth_factor = 0.8;
+constexpr double iterations_exponent = 0.26;
+constexpr double decades_at_512 = 8.0;
 constexpr double augmented_factor = 2.5; ///< docs/numerics/solver.md: 2 to 3
 constexpr double q2_factor = 1.25; ///< 4 x 4 blocks: 2.67 s instead of 2.13 s
 
@@ -69,10 +73,13 @@ double nodes(const Grid& grid) {
 }
 
 double iterations_per_step(const mechanics::SurfaceSpec& surface,
+                           const mechanics::ContactSettings& contact,
                            const Grid& grid) {
   const bool is_rough = surfaces::is_random(surface.kind) ||
                         surface.kind == mechanics::SurfaceKind::measured;
+  const double decades = -std::log10(std::min(contact.tolerance, 0.1));
   return (is_rough ? 1.0 : smooth_factor) * iterations_at_512 *
+         (decades / decades_at_512) *
          std::pow(std::sqrt(nodes(grid)) / 512.0, iterations_exponent);
 }
 
@@ -81,17 +88,19 @@ struct CostInput {
   const cases::Case& contact_case;
   const Grid& grid;
   MachineRates& rates;
+  int ranks = 1;
 };
 
 MethodCost cost_on_face(const mechanics::ContactSettings& contact,
                         const CostInput& input) {
-  const auto& [contact_case, grid, rates] = input;
+  const auto& [contact_case, grid, rates, ranks] = input;
   MethodCost cost;
   const double law =
       contact.law == mechanics::ContactLaw::augmented ? augmented_factor : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
-  cost.step_time = law * iterations_per_step(contact_case.surface, grid) *
+  cost.step_time = law *
+                   iterations_per_step(contact_case.surface, contact, grid) *
                    rates.iteration_time(grid);
   cost.memory = arrays_per_job * sizeof(double) * nodes(grid);
   return cost;
@@ -127,9 +136,9 @@ MethodCost cost_of_settings(const mechanics::WinklerSettings&,
 
 MethodCost cost_of_settings(const mechanics::FemSettings& settings,
                             const CostInput& input) {
-  const auto& [contact_case, grid, rates] = input;
+  const auto& [contact_case, grid, rates, ranks] = input;
   if (settings.solver == mechanics::FemSolver::full)
-    return cost_of_full_block(contact_case, settings, grid, rates);
+    return cost_of_full_block(contact_case, settings, grid, rates, ranks);
   const mechanics::Scales scales{contact_case.material.contact_modulus,
                                  grid.length_x, grid.spacing_x(), 0.0};
   MethodCost cost = cost_on_face(settings.contact, input);
@@ -147,7 +156,7 @@ MethodCost cost_of_settings(const mechanics::FemSettings& settings,
 
 MethodCost cost_of_settings(const mechanics::MdSettings& settings,
                             const CostInput& input) {
-  const auto& [contact_case, grid, rates] = input;
+  const auto& [contact_case, grid, rates, ranks] = input;
   const double side = settings.atoms.value_or(grid.points_x);
   MethodCost cost;
   cost.unknowns = 3.0 * side * side;
@@ -180,10 +189,11 @@ MethodCost cost_of_settings(const mechanics::MdSettings& settings,
 
 MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
-                   MachineRates& rates) {
+                   MachineRates& rates, int ranks) {
   return std::visit(
       [&](const auto& settings) {
-        return cost_of_settings(settings, CostInput{contact_case, grid, rates});
+        return cost_of_settings(settings,
+                                CostInput{contact_case, grid, rates, ranks});
       },
       method.settings);
 }

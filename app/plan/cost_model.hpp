@@ -19,9 +19,11 @@ struct MethodCost {
 /// Predicts the cost of one method on a surface with this grid. The constants
 /// in cost_model.cpp name the runs they come from; docs/numerics/skip.md
 /// compares predictions with measured costs.
+/// @param ranks  number of processes, which chooses the linear solver of a full
+///               block; the times are sums over all of them
 MethodCost cost_of(const cases::Case& contact_case,
                    const cases::MethodSpec& method, const Grid& grid,
-                   MachineRates& rates);
+                   MachineRates& rates, int ranks = 1);
 
 /// Predicts the memory of each of several ranks that share the rows of a
 /// method, without that of the program [B].

@@ -180,7 +180,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   bool uses_fem = false;
   bool uses_block = false;
   for (const MethodSpec& method : methods) {
-    const MethodCost cost = cost_of(contact_case, method, grid, rates);
+    const MethodCost cost =
+        cost_of(contact_case, method, grid, rates, options.ranks);
     PlannedMethod planned{.name = method.name, .grid = grid};
     const std::vector<int> realizations =
         realizations_of(contact_case, method, options.realizations);

@@ -195,6 +195,68 @@ TEST_F(PlannedRun, CountsTheLayersOfACoating) {
             n_layers(read(), fem, scales, grid));
 }
 
+// The linear solver of each block is that of docs/numerics/full-block.md:
+// without a matrix where fem/ has it, depending on the number of processes.
+TEST_F(PlannedRun, KnowsTheLinearSolverOfABlock) {
+  const auto kind = [](const std::vector<std::string>& overrides,
+                       double unknowns, int ranks) {
+    const cases::Case contact_case = read(overrides);
+    return block_cost_kind(
+        contact_case,
+        std::get<mechanics::FemSettings>(contact_case.methods.at(2).settings),
+        unknowns, ranks);
+  };
+  const std::string full = R"(fem.solver="full")";
+  const std::string q1 = R"(fem.element="Q1")";
+  const std::string q2 = R"(fem.element="Q2")";
+  const std::string hanging = R"(mesh.kind="hanging")";
+  const std::string stiff = "material.poisson_ratio=0.499";
+
+  EXPECT_EQ(kind({full}, 1000, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full}, 1000, 2), BlockCostKind::lattice);
+  EXPECT_EQ(kind({full}, 3000, 1), BlockCostKind::lattice);
+  EXPECT_EQ(kind({full, stiff}, 3000, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full, stiff}, 13000, 1), BlockCostKind::fourier);
+  EXPECT_EQ(kind({full, stiff}, 3000, 2), BlockCostKind::fourier);
+  EXPECT_EQ(kind({full, hanging, q2}, 3000, 2), BlockCostKind::hexahedra);
+  EXPECT_EQ(kind({full, hanging, q1}, 3000, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full, hanging, q1}, 3000, 2), BlockCostKind::algebraic);
+}
+
+// A counter-body of finite size is solved without a matrix on one process only;
+// a mirror image of the block never is. The shipped case has both bodies.
+TEST_F(PlannedRun, KnowsTheLinearSolverOfTwoBodies) {
+  const cases::Case pair =
+      cases::read_case(ASPERITY_CASES "/elastic-sphere/case.toml");
+  const cases::Case mirrored =
+      cases::read_case(ASPERITY_CASES "/two-blocks/case.toml");
+  const auto kind = [](const cases::Case& contact_case, int ranks) {
+    return block_cost_kind(
+        contact_case,
+        std::get<mechanics::FemSettings>(contact_case.methods.back().settings),
+        5e4, ranks);
+  };
+
+  EXPECT_EQ(kind(pair, 1), BlockCostKind::pair);
+  EXPECT_EQ(kind(pair, 2), BlockCostKind::algebraic);
+  EXPECT_EQ(kind(mirrored, 1), BlockCostKind::algebraic);
+}
+
+// Each iteration removes the same part of the error, so that 1e-4 takes half of
+// the iterations of 1e-8.
+TEST_F(PlannedRun, IterationsFollowTheTolerance) {
+  MachineRates rates(32);
+  const Grid grid{32, 32, 1e-6, 1e-6};
+  const auto time = [&](const std::string& tolerance) {
+    const cases::Case contact_case = read({"halfspace.tolerance=" + tolerance});
+    return cost_of(contact_case, contact_case.methods.at(1), grid, rates)
+        .step_time;
+  };
+
+  EXPECT_NEAR(time("1e-4") / time("1e-8"), 0.5, 1e-14);
+  EXPECT_GT(time("1e-9"), time("1e-8"));
+}
+
 // A plan with a full block states its uncertainty.
 TEST_F(PlannedRun, StatesItsUncertainty) {
   const Plan whole = plan({R"(fem.solver="full")"});
