@@ -82,14 +82,24 @@ std::string fact(const results::Provenance& facts, const std::string& name) {
   return "unknown";
 }
 
+using Results = std::map<int, robustness::InstanceResult>;
+
+void write_table(const fs::path& folder, const Results& results) {
+  std::string csv = robustness::csv_header();
+  for (const auto& [index, result] : results)
+    csv += robustness::csv_line(result);
+  fs::create_directories(folder);
+  write_file_atomically(folder / "stress.csv", csv);
+}
+
 /// Runs all instances. Reports arrive in any order and are sorted by index.
-std::map<int, robustness::InstanceResult>
-results_of(const std::vector<Instance>& instances,
-           const RobustnessCommand& command) {
+/// Every ten seconds the table of those that have ended is written.
+Results results_of(const std::vector<Instance>& instances,
+                   const RobustnessCommand& command, const fs::path& folder) {
   std::map<int, Instance> by_index;
   for (const Instance& instance : instances)
     by_index[instance.index] = instance;
-  std::map<int, robustness::InstanceResult> results;
+  Results results;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   auto last_line = begin;
@@ -102,6 +112,7 @@ results_of(const std::vector<Instance>& instances,
         if (now - last_line < std::chrono::seconds(10))
           return;
         last_line = now;
+        write_table(folder, results);
         const double elapsed =
             std::chrono::duration<double>(now - begin).count();
         const auto n_done = static_cast<double>(results.size());
@@ -118,15 +129,10 @@ results_of(const std::vector<Instance>& instances,
 }
 
 void write_files(const fs::path& folder, const robustness::Matrix& matrix,
-                 const std::map<int, robustness::InstanceResult>& results,
-                 const robustness::RunWords& words) {
-  fs::create_directories(folder);
+                 const Results& results, const robustness::RunWords& words) {
   const std::vector<robustness::LockingRow> locking =
       robustness::locking_table();
-  std::string csv = robustness::csv_header();
-  for (const auto& [index, result] : results)
-    csv += robustness::csv_line(result);
-  write_file_atomically(folder / "stress.csv", csv);
+  write_table(folder, results);
   write_file_atomically(folder / "stress.json",
                         robustness::json_of(matrix, words, locking));
   write_file_atomically(folder / "stress.html",
@@ -137,8 +143,8 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
                     std::string& json) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Instance> instances = instances_of(source, command);
-  const std::map<int, robustness::InstanceResult> results =
-      results_of(instances, command);
+  const fs::path folder = fs::path(command.out) / source.name;
+  const Results results = results_of(instances, command, folder);
   robustness::Matrix matrix;
   for (const auto& [index, result] : results)
     matrix.add(result);
@@ -153,7 +159,6 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
   words.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();
-  const fs::path folder = fs::path(command.out) / source.name;
   write_files(folder, matrix, results, words);
   json += (json.empty() ? "" : ",\n") + json_of_file(folder / "stress.json");
 

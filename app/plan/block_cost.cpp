@@ -57,6 +57,11 @@ constexpr double lattice_setup_time[] = {14e-6, 4e-6};
 /// same units.
 constexpr double hexahedron_time = 3.5e-6;
 constexpr double hexahedron_setup_time = 10e-6;
+/// The same on boxes that are halved from a lattice (`step42` in Q1,
+/// `hertz-adaptive` in Q2, whose meshes have a third of the assumed unknowns
+/// but are solved several times per load).
+constexpr double halved_time[] = {1.0e-6, 1.7e-6};
+constexpr double halved_setup_time = 5e-6;
 /// The same for a block and a counter-body of finite size (`elastic-sphere`),
 /// whose stiff springs need four times the iterations of one body.
 constexpr double pair_time = 18e-6;
@@ -78,6 +83,14 @@ bool is_on_lattice(const cases::Case& contact_case,
           contact_case.mesh.kind == mechanics::MeshKind::layers);
 }
 
+/// Whether the mesh consists of boxes that are halved from a lattice.
+bool has_halved_boxes(const cases::Case& contact_case,
+                      const mechanics::FemSettings& settings) {
+  return settings.full.uses_case_mesh &&
+         (contact_case.mesh.kind == mechanics::MeshKind::hanging ||
+          contact_case.mesh.kind == mechanics::MeshKind::adaptive);
+}
+
 /// Whether the mesh consists of second-order hexahedra for which multigrid
 /// needs no matrix. The cells of a file are not known yet.
 bool has_hexahedra(const cases::Case& contact_case,
@@ -85,8 +98,7 @@ bool has_hexahedra(const cases::Case& contact_case,
   const mechanics::MeshSpec& mesh = contact_case.mesh;
   return settings.full.uses_case_mesh &&
          settings.block.element == mechanics::Element::q2 &&
-         (mesh.kind == mechanics::MeshKind::hanging ||
-          mesh.kind == mechanics::MeshKind::adaptive ||
+         (has_halved_boxes(contact_case, settings) ||
           (mesh.kind == mechanics::MeshKind::gmsh &&
            mesh.cells == mechanics::MeshCells::hexahedra &&
            mesh.geometry != mechanics::MeshGeometry::file));
@@ -136,6 +148,10 @@ BlockCostKind matrix_free_kind(const cases::Case& contact_case,
   const bool has_two = settings.full.bodies == 2;
   if (is_on_lattice(contact_case, settings))
     return BlockCostKind::lattice;
+  if (!has_two && has_halved_boxes(contact_case, settings) &&
+      (ranks == 1 ||
+       settings.full.contact_at == mechanics::ContactPoints::nodes))
+    return BlockCostKind::halved;
   if (!has_hexahedra(contact_case, settings))
     return BlockCostKind::algebraic;
   if (!has_two)
@@ -197,6 +213,11 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
     unknown_time = lattice_time[order];
     unknown_setup = lattice_setup_time[order];
     unknown_memory = lattice_memory[order];
+    break;
+  case BlockCostKind::halved:
+    unknown_time = halved_time[order];
+    unknown_setup = halved_setup_time;
+    unknown_memory = hexahedron_memory;
     break;
   case BlockCostKind::hexahedra:
   case BlockCostKind::pair:

@@ -32,6 +32,7 @@ enum class BlockCostKind {
   algebraic, ///< multigrid from the matrix
   fourier,   ///< preconditioner of a lattice of boxes
   lattice,   ///< multigrid without a matrix on a lattice of boxes
+  halved,    ///< the same on boxes that are halved from a lattice, one body
   hexahedra, ///< the same for other second-order hexahedra, one body
   pair       ///< the same for a block and a counter-body of finite size
 };

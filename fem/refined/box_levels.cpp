@@ -11,7 +11,7 @@ namespace {
 
 using Place = std::array<std::uint32_t, 3>; ///< in edges of the smallest cells
 
-constexpr std::uint32_t nowhere = UINT32_MAX;
+constexpr std::uint32_t no_index = UINT32_MAX;
 
 /// The nodes of halved boxes by their places.
 class BoxNodes {
@@ -53,7 +53,7 @@ public:
   std::uint32_t number(const Place& place) const {
     const auto found = std::ranges::lower_bound(keys_, key(place));
     return found == keys_.end() || *found != key(place)
-               ? nowhere
+               ? no_index
                : static_cast<std::uint32_t>(found - keys_.begin());
   }
 
@@ -83,14 +83,14 @@ private:
 class HangingNodes {
 public:
   HangingNodes(const BoxNodes& nodes, const std::vector<BoxCell>& cells)
-      : rows_(nodes.size(), nowhere) {
+      : rows_(nodes.size(), no_index) {
     for (const BoxCell& cell : cells)
       if (cell.level < nodes.depth())
         for (std::uint32_t i = 0; i < 27; ++i)
           add({i % 3, i / 3 % 3, i / 9}, nodes, cell);
   }
 
-  bool is_hanging(std::uint32_t node) const { return rows_[node] != nowhere; }
+  bool is_hanging(std::uint32_t node) const { return rows_[node] != no_index; }
 
   /// Adds the nodes that a node is interpolated from, none of them hanging.
   void resolve(std::uint32_t node, double weight,
@@ -111,7 +111,7 @@ private:
     if (middles == 0 || middles == 3)
       return;
     const std::uint32_t node = nodes.number(nodes.at(cell, offset, 2));
-    if (node == nowhere || is_hanging(node))
+    if (node == no_index || is_hanging(node))
       return;
     rows_[node] = static_cast<std::uint32_t>(masters_.size());
     std::vector<std::uint32_t>& own = masters_.emplace_back();

@@ -17,9 +17,8 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
 
-/// The place in a tetrahedron in units of the cell. The iteration of deal.II
-/// for it stops only below an absolute length, which roundoff exceeds in cells
-/// of kilometres.
+/// The place in a tetrahedron in units of the cell, which is affine. The
+/// iteration of deal.II for it was seen to fail in cells of kilometres.
 Point<3> unit_place(const dealii::DoFHandler<3>::active_cell_iterator& cell,
                     const Point<3>& place) {
   dealii::Tensor<2, 3> edges; // columns

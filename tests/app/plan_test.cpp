@@ -211,6 +211,9 @@ TEST_F(PlannedRun, KnowsTheLinearSolverOfABlock) {
   const std::string q2 = R"(fem.element="Q2")";
   const std::string hanging = R"(mesh.kind="hanging")";
   const std::string stiff = "material.poisson_ratio=0.499";
+  const std::string gauss = R"(fem.contact_at="gauss")";
+  const std::string springs = R"(fem.contact="augmented")",
+                    stiffness_of_springs = R"(fem.penalty="1e3 E*/h")";
 
   EXPECT_EQ(kind({full}, 1000, 1), BlockCostKind::direct);
   EXPECT_EQ(kind({full}, 1000, 2), BlockCostKind::lattice);
@@ -218,9 +221,18 @@ TEST_F(PlannedRun, KnowsTheLinearSolverOfABlock) {
   EXPECT_EQ(kind({full, stiff}, 3000, 1), BlockCostKind::direct);
   EXPECT_EQ(kind({full, stiff}, 13000, 1), BlockCostKind::fourier);
   EXPECT_EQ(kind({full, stiff}, 3000, 2), BlockCostKind::fourier);
-  EXPECT_EQ(kind({full, hanging, q2}, 3000, 2), BlockCostKind::hexahedra);
-  EXPECT_EQ(kind({full, hanging, q1}, 3000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full, hanging, q1}, 3000, 2), BlockCostKind::algebraic);
+  EXPECT_EQ(kind({full, hanging, q1}, 1000, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full, hanging, q1}, 3000, 1), BlockCostKind::halved);
+  EXPECT_EQ(kind({full, hanging, q2}, 3000, 2), BlockCostKind::halved);
+  EXPECT_EQ(
+      kind({full, hanging, q1, gauss, springs, stiffness_of_springs}, 3000, 1),
+      BlockCostKind::halved);
+  EXPECT_EQ(
+      kind({full, hanging, q1, gauss, springs, stiffness_of_springs}, 3000, 2),
+      BlockCostKind::algebraic);
+  EXPECT_EQ(
+      kind({full, hanging, q2, gauss, springs, stiffness_of_springs}, 3000, 2),
+      BlockCostKind::hexahedra);
 }
 
 // A counter-body of finite size is solved without a matrix on one process only;
