@@ -166,14 +166,19 @@ Instance with_block_settings(Instance instance) {
 
 /// Restricts a full 3-D model to what its mesh accepts and a direct solver of
 /// it can do within a minute. Cells of gmsh are at most a quarter of the
-/// thickness. An adaptive block is solved some ten times per load, and where
-/// moduli vary all of its cells are the finest: it has half of the cells.
+/// thickness, and second-order ones have some ten times as many unknowns as
+/// graded layers. An adaptive block is solved some ten times per load, and
+/// where moduli vary all of its cells are the finest: it has half of the cells.
 Instance with_block_thickness(Instance instance) {
   using mechanics::MeshKind;
+  if (instance.mesh == MeshKind::gmsh && instance.degree == 2)
+    instance.points = 8;
   double thinnest = 0.1;
   double thickest = instance.points == 8 ? 2.0 : 0.5;
   if (instance.mesh == MeshKind::gmsh)
     thinnest = 4.0 / instance.points;
+  if (instance.mesh == MeshKind::gmsh && instance.degree == 2)
+    thickest = 0.6;
   if (instance.mesh == MeshKind::adaptive)
     thickest *= 0.5;
   instance.thickness = std::clamp(instance.thickness, thinnest, thickest);

@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 
 #include <deal.II/base/mpi.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -217,10 +218,16 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
   return false;
 }
 
-/// Stores heights relative to the highest: the points that carry a small load
-/// lie near it, and the gap there is then not a difference of large numbers.
-/// The position of the block does not change.
-void ContactNewton::take_heights(std::vector<double> heights, double highest) {
+/// Stores heights relative to the highest at a contact point: the points that
+/// carry a small load lie near it, and the gap there is then not a difference
+/// of large numbers. The map may be higher between the points. The position of
+/// the block does not change.
+void ContactNewton::take_heights(std::vector<double> heights) {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    if (system_.contact()[i].is_opposed)
+      highest = std::max(highest, heights[i]);
+  highest = max(highest, MPI_COMM_WORLD);
   rigid_gap_ += highest_ - highest;
   highest_ = highest;
   heights_ = std::move(heights);
@@ -239,11 +246,10 @@ void ContactNewton::lift_off(double mean_gap_target) {
   rigid_gap_ += mean_gap_target - mean_gap();
 }
 
-void ContactNewton::solve(std::vector<double> heights, double highest,
-                          double height_scale,
+void ContactNewton::solve(std::vector<double> heights, double height_scale,
                           const mechanics::LoadTarget& load,
                           const BlockContact& contact, BlockSolution& answer) {
-  take_heights(std::move(heights), highest);
+  take_heights(std::move(heights));
   const int iterations = solver_.iterations();
   const int setups = solver_.setups();
   watch_ = contact.watch;
@@ -276,7 +282,10 @@ void ContactNewton::solve(std::vector<double> heights, double highest,
   answer.memory = solver_.memory();
   if (answer.converged && !(answer.residual <= contact.tolerance)) {
     answer.converged = false;
-    answer.note = "the nodal forces are not balanced to the tolerance";
+    answer.note =
+        fmt::format("the nodal forces are not balanced to the tolerance of "
+                    "{:.2g}: {:.2g} of the largest contact force is left",
+                    contact.tolerance, answer.residual);
   }
 }
 

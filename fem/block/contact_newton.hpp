@@ -48,10 +48,9 @@ public:
   /// Solves, starting from the state at the end of the last call, and writes
   /// all results that are not fields into the answer.
   /// @param heights       heights of this rank's points [m]
-  /// @param highest       maximum of all heights [m]
   /// @param height_scale  the tolerance of a gap is relative to this scale [m]
   ///                      > 0
-  void solve(std::vector<double> heights, double highest, double height_scale,
+  void solve(std::vector<double> heights, double height_scale,
              const mechanics::LoadTarget& load, const BlockContact& contact,
              BlockSolution& answer);
 
@@ -107,7 +106,7 @@ private:
 
   double borne() const; ///< sum of a p [N]
   double touching_gap(double nominal_pressure, double penalty) const;
-  void take_heights(std::vector<double> heights, double highest);
+  void take_heights(std::vector<double> heights);
   void lift_off(double mean_gap_target);
   double own_spring(const BlockContact& contact) const;
   void update_pressure(double penalty);

@@ -222,7 +222,6 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
   require_arguments(heights, load, contact);
   BlockSolution answer;
   newton_.solve(maps_.heights_at_points(heights),
-                *std::max_element(heights.begin(), heights.end()),
                 height_scale_of(heights, grid().spacing_x()), load, contact,
                 answer);
   heights_.assign(heights.begin(), heights.end());

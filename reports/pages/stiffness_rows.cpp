@@ -11,13 +11,13 @@ namespace {
 
 using results::CurvePoint;
 
-std::string number(double value) {
+std::string digits(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–";
 }
 
 /// In micrometres; a distance that is roundoff of the side is 0.
 std::string distance(double metres, double side) {
-  return std::abs(metres) < 1e-9 * side ? "0" : number(1e6 * metres);
+  return std::abs(metres) < 1e-9 * side ? "0" : digits(1e6 * metres);
 }
 
 bool is_shown(const CurvePoint& point, double side) {
@@ -34,9 +34,9 @@ kainjow::mustache::data stiffness_row(const std::string& method,
   row.set("name", method);
   row.set("pressure",
           fmt::format("{:.3g}", point.nominal_pressure / contact_modulus));
-  row.set("normal", number(point.normal_stiffness));
-  row.set("tangential", number(point.tangential_stiffness));
-  row.set("ratio", number(point.tangential_stiffness / point.normal_stiffness));
+  row.set("normal", digits(point.normal_stiffness));
+  row.set("tangential", digits(point.tangential_stiffness));
+  row.set("ratio", digits(point.tangential_stiffness / point.normal_stiffness));
   row.set("x", distance(point.pressure_centre_x, side));
   row.set("y", distance(point.pressure_centre_y, side));
   return row;

@@ -160,6 +160,18 @@ TEST(Slice, SolvesFlatCellsOfLargeContrast) {
       << report.check << ": " << report.reason;
 }
 
+// Under light loads and stiff springs, on a mesh whose contact points are not
+// the highest nodes of the map: gaps must not be differences of larger numbers.
+// One block of hexahedra under a coating, one of tetrahedra with free sides.
+TEST(Slice, BalancesLightLoadsBetweenTheHighestNodes) {
+  for (const int index : {14149, 333}) {
+    const InstanceReport report = run_instance(draw_instance(4001, index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << ", " << report.check << ": " << report.reason;
+  }
+}
+
 /// A problem that was found before meshes were drawn, on its mesh of layers.
 Instance drawn_on_layers(std::uint64_t seed, int index) {
   Instance instance = draw_instance(seed, index);
