@@ -128,7 +128,7 @@ TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
         heights[5] = bad;
         BlockSolution found;
 
-        newton.solve(heights, 0.0, 1e-9, load, contact_of(law), found);
+        newton.solve(heights, 1e-9, load, contact_of(law), found);
 
         EXPECT_FALSE(found.converged)
             << "law " << static_cast<int>(law) << ", control "
@@ -164,7 +164,7 @@ TEST(ContactNewton, ReportsAFailureOfThePreconditioner) {
                        std::make_unique<BrokenPreconditioner>());
   BlockSolution found;
 
-  newton.solve(std::vector<double>(system.contact().size(), 0.0), 0.0, 1e-9,
+  newton.solve(std::vector<double>(system.contact().size(), 0.0), 1e-9,
                {Control::mean_gap, -1e-9}, contact_of(ContactLaw::penalty),
                found);
 
