@@ -59,19 +59,26 @@ public:
 
   std::size_t size() const { return diagonal_.size(); }
 
+  /// Computes force = K displacement; zero at constrained unknowns.
+  /// @param displacement  [m]; constrained values and those of other ranks are
+  ///                      overwritten
   void apply(Number* displacement, Number* force) const {
     apply_own(displacement, force);
     collect(force);
   }
 
+  /// The share of the cells of this rank, before collect().
   void apply_own(Number* displacement, Number* force) const;
 
+  /// Moves forces on unknowns of other ranks to these.
   template <class Other>
   void collect(Other* force) const {
     if (ghosts_ != nullptr)
       ghosts_->add_to_owners(force);
   }
 
+  /// Diagonal of K without the terms that couple two masters of one unknown;
+  /// positive, and zero at constrained unknowns.
   const std::vector<Number>& diagonal() const { return diagonal_; }
 
   const UnknownConstraints& constraints() const { return constraints_; }

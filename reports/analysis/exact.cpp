@@ -49,15 +49,6 @@ void widen(double& largest, double error) {
   largest = std::fmax(largest, std::abs(error)); // ignores NaN
 }
 
-Estimate largest_estimate(double largest, const char* missing) {
-  Estimate estimate;
-  estimate.value = largest;
-  estimate.realizations = estimate.has_value() ? 1 : 0;
-  estimate.remark =
-      estimate.has_value() ? "largest over the load steps" : missing;
-  return estimate;
-}
-
 LargestErrors errors_of(const results::Result& result,
                         const mechanics::SurfaceSpec& surface,
                         const results::MethodRecord& method, bool is_free) {
@@ -82,6 +73,15 @@ LargestErrors errors_of(const results::Result& result,
 }
 
 } // namespace
+
+Estimate largest_estimate(double largest, const char* missing) {
+  Estimate estimate;
+  estimate.value = largest;
+  estimate.realizations = estimate.has_value() ? 1 : 0;
+  estimate.remark =
+      estimate.has_value() ? "largest over the load steps" : missing;
+  return estimate;
+}
 
 void add_exact_quantities(const results::Result& result,
                           const cases::Case& contact_case,

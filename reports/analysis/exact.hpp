@@ -36,6 +36,10 @@ ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
 double approach_excess(const mechanics::SurfaceSpec& sphere,
                        double contact_modulus, double load, bool is_free);
 
+/// Returns the largest error over the load steps as an estimate.
+/// @param missing  why there is none, if `largest` is NaN
+Estimate largest_estimate(double largest, const char* missing);
+
 /// Adds area_error and, for waves, mean_gap_error in units of the amplitude;
 /// for the sphere, the relative errors contact_radius_error and approach_error.
 /// Each is the largest error over the converged loading rows; areas are

@@ -26,15 +26,6 @@ bool has_free_sides(const mechanics::FemSettings& block) {
 constexpr const char* not_with_free_sides =
     "there is no exact solution with free sides";
 
-Estimate largest_of(double error, const char* missing) {
-  Estimate estimate;
-  estimate.value = error;
-  estimate.realizations = estimate.has_value() ? 1 : 0;
-  estimate.remark =
-      estimate.has_value() ? "largest over the load steps" : missing;
-  return estimate;
-}
-
 struct StiffnessErrors {
   double normal = not_a_number;
   double tangential = not_a_number;
@@ -88,9 +79,9 @@ void add_stiffness_errors(const results::Result& result,
                                result.contact_modulus,
                                *contact_case.material.poisson_ratio});
   summary.quantities["normal_stiffness_error"] =
-      largest_of(errors.normal, not_with_free_sides);
+      largest_estimate(errors.normal, not_with_free_sides);
   summary.quantities["tangential_stiffness_error"] =
-      largest_of(errors.tangential, not_with_free_sides);
+      largest_estimate(errors.tangential, not_with_free_sides);
 }
 
 /// Adds the largest relative error of the moment over the rows in which the
@@ -117,7 +108,8 @@ void add_moment_error(const results::Result& result,
       largest = std::fmax(largest,
                           std::abs(load * row.pressure_centre_x / exact - 1.0));
   }
-  error = largest_of(largest, "no load presses the whole end into contact");
+  error =
+      largest_estimate(largest, "no load presses the whole end into contact");
 }
 
 } // namespace
