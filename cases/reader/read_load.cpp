@@ -2,8 +2,97 @@
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
 
+#include <boost/math/special_functions/erf.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
 namespace asperity::cases {
 namespace {
+
+/// The words of load.sweep.spacing.
+enum class Spacing { log, linear, area };
+
+/// Largest pressure of equally spaced areas [E* h'], at which the area differs
+/// by 2e-9 from full contact.
+constexpr double highest_by_area = 3.0;
+
+/// Contact area at a pressure [E* h'], Eq. (4) of Yang and Persson (2008) on
+/// all scales.
+double contact_area(double pressure) {
+  return std::erf(std::numbers::sqrt2 * pressure);
+}
+
+double interpolated(double from, double to, double fraction, Spacing spacing) {
+  if (fraction == 0.0)
+    return from;
+  if (fraction == 1.0)
+    return to;
+  const auto by_ratio = [&](double first, double last) {
+    return first * std::pow(last / first, fraction);
+  };
+  switch (spacing) {
+  case Spacing::log:
+    return by_ratio(from, to);
+  case Spacing::area:
+    return boost::math::erf_inv(
+               by_ratio(contact_area(from), contact_area(to))) /
+           std::numbers::sqrt2;
+  case Spacing::linear:
+    break;
+  }
+  return from + (to - from) * fraction;
+}
+
+std::vector<mechanics::Quantity> read_sweep(const Node& node, const Key& key,
+                                            Mistakes& mistakes) {
+  TableReader part(node, vocabulary_table("load.sweep"), mistakes);
+  part.refuse_unknown();
+  const Node* const from_node = part.entry("from");
+  const Node* const to_node = part.entry("to");
+  const mechanics::Quantity from =
+      from_node ? part.quantity_in(*from_node, key) : mechanics::Quantity{};
+  const mechanics::Quantity to =
+      to_node ? part.quantity_in(*to_node, key) : mechanics::Quantity{};
+  const int steps = part.integer("steps");
+  const std::optional<int> word = part.word("spacing");
+  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
+    return {};
+  const auto spacing = static_cast<Spacing>(*word);
+  if (from.reference != to.reference) {
+    part.refuse(
+        *to_node,
+        "must have the same kind of unit as from: both in SI or both in " +
+            std::string("the same unit of the problem"));
+    return {};
+  }
+  if (spacing == Spacing::area) {
+    if (from.reference !=
+        mechanics::ReferenceUnit::contact_modulus_times_slope) {
+      part.refuse(*from_node, "spacing = \"area\" needs pressures in E* h'");
+      return {};
+    }
+    for (const auto& [end, value] :
+         {std::pair(from_node, from.value), std::pair(to_node, to.value)})
+      if (value > highest_by_area) {
+        part.refuse(*end,
+                    fmt::format("spacing = \"area\" needs pressures of at "
+                                "most {} E* h', where contact is complete",
+                                highest_by_area));
+        return {};
+      }
+  }
+  std::vector<mechanics::Quantity> targets;
+  targets.reserve(static_cast<std::size_t>(steps));
+  for (int step = 0; step < steps; ++step)
+    targets.push_back(
+        {interpolated(from.value, to.value,
+                      static_cast<double>(step) / (steps - 1), spacing),
+         from.reference});
+  return targets;
+}
 
 enum class Cycle { load, load_unload };
 
@@ -16,6 +105,24 @@ void append_way_back(mechanics::LoadingPath& program) {
 
 } // namespace
 
+std::vector<mechanics::Quantity>
+read_targets(TableReader& table, const std::string& name, Mistakes& mistakes) {
+  const Node* const found = table.entry(name);
+  if (!found)
+    return {};
+  const Key& key = table.key_called(name);
+  if (found->is_table())
+    return read_sweep(*found, key, mistakes);
+  if (found->type != NodeType::list)
+    return {table.quantity_in(*found, key)};
+  if (found->list.empty())
+    table.refuse(*found, "must be " + allowed_text(key));
+  std::vector<mechanics::Quantity> targets;
+  for (const Node& element : found->list)
+    targets.push_back(table.quantity_in(element, key));
+  return targets;
+}
+
 mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes) {
   TableReader load(table, vocabulary_table("load"), mistakes);
   load.refuse_unknown();
@@ -24,9 +131,9 @@ mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes) {
     load.refuse_both("nominal_pressure", "mean_gap");
   if (load.has("mean_gap")) {
     program.control = mechanics::Control::mean_gap;
-    program.targets = load.program("mean_gap");
+    program.targets = read_targets(load, "mean_gap", mistakes);
   } else if (load.has("nominal_pressure")) {
-    program.targets = load.program("nominal_pressure");
+    program.targets = read_targets(load, "nominal_pressure", mistakes);
   } else {
     load.complain_missing("nominal_pressure", " (or mean_gap)");
   }

@@ -11,13 +11,8 @@ double plane_strain_modulus(TableReader& body) {
   return youngs_modulus / (1.0 - poisson_ratio * poisson_ratio);
 }
 
-void read_counter(TableReader& material, mechanics::MaterialSpec& spec,
-                  Mistakes& mistakes) {
-  const Node& node = *material.node().find("counter");
-  if (!node.is_table()) {
-    material.refuse(node, "must be a table: [material.counter]");
-    return;
-  }
+void read_counter(const Node& node, TableReader& material,
+                  mechanics::MaterialSpec& spec, Mistakes& mistakes) {
   TableReader counter(node, vocabulary_table("material.counter"), mistakes);
   counter.refuse_unknown();
   const double modulus = plane_strain_modulus(counter);
@@ -53,8 +48,8 @@ mechanics::MaterialSpec read_material(const Node& table,
   else if (is_poisson_needed && !material.has("youngs_modulus"))
     material.complain_missing("poisson_ratio",
                               ", which a block of finite depth needs");
-  if (material.has("counter"))
-    read_counter(material, spec, mistakes);
+  if (const Node* const node = material.sub_table("counter"))
+    read_counter(*node, material, spec, mistakes);
   read_block(material, folder, spec, mistakes);
   return spec;
 }

@@ -35,12 +35,15 @@ mechanics::MaterialSpec read_material(const Node& table,
                                       const std::string& folder,
                                       bool is_poisson_needed,
                                       Mistakes& mistakes);
-/// Reads layers, inclusion and variation.
+/// Reads layers, inclusion and variation of [material].
 void read_block(TableReader& material, const std::string& folder,
                 mechanics::MaterialSpec& spec, Mistakes& mistakes);
 /// @param read  the case with its material already read
 mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
                               const Case& read, Mistakes& mistakes);
+/// Reads a quantity, a list of quantities, or a sweep of them.
+std::vector<mechanics::Quantity>
+read_targets(TableReader& table, const std::string& name, Mistakes& mistakes);
 mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes);
 /// @param read  the case with its surface and methods already read
 MagnificationStudy read_magnification_study(const Node& node, const Case& read,

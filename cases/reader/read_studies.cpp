@@ -53,13 +53,9 @@ double read_reference_wavevector(TableReader& table,
 
 std::optional<LeakStudy> read_leak(TableReader& magnification,
                                    Mistakes& mistakes) {
-  const Node* const node = magnification.node().find("leak");
+  const Node* const node = magnification.sub_table("leak");
   if (!node)
     return std::nullopt;
-  if (!node->is_table()) {
-    magnification.refuse(*node, "must be a table: [magnification.leak]");
-    return std::nullopt;
-  }
   TableReader table(*node, vocabulary_table("magnification.leak"), mistakes);
   table.refuse_unknown();
   LeakStudy leak;
@@ -79,7 +75,7 @@ MagnificationStudy read_magnification_study(const Node& node, const Case& read,
   table.refuse_unknown({"leak"});
   check_theory(table, read);
   MagnificationStudy study;
-  study.nominal_pressures = table.program("nominal_pressure");
+  study.nominal_pressures = read_targets(table, "nominal_pressure", mistakes);
   study.from = table.number("from");
   study.to = table.number("to");
   check_ends(table, study.from, study.to);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace asperity::cases {
@@ -268,8 +267,7 @@ mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
     reader.spec.form_radius = reader.length_of("form_radius");
   if (reader.spec.kind == mechanics::SurfaceKind::measured ||
       reader.spec.kind == mechanics::SurfaceKind::spectrum)
-    if (const std::string file = reader.table.text("file"); !file.empty())
-      reader.spec.file = (std::filesystem::path(folder) / file).string();
+    reader.spec.file = reader.table.path("file", folder);
   return reader.spec;
 }
 

@@ -3,13 +3,10 @@
 #include "cases/text/toml_text.hpp"
 #include "input/nearest.hpp"
 
-#include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <utility>
+#include <filesystem>
 
 namespace asperity::cases {
 namespace {
@@ -20,40 +17,6 @@ std::string table_of_key(const std::string& key) {
       if (candidate.name == key && !table.is_part && !table.name.empty())
         return table.name;
   return "";
-}
-
-/// The words of load.sweep.spacing.
-enum class Spacing { log, linear, area };
-
-/// Largest pressure of equally spaced areas [E* h'], at which the area differs
-/// by 2e-9 from full contact.
-constexpr double highest_by_area = 3.0;
-
-/// Contact area at a pressure [E* h'], Eq. (4) of Yang and Persson (2008) on
-/// all scales.
-double contact_area(double pressure) {
-  return std::erf(std::numbers::sqrt2 * pressure);
-}
-
-double interpolated(double from, double to, double fraction, Spacing spacing) {
-  if (fraction == 0.0)
-    return from;
-  if (fraction == 1.0)
-    return to;
-  const auto by_ratio = [&](double first, double last) {
-    return first * std::pow(last / first, fraction);
-  };
-  switch (spacing) {
-  case Spacing::log:
-    return by_ratio(from, to);
-  case Spacing::area:
-    return boost::math::erf_inv(
-               by_ratio(contact_area(from), contact_area(to))) /
-           std::numbers::sqrt2;
-  case Spacing::linear:
-    break;
-  }
-  return from + (to - from) * fraction;
 }
 
 } // namespace
@@ -190,67 +153,22 @@ std::vector<std::string> TableReader::names(const std::string& key) {
   return texts;
 }
 
-std::vector<mechanics::Quantity> TableReader::program(const std::string& name) {
-  const Node* const found = entry(name);
-  if (!found)
-    return {};
-  const Key& key = key_called(name);
-  if (found->is_table())
-    return sweep(*found, key);
-  if (found->type != NodeType::list)
-    return {quantity_in(*found, key)};
-  if (found->list.empty())
-    refuse(*found, "must be " + allowed_text(key));
-  std::vector<mechanics::Quantity> targets;
-  for (const Node& element : found->list)
-    targets.push_back(quantity_in(element, key));
-  return targets;
+std::string TableReader::path(const std::string& key,
+                              const std::string& folder) {
+  const std::string file = text(key);
+  return file.empty() ? file : (std::filesystem::path(folder) / file).string();
 }
 
-std::vector<mechanics::Quantity> TableReader::sweep(const Node& node,
-                                                    const Key& key) {
-  TableReader part(node, vocabulary_table("load.sweep"), mistakes_);
-  part.refuse_unknown();
-  const Node* const from_node = part.entry("from");
-  const Node* const to_node = part.entry("to");
-  const mechanics::Quantity from =
-      from_node ? quantity_in(*from_node, key) : mechanics::Quantity{};
-  const mechanics::Quantity to =
-      to_node ? quantity_in(*to_node, key) : mechanics::Quantity{};
-  const int steps = part.integer("steps");
-  const std::optional<int> word = part.word("spacing");
-  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
-    return {};
-  const auto spacing = static_cast<Spacing>(*word);
-  if (from.reference != to.reference) {
-    refuse(*to_node,
-           "must have the same kind of unit as from: both in SI or both in " +
-               std::string("the same unit of the problem"));
-    return {};
-  }
-  if (spacing == Spacing::area) {
-    if (from.reference !=
-        mechanics::ReferenceUnit::contact_modulus_times_slope) {
-      refuse(*from_node, "spacing = \"area\" needs pressures in E* h'");
-      return {};
-    }
-    for (const auto& [end, value] :
-         {std::pair(from_node, from.value), std::pair(to_node, to.value)})
-      if (value > highest_by_area) {
-        refuse(*end, fmt::format("spacing = \"area\" needs pressures of at "
-                                 "most {} E* h', where contact is complete",
-                                 highest_by_area));
-        return {};
-      }
-  }
-  std::vector<mechanics::Quantity> targets;
-  targets.reserve(static_cast<std::size_t>(steps));
-  for (int step = 0; step < steps; ++step)
-    targets.push_back(
-        {interpolated(from.value, to.value,
-                      static_cast<double>(step) / (steps - 1), spacing),
-         from.reference});
-  return targets;
+const Node* TableReader::sub_table(const std::string& name) {
+  const Node* const found = node_.find(name);
+  if (found && !found->is_table())
+    refuse(*found, "must be a table: [" + found->path + "]");
+  return found && found->is_table() ? found : nullptr;
+}
+
+const Node& TableReader::said_by(const std::string& key) const {
+  const Node* const found = node_.find(key);
+  return found ? *found : node_;
 }
 
 void TableReader::complain(const Node& where, const std::string& what) {

@@ -36,7 +36,6 @@ public:
   bool boolean(const std::string& key);
   std::string text(const std::string& key);
   std::vector<std::string> names(const std::string& key);
-  std::vector<mechanics::Quantity> program(const std::string& name);
 
   /// Returns the index of the word in the vocabulary, which is also the order
   /// of the enumeration; empty after reporting a mistake.
@@ -52,6 +51,20 @@ public:
   /// Returns the entry or its default, or nullptr after reporting that it is
   /// missing.
   const Node* entry(const std::string& name);
+
+  /// Returns the path in a key of type text, relative to `folder` unless it is
+  /// absolute; empty after reporting a mistake.
+  std::string path(const std::string& key, const std::string& folder);
+
+  /// Returns the sub-table of that name, or nullptr if there is none or after
+  /// reporting that it is no table.
+  const Node* sub_table(const std::string& name);
+
+  /// Returns the entry, or the table if the key is not given.
+  const Node& said_by(const std::string& key) const;
+
+  /// Returns what the vocabulary says of a key.
+  const Key& key_called(const std::string& name) const;
 
   /// Reads a quantity or number that is part of the value of the key.
   mechanics::Quantity quantity_in(const Node& node, const Key& key);
@@ -70,8 +83,6 @@ public:
   void refuse_unknown(const std::vector<std::string>& also_known = {});
 
 private:
-  std::vector<mechanics::Quantity> sweep(const Node& node, const Key& key);
-  const Key& key_called(const std::string& name) const;
   std::string path_of(const std::string& key) const;
 
   const Node& node_;
