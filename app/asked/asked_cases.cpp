@@ -99,12 +99,12 @@ Asked read_asked(const std::string& word,
                  const std::string& contact_modulus) {
   if (is_map_file(word))
     return asked_map({word, contact_modulus}, overrides);
+  Asked asked{find_cases(word), {}};
   if (!contact_modulus.empty())
     throw input::InputError(
         fmt::format("--contact-modulus applies only to a measured map, but {} "
                     "is a case: please use --set material.contact_modulus=...",
                     word));
-  Asked asked{find_cases(word), {}};
   for (const FoundCase& found : asked.found.cases)
     asked.cases.push_back(read_with_reference(found, overrides, is_quick));
   return asked;

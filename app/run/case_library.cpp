@@ -107,9 +107,9 @@ FoundCases find_cases(const std::string& word) {
       2 * static_cast<std::size_t>(input::edit_distance(word, near)) <=
       word.size();
   throw input::InputError(
-      word +
-      " is neither a case file, nor a folder with a case.toml, nor a shipped "
-      "case" +
+      (fs::is_directory(path)
+           ? word + " is a folder without a case.toml, and no shipped case"
+           : "there is no file, folder or shipped case " + word) +
       (is_near ? "; nearest shipped case: " + near : "") +
       " ('asperity list' shows all)");
 }

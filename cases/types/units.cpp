@@ -160,11 +160,14 @@ read_quantity(const std::string& text, Dimension dimension,
   const auto [rest, error] = std::from_chars(written.data(), end, number);
   if (error == std::errc::result_out_of_range)
     return refused("is out of the range of numbers");
+  const std::vector<std::string> allowed = unit_symbols(dimension, references);
   if (error != std::errc{} || !std::isfinite(number))
-    return refused("does not begin with a number");
+    return refused(std::ranges::find(allowed, written) == allowed.end()
+                       ? "does not begin with a number"
+                       : "is a unit without a number; write \"1 " + written +
+                             "\"");
 
   const std::string symbol = trimmed(std::string(rest, end));
-  const std::vector<std::string> allowed = unit_symbols(dimension, references);
   if (dimension == Dimension::none)
     return refused("must be a plain number, without quotes");
   if (symbol.empty())

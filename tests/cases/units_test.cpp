@@ -93,7 +93,9 @@ TEST(Units, StateTheMistakeAndWhatIsAllowed) {
   EXPECT_EQ(length_from("14").mistake,
             "has no unit; allowed: " + allowed +
                 " (a number without quotes is in m)");
-  EXPECT_EQ(length_from("nm").mistake, "does not begin with a number");
+  EXPECT_EQ(length_from("nm").mistake,
+            "is a unit without a number; write \"1 nm\"");
+  EXPECT_EQ(length_from("MPa").mistake, "does not begin with a number");
   EXPECT_EQ(length_from("inf nm").mistake, "does not begin with a number");
   EXPECT_EQ(length_from("1e999 m").mistake, "is out of the range of numbers");
   EXPECT_EQ(read_quantity("1e300 GPa", Dimension::pressure, {}).mistake,
