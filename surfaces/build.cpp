@@ -9,6 +9,7 @@
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
+#include "surfaces/measured_rows.hpp"
 #include "surfaces/realization.hpp"
 
 #include <fmt/format.h>
@@ -244,16 +245,17 @@ HeightMap on_form(HeightMap map, const SurfaceSpec& surface) {
           on_form(std::move(map.heights), SharedRows(map.grid), surface)};
 }
 
-HeightMap shape_on(const SurfaceSpec& surface, const Grid& grid) {
+std::vector<double> shape_rows(const SurfaceSpec& surface,
+                               const SharedRows& rows) {
   switch (surface.kind) {
   case SurfaceKind::sphere:
-    return paraboloid(grid, surface.radius);
+    return paraboloid_rows(rows, surface.radius);
   case SurfaceKind::punch:
-    return flat_punch(grid, surface.radius, surface.recess, surface.tilt);
+    return flat_punch_rows(rows, surface.radius, surface.recess, surface.tilt);
   case SurfaceKind::wave_1d:
-    return wave_1d(grid, surface.amplitude, surface.wavelength);
+    return wave_1d_rows(rows, surface.amplitude, surface.wavelength);
   case SurfaceKind::wave_2d:
-    return wave_2d(grid, surface.amplitude, surface.wavelength);
+    return wave_2d_rows(rows, surface.amplitude, surface.wavelength);
   default:
     throw std::domain_error("unknown surface.kind");
   }
@@ -289,7 +291,8 @@ HeightMap build_surface(const SurfaceSpec& surface, int realization) {
         build_rows(surface, realization, rows_of_one(square_grid(surface)))};
   if (surface.kind == SurfaceKind::measured)
     return on_form(measured_surface(surface), surface);
-  return shape_on(surface, square_grid(surface));
+  const Grid grid = square_grid(surface);
+  return {grid, shape_rows(surface, SharedRows(grid))};
 }
 
 HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
@@ -307,25 +310,43 @@ HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
                                          highest_wavevector, 1),
                           rows, surface)};
   }
-  const HeightMap shape = shape_on(surface, grid);
+  const HeightMap shape{grid, shape_rows(surface, SharedRows(grid))};
   return highest_wavevector ? low_passed(shape, *highest_wavevector) : shape;
 }
 
-void require_rows(const SurfaceSpec& surface,
-                  std::optional<double> highest_wavevector) {
+Grid surface_grid(const SurfaceSpec& surface) {
+  return surface.kind == SurfaceKind::measured ? measured_grid(surface)
+                                               : square_grid(surface);
+}
+
+std::string reason_for_whole(const SurfaceSpec& surface,
+                             std::optional<double> highest_wavevector) {
+  if (is_random(surface.kind)) {
+    if (highest_wavevector)
+      kept_spectrum(surface, square_grid(surface), formula_spectrum(surface),
+                    highest_wavevector);
+    else
+      own_spectrum(surface);
+    return "";
+  }
   if (highest_wavevector)
-    kept_spectrum(surface, square_grid(surface), formula_spectrum(surface),
-                  highest_wavevector);
-  else
-    own_spectrum(surface);
+    return "short wavelengths are removed from it";
+  return surface.kind == SurfaceKind::measured ? reason_for_whole_map(surface)
+                                               : "";
 }
 
 std::vector<double> build_rows(const SurfaceSpec& surface, int realization,
                                const SharedRows& rows,
                                std::optional<double> highest_wavevector,
                                int threads) {
-  if (!is_random(surface.kind) || rows.grid() != square_grid(surface))
-    throw std::domain_error("rows are built of a random surface on its grid");
+  if (rows.grid() != surface_grid(surface) ||
+      (highest_wavevector && !is_random(surface.kind)))
+    throw std::domain_error("rows are built on the grid of a surface, and with "
+                            "a highest_wavevector of a random one");
+  if (surface.kind == SurfaceKind::measured)
+    return on_form(measured_rows(surface, rows), rows, surface);
+  if (!is_random(surface.kind))
+    return shape_rows(surface, rows);
   return on_form(highest_wavevector
                      ? random_rows_on(surface, realization, rows,
                                       highest_wavevector, threads)

@@ -8,6 +8,8 @@
 #include "surfaces/maps/isotropic_spectrum.hpp"
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace asperity::surfaces {
 
@@ -52,20 +54,26 @@ HeightMap build_surface_on(const mechanics::SurfaceSpec& surface,
                            int realization, const Grid& grid,
                            std::optional<double> highest_wavevector = {});
 
-/// The rows of this process of build_surface(), or with a highest_wavevector of
-/// build_surface_on() on the grid of the surface, for a random surface; the
-/// bits are those of these functions on any number of ranks. Collective.
-/// @param rows  of a group of ranks, with even bounds, on the square grid of
-///              the surface
-/// @throws  as these functions; std::domain_error also for another kind
+/// The grid of the surface, without its heights if possible
+/// (measured_rows.hpp).
+/// @throws  as build_surface()
+Grid surface_grid(const mechanics::SurfaceSpec& surface);
+
+/// Why one process must build the whole surface of build_surface(), or with a
+/// highest_wavevector of build_surface_on() on the grid of the surface, as the
+/// beginning of a sentence; empty if build_rows() can build its rows.
+/// @throws  as these functions, apart from a map that turns out to be flat
+std::string reason_for_whole(const mechanics::SurfaceSpec& surface,
+                             std::optional<double> highest_wavevector = {});
+
+/// The rows of this process of that surface; the bits are those of the whole
+/// one on any number of ranks. Collective.
+/// @param rows  of a group of ranks, with even bounds, on surface_grid()
+/// @throws  as these functions; std::domain_error also if reason_for_whole()
+///          is not empty
 std::vector<double> build_rows(const mechanics::SurfaceSpec& surface,
                                int realization, const SharedRows& rows,
                                std::optional<double> highest_wavevector = {},
                                int threads = 1);
-
-/// Checks what build_rows() requires of the surface, in one process.
-/// @throws  as build_rows()
-void require_rows(const mechanics::SurfaceSpec& surface,
-                  std::optional<double> highest_wavevector = {});
 
 } // namespace asperity::surfaces

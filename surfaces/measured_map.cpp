@@ -48,21 +48,6 @@ MapRoughness rms_height_and_slope(const HeightMap& map) {
                     mean_square(0, 1, grid.spacing_y()))};
 }
 
-/// Keeps the window of the case; a length of 0 reaches to the end of the map.
-void crop_to(FlaggedMap& map, mechanics::MapWindow window,
-             const std::string& file) {
-  const Grid& grid = map.map.grid;
-  if (window.length_x == 0.0)
-    window.length_x = grid.length_x - window.x;
-  if (window.length_y == 0.0)
-    window.length_y = grid.length_y - window.y;
-  try {
-    crop(map, window);
-  } catch (const std::domain_error& error) {
-    throw input::InputError(fmt::format("{}: {}", file, error.what()));
-  }
-}
-
 /// Refuses a map with too many points to be filled.
 void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
   const auto missing = static_cast<double>(
@@ -90,7 +75,34 @@ void level_form(HeightMap& map, const SurfaceSpec& surface) {
     throw input::InputError(
         fmt::format("{}: surface.level: {}", surface.file, error.what()));
   }
-  const double left = largest_magnitude(map);
+  require_relief(surface, before, largest_magnitude(map));
+}
+
+} // namespace
+
+ScanRequest request_of_map(const SurfaceSpec& surface) {
+  return {surface.format,
+          surface.channel,
+          {surface.length, surface.height_unit, surface.length_y,
+           surface.length_unit}};
+}
+
+PixelWindow window_of_map(const SurfaceSpec& surface, const Grid& grid) {
+  if (!surface.crop)
+    return {0, 0, grid};
+  mechanics::MapWindow window = *surface.crop;
+  if (window.length_x == 0.0) // reaches to the end of the map
+    window.length_x = grid.length_x - window.x;
+  if (window.length_y == 0.0)
+    window.length_y = grid.length_y - window.y;
+  try {
+    return pixels_of(grid, window);
+  } catch (const std::domain_error& error) {
+    throw input::InputError(fmt::format("{}: {}", surface.file, error.what()));
+  }
+}
+
+void require_relief(const SurfaceSpec& surface, double before, double left) {
   constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
   if (left <= rounding * before)
     throw input::InputError(fmt::format(
@@ -99,18 +111,12 @@ void level_form(HeightMap& map, const SurfaceSpec& surface) {
         surface.file, left, before));
 }
 
-} // namespace
-
 MeasuredMap measured_map(const SurfaceSpec& surface) {
-  Scan scan =
-      read_scan(surface.file, {surface.format,
-                               surface.channel,
-                               {surface.length, surface.height_unit,
-                                surface.length_y, surface.length_unit}});
+  Scan scan = read_scan(surface.file, request_of_map(surface));
   MeasuredMap measured{{}, scan.channel, scan.reader, 0, 0};
   FlaggedMap map{std::move(scan.map), std::move(scan.is_missing)};
   if (surface.crop)
-    crop_to(map, *surface.crop, surface.file);
+    crop(map, window_of_map(surface, map.map.grid));
   measured.missing = static_cast<std::size_t>(
       std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
   if (measured.missing == map.map.grid.size())

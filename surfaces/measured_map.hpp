@@ -5,6 +5,8 @@
 // ([surface] edges).
 
 #include "mechanics/surface_spec.hpp"
+#include "surfaces/formats/scan.hpp"
+#include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <string>
@@ -27,6 +29,22 @@ struct MeasuredMap {
 ///                            it, more points are missing than max_missing, or
 ///                            the map is flat
 MeasuredMap measured_map(const mechanics::SurfaceSpec& surface);
+
+/// What a case says about its map file.
+ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);
+
+/// The pixels of the map that a case uses.
+/// @param grid  of the whole map
+/// @throws input::InputError  they are not inside the map
+PixelWindow window_of_map(const mechanics::SurfaceSpec& surface,
+                          const Grid& grid);
+
+/// Refuses a flat map.
+/// @param before  largest magnitude of the heights before levelling [m]
+/// @param left    the same after it [m]
+/// @throws input::InputError  what is left is roundoff
+void require_relief(const mechanics::SurfaceSpec& surface, double before,
+                    double left);
 
 /// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
 /// missing point(s) (0.04 %) filled".

@@ -208,8 +208,10 @@ public:
       : number_(made++), nodes_(surface.record.grid.size()) {
     const Grid& grid = surface.record.grid;
     json build = command("build");
-    if (surface.source)
+    if (surface.source) {
+      prepare_heights(*surface.source);
       build["surface"] = json_of(*surface.source);
+    }
     build["grid"] = {grid.points_x, grid.points_y, grid.length_x,
                      grid.length_y};
     if (const auto* request = std::get_if<std::string>(&block))

@@ -30,8 +30,9 @@ using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;
 /// Solves the load steps on all ranks, with the bits of one process. To be
 /// called on rank 0; the fields of the solver are divided among the ranks. One
 /// call at a time may be active for all such objects.
-/// @param surface  the ranks generate its rows if it has a source; otherwise
-///                 rank 0 sends its heights to them
+/// @param surface  the ranks build its rows if it has a source; otherwise rank
+/// 0
+///                 sends its heights to them
 std::unique_ptr<LoadSteps>
 make_shared_load_steps(const SurfaceOfCase& surface, const SharedBlock& block,
                        const LoadStepsSetting& setting);

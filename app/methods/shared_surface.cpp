@@ -7,6 +7,7 @@
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -27,19 +28,54 @@ std::optional<double> number_in(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-/// The members that a random surface uses.
-SurfaceSource source_in(const json& text) {
-  SurfaceSource source;
-  mechanics::SurfaceSpec& surface = source.surface;
-  source.realization = text.at("realization");
-  source.highest_wavevector = number_in(text.at("highest"));
-  surface.kind =
-      static_cast<mechanics::SurfaceKind>(text.at("kind").get<int>());
-  surface.length = text.at("length").get<double>();
-  surface.points = text.at("points").get<int>();
+/// The members that are read from a case, in the order of SurfaceSpec; those of
+/// corrections that need the whole map are left out.
+json json_of(const mechanics::SurfaceSpec& surface) {
+  json text = {{"kind", static_cast<int>(surface.kind)},
+               {"length", or_null(surface.length)},
+               {"seed", surface.seed},
+               {"amplitudes", static_cast<int>(surface.amplitudes)},
+               {"rescale", surface.rescale},
+               {"rms_height", or_null(surface.rms_height)},
+               {"rms_slope", or_null(surface.rms_slope)},
+               {"hurst", surface.hurst},
+               {"low", surface.wavevector_low},
+               {"roll_off", surface.wavevector_roll_off},
+               {"high", surface.wavevector_high},
+               {"file", surface.file},
+               {"format", static_cast<int>(surface.format)},
+               {"level", static_cast<int>(surface.level)},
+               {"edges", static_cast<int>(surface.edges)},
+               {"height_unit", or_null(surface.height_unit)},
+               {"length_y", or_null(surface.length_y)},
+               {"length_unit", or_null(surface.length_unit)},
+               {"form_radius", or_null(surface.form_radius)},
+               {"radius", surface.radius},
+               {"recess", surface.recess},
+               {"tilt", surface.tilt},
+               {"amplitude", surface.amplitude},
+               {"wavelength", surface.wavelength}};
+  if (surface.points)
+    text["points"] = *surface.points;
+  if (surface.channel)
+    text["channel"] = *surface.channel;
+  if (const auto& crop = surface.crop)
+    text["crop"] = {crop->x, crop->y, crop->length_x, crop->length_y};
+  return text;
+}
+
+template <class Value>
+Value enumerator_in(const json& text) {
+  return static_cast<Value>(text.get<int>());
+}
+
+mechanics::SurfaceSpec surface_in(const json& text) {
+  mechanics::SurfaceSpec surface;
+  surface.kind = enumerator_in<mechanics::SurfaceKind>(text.at("kind"));
+  surface.length = number_in(text.at("length"));
   surface.seed = text.at("seed");
   surface.amplitudes =
-      static_cast<mechanics::Amplitudes>(text.at("amplitudes").get<int>());
+      enumerator_in<mechanics::Amplitudes>(text.at("amplitudes"));
   surface.rescale = text.at("rescale");
   surface.rms_height = number_in(text.at("rms_height"));
   surface.rms_slope = number_in(text.at("rms_slope"));
@@ -48,20 +84,37 @@ SurfaceSource source_in(const json& text) {
   surface.wavevector_roll_off = text.at("roll_off");
   surface.wavevector_high = text.at("high");
   surface.file = text.at("file").get<std::string>();
+  surface.format = enumerator_in<mechanics::MapFormat>(text.at("format"));
+  surface.level = enumerator_in<mechanics::Levelling>(text.at("level"));
+  surface.edges = enumerator_in<mechanics::Edges>(text.at("edges"));
+  surface.height_unit = number_in(text.at("height_unit"));
+  surface.length_y = number_in(text.at("length_y"));
+  surface.length_unit = number_in(text.at("length_unit"));
   surface.form_radius = number_in(text.at("form_radius"));
-  return source;
+  surface.radius = text.at("radius");
+  surface.recess = text.at("recess");
+  surface.tilt = text.at("tilt");
+  surface.amplitude = text.at("amplitude");
+  surface.wavelength = text.at("wavelength");
+  if (text.contains("points"))
+    surface.points = text.at("points").get<int>();
+  if (text.contains("channel"))
+    surface.channel = text.at("channel").get<std::string>();
+  if (text.contains("crop")) {
+    const json& crop = text.at("crop");
+    surface.crop = {crop.at(0), crop.at(1), crop.at(2), crop.at(3)};
+  }
+  return surface;
 }
 
 SharedRows rows_in(const json& text) {
-  const SurfaceSource source = source_in(text);
-  const int points = *source.surface.points;
-  const double length = *source.surface.length;
-  const Grid grid{points, points, length, length};
+  const json& points = text.at("grid");
+  const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
   RankGroup& ranks = fem::load_fem_module().rank_group();
   return {grid, ranks, contact::row_bounds(grid, ranks.size())};
 }
 
-/// What this rank has generated last.
+/// What this rank has built last.
 struct KeptHeights {
   std::string source;
   std::vector<double> heights;
@@ -72,16 +125,41 @@ KeptHeights& kept_heights() {
   return kept;
 }
 
+/// The whole surface on rank 0 from before a command until its rows are sent.
+std::vector<double>& whole_surface() {
+  static std::vector<double> whole;
+  return whole;
+}
+
+std::vector<double> built_whole(const SurfaceSource& source) {
+  return source.highest_wavevector
+             ? surfaces::build_surface_on(source.surface, source.realization,
+                                          source.grid,
+                                          source.highest_wavevector)
+                   .heights
+             : surfaces::build_surface(source.surface, source.realization)
+                   .heights;
+}
+
+/// Builds the rows of this rank, or receives them from rank 0.
+std::vector<double> build_heights(const json& text, const SharedRows& rows,
+                                  int threads) {
+  const SurfaceSource source{surface_in(text.at("surface")),
+                             text.at("realization"),
+                             number_in(text.at("highest"))};
+  if (!text.at("is_whole"))
+    return surfaces::build_rows(source.surface, source.realization, rows,
+                                source.highest_wavevector, threads);
+  return rows.scattered(std::exchange(whole_surface(), {}));
+}
+
 const std::vector<double>& own_heights(const json& text, const SharedRows& rows,
                                        int threads) {
   KeptHeights& kept = kept_heights();
   const std::string key = text.dump();
   if (kept.source != key || kept.heights.size() != rows.size()) {
     kept = {};
-    const SurfaceSource source = source_in(text);
-    kept.heights =
-        surfaces::build_rows(source.surface, source.realization, rows,
-                             source.highest_wavevector, threads);
+    kept.heights = build_heights(text, rows, threads);
     kept.source = key;
   }
   return kept.heights;
@@ -115,39 +193,57 @@ json command_of(const char* what, const SurfaceSource& source, int threads) {
 bool has_surfaces_by_rows(const cases::Case& contact_case,
                           const std::vector<cases::MethodSpec>& methods,
                           int n_ranks) {
-  const mechanics::SurfaceSpec& surface = contact_case.surface;
-  if (!surfaces::is_random(surface.kind) || !surface.points || !surface.length)
-    return false;
-  const Grid grid{*surface.points, *surface.points, *surface.length,
-                  *surface.length};
-  const auto is_shared = [&](const cases::MethodSpec& method) {
-    return method.has_fields() && is_shared_by_ranks(method, grid, n_ranks);
+  const auto has_fields = [](const cases::MethodSpec& method) {
+    return method.has_fields();
   };
-  return std::ranges::any_of(methods, is_shared) &&
-         std::ranges::all_of(methods, [&](const cases::MethodSpec& method) {
-           return !method.has_fields() || is_shared(method);
-         });
+  if (n_ranks == 1 || std::ranges::none_of(methods, has_fields))
+    return false;
+  const Grid grid = surfaces::surface_grid(contact_case.surface);
+  return std::ranges::all_of(methods, [&](const cases::MethodSpec& method) {
+    return !method.has_fields() || is_shared_by_ranks(method, grid, n_ranks);
+  });
 }
 
-SurfaceOfCase surface_by_rows(const SurfaceSource& source,
+std::string rows_sentence(const SurfaceSource& source, int n_ranks) {
+  if (!source.whole_because.empty())
+    return fmt::format("rank 0 builds the whole surface, because {}, and sends "
+                       "its rows to {} ranks",
+                       source.whole_because, n_ranks);
+  return fmt::format("{} ranks {} the rows of the surface", n_ranks,
+                     source.surface.kind == mechanics::SurfaceKind::measured
+                         ? "read"
+                         : "generate");
+}
+
+void prepare_heights(const SurfaceSource& source) {
+  if (!source.whole_because.empty() &&
+      kept_heights().source != json_of(source).dump())
+    whole_surface() = built_whole(source);
+}
+
+SurfaceOfCase surface_by_rows(const SurfaceSource& asked,
                               double contact_modulus, int threads) {
-  surfaces::require_rows(source.surface, source.highest_wavevector);
+  SurfaceSource source = asked;
+  source.grid = surfaces::surface_grid(source.surface);
+  source.whole_because =
+      surfaces::reason_for_whole(source.surface, source.highest_wavevector);
+  prepare_heights(source);
   const json command = command_of("describe", source, threads);
   SurfaceOfCase surface;
-  fem::load_fem_module().on_all_ranks(command.dump(), [&](const std::string&,
-                                                          int) {
-    auto [numbers, shells] = describe_part(command);
-    const Grid grid = rows_in(command.at("source")).grid();
-    surface =
-        described_surface(grid, numbers, std::move(shells), contact_modulus);
-  });
+  fem::load_fem_module().on_all_ranks(
+      command.dump(), [&](const std::string&, int) {
+        auto [numbers, shells] = describe_part(command);
+        surface = described_surface(source.grid, numbers, std::move(shells),
+                                    contact_modulus);
+      });
   surface.source = source;
   return surface;
 }
 
 results::MapRows heights_by_rows(const SurfaceSource& source, int threads) {
-  return [command = command_of("send", source, threads)](
-             const results::TakeValues& take) {
+  return [source, threads](const results::TakeValues& take) {
+    prepare_heights(source);
+    const json command = command_of("send", source, threads);
     fem::load_fem_module().on_all_ranks(
         command.dump(),
         [&](const std::string&, int) { send_heights(command, take); });
@@ -167,23 +263,13 @@ void follow_shared_surface(const std::string& text) {
 }
 
 json json_of(const SurfaceSource& source) {
-  const mechanics::SurfaceSpec& surface = source.surface;
-  return {{"realization", source.realization},
-          {"highest", or_null(source.highest_wavevector)},
-          {"kind", static_cast<int>(surface.kind)},
-          {"length", *surface.length},
-          {"points", *surface.points},
-          {"seed", surface.seed},
-          {"amplitudes", static_cast<int>(surface.amplitudes)},
-          {"rescale", surface.rescale},
-          {"rms_height", or_null(surface.rms_height)},
-          {"rms_slope", or_null(surface.rms_slope)},
-          {"hurst", surface.hurst},
-          {"low", surface.wavevector_low},
-          {"roll_off", surface.wavevector_roll_off},
-          {"high", surface.wavevector_high},
-          {"file", surface.file},
-          {"form_radius", or_null(surface.form_radius)}};
+  const Grid& grid = source.grid;
+  return {
+      {"surface", json_of(source.surface)},
+      {"realization", source.realization},
+      {"highest", or_null(source.highest_wavevector)},
+      {"grid", {grid.points_x, grid.points_y, grid.length_x, grid.length_y}},
+      {"is_whole", !source.whole_because.empty()}};
 }
 
 std::vector<double> take_heights(const json& source, const SharedRows& rows,

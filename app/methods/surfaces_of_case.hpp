@@ -14,15 +14,20 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace asperity::app {
 
-/// What a random surface is generated from.
+/// What the rows of a surface are built from.
 struct SurfaceSource {
   mechanics::SurfaceSpec surface;
   int realization = 0;
   std::optional<double> highest_wavevector = {}; ///< of a magnification [rad/m]
+  Grid grid = {};
+  /// Why rank 0 builds the whole surface and sends its rows
+  /// (surfaces::reason_for_whole()); empty: each rank builds its own.
+  std::string whole_because = {};
 };
 
 /// The surface of one realisation as a method uses it.
@@ -33,8 +38,8 @@ struct SurfaceOfCase {
   /// sphere, a punch, roughness on a sphere, or a map without continuation.
   bool has_middle = false;
   std::vector<surfaces::Shell> shells = {};
-  /// Set if ranks generate the rows of the surface when they need them; the
-  /// record then has no heights.
+  /// Set if ranks build the rows of the surface when they need them; the record
+  /// then has no heights.
   std::optional<SurfaceSource> source = {};
 };
 

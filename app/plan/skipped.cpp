@@ -207,8 +207,7 @@ Grid grid_of_case(const cases::Case& contact_case,
   const mechanics::SurfaceSpec& surface = contact_case.surface;
   if (surface.length && surface.points)
     return {*surface.points, *surface.points, *surface.length, *surface.length};
-  return needs_surfaces(methods) ? surfaces::build_surface(surface, 0).grid
-                                 : Grid{};
+  return needs_surfaces(methods) ? surfaces::surface_grid(surface) : Grid{};
 }
 
 std::string count_text(double count) {

@@ -2,6 +2,7 @@
 
 #include "fem/plugin.hpp"
 #include "surfaces/measured_map.hpp"
+#include "surfaces/measured_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ results::Provenance provenance_at_start(const cases::Case& contact_case,
                      std::to_string(contact_case.surface.realizations));
   facts.emplace_back("started", results::utc_now());
   if (contact_case.surface.kind == mechanics::SurfaceKind::measured)
-    facts.emplace_back("map", surfaces::description_of(surfaces::measured_map(
+    facts.emplace_back("map", surfaces::description_of(surfaces::described_map(
                                   contact_case.surface)));
   if (contact_case.surface.kind == mechanics::SurfaceKind::measured &&
       contact_case.surface.edges == mechanics::Edges::window)

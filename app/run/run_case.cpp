@@ -175,8 +175,12 @@ void Run::begin() {
   for (const std::string& warning :
        cases::locking_warnings(case_.material, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
-  if (builds_by_rows_)
-    fmt::print("{} ranks generate the rows of the surface\n", n_mpi_ranks());
+  const auto by_rows =
+      std::ranges::find_if(surfaces_.whole(), [](const SurfaceOfCase& surface) {
+        return surface.source.has_value();
+      });
+  if (by_rows != surfaces_.whole().end())
+    fmt::print("{}\n", rows_sentence(*by_rows->source, n_mpi_ranks()));
   for (std::size_t i = 0; i < surfaces_.whole().size(); ++i)
     if (const int r = static_cast<int>(i); has_realization(r))
       record_surface(r);

@@ -246,6 +246,28 @@ std::vector<double> Hdf5Group::numbers(const std::string& name) const {
   return values;
 }
 
+std::vector<double> Hdf5Group::rows(const std::string& name, std::size_t first,
+                                    std::size_t count) const {
+  const std::vector<std::size_t> size = extents(name);
+  if (size.size() != 2 || first > size[0] || count > size[0] - first)
+    refuse_hdf5(place(name), "read these rows of this dataset");
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
+  const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
+  const std::array<hsize_t, 2> start{first, 0};
+  const std::array<hsize_t, 2> counts{count, size[1]};
+  checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr,
+                              counts.data(), nullptr),
+          place(name), "select rows");
+  const Hdf5Handle memory(H5Screate_simple(2, counts.data(), nullptr),
+                          H5Sclose);
+  element_count(memory.id(), sizeof(double), place(name));
+  std::vector<double> values(count * size[1]);
+  checked(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(),
+                  H5P_DEFAULT, values.data()),
+          place(name), "read this dataset as numbers");
+  return values;
+}
+
 std::vector<double> Hdf5Group::column(const std::string& name) const {
   if (const std::size_t rank = extents(name).size(); rank != 1)
     throw Hdf5Error(

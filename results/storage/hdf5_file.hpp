@@ -120,6 +120,10 @@ public:
   std::vector<std::size_t> extents(const std::string& name) const;
   /// Returns all values of a dataset, with the last index fastest.
   std::vector<double> numbers(const std::string& name) const;
+  /// Returns some rows of a dataset with two dimensions.
+  /// @throws Hdf5Error  also if the dataset has no such rows
+  std::vector<double> rows(const std::string& name, std::size_t first,
+                           std::size_t count) const;
   /// Returns the values of a one-dimensional dataset.
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;

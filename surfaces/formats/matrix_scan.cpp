@@ -1,6 +1,7 @@
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "results/trial_read.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "surfaces/formats/own_readers.hpp"
@@ -13,6 +14,9 @@
 
 namespace asperity::surfaces {
 namespace {
+
+constexpr const char* hdf5_words = "an HDF5 dataset";
+constexpr const char* hdf5_reader = "own reader of HDF5";
 
 /// Takes a matrix whose file has no sizes or units, unless it is a list x y z.
 Scan scan_of_matrix(Matrix matrix, const std::string& name,
@@ -139,34 +143,99 @@ void take_height_unit(std::optional<double>& given,
   given = unit;
 }
 
-Scan scan_of_dataset(const results::Hdf5File& file, const std::string& dataset,
-                     const std::string& path, ScanRequest request) {
-  const std::string name = path + ": " + printable(dataset);
-  // The parts of the path are opened one after the other, without links to
-  // other files.
-  results::Hdf5Group group;
+/// Calls use(group, name) with the group and the name of a dataset. The parts
+/// of the path are opened one after the other, without links to other files.
+template <class Use>
+auto with_dataset(const results::Hdf5File& file, const std::string& dataset,
+                  const Use& use) {
+  results::Hdf5Group below_root;
+  const results::Hdf5Group* group = &file;
   std::string_view rest = std::string_view(dataset).substr(1);
-  bool is_below_root = false;
   for (std::size_t end = rest.find('/'); end != std::string_view::npos;
        end = rest.find('/')) {
-    const std::string child(rest.substr(0, end));
-    group = is_below_root ? group.open(child) : file.open(child);
-    is_below_root = true;
+    below_root = group->open(std::string(rest.substr(0, end)));
+    group = &below_root;
     rest.remove_prefix(end + 1);
   }
-  const results::Hdf5Group& parent =
-      is_below_root ? group : static_cast<const results::Hdf5Group&>(file);
-  const std::string child(rest);
-  const std::vector<std::size_t> extents = parent.extents(child);
-  const results::Hdf5Group attributes = parent.open_dataset(child);
-  take_attribute(request.scale.length, attributes, "length", name);
-  take_attribute(request.scale.length_y, attributes, "length_y", name);
-  take_height_unit(request.scale.height_unit, attributes, name);
-  Scan scan = scan_of_matrix({extents[0], extents[1], parent.numbers(child)},
-                             name, "an HDF5 dataset", request);
+  return use(*group, std::string(rest));
+}
+
+void take_attributes(const results::Hdf5Group& attributes,
+                     const std::string& name, MapScale& scale) {
+  take_attribute(scale.length, attributes, "length", name);
+  take_attribute(scale.length_y, attributes, "length_y", name);
+  take_height_unit(scale.height_unit, attributes, name);
+}
+
+std::string name_of(const std::string& path, const std::string& dataset) {
+  return path + ": " + printable(dataset);
+}
+
+Scan scan_of_dataset(const results::Hdf5File& file, const std::string& dataset,
+                     const std::string& path, ScanRequest request) {
+  const std::string name = name_of(path, dataset);
+  Scan scan = with_dataset(
+      file, dataset,
+      [&](const results::Hdf5Group& group, const std::string& child) {
+        const std::vector<std::size_t> extents = group.extents(child);
+        take_attributes(group.open_dataset(child), name, request.scale);
+        return scan_of_matrix({extents[0], extents[1], group.numbers(child)},
+                              name, hdf5_words, request);
+      });
   scan.channel = dataset;
-  scan.reader = "own reader of HDF5";
+  scan.reader = hdf5_reader;
   return scan;
+}
+
+std::vector<double> dataset_rows(const std::string& path,
+                                 const std::string& dataset, int first,
+                                 int count) {
+  const std::lock_guard lock(results::hdf5_mutex());
+  const results::Hdf5File file(path, results::Hdf5File::Mode::read);
+  return with_dataset(
+      file, dataset,
+      [&](const results::Hdf5Group& group, const std::string& child) {
+        return group.rows(child, static_cast<std::size_t>(first),
+                          static_cast<std::size_t>(count));
+      });
+}
+
+/// What is known of a dataset without its values; nothing if it may be a list.
+std::optional<RowFile> described_dataset(const std::string& path,
+                                         ScanRequest request) {
+  const std::lock_guard lock(results::hdf5_mutex());
+  const results::Hdf5File file(path, results::Hdf5File::Mode::read);
+  FoundDatasets found;
+  find_datasets(file, "", 0, found);
+  const std::string dataset =
+      found.paths[chosen_dataset(found, request.channel, path)];
+  const std::string name = name_of(path, dataset);
+  RowFile rows;
+  with_dataset(file, dataset,
+               [&](const results::Hdf5Group& group, const std::string& child) {
+                 const std::vector<std::size_t> extents = group.extents(child);
+                 rows.grid.points_x = static_cast<int>(extents[1]);
+                 rows.grid.points_y = static_cast<int>(extents[0]);
+                 take_attributes(group.open_dataset(child), name,
+                                 request.scale);
+               });
+  if (request.format == mechanics::MapFormat::automatic &&
+      rows.grid.points_x <= 3)
+    return std::nullopt;
+  rows.grid = grid_by_scale(rows.grid, name, hdf5_words, request.scale);
+  rows.channel = dataset;
+  rows.reader = hdf5_reader;
+  rows.rows = [path, dataset, unit = *request.scale.height_unit](int first,
+                                                                 int count) {
+    // The packaged library has memory errors that a damaged file can trigger.
+    results::require_readable(
+        path, [&] { (void)dataset_rows(path, dataset, first, count); });
+    std::vector<double> heights = dataset_rows(path, dataset, first, count);
+    for (double& height : heights)
+      height *= unit;
+    return heights;
+  };
+  return rows;
 }
 
 } // namespace
@@ -183,6 +252,17 @@ ChannelInfo npy_channel(std::string_view bytes, const std::string& name) {
   const Matrix matrix = read_npy_text(bytes, name);
   return {"", "", static_cast<int>(matrix.columns),
           static_cast<int>(matrix.rows)};
+}
+
+std::optional<RowFile> hdf5_row_file(const std::string& path,
+                                     const ScanRequest& request) {
+  results::require_readable(path,
+                            [&] { (void)described_dataset(path, request); });
+  try {
+    return described_dataset(path, request);
+  } catch (const results::Hdf5Error& error) {
+    throw input::InputError(error.what());
+  }
 }
 
 FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,

@@ -24,10 +24,10 @@ constexpr std::string_view npy_magic = "\x93NUMPY"sv;
   throw input::InputError(fmt::format("{}: {}", name, what));
 }
 
-/// The header and the bytes of the numbers behind it.
+/// The header and the place of the numbers behind it.
 struct NpyParts {
   std::string_view header;
-  std::string_view data;
+  std::size_t begin = 0;
 };
 
 NpyParts npy_parts(std::string_view bytes, const std::string& name) {
@@ -47,7 +47,7 @@ NpyParts npy_parts(std::string_view bytes, const std::string& name) {
   const std::size_t begin = before_length + bytes_of_length;
   if (length > bytes.size() - begin)
     refuse_npy(name, "ends within its header");
-  return {bytes.substr(begin, length), bytes.substr(begin + length)};
+  return {bytes.substr(begin, length), begin + length};
 }
 
 /// Returns the text after "'key':" up to the comma or brace that ends the
@@ -99,8 +99,9 @@ double number_of(const char* bytes, bool is_swapped) {
 
 } // namespace
 
-Matrix read_npy_text(std::string_view bytes, const std::string& name) {
-  const NpyParts parts = npy_parts(bytes, name);
+NpyLayout npy_layout(std::string_view beginning, std::uintmax_t file_bytes,
+                     const std::string& name) {
+  const NpyParts parts = npy_parts(beginning, name);
   const std::string_view type = npy_value(parts.header, "descr", name);
   const bool is_double = type.ends_with("f8'");
   if (type.size() != 5 || (!is_double && !type.ends_with("f4'")))
@@ -111,30 +112,49 @@ Matrix read_npy_text(std::string_view bytes, const std::string& name) {
   const std::string_view shape_text = npy_value(parts.header, "shape", name);
   const std::vector<std::size_t> shape = npy_shape(shape_text, name);
   const std::size_t width = is_double ? 8 : 4;
-  const std::size_t count = parts.data.size() / width;
+  const std::uintmax_t data_bytes = file_bytes - parts.begin;
+  const std::uintmax_t count = data_bytes / width;
   if (shape.size() != 2)
     refuse_npy(name, fmt::format("has {} dimensions, shape ({}), but must have "
                                  "2: rows and columns",
                                  shape.size(), shape_text));
   if (shape[0] == 0 || shape[1] == 0 || shape[0] > count ||
-      shape[0] * shape[1] != count || count * width != parts.data.size())
+      shape[0] * shape[1] != count || count * width != data_bytes)
     refuse_npy(name, fmt::format("has the shape ({}) and {} bytes of numbers, "
                                  "which is not {} bytes for each",
-                                 shape_text, parts.data.size(), width));
-  const bool is_swapped =
-      (type[1] == '>') == (std::endian::native == std::endian::little);
-  const bool is_by_column =
-      npy_value(parts.header, "fortran_order", name) == "True";
-  Matrix matrix{shape[0], shape[1], std::vector<double>(count)};
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* at = parts.data.data() + i * width;
-    const double number = is_double
-                              ? number_of<double, std::uint64_t>(at, is_swapped)
-                              : number_of<float, std::uint32_t>(at, is_swapped);
-    const std::size_t place =
-        is_by_column ? i % matrix.rows * matrix.columns + i / matrix.rows : i;
-    matrix.numbers[place] = number;
+                                 shape_text, data_bytes, width));
+  return {shape[0],
+          shape[1],
+          parts.begin,
+          width,
+          (type[1] == '>') == (std::endian::native == std::endian::little),
+          npy_value(parts.header, "fortran_order", name) == "True"};
+}
+
+void npy_numbers(const NpyLayout& layout, std::string_view bytes,
+                 std::span<double> numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const char* at = bytes.data() + i * layout.width;
+    numbers[i] = layout.width == 8
+                     ? number_of<double, std::uint64_t>(at, layout.is_swapped)
+                     : number_of<float, std::uint32_t>(at, layout.is_swapped);
   }
+}
+
+Matrix read_npy_text(std::string_view bytes, const std::string& name) {
+  const NpyLayout layout = npy_layout(bytes, bytes.size(), name);
+  const std::string_view data = bytes.substr(layout.begin);
+  Matrix matrix{layout.rows, layout.columns,
+                std::vector<double>(layout.rows * layout.columns)};
+  if (!layout.is_by_column) {
+    npy_numbers(layout, data, matrix.numbers);
+    return matrix;
+  }
+  for (std::size_t i = 0; i < matrix.numbers.size(); ++i)
+    npy_numbers(
+        layout, data.substr(i * layout.width),
+        std::span(matrix.numbers)
+            .subspan(i % layout.rows * layout.columns + i / layout.rows, 1));
   return matrix;
 }
 

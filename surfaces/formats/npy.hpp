@@ -4,6 +4,7 @@
 // (numpy.lib.format), from any byte order and storage order.
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -18,6 +19,28 @@ struct Matrix {
   std::size_t columns = 0;
   std::vector<double> numbers; ///< rows * columns values
 };
+
+/// What the header of an .npy file says about its numbers.
+struct NpyLayout {
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::size_t begin = 0;     ///< place of the first number in the file [bytes]
+  std::size_t width = 8;     ///< of a number [bytes], 4 or 8
+  bool is_swapped = false;   ///< bytes are in the other order
+  bool is_by_column = false; ///< Fortran order
+};
+
+/// Reads the header.
+/// @param beginning   at least the header, or the whole file
+/// @param file_bytes  size of the file
+/// @throws input::InputError  as read_npy_text
+NpyLayout npy_layout(std::string_view beginning, std::uintmax_t file_bytes,
+                     const std::string& name);
+
+/// Converts bytes of the file to numbers.
+/// @param bytes  numbers.size() * layout.width bytes
+void npy_numbers(const NpyLayout& layout, std::string_view bytes,
+                 std::span<double> numbers);
 
 /// Reads a two-dimensional array of 4- or 8-byte floating-point numbers. They
 /// need not be finite.

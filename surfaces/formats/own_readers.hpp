@@ -3,9 +3,11 @@
 // This internal header of surfaces/formats declares the readers of the
 // individual formats, which scan.cpp chooses from, and what they share.
 
+#include "surfaces/formats/row_file.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +47,9 @@ FileContent read_gwy_file(std::string_view bytes, const std::string& name,
 /// A dataset of an HDF5 file.
 FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
                            Asked asked);
+/// The same dataset, read by rows.
+std::optional<RowFile> hdf5_row_file(const std::string& path,
+                                     const ScanRequest& request);
 /// Any other format through the program Gwyddion.
 FileContent read_converted_file(const std::string& path,
                                 const ScanRequest& request, Asked asked);
@@ -53,6 +58,11 @@ FileContent read_converted_file(const std::string& path,
 /// scale.length_y is given.
 /// @throws input::InputError  length or height_unit is missing
 /// @param what  the file in words: "a plain matrix"
+Grid grid_by_scale(const Grid& points, const std::string& name,
+                   const std::string& what, const MapScale& scale);
+
+/// The map of such a file.
+/// @throws input::InputError  as grid_by_scale, or all points are missing
 Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
                    const std::string& name, const std::string& what,
                    const MapScale& scale);

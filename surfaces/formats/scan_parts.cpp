@@ -35,9 +35,8 @@ void mark_missing(Scan& scan, const std::string& name) {
     throw input::InputError(name + ": all points are missing");
 }
 
-Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
-                   const std::string& name, const std::string& what,
-                   const MapScale& scale) {
+Grid grid_by_scale(const Grid& points, const std::string& name,
+                   const std::string& what, const MapScale& scale) {
   if (!scale.length)
     throw input::InputError(fmt::format("surface.length is missing: {} is {}, "
                                         "which does not give its width",
@@ -55,7 +54,16 @@ Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
   grid.length_y =
       scale.length_y.value_or(*scale.length * grid.points_y / grid.points_x);
   require_positive("length_y", grid.length_y, "m");
-  Scan scan{{grid, std::move(numbers)}, {}, "", ""};
+  return grid;
+}
+
+Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
+                   const std::string& name, const std::string& what,
+                   const MapScale& scale) {
+  Scan scan{{grid_by_scale(points, name, what, scale), std::move(numbers)},
+            {},
+            "",
+            ""};
   multiply_heights(scan, *scale.height_unit);
   mark_missing(scan, name);
   return scan;

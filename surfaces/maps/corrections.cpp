@@ -103,18 +103,25 @@ double robust_scale(const FlaggedMap& map,
 
 } // namespace
 
-void crop(FlaggedMap& map, const mechanics::MapWindow& window) {
+PixelWindow pixels_of(const Grid& grid, const mechanics::MapWindow& window) {
+  const PixelRange x = pixels_within(window.x, window.length_x,
+                                     grid.spacing_x(), grid.points_x, "x");
+  const PixelRange y = pixels_within(window.y, window.length_y,
+                                     grid.spacing_y(), grid.points_y, "y");
+  return {x.first,
+          y.first,
+          {x.count, y.count, x.count * grid.spacing_x(),
+           y.count * grid.spacing_y()}};
+}
+
+void crop(FlaggedMap& map, const PixelWindow& pixels) {
   const Grid old = map.map.grid;
-  const PixelRange x = pixels_within(window.x, window.length_x, old.spacing_x(),
-                                     old.points_x, "x");
-  const PixelRange y = pixels_within(window.y, window.length_y, old.spacing_y(),
-                                     old.points_y, "y");
   FlaggedMap kept;
-  kept.map.grid = {x.count, y.count, x.count * old.spacing_x(),
-                   y.count * old.spacing_y()};
-  for (int iy = 0; iy < y.count; ++iy)
-    for (int ix = 0; ix < x.count; ++ix) {
-      const std::size_t index = old.index(x.first + ix, y.first + iy);
+  kept.map.grid = pixels.grid;
+  for (int iy = 0; iy < pixels.grid.points_y; ++iy)
+    for (int ix = 0; ix < pixels.grid.points_x; ++ix) {
+      const std::size_t index =
+          old.index(pixels.first_x + ix, pixels.first_y + iy);
       kept.map.heights.push_back(map.map.heights[index]);
       if (!map.is_missing.empty())
         kept.is_missing.push_back(map.is_missing[index]);

@@ -20,12 +20,22 @@ struct FlaggedMap {
   }
 };
 
-/// Keeps the pixels whose centres lie within the window; pixel (i, j) has its
-/// centre at ((i + 1/2) spacing_x, (j + 1/2) spacing_y).
+/// A rectangle of pixels, and its grid.
+struct PixelWindow {
+  int first_x = 0;
+  int first_y = 0;
+  Grid grid;
+};
+
+/// The pixels whose centres lie within the window; pixel (i, j) has its centre
+/// at ((i + 1/2) spacing_x, (j + 1/2) spacing_y).
 /// @throws std::domain_error  the window is not inside the map (within 1e-6 of
 ///                            its sides), or fewer than two points per side
 ///                            remain
-void crop(FlaggedMap& map, const mechanics::MapWindow& window);
+PixelWindow pixels_of(const Grid& grid, const mechanics::MapWindow& window);
+
+/// Keeps these pixels.
+void crop(FlaggedMap& map, const PixelWindow& pixels);
 
 /// Removes offsets between scan lines, which are rows along x, by the median of
 /// differences:

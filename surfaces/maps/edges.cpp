@@ -47,8 +47,7 @@ HeightMap windowed(HeightMap map) {
 
 HeightMap mirrored(const HeightMap& map) {
   const Grid& grid = map.grid;
-  HeightMap twice{{2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
-                   2.0 * grid.length_y},
+  HeightMap twice{grid_with_edges(grid, mechanics::Edges::mirror),
                   std::vector<double>(4 * grid.size())};
   for (int iy = 0; iy < 2 * grid.points_y; ++iy)
     for (int ix = 0; ix < 2 * grid.points_x; ++ix)
@@ -59,6 +58,14 @@ HeightMap mirrored(const HeightMap& map) {
 }
 
 } // namespace
+
+Grid grid_with_edges(const Grid& grid, mechanics::Edges edges) {
+  const bool is_mirrored =
+      edges == mechanics::Edges::mirror || edges == mechanics::Edges::free;
+  return is_mirrored ? Grid{2 * grid.points_x, 2 * grid.points_y,
+                            2.0 * grid.length_x, 2.0 * grid.length_y}
+                     : grid;
+}
 
 HeightMap with_edges(HeightMap map, mechanics::Edges edges) {
   if (edges == mechanics::Edges::window)

@@ -21,6 +21,9 @@ namespace asperity::surfaces {
 ///               at the seam, and four copies of every asperity
 HeightMap with_edges(HeightMap map, mechanics::Edges edges);
 
+/// The grid of the result.
+Grid grid_with_edges(const Grid& grid, mechanics::Edges edges);
+
 /// <w^2> of that window, 9/64 for at least 3 points per side [1]. For a
 /// statistically homogeneous surface, windowing multiplies the expected power
 /// of any wavelength far below the side lengths by this factor: divide <h^2>,

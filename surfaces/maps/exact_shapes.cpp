@@ -48,11 +48,6 @@ std::vector<double> rows_of(const SharedRows& rows, Height height) {
   return heights;
 }
 
-template <class Height>
-HeightMap map_of(const Grid& grid, Height height) {
-  return {grid, rows_of(SharedRows(grid), height)};
-}
-
 } // namespace
 
 HeightMap paraboloid(const Grid& grid, double radius) {
@@ -73,6 +68,12 @@ std::vector<double> paraboloid_rows(const SharedRows& rows, double radius) {
 
 HeightMap flat_punch(const Grid& grid, double radius, double recess,
                      double tilt) {
+  return {grid, flat_punch_rows(SharedRows(grid), radius, recess, tilt)};
+}
+
+std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
+                                    double recess, double tilt) {
+  const Grid& grid = rows.grid();
   require_positive("radius", radius, "m");
   require_positive("recess", recess, "m");
   if (2.0 * radius >= std::min(grid.length_x, grid.length_y))
@@ -82,7 +83,7 @@ HeightMap flat_punch(const Grid& grid, double radius, double recess,
   const double rounding = 1e-12 * radius * radius;
   const int centre_x = grid.points_x / 2;
   const int centre_y = grid.points_y / 2;
-  return map_of(grid, [&](int ix, int iy) {
+  return rows_of(rows, [&](int ix, int iy) {
     const double x = (ix - centre_x) * grid.spacing_x();
     const double y = (iy - centre_y) * grid.spacing_y();
     return x * x + y * y <= radius * radius + rounding ? tilt * x : -recess;
@@ -90,23 +91,35 @@ HeightMap flat_punch(const Grid& grid, double radius, double recess,
 }
 
 HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength) {
+  return {grid, wave_1d_rows(SharedRows(grid), amplitude, wavelength)};
+}
+
+std::vector<double> wave_1d_rows(const SharedRows& rows, double amplitude,
+                                 double wavelength) {
+  const Grid& grid = rows.grid();
   require_positive("amplitude", amplitude, "m");
   require_positive("wavelength", wavelength, "m");
   const std::vector<double> along_x =
       cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
-  return map_of(grid, [&](int ix, int) {
+  return rows_of(rows, [&](int ix, int) {
     return amplitude * along_x[static_cast<std::size_t>(ix)];
   });
 }
 
 HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength) {
+  return {grid, wave_2d_rows(SharedRows(grid), amplitude, wavelength)};
+}
+
+std::vector<double> wave_2d_rows(const SharedRows& rows, double amplitude,
+                                 double wavelength) {
+  const Grid& grid = rows.grid();
   require_positive("amplitude", amplitude, "m");
   require_positive("wavelength", wavelength, "m");
   const std::vector<double> along_x =
       cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
   const std::vector<double> along_y =
       cosine_along("length_y", grid.length_y, grid.points_y, wavelength);
-  return map_of(grid, [&](int ix, int iy) {
+  return rows_of(rows, [&](int ix, int iy) {
     return amplitude * along_x[static_cast<std::size_t>(ix)] *
            along_y[static_cast<std::size_t>(iy)];
   });

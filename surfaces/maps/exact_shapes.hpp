@@ -14,10 +14,6 @@ namespace asperity::surfaces {
 /// @param radius  R [m] > 0
 HeightMap paraboloid(const Grid& grid, double radius);
 
-/// The rows of this process of the same shape, with the bits of one process.
-/// Collective.
-std::vector<double> paraboloid_rows(const SharedRows& rows, double radius);
-
 /// A flat-ended cylinder about the centre of the cell: h = tilt x for r <= R,
 /// x from the centre, and -recess outside, with the mean removed. The centre is
 /// the node (points_x/2, points_y/2).
@@ -46,5 +42,15 @@ HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength);
 ///                    as in wave_1d
 /// @throws std::domain_error  an argument is outside its range
 HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength);
+
+/// The rows of this process of the same shapes, with the bits of one process.
+/// Collective.
+std::vector<double> paraboloid_rows(const SharedRows& rows, double radius);
+std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
+                                    double recess, double tilt);
+std::vector<double> wave_1d_rows(const SharedRows& rows, double amplitude,
+                                 double wavelength);
+std::vector<double> wave_2d_rows(const SharedRows& rows, double amplitude,
+                                 double wavelength);
 
 } // namespace asperity::surfaces

@@ -96,6 +96,41 @@ def check_surface_by_rows(runner):
             runner.expect_same_maps(f"{name}-alone", folder)
 
 
+def case_with(surface):
+    """The case of the test with other lines of its table [surface]."""
+    return re.sub(r"(?s)\[surface\].*?(?=\[material\])", f"[surface]\n{surface}\n", CASE)
+
+
+def check_other_surfaces(runner):
+    """Ranks read the rows of a map file that permits it, also of mirror images,
+    and compute those of an exact shape; of other maps rank 0 sends the rows."""
+    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512}
+    for name, points in maps.items():
+        runner.run("surface", "shared.toml", "--no-report", "--write", name, "--set",
+                   f"surface.points={points}", "--set", 'surface.wavelength_short="16 nm"')
+    measured = 'kind = "measured"\nlevel = "bow"\nfile = '
+    cases = {
+        "npy": ('"map.npy"\nlength = "1 um"\nheight_unit = "1 m"\nedges = "periodic"',
+                "2 ranks read the rows of the surface"),
+        "hdf5": ('"map.h5"\nedges = "mirror"', "2 ranks read the rows of the surface"),
+        "spikes": ('"map.h5"\nedges = "mirror"\nremove_spikes = 6',
+                   "rank 0 builds the whole surface, because surface.remove_spikes"),
+        "text": ('"map.txt"\nedges = "periodic"',
+                 "because the format of the map cannot be read by rows, and sends its rows to 2")}
+    cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
+    cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'
+                     'wavelength = "0.5 um"', "2 ranks generate the rows of the surface")
+    for name, (surface, line) in cases.items():
+        (runner.folder / f"{name}.toml").write_text(case_with(surface))
+        ask = ["run", f"{name}.toml", "--methods", "halfspace,halfspace.thin", "--exactly",
+               "--no-cache", "--no-report", "--set", 'load.nominal_pressure=["0.001 E*"]']
+        runner.run(*ask, "--out", f"{name}-alone")
+        output = runner.run(*ask, "--out", f"{name}-2", ranks=2)
+        assert line in output, output
+        runner.run("diff", f"{name}-alone", f"{name}-2", "--tolerance", "0")
+        runner.expect_same_maps(f"{name}-alone", f"{name}-2")
+
+
 def check_plan(runner):
     output = runner.run("run", "shared.toml", "--dry-run", ranks=2)
     for name in SHARED:
@@ -161,7 +196,8 @@ def main(program, mpirun, folder, same_maps):
     folder.mkdir(parents=True)
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder, same_maps)
-    for check in (check_plan, check_bits, check_surface_by_rows, check_small, check_cache, check_kill):
+    for check in (check_plan, check_bits, check_surface_by_rows,
+                  check_other_surfaces, check_small, check_cache, check_kill):
         check(runner)
 
 

@@ -28,7 +28,8 @@ TEST(Crop, KeepsThePixelsWhoseCentresAreInside) {
       map_of({6, 5, 6.0, 10.0}, [](int ix, int iy) { return ix + 10.0 * iy; });
   map.is_missing.assign(30, 0);
   map.is_missing[map.map.grid.index(3, 2)] = 1;
-  crop(map, {2.0, 3.5, 3.2, 4.0}); // x: 2.5, 3.5, 4.5; y: 5, 7
+  crop(map, pixels_of(map.map.grid,
+                      {2.0, 3.5, 3.2, 4.0})); // x: 2.5, 3.5, 4.5; y: 5, 7
   EXPECT_EQ(map.map.heights, (std::vector<double>{22, 23, 24, 32, 33, 34}));
   EXPECT_EQ(map.is_missing, (std::vector<char>{0, 1, 0, 0, 0, 0}));
   EXPECT_EQ(map.map.grid, (Grid{3, 2, 3.0, 4.0}));
@@ -38,12 +39,14 @@ TEST(Crop, RefusesAWindowThatIsNotInside) {
   const Grid grid{6, 5, 6.0, 10.0};
   const auto flat = [](int, int) { return 0.0; };
   FlaggedMap map = map_of(grid, flat);
-  EXPECT_THROW(crop(map, {2.0, 0.0, 4.1, 5.0}), std::domain_error);
-  EXPECT_THROW(crop(map, {-1.0, 0.0, 3.0, 5.0}), std::domain_error);
-  EXPECT_THROW(crop(map, {0.0, 0.0, 1.2, 5.0}),
+  EXPECT_THROW(crop(map, pixels_of(map.map.grid, {2.0, 0.0, 4.1, 5.0})),
+               std::domain_error);
+  EXPECT_THROW(crop(map, pixels_of(map.map.grid, {-1.0, 0.0, 3.0, 5.0})),
+               std::domain_error);
+  EXPECT_THROW(crop(map, pixels_of(map.map.grid, {0.0, 0.0, 1.2, 5.0})),
                std::domain_error); // one column
   EXPECT_EQ(map.map.grid, grid);
-  crop(map, {0.0, 0.0, 6.0, 10.0});
+  crop(map, pixels_of(map.map.grid, {0.0, 0.0, 6.0, 10.0}));
   EXPECT_EQ(map.map.grid, grid);
 }
 

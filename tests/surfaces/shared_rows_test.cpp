@@ -131,14 +131,16 @@ TEST(SharedSurface, HasTheShellsOfAllModes) {
   }
 }
 
-TEST(SharedSurface, RefusesAnotherGridAndAnotherKind) {
+TEST(SharedSurface, RefusesAnotherGridAndASmoothedShape) {
   mechanics::SurfaceSpec wave = rough(160);
   wave.kind = mechanics::SurfaceKind::wave_1d;
+  wave.amplitude = 1e-9;
+  wave.wavelength = length;
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
     const SharedRows finer({320, 320, length, length}, ranks, {0, 40, 320});
     EXPECT_THROW(build_rows(rough(160), 0, finer), std::domain_error);
     const SharedRows rows({160, 160, length, length}, ranks, {0, 40, 160});
-    EXPECT_THROW(build_rows(wave, 0, rows), std::domain_error);
+    EXPECT_THROW(build_rows(wave, 0, rows, 20 * unit), std::domain_error);
   });
 }
 

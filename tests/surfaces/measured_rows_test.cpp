@@ -1,0 +1,188 @@
+// Tests of measured maps and exact shapes whose rows several ranks build: the
+// heights have the bits of one process. Tolerance: none.
+#include "input/input_error.hpp"
+#include "surfaces/build.hpp"
+#include "surfaces/formats/map_writer.hpp"
+#include "surfaces/formats/npy.hpp"
+#include "surfaces/formats/row_file.hpp"
+#include "surfaces/measured_rows.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "tests/message_of.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
+namespace asperity::surfaces {
+namespace {
+
+using mechanics::SurfaceKind;
+using mechanics::SurfaceSpec;
+
+constexpr std::size_t columns = 37;
+constexpr std::size_t rows_of_file = 24;
+
+/// Tilted and bent, with irregular heights.
+std::vector<double> heights_of_file() {
+  std::vector<double> heights;
+  for (std::size_t y = 0; y < rows_of_file; ++y)
+    for (std::size_t x = 0; x < columns; ++x) {
+      const auto i = static_cast<double>(x), j = static_cast<double>(y);
+      heights.push_back(5.0 + 0.3 * i - 0.2 * j + 0.01 * i * i - 0.02 * i * j +
+                        std::sin(7.0 * i + 3.0 * j * j));
+    }
+  return heights;
+}
+
+/// Writes an .npy file to a folder of its own.
+std::string npy_file(const std::string& name,
+                     const std::vector<double>& heights) {
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("measured_rows_" + name);
+  std::ofstream(path, std::ios::binary)
+      << npy_bytes(heights, rows_of_file, columns);
+  return path.string();
+}
+
+SurfaceSpec measured(const std::string& file) {
+  SurfaceSpec surface;
+  surface.kind = SurfaceKind::measured;
+  surface.file = file;
+  surface.length = 37e-6;
+  surface.height_unit = 1e-9;
+  return surface;
+}
+
+/// Unequal shares with even bounds.
+std::vector<int> bounds_of(int points, int n) {
+  std::vector<int> bounds{0};
+  for (int r = 1; r < n; ++r)
+    bounds.push_back(r * (r + 1));
+  bounds.push_back(points);
+  return bounds;
+}
+
+/// Compares the rows of 1 to 4 ranks with the surface of one process.
+void expect_bits_of_one_process(const SurfaceSpec& surface) {
+  const HeightMap whole = build_surface(surface, 0);
+  EXPECT_EQ(reason_for_whole(surface), "");
+  EXPECT_EQ(surface_grid(surface), whole.grid);
+  for (int n = 1; n <= 4; ++n)
+    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
+      const SharedRows rows(whole.grid, ranks,
+                            bounds_of(whole.grid.points_y, n));
+      const std::vector<double> own = build_rows(surface, 0, rows);
+      EXPECT_TRUE(std::ranges::equal(
+          own, std::span(whole.heights)
+                   .subspan(whole.grid.index(0, rows.first()), rows.size())));
+    });
+}
+
+TEST(MeasuredRows, HaveTheBitsOfOneProcess) {
+  SurfaceSpec surface = measured(npy_file("plain.npy", heights_of_file()));
+  for (const auto level :
+       {mechanics::Levelling::none, mechanics::Levelling::plane,
+        mechanics::Levelling::bow})
+    for (const auto edges :
+         {mechanics::Edges::periodic, mechanics::Edges::mirror,
+          mechanics::Edges::free}) {
+      surface.level = level;
+      surface.edges = edges;
+      expect_bits_of_one_process(surface);
+    }
+}
+
+TEST(MeasuredRows, HaveTheBitsOfOneProcessInAWindowOnAForm) {
+  SurfaceSpec surface = measured(npy_file("window.npy", heights_of_file()));
+  surface.crop = mechanics::MapWindow{3e-6, 2e-6, 20e-6, 0.0};
+  surface.length_y = 20e-6;
+  surface.form_radius = 1e-3;
+  surface.edges = mechanics::Edges::mirror;
+
+  EXPECT_EQ(surface_grid(surface).points_x, 40);
+  expect_bits_of_one_process(surface);
+}
+
+TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
+  for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::punch,
+                                 SurfaceKind::wave_1d, SurfaceKind::wave_2d}) {
+    SurfaceSpec surface;
+    surface.kind = kind;
+    surface.length = 4.0;
+    surface.points = 36;
+    surface.radius = 1.0;
+    surface.recess = 0.5;
+    surface.tilt = 0.1;
+    surface.amplitude = 0.3;
+    surface.wavelength = 1.3333;
+    expect_bits_of_one_process(surface);
+  }
+}
+
+TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
+  std::vector<double> heights = heights_of_file();
+  heights[5 * columns + 9] = heights[7] =
+      std::numeric_limits<double>::quiet_NaN();
+  const SurfaceSpec missing = measured(npy_file("missing.npy", heights));
+  SurfaceSpec cropped = missing; // the pixels (9, 5) and (7, 0) are outside
+  cropped.crop = mechanics::MapWindow{0.0, 6e-6, 0.0, 0.0};
+  const SurfaceSpec complete =
+      measured(npy_file("complete.npy", heights_of_file()));
+  SurfaceSpec spikes = complete;
+  spikes.spikes = 6.0;
+  SurfaceSpec sphere = complete;
+  sphere.level = mechanics::Levelling::sphere;
+  const std::string list = npy_file("text.txt", heights);
+  std::ofstream(list) << "1 2 3 4\n2 3 4 7\n2 3 4 5\n";
+
+  EXPECT_EQ(reason_for_whole_map(missing), "2 points are missing");
+  EXPECT_EQ(reason_for_whole_map(cropped), "");
+  EXPECT_EQ(reason_for_whole_map(spikes),
+            "surface.remove_spikes compares all points");
+  EXPECT_EQ(reason_for_whole_map(sphere),
+            "surface.level fits a sphere or a cylinder");
+  EXPECT_EQ(reason_for_whole_map(measured(list)),
+            "the format of the map cannot be read by rows");
+  expect_bits_of_one_process(cropped);
+}
+
+TEST(MeasuredRows, OfAFlatMapAreRefusedAsInOneProcess) {
+  const SurfaceSpec flat = measured(
+      npy_file("flat.npy", std::vector<double>(columns * rows_of_file, 7.0)));
+  const std::string expected =
+      tests::message_of<input::InputError>([&] { build_surface(flat, 0); });
+  ASSERT_NE(expected.find("the surface is flat"), std::string::npos);
+
+  tests::on_thread_ranks(2, [&](RankGroup& ranks) {
+    const SharedRows rows(surface_grid(flat), ranks, {0, 4, 24});
+    EXPECT_EQ(tests::message_of<input::InputError>(
+                  [&] { build_rows(flat, 0, rows); }),
+              expected);
+  });
+}
+
+TEST(MeasuredRows, OfAnHdf5FileAreThoseOfTheWholeFile) {
+  const std::string path =
+      (std::filesystem::path(testing::TempDir()) / "measured_rows.h5").string();
+  const Grid grid{5, 4, 5e-6, 4e-6};
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    map.heights[i] = 1e-9 / static_cast<double>(i + 3);
+  write_map(path, map, "a map");
+  const HeightMap whole = read_scan(path, {}).map;
+
+  const auto file = row_file(path, {});
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->grid, whole.grid);
+  const std::vector<double> two = file->rows(1, 2);
+  EXPECT_TRUE(std::ranges::equal(two, std::span(whole.heights).subspan(5, 10)));
+  EXPECT_ANY_THROW(file->rows(3, 2));
+}
+
+} // namespace
+} // namespace asperity::surfaces
