@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -19,7 +20,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                            const SurfaceOfCase& surface) {
   const Grid& grid = surface.record.grid;
   const std::span<const double> weights = observation.nodal_weights;
-  const SharedRows* const rows = observation.rows;
+  const Workers& workers = observation.workers;
   const std::vector<double>& pressure = solution.pressure;
   results::CurvePoint row;
   row.nominal_pressure = solution.nominal_pressure;
@@ -32,38 +33,33 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   row.note = solution.note;
   results::RowObserver observe(row);
   observe("area_fraction", [&] {
-    return results::counted_area_fraction(pressure, weights, rows);
+    return results::counted_area_fraction(pressure, weights, workers);
   });
   observe("contact_perimeter", [&] {
-    return results::contact_perimeter(grid, pressure, observation.border, rows);
+    return results::contact_perimeter(grid, pressure, observation.border,
+                                      workers);
   });
   row.area_fraction_corrected = results::Observed::none;
   if (observation.has_rim)
     observe("area_fraction_corrected", [&] {
-      return rows != nullptr
-                 ? results::corrected_area_fraction(
-                       *rows, pressure, solution.gap,
-                       observation.contact_modulus,
-                       observation.area_coefficients)
-                 : results::corrected_area_fraction(
-                       grid, pressure, solution.gap,
-                       observation.contact_modulus,
-                       observation.area_coefficients, observation.border);
+      return results::corrected_area_fraction(
+          grid, pressure, solution.gap, observation.contact_modulus,
+          observation.area_coefficients, observation.border, workers);
     });
   if (observation.has_middle) {
     const results::PressureCentre centre =
-        results::pressure_centre(grid, pressure, weights, rows);
+        results::pressure_centre(grid, pressure, weights, workers);
     row.pressure_centre_x = centre.x;
     row.pressure_centre_y = centre.y;
   }
-  observe_pressure_fits(observe, pressure, weights, rows);
+  observe_pressure_fits(observe, pressure, weights, workers);
   observe("elastic_energy", [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,
-                                   rows);
+                                   workers);
   });
   observe("contact_energy", [&] {
     return results::contact_energy(pressure, observation.local_compliance,
-                                   weights, rows);
+                                   weights, workers);
   });
   return row;
 }
@@ -95,16 +91,18 @@ void distrust_non_finite(StepAnswer& answer) {
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
                            std::span<const double> weights,
-                           const SharedRows* rows) {
+                           const Workers& workers) {
   const auto area_of = [](const results::PressureFit& fit) {
     return results::Observed{fit.area_fraction, fit.reason};
   };
-  observe("area_fraction_fit", [&] {
-    return area_of(results::fit_pressure_distribution(pressure, weights, rows));
-  });
-  observe("area_fraction_moment", [&] {
-    return area_of(results::pressure_fit_by_moment(pressure, weights, rows));
-  });
+  std::optional<results::PressureFits> found;
+  const auto fits = [&]() -> const results::PressureFits& {
+    if (!found)
+      found = results::pressure_fits(pressure, weights, workers);
+    return *found;
+  };
+  observe("area_fraction_fit", [&] { return area_of(fits().by_histogram); });
+  observe("area_fraction_moment", [&] { return area_of(fits().by_moment); });
 }
 
 StepAnswer observe(contact::ContactSolution solution,

@@ -25,9 +25,9 @@ struct Observation {
   /// Whether the surface has a middle and thus the load a lever: a single
   /// shape.
   bool has_middle = false;
-  /// The rows of the fields, if ranks share them: then the evaluation is
-  /// collective and every rank gets the row of one process.
-  const SharedRows* rows = nullptr;
+  /// Who adds the sums. If ranks share the rows of the fields, the evaluation
+  /// is collective and every rank gets the row of one process.
+  Workers workers = 1;
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure
@@ -38,7 +38,7 @@ struct Observation {
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
                            std::span<const double> weights = {},
-                           const SharedRows* rows = nullptr);
+                           const Workers& workers = 1);
 
 /// Evaluates a solution. Its fields are moved into the answer. An observable
 /// that cannot be evaluated does not end the run: it is NaN, and the note of

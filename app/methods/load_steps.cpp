@@ -26,7 +26,7 @@ public:
     observation_.nodal_weights = c.nodal_weights();
     observation_.border =
         c.is_periodic() ? results::Border::periodic : results::Border::free;
-    observation_.rows = c.shared_rows();
+    observation_.workers = {setting.threads, c.shared_rows()};
   }
 
   StepAnswer solve(const StepTarget& target) override {
@@ -36,12 +36,11 @@ public:
     const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
     StepAnswer answer = observe(std::move(solution), observation_, surface_);
-    if (observation_.rows != nullptr) {
+    if (observation_.workers.rows != nullptr) {
+      const bool is_finite =
+          all_finite(answer.pressure) && all_finite(answer.gap);
       answer.has_finite_fields =
-          sum_of_ranks(observation_.rows,
-                       all_finite(answer.pressure) && all_finite(answer.gap)
-                           ? 0
-                           : 1) == 0;
+          total_count(observation_.workers, is_finite ? 0 : 1) == 0;
       if (!target.needs_maps)
         answer.gap = {};
     }

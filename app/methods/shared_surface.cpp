@@ -1,7 +1,6 @@
 #include "app/methods/shared_surface.hpp"
 
 #include "app/methods/shared_load_steps.hpp"
-#include "contact/operators/workers.hpp"
 #include "fem/plugin.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
@@ -12,6 +11,8 @@
 
 #include <algorithm>
 #include <utility>
+
+#include "ranks/workers.hpp"
 
 namespace asperity::app {
 namespace {
@@ -111,7 +112,7 @@ SharedRows rows_in(const json& text) {
   const json& points = text.at("grid");
   const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
   RankGroup& ranks = fem::load_fem_module().rank_group();
-  return {grid, ranks, contact::row_bounds(grid, ranks.size())};
+  return {grid, ranks, row_bounds(grid, ranks.size())};
 }
 
 /// What this rank has built last.

@@ -2,12 +2,13 @@
 
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
-#include "contact/operators/chunked_sum.hpp"
 #include "contact/operators/fourier_operator.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -27,22 +28,19 @@ std::vector<double> on_half_spectrum(const Grid& grid,
   return values;
 }
 
-/// The larger of the numbers of all ranks. Collective.
-double largest_of_ranks(RankGroup& ranks, double own) {
-  std::vector<double> all(static_cast<std::size_t>(ranks.size()));
-  const std::vector<std::size_t> counts(all.size(), sizeof(double));
-  ranks.gather_to_all(std::as_bytes(std::span(&own, 1)), counts,
-                      std::as_writable_bytes(std::span(all)));
-  return *std::ranges::max_element(all);
-}
-
 } // namespace
 
 SharedFourierOperator::SharedFourierOperator(const Grid& grid, RankGroup& ranks,
                                              ComplianceColumn compliance,
                                              int threads)
-    : SharedFourierOperator(std::make_shared<const SharedRows>(
-                                grid, ranks, row_bounds(grid, ranks.size())),
+    : SharedFourierOperator(
+          SharedRows(grid, ranks, row_bounds(grid, ranks.size())),
+          std::move(compliance), threads) {}
+
+SharedFourierOperator::SharedFourierOperator(SharedRows rows,
+                                             ComplianceColumn compliance,
+                                             int threads)
+    : SharedFourierOperator(std::make_shared<const SharedRows>(std::move(rows)),
                             std::move(compliance), threads) {
   find_symbols();
 }
@@ -66,9 +64,9 @@ void SharedFourierOperator::find_symbols() {
                 std::span(columns).subspan(static_cast<std::size_t>(k) * height,
                                            height));
   });
-  softest_ = largest_of_ranks(
-      *rows_->ranks(),
-      columns.empty() ? 0.0 : *std::ranges::max_element(columns));
+  softest_ =
+      rank_max(rows_->ranks(),
+               columns.empty() ? 0.0 : *std::ranges::max_element(columns));
   columns_ = std::make_shared<const std::vector<double>>(std::move(columns));
   symbol_ = std::make_shared<const SharedConvolution<float>::Symbol>(
       convolution_.arranged(
@@ -121,11 +119,8 @@ std::unique_ptr<SurfaceOperator> SharedFourierOperator::coarsened() const {
   if (!holds_whole_groups(coarse, bounds))
     return std::make_unique<FourierOperator>(
         coarse, on_half_spectrum(coarse, compliance_), threads_);
-  std::unique_ptr<SharedFourierOperator> shared(new SharedFourierOperator(
-      std::make_shared<const SharedRows>(coarse, *rows_->ranks(), bounds),
-      compliance_, threads_));
-  shared->find_symbols();
-  return shared;
+  return std::make_unique<SharedFourierOperator>(
+      SharedRows(coarse, *rows_->ranks(), bounds), compliance_, threads_);
 }
 
 void SharedFourierOperator::displacement(std::span<const double> pressure,

@@ -35,6 +35,10 @@ public:
   SharedFourierOperator(const Grid& grid, RankGroup& ranks,
                         ComplianceColumn compliance, int threads = 1);
 
+  /// The same for rows that hold whole groups of chunks (ranks/workers.hpp).
+  SharedFourierOperator(SharedRows rows, ComplianceColumn compliance,
+                        int threads);
+
   std::unique_ptr<SurfaceOperator> clone() const override;
 
   const Grid& grid() const override { return rows_->grid(); }

@@ -5,11 +5,12 @@
 // Finite elements, half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
-#include "contact/operators/workers.hpp"
 
 #include <memory>
 #include <optional>
 #include <span>
+
+#include "ranks/workers.hpp"
 
 namespace asperity::contact {
 

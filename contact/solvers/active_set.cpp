@@ -1,6 +1,7 @@
 #include "contact/solvers/active_set.hpp"
 
 #include "base/maximum.hpp"
+#include "contact/operators/gathered_operator.hpp"
 #include "contact/solvers/active_system.hpp"
 #include "contact/solvers/problem_start.hpp"
 #include "contact/solvers/projected_state.hpp"
@@ -9,8 +10,11 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include "ranks/chunked_sum.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -28,20 +32,35 @@ constexpr int tries_without_progress = 10;
 /// need very many.
 constexpr int most_iterations = 200;
 
+/// The largest size of a value on all ranks; NaN if any is NaN.
+double largest_size_of(std::span<const double> values, const Workers& workers) {
+  return chunked_sum<Largest>(values.size(), workers,
+                              [&](std::size_t begin, std::size_t end) {
+                                Largest own{0.0};
+                                for (std::size_t i = begin; i < end; ++i)
+                                  own += {std::abs(values[i])};
+                                return own;
+                              })
+      .value;
+}
+
 /// C [m/Pa] of the longest wavelength along the longer side.
 double long_wave_compliance(SurfaceOperator& elasticity) {
   const Grid& grid = elasticity.grid();
+  const SharedRows* const rows = elasticity.shared_rows();
+  const int first = rows != nullptr ? rows->first() : 0;
   const bool along_x = grid.length_x >= grid.length_y;
-  std::vector<double> wave(grid.size());
-  std::vector<double> answer(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      wave[grid.index(ix, iy)] =
-          std::cos(2.0 * std::numbers::pi *
-                   (along_x ? static_cast<double>(ix) / grid.points_x
-                            : static_cast<double>(iy) / grid.points_y));
+  std::vector<double> wave(elasticity.n_nodes());
+  std::vector<double> answer(wave.size());
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    const int iy = first + static_cast<int>(i / width);
+    wave[i] = std::cos(2.0 * std::numbers::pi *
+                       (along_x ? static_cast<double>(i % width) / grid.points_x
+                                : static_cast<double>(iy) / grid.points_y));
+  }
   elasticity.displacement(wave, answer);
-  return largest_magnitude(answer);
+  return largest_size_of(answer, elasticity.workers());
 }
 
 class ActiveSet {
@@ -144,11 +163,46 @@ private:
 };
 
 double gap_rounding(const ProjectedState& state, double long_wave) {
+  const Workers workers = state.elasticity.workers();
   return rounding_of_a_field *
-         (largest_magnitude(state.problem.heights) +
+         (largest_size_of(state.problem.heights, workers) +
           std::abs(state.rigid_distance) +
-          largest_magnitude(state.pressure) *
+          largest_size_of(state.pressure, workers) *
               (long_wave + state.problem.local_compliance));
+}
+
+/// Why the ranks cannot solve the first system of a problem; empty if they can.
+std::string refusal_on_ranks(const ProjectedState& state) {
+  const auto own = static_cast<std::size_t>(std::ranges::count_if(
+      state.is_free, [](auto flag) { return flag != 0; }));
+  return refusal_of_system(state.elasticity,
+                           total_count(state.elasticity.workers(), own),
+                           state.elasticity.grid().size());
+}
+
+/// Lets each rank solve the whole problem, and returns the own rows.
+ContactSolution on_each_rank(SurfaceOperator& elasticity,
+                             const ContactProblem& problem,
+                             const mechanics::LoadTarget& target,
+                             std::span<const double> initial_pressure) {
+  const SharedRows& rows = *elasticity.shared_rows();
+  GatheredOperator gathered(elasticity.clone());
+  const std::vector<double> heights = rows.gathered(problem.heights);
+  std::vector<double> pressure;
+  if (!initial_pressure.empty())
+    pressure = rows.gathered(initial_pressure);
+  ContactProblem whole = problem;
+  whole.heights = heights;
+  ContactSolution answer = active_set(gathered, whole, target, pressure);
+  for (std::vector<double>* field :
+       {&answer.pressure, &answer.gap, &answer.displacement}) {
+    const auto first =
+        field->begin() +
+        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(rows.first()) *
+                                    rows.width());
+    *field = {first, first + static_cast<std::ptrdiff_t>(rows.size())};
+  }
+  return answer;
 }
 
 } // namespace
@@ -163,7 +217,7 @@ ContactSolution active_set(SurfaceOperator& elasticity,
   state.problem.max_iterations =
       std::min(problem.max_iterations, most_iterations);
   state.update_residual();
-  ActiveSet nodes(state);
+  std::optional<ActiveSet> nodes;
   std::string reason;
   for (;; ++state.iterations) {
     state.update_residual();
@@ -172,11 +226,20 @@ ContactSolution active_set(SurfaceOperator& elasticity,
       state.problem.gap_tolerance = std::max(problem.gap_tolerance, rounding);
     if (state.is_at_end())
       break;
-    reason = nodes.step();
+    if (elasticity.shared_rows() != nullptr) {
+      reason = refusal_on_ranks(state);
+      if (reason.empty())
+        return on_each_rank(elasticity, problem, target, initial_pressure);
+      break;
+    }
+    if (!nodes)
+      nodes.emplace(state);
+    reason = nodes->step();
     if (!reason.empty())
       break;
   }
-  state.transforms += nodes.transforms();
+  if (nodes)
+    state.transforms += nodes->transforms();
   ContactSolution answer = std::move(state).solution();
   if (answer.converged && answer.gap_error > problem.gap_tolerance)
     answer.note = "converged to the roundoff of the gap";

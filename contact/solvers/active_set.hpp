@@ -38,9 +38,10 @@ inline constexpr std::size_t most_active_nodes = 2048;
 ///            laterally homogeneous on the node grid, such as one with elements
 ///            of second order, also needs one application of C and one stored
 ///            field for each node that is ever among the m. A stagnated
-///            iteration takes about ten iterations to complete.
+///            iteration takes about ten iterations to complete. If ranks share
+///            the rows and the problem is within the limits, each rank holds
+///            whole fields and solves it, with the bits of one process.
 /// @see  L. F. Portugal, J. J. Judice, L. N. Vicente, Math. Comput. 63, 625
-///       (1994), without a prescribed load.
 ///       (1994), without a prescribed load.
 ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,

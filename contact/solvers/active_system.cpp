@@ -1,7 +1,6 @@
 #include "contact/solvers/active_system.hpp"
 
 #include "base/maximum.hpp"
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/active_set.hpp"
 
 #include <Eigen/Cholesky>
@@ -10,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -154,16 +155,24 @@ ActiveSystem::ActiveSystem(SurfaceOperator& elasticity, double local_compliance,
       gap_(elasticity.grid().size()),
       pressure_(elasticity.grid().size()) {}
 
+std::string refusal_of_system(const SurfaceOperator& elasticity,
+                              std::size_t n_free, std::size_t n_nodes) {
+  const std::size_t size = std::min(n_free, n_nodes - n_free);
+  const bool is_even = elasticity.is_shift_invariant();
+  if (size > most_active_nodes || (is_even ? 1 : size) * n_nodes > most_numbers)
+    return std::to_string(n_free) + " of " + std::to_string(n_nodes) +
+           " nodes in contact are too many for the active-set method";
+  return {};
+}
+
 std::string ActiveSystem::solve(std::span<const std::size_t> free,
                                 std::span<const double> residual,
                                 double tolerance, std::span<double> step) {
   const std::size_t nodes = residual.size();
+  std::string refusal = refusal_of_system(elasticity_, free.size(), nodes);
+  if (!refusal.empty())
+    return refusal;
   const bool is_direct = 2 * free.size() <= nodes;
-  const std::size_t size = is_direct ? free.size() : nodes - free.size();
-  const bool is_even = elasticity_.is_shift_invariant();
-  if (size > most_active_nodes || (is_even ? 1 : size) * nodes > most_numbers)
-    return std::to_string(free.size()) + " of " + std::to_string(nodes) +
-           " nodes in contact are too many for the active-set method";
   std::fill(step.begin(), step.end(), 0.0);
   if (free.empty()) // under gap control no node need be in contact
     return {};

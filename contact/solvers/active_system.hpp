@@ -4,14 +4,21 @@
 // dense factorisation of the smaller of two matrices.
 
 #include "contact/operators/columns.hpp"
-#include "contact/operators/node_weights.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "ranks/node_weights.hpp"
+
 namespace asperity::contact {
+
+/// Why the system of a set of nodes is not solved: it exceeds most_active_nodes
+/// or the memory of its columns. Empty if it is solved.
+/// @param n_free, n_nodes  active nodes, all nodes
+std::string refusal_of_system(const SurfaceOperator& elasticity,
+                              std::size_t n_free, std::size_t n_nodes);
 
 /// Computes the step d on the active nodes F (`free`), with d = 0 on the
 /// inactive nodes Z, from

@@ -1,10 +1,11 @@
 #include "base/require.hpp"
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

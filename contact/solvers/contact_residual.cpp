@@ -1,11 +1,12 @@
 #include "base/maximum.hpp"
-#include "contact/operators/chunked_sum.hpp"
-#include "contact/operators/node_weights.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <cmath>
 #include <utility>
+
+#include "ranks/chunked_sum.hpp"
+#include "ranks/node_weights.hpp"
 
 namespace asperity::contact {
 namespace {

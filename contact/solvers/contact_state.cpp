@@ -1,11 +1,12 @@
 #include "contact/solvers/contact_state.hpp"
 
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/flagged_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <limits>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

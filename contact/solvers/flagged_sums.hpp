@@ -3,11 +3,12 @@
 // This file computes weighted sums over the blocks of nodes in which something
 // happens. It is for sources that are compiled with -fopenmp-simd.
 
-#include "contact/operators/node_weights.hpp"
 #include "contact/solvers/node_blocks.hpp"
 
 #include <cstddef>
 #include <span>
+
+#include "ranks/node_weights.hpp"
 
 namespace asperity::contact {
 

@@ -1,11 +1,12 @@
 #include "contact/solvers/iteration.hpp"
 
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -1,12 +1,13 @@
 #include "contact/solvers/problem_start.hpp"
 
 #include "base/require.hpp"
-#include "contact/operators/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -1,10 +1,11 @@
 #include "contact/solvers/projected_state.hpp"
 
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/problem_start.hpp"
 
 #include <cmath>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 ProjectedState::ProjectedState(SurfaceOperator& elasticity_,

@@ -3,11 +3,12 @@
 // This file contains the fields of one contact problem in the unpreconditioned
 // method, and the operations on them.
 
-#include "contact/operators/node_weights.hpp"
 #include "contact/solvers/iteration.hpp"
 
 #include <cstdint>
 #include <vector>
+
+#include "ranks/node_weights.hpp"
 
 namespace asperity::contact {
 

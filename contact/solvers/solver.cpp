@@ -1,6 +1,5 @@
 #include "contact/solvers/solver.hpp"
 
-#include "contact/operators/node_sums.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
@@ -10,6 +9,8 @@
 #include <cmath>
 #include <string>
 #include <utility>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -181,15 +182,9 @@ private:
 ContactSolution hand_over(ContactState&& state) {
   const std::string stalled =
       "stalled after " + std::to_string(state.iterations) + " iterations; ";
-  // The matrices of the active-set method are not shared by ranks.
-  const bool is_shared = state.elasticity.shared_rows() != nullptr;
-  ContactSolution answer;
+  ContactSolution answer =
+      active_set(state.elasticity, state.problem, state.target, state.pressure);
   std::string note = stalled + "finished by the active-set method";
-  if (is_shared)
-    note += ": not available on several ranks";
-  else
-    answer = active_set(state.elasticity, state.problem, state.target,
-                        state.pressure);
   if (!answer.note.empty())
     note += ": " + answer.note;
   int iterations = state.iterations + answer.iterations;
@@ -198,16 +193,15 @@ ContactSolution hand_over(ContactState&& state) {
     ContactProblem rest = state.problem;
     rest.max_iterations = std::max(1, rest.max_iterations - iterations);
     answer = polonsky_keer(state.elasticity, rest, state.target,
-                           !is_shared && std::isfinite(answer.gap_error)
-                               ? answer.pressure
-                               : state.pressure);
+                           std::isfinite(answer.gap_error) ? answer.pressure
+                                                           : state.pressure);
     iterations += answer.iterations;
     transforms += answer.transforms;
     note += "; then by the unpreconditioned method";
     if (!answer.note.empty())
       note += ": " + answer.note;
   }
-  if (!answer.converged && !is_shared) {
+  if (!answer.converged) {
     ContactSolution fresh =
         active_set(state.elasticity, state.problem, state.target, {});
     iterations += fresh.iterations;

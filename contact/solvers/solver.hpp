@@ -55,8 +55,7 @@ struct ContactSolution {
 /// If the residual has not halved within 150 iterations, or if there is no
 /// descent direction, the problem is passed with its current pressure to
 /// active_set(), and to polonsky_keer() if that does not converge, for example
-/// because there are too many nodes, or if several ranks share the rows; the
-/// note reports this. A slab thinner than
+/// because there are too many nodes; the note reports this. A slab thinner than
 /// length/20 with a traction-free far boundary bends like a plate and may need
 /// it.
 ///

@@ -11,122 +11,176 @@
 #include <cstddef>
 #include <vector>
 
+#include "ranks/chunked_sum.hpp"
+
 namespace asperity::results {
 namespace {
 
-/// Sums of (A.3) and (A.5) over the pairs of neighbours of which one is in
-/// contact.
-struct BoundaryPairs {
-  double excess = 0.0; ///< sum of t - 1/2
-  std::size_t pairs = 0;
+/// Sums of (A.3) to (A.5) over the nodes in contact, the pairs of neighbours of
+/// which one is in contact, and the squares of neighbours.
+struct ContactSums {
+  double excess = 0.0; ///< of t - 1/2
+  std::size_t nodes = 0, pairs = 0;
+  long twists = 0; ///< n_1 - n_3 of (A.4)
+  /// Pressure and gap of the first pair for which t is not defined.
+  double refused_pressure = 0.0, refused_gap = 0.0;
+  bool is_refused = false;
+
+  ContactSums& operator+=(const ContactSums& other) {
+    excess += other.excess;
+    nodes += other.nodes;
+    pairs += other.pairs;
+    twists += other.twists;
+    if (!is_refused && other.is_refused) {
+      refused_pressure = other.refused_pressure;
+      refused_gap = other.refused_gap;
+      is_refused = true;
+    }
+    return *this;
+  }
 };
 
+/// What n_1 - n_3 counts of a square with so many nodes in contact.
+long twist(int in_contact) {
+  return (in_contact == 1) - (in_contact == 3);
+}
+
+/// The nodes of this process, and the row above them.
 class Contact {
 public:
-  /// @param rows  of which this process holds the map; null: all
   Contact(const Grid& grid, std::span<const double> pressure, Border border,
-          const SharedRows* rows = nullptr)
+          const Workers& workers)
       : grid_(grid),
+        width_(static_cast<std::size_t>(grid.points_x)),
         pressure_(pressure),
         border_(border),
-        rows_(rows),
-        n_rows_(rows != nullptr ? rows->count() : grid.points_y) {
+        workers_(workers) {
     require_size("pressure", pressure.size(),
-                 rows != nullptr ? rows->size() : grid.size());
-    if (rows != nullptr)
-      pressure_after_ = rows->row_after(pressure);
+                 workers.rows != nullptr ? workers.rows->size() : grid.size());
+    pressure_above_ = row_above(pressure);
   }
 
-  bool holds(std::size_t node) const {
-    return node != beyond && value(pressure_, pressure_after_, node) > 0.0;
+  /// Number of nodes on all ranks.
+  double n_nodes() const { return static_cast<double>(grid_.size()); }
+
+  /// The sums without t.
+  ContactSums counted() const {
+    return summed([](std::size_t, std::size_t, double, ContactSums&) {});
   }
 
-  /// Number of nodes in contact, on all ranks.
-  std::size_t n_nodes() const {
-    return sum_of_ranks(rows_, static_cast<std::size_t>(std::count_if(
-                                   pressure_.begin(), pressure_.end(),
-                                   [](double p) { return p > 0.0; })));
-  }
-
-  /// n_1 - n_3 of (A.4).
-  long twists() const {
-    long own = 0;
-    for_each_square([&](std::size_t node, std::size_t right, std::size_t above,
-                        std::size_t across) {
-      const int in_contact =
-          holds(node) + holds(right) + holds(above) + holds(across);
-      own += (in_contact == 1) - (in_contact == 3);
-    });
-    return sum_of_ranks(rows_, own);
-  }
-
-  /// Calls visit(node, right, above, across) with the corners of every square
-  /// of neighbours. Squares cross the border, beyond which a node is `beyond`
-  /// unless the map is periodic.
-  template <class Visit>
-  void for_each_square(Visit visit) const {
-    const int first = border_ == Border::periodic ? 0 : -1;
-    for (int iy = first; iy < n_rows_; ++iy)
-      for (int ix = first; ix < grid_.points_x; ++ix)
-        visit(at(ix, iy), at(ix + 1, iy), at(ix, iy + 1), at(ix + 1, iy + 1));
-  }
-
-  BoundaryPairs boundary(std::span<const double> gap,
-                         double contact_modulus) const {
-    const std::vector<double> gap_after =
-        rows_ != nullptr ? rows_->row_after(gap) : std::vector<double>();
-    return in_order(rows_, BoundaryPairs{}, [&](BoundaryPairs& boundary) {
-      const auto add = [&](std::size_t a, std::size_t b, double spacing) {
-        if (holds(a) == holds(b) || a == beyond || b == beyond)
-          return;
-        const std::size_t inside = holds(a) ? a : b;
-        const std::size_t outside = holds(a) ? b : a;
-        boundary.excess +=
-            boundary_share(value(pressure_, pressure_after_, inside),
-                           value(gap, gap_after, outside), spacing,
-                           contact_modulus) -
-            0.5;
-        ++boundary.pairs;
-      };
-      for_each_square([&](std::size_t node, std::size_t right,
-                          std::size_t above, std::size_t) {
-        add(node, right, grid_.spacing_x());
-        add(node, above, grid_.spacing_y());
-      });
-    });
+  /// All sums. Collective.
+  /// @throws std::domain_error  on all ranks, if t of a pair is not defined
+  ContactSums measured(std::span<const double> gap,
+                       double contact_modulus) const {
+    require_positive("contact_modulus", contact_modulus, "Pa");
+    const std::vector<double> gap_above = row_above(gap);
+    const auto share = [&](std::size_t inside, std::size_t outside,
+                           double spacing, ContactSums& sums) {
+      const double p = value(pressure_, pressure_above_, inside);
+      const double g = value(gap, gap_above, outside);
+      // A failure is passed on with the sums, so that all ranks learn of it.
+      if (std::isfinite(p) && std::isfinite(g))
+        sums.excess += boundary_share(p, g, spacing, contact_modulus) - 0.5;
+      else if (!sums.is_refused)
+        sums += {.refused_pressure = p, .refused_gap = g, .is_refused = true};
+    };
+    const ContactSums sums = summed(share);
+    if (sums.is_refused)
+      static_cast<void>(boundary_share(sums.refused_pressure, sums.refused_gap,
+                                       grid_.spacing_x(), contact_modulus));
+    return sums;
   }
 
 private:
-  static constexpr std::size_t beyond = static_cast<std::size_t>(-1);
+  /// Calls add_share(node inside, node outside, spacing, sums) for each pair of
+  /// neighbours of which one is in contact. The nodes of the row above those of
+  /// this process follow its own.
+  template <class AddShare>
+  ContactSums summed(const AddShare& add_share) const {
+    ContactSums all = chunked_sum<ContactSums>(
+        pressure_.size(), workers_, [&](std::size_t begin, std::size_t end) {
+          ContactSums sums;
+          for (std::size_t i = begin; i < end;) {
+            const std::size_t row = i / width_ * width_;
+            const std::size_t last = std::min(end, row + width_);
+            add_row(row, i, last, add_share, sums);
+            i = last;
+          }
+          return sums;
+        });
+    if (border_ == Border::free)
+      add_free_squares(all);
+    return all;
+  }
 
-  /// The node at these indices, from -1 to the number of points. The nodes of
-  /// the row after those of this process follow its own.
-  std::size_t at(int ix, int iy) const {
-    const bool is_inside =
-        ix >= 0 && iy >= 0 && ix < grid_.points_x && iy < grid_.points_y;
-    if (!is_inside && border_ == Border::free)
-      return beyond;
-    return grid_.index(ix == grid_.points_x ? 0 : ix,
-                       iy == grid_.points_y && rows_ == nullptr ? 0 : iy);
+  /// Adds the nodes first..last-1 of the row that begins at a node, with their
+  /// neighbours to the right and above.
+  template <class AddShare>
+  void add_row(std::size_t row, std::size_t first, std::size_t last,
+               const AddShare& add_share, ContactSums& sums) const {
+    const bool is_free = border_ == Border::free;
+    const bool has_above = !is_free || row + width_ < pressure_.size();
+    const double* const own = pressure_.data() + row;
+    const double* const above =
+        row + width_ < pressure_.size() ? own + width_ : pressure_above_.data();
+    const auto add_pair = [&](std::size_t node, std::size_t other,
+                              bool is_inside, double spacing) {
+      ++sums.pairs;
+      add_share(is_inside ? node : other, is_inside ? other : node, spacing,
+                sums);
+    };
+    for (std::size_t ix = first - row; ix < last - row; ++ix) {
+      const bool has_right = !is_free || ix + 1 < width_;
+      const std::size_t right = ix + 1 < width_ ? ix + 1 : 0;
+      const bool here = own[ix] > 0.0;
+      const bool beside = has_right && own[right] > 0.0;
+      const bool up = has_above && above[ix] > 0.0;
+      const bool across = has_right && has_above && above[right] > 0.0;
+      sums.nodes += here;
+      sums.twists += twist(here + beside + up + across);
+      if (has_right && here != beside)
+        add_pair(row + ix, row + right, here, grid_.spacing_x());
+      if (has_above && here != up)
+        add_pair(row + ix, row + ix + width_, here, grid_.spacing_y());
+    }
+  }
+
+  /// Adds the squares before the first nodes of the rows and columns, whose
+  /// other nodes lie beyond a free border.
+  void add_free_squares(ContactSums& sums) const {
+    const auto holds = [&](int ix, int iy) {
+      return ix >= 0 && iy >= 0 && ix < grid_.points_x && iy < grid_.points_y &&
+             pressure_[grid_.index(ix, iy)] > 0.0;
+    };
+    for (int ix = -1; ix < grid_.points_x; ++ix)
+      sums.twists += twist(holds(ix, 0) + holds(ix + 1, 0));
+    for (int iy = 0; iy < grid_.points_y; ++iy)
+      sums.twists += twist(holds(0, iy) + holds(0, iy + 1));
+  }
+
+  std::vector<double> row_above(std::span<const double> own) const {
+    if (workers_.rows != nullptr)
+      return workers_.rows->row_after(own);
+    const std::span<const double> first = own.first(width_);
+    return {first.begin(), first.end()};
   }
 
   static double value(std::span<const double> own,
-                      std::span<const double> after, std::size_t node) {
-    return node < own.size() ? own[node] : after[node - own.size()];
+                      std::span<const double> above, std::size_t node) {
+    return node < own.size() ? own[node] : above[node - own.size()];
   }
 
   const Grid& grid_;
+  std::size_t width_;
   std::span<const double> pressure_;
   Border border_;
-  const SharedRows* rows_;
-  int n_rows_;                         ///< of this process
-  std::vector<double> pressure_after_; ///< of the row after them
+  Workers workers_;
+  std::vector<double> pressure_above_;
 };
 
 /// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
-double line_share(const Contact& contact, const BoundaryPairs& boundary,
-                  double n) {
-  return (static_cast<double>(contact.n_nodes()) + 0.5 * boundary.excess) / n;
+double line_share(const ContactSums& sums, double n) {
+  return (static_cast<double>(sums.nodes) + 0.5 * sums.excess) / n;
 }
 
 } // namespace
@@ -154,18 +208,17 @@ double boundary_share(double pressure_inside, double gap_outside,
 double line_area_fraction(const Grid& grid, std::span<const double> pressure,
                           std::span<const double> gap, double contact_modulus,
                           Border border) {
-  const Contact contact(grid, pressure, border);
+  const Contact contact(grid, pressure, border, 1);
   require_size("gap", gap.size(), grid.size());
   const double share =
-      line_share(contact, contact.boundary(gap, contact_modulus),
-                 static_cast<double>(grid.size()));
+      line_share(contact.measured(gap, contact_modulus), contact.n_nodes());
   return std::clamp(share, 0.0, 1.0);
 }
 
 double euler_characteristic(const Grid& grid, std::span<const double> pressure,
                             Border border) {
-  return 0.25 *
-         static_cast<double>(Contact(grid, pressure, border).twists()); // (A.4)
+  const ContactSums sums = Contact(grid, pressure, border, 1).counted();
+  return 0.25 * static_cast<double>(sums.twists); // (A.4)
 }
 
 AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
@@ -181,18 +234,22 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
           std::lerp(measured[i].euler, measured[i + 1].euler, share)};
 }
 
-namespace {
-
-Observed corrected_area(const Contact& contact, std::span<const double> gap,
-                        double contact_modulus,
-                        const AreaCoefficients& coefficients, double n) {
-  const BoundaryPairs boundary = contact.boundary(gap, contact_modulus);
-  const double euler = 0.25 * static_cast<double>(contact.twists()); // (A.4)
+Observed corrected_area_fraction(const Grid& grid,
+                                 std::span<const double> pressure,
+                                 std::span<const double> gap,
+                                 double contact_modulus,
+                                 const AreaCoefficients& coefficients,
+                                 Border border, const Workers& workers) {
+  const Contact contact(grid, pressure, border, workers);
+  require_size("gap", gap.size(), pressure.size());
+  const ContactSums sums = contact.measured(gap, contact_modulus);
+  const double n = contact.n_nodes();
+  const double euler = 0.25 * static_cast<double>(sums.twists); // (A.4)
   const double share =
-      line_share(contact, boundary, n) -
-      coefficients.perimeter * static_cast<double>(boundary.pairs) / n +
+      line_share(sums, n) -
+      coefficients.perimeter * static_cast<double>(sums.pairs) / n +
       coefficients.euler * euler / n;
-  const double counted = static_cast<double>(contact.n_nodes()) / n;
+  const double counted = static_cast<double>(sums.nodes) / n;
   if (share < least_corrected_share * counted)
     return {Observed::none,
             fmt::format(
@@ -200,28 +257,6 @@ Observed corrected_area(const Contact& contact, std::span<const double> gap,
                 "is only {:.2g} of the counted area, but must be at least {}",
                 share / counted, least_corrected_share)};
   return std::min(share, 1.0); // (A.5)
-}
-
-} // namespace
-
-Observed
-corrected_area_fraction(const Grid& grid, std::span<const double> pressure,
-                        std::span<const double> gap, double contact_modulus,
-                        const AreaCoefficients& coefficients, Border border) {
-  require_size("gap", gap.size(), grid.size());
-  return corrected_area(Contact(grid, pressure, border), gap, contact_modulus,
-                        coefficients, static_cast<double>(grid.size()));
-}
-
-Observed corrected_area_fraction(const SharedRows& rows,
-                                 std::span<const double> pressure,
-                                 std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients) {
-  require_size("gap", gap.size(), rows.size());
-  return corrected_area(Contact(rows.grid(), pressure, Border::periodic, &rows),
-                        gap, contact_modulus, coefficients,
-                        static_cast<double>(rows.grid().size()));
 }
 
 } // namespace asperity::results

@@ -126,7 +126,8 @@ constexpr double least_corrected_share = 0.25;
 /// The coarsest grids of the calibration, with two nodes in the shortest
 /// wavelength, have a ratio of 0.45 (docs/numerics/area-measurements.md).
 ///
-/// @param gap  [m], used at open nodes
+/// @param gap      [m], used at open nodes
+/// @param workers  as explained in observables.hpp
 /// @return     [1] 0..1, not below that fraction of the counted area; NaN with
 ///             the reason if it is not determined
 /// @par Accuracy  docs/numerics/area.md: within 1 % of the limit with eight
@@ -136,13 +137,7 @@ Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> gap,
                                  double contact_modulus,
                                  const AreaCoefficients& coefficients,
-                                 Border border = Border::periodic);
-
-/// The same on rows that ranks share, as explained in observables.hpp.
-Observed corrected_area_fraction(const SharedRows& rows,
-                                 std::span<const double> pressure,
-                                 std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients);
+                                 Border border = Border::periodic,
+                                 const Workers& workers = 1);
 
 } // namespace asperity::results

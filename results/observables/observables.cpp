@@ -4,105 +4,118 @@
 #include "results/types/map_size.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "ranks/node_sums.hpp"
+
 namespace asperity::results {
 namespace {
+
+void require_weights(std::span<const double> weights, std::size_t size) {
+  if (!weights.empty())
+    require_size("weights", weights.size(), size);
+}
 
 /// Returns the weighted mean of value_at(i).
 template <class ValueAt>
 double mean_over(std::size_t size, std::span<const double> weights,
-                 const SharedRows* rows, ValueAt value_at) {
-  if (!weights.empty())
-    require_size("weights", weights.size(), size);
-  const double sum = in_order(rows, 0.0, [&](double& so_far) {
-    double own = so_far;
-    for (std::size_t i = 0; i < size; ++i)
-      own += weights.empty() ? value_at(i) : weights[i] * value_at(i);
-    so_far = own;
-  });
-  return sum / static_cast<double>(all_nodes(rows, size));
+                 const Workers& workers, const ValueAt& value_at) {
+  require_weights(weights, size);
+  return weighted_sum(weights, size, workers, value_at) /
+         static_cast<double>(workers.all_nodes(size));
 }
 
 /// Pairs of neighbours of which one is in contact, those across the border
 /// included.
 struct BoundaryPairCount {
   std::size_t along_x = 0, along_y = 0;
+
+  BoundaryPairCount& operator+=(const BoundaryPairCount& other) {
+    along_x += other.along_x;
+    along_y += other.along_y;
+    return *this;
+  }
 };
 
-BoundaryPairCount pairs_in_map(const Grid& grid,
+/// Counts the pairs of the nodes with their neighbours to the right and above.
+/// @param after  the row above the last one
+BoundaryPairCount pairs_in_map(std::size_t width,
                                std::span<const double> pressure,
-                               Border border) {
-  const auto holds = [&](int ix, int iy) {
-    return pressure[grid.index(ix, iy)] > 0.0;
-  };
-  const int nx = grid.points_x;
-  const int ny = grid.points_y;
-  BoundaryPairCount pairs;
-  for (int iy = 0; iy < ny; ++iy)
-    for (int ix = 0; ix < nx; ++ix) {
-      if (ix + 1 < nx)
-        pairs.along_x += holds(ix, iy) != holds(ix + 1, iy);
-      if (iy + 1 < ny)
-        pairs.along_y += holds(ix, iy) != holds(ix, iy + 1);
-    }
-  const auto across = [&](bool last, bool first) {
-    return static_cast<std::size_t>(border == Border::periodic ? last != first
-                                                               : last + first);
-  };
-  for (int iy = 0; iy < ny; ++iy)
-    pairs.along_x += across(holds(nx - 1, iy), holds(0, iy));
-  for (int ix = 0; ix < nx; ++ix)
-    pairs.along_y += across(holds(ix, ny - 1), holds(ix, 0));
-  return pairs;
+                               std::span<const double> after,
+                               const Workers& workers) {
+  return chunked_sum<BoundaryPairCount>(
+      pressure.size(), workers, [=](std::size_t begin, std::size_t end) {
+        BoundaryPairCount pairs;
+        for (std::size_t i = begin; i < end;) {
+          const std::size_t row = i / width * width;
+          const std::size_t last = std::min(end, row + width);
+          const double* const above = row + width < pressure.size()
+                                          ? pressure.data() + row + width
+                                          : after.data();
+          for (; i < last; ++i) {
+            const bool here = pressure[i] > 0.0;
+            const std::size_t right = i + 1 < row + width ? i + 1 : row;
+            pairs.along_x += here != (pressure[right] > 0.0);
+            pairs.along_y += here != (above[i - row] > 0.0);
+          }
+        }
+        return pairs;
+      });
 }
 
-/// The same on the rows of all ranks.
-BoundaryPairCount pairs_in_rows(const SharedRows& rows,
-                                std::span<const double> pressure) {
-  const std::size_t nx = rows.width();
-  const std::vector<double> after = rows.row_after(pressure);
-  BoundaryPairCount own;
-  for (std::size_t row = 0; row < pressure.size(); row += nx)
-    for (std::size_t ix = 0; ix < nx; ++ix) {
-      const bool here = pressure[row + ix] > 0.0;
-      const std::size_t above = row + ix + nx;
-      own.along_x += here != (pressure[row + (ix + 1) % nx] > 0.0);
-      own.along_y += here != ((above < pressure.size() ? pressure[above]
-                                                       : after[ix]) > 0.0);
-    }
-  return {sum_of_ranks(&rows, own.along_x), sum_of_ranks(&rows, own.along_y)};
+/// Replaces the pairs across the border, as nodes in contact at a free border
+/// have an edge there.
+void free_border(const Grid& grid, std::span<const double> pressure,
+                 BoundaryPairCount& pairs) {
+  const auto replace = [&](std::size_t& count, std::size_t last,
+                           std::size_t first) {
+    const bool at_last = pressure[last] > 0.0, at_first = pressure[first] > 0.0;
+    count += static_cast<std::size_t>(at_last) + at_first;
+    count -= at_last != at_first;
+  };
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    replace(pairs.along_x, grid.index(grid.points_x - 1, iy),
+            grid.index(0, iy));
+  for (int ix = 0; ix < grid.points_x; ++ix)
+    replace(pairs.along_y, grid.index(ix, grid.points_y - 1),
+            grid.index(ix, 0));
 }
 
 } // namespace
 
 double weighted_mean(std::span<const double> field,
-                     std::span<const double> weights, const SharedRows* rows) {
+                     std::span<const double> weights, const Workers& workers) {
   require_size("field", field.size(), field.size());
-  return mean_over(field.size(), weights, rows,
+  return mean_over(field.size(), weights, workers,
                    [&](std::size_t i) { return field[i]; });
 }
 
 double counted_area_fraction(std::span<const double> pressure,
                              std::span<const double> weights,
-                             const SharedRows* rows) {
+                             const Workers& workers) {
   require_size("pressure", pressure.size(), pressure.size());
   const double share =
-      mean_over(pressure.size(), weights, rows,
+      mean_over(pressure.size(), weights, workers,
                 [&](std::size_t i) { return pressure[i] > 0.0 ? 1.0 : 0.0; });
   return std::clamp(share, 0.0, 1.0); // the weights have mean 1 only up to
                                       // roundoff
 }
 
 double contact_perimeter(const Grid& grid, std::span<const double> pressure,
-                         Border border, const SharedRows* rows) {
+                         Border border, const Workers& workers) {
+  const SharedRows* const rows = workers.rows;
   require_size("pressure", pressure.size(),
                rows != nullptr ? rows->size() : grid.size());
-  const BoundaryPairCount pairs = rows != nullptr
-                                      ? pairs_in_rows(*rows, pressure)
-                                      : pairs_in_map(grid, pressure, border);
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  BoundaryPairCount pairs =
+      rows != nullptr
+          ? pairs_in_map(width, pressure, rows->row_after(pressure), workers)
+          : pairs_in_map(width, pressure, pressure.first(width), workers);
+  if (border == Border::free)
+    free_border(grid, pressure, pairs);
   return (static_cast<double>(pairs.along_x) * grid.spacing_y() +
           static_cast<double>(pairs.along_y) * grid.spacing_x()) /
          grid.area();
@@ -116,42 +129,51 @@ double isotropic_perimeter(double contact_perimeter) {
 PressureCentre pressure_centre(const Grid& grid,
                                std::span<const double> pressure,
                                std::span<const double> weights,
-                               const SharedRows* rows) {
+                               const Workers& workers) {
+  const SharedRows* const rows = workers.rows;
   const int first_row = rows != nullptr ? rows->first() : 0;
-  const std::size_t size = rows != nullptr ? rows->size() : grid.size();
-  require_size("pressure", pressure.size(), size);
+  require_size("pressure", pressure.size(),
+               rows != nullptr ? rows->size() : grid.size());
+  require_weights(weights, pressure.size());
   const auto nx = static_cast<std::size_t>(grid.points_x);
-  const auto mean_of = [&](auto lever_of) {
-    return mean_over(size, weights, rows, [&](std::size_t i) {
-      return pressure[i] * lever_of(static_cast<int>(i % nx),
-                                    first_row + static_cast<int>(i / nx));
-    });
-  };
-  const double mean = mean_of([](int, int) { return 1.0; });
-  if (!(mean > 0.0))
+  const auto [force, moment_x, moment_y] =
+      chunked_sum<SeveralSums<3>>(
+          pressure.size(), workers,
+          [&](std::size_t begin, std::size_t end) {
+            SeveralSums<3> sums;
+            for (std::size_t i = begin; i < end; ++i) {
+              const double load = weight_of(weights, i) * pressure[i];
+              const int ix = static_cast<int>(i % nx);
+              const int iy = first_row + static_cast<int>(i / nx);
+              sums.values[0] += load;
+              sums.values[1] += load * (ix - grid.points_x / 2);
+              sums.values[2] += load * (iy - grid.points_y / 2);
+            }
+            return sums;
+          })
+          .values;
+  if (!(force > 0.0))
     return {};
-  return {grid.spacing_x() / mean *
-              mean_of([&](int ix, int) { return ix - grid.points_x / 2; }),
-          grid.spacing_y() / mean *
-              mean_of([&](int, int iy) { return iy - grid.points_y / 2; })};
+  return {grid.spacing_x() * (moment_x / force),
+          grid.spacing_y() * (moment_y / force)};
 }
 
 double elastic_energy(std::span<const double> pressure,
                       std::span<const double> displacement,
-                      std::span<const double> weights, const SharedRows* rows) {
+                      std::span<const double> weights, const Workers& workers) {
   require_size("pressure", pressure.size(), pressure.size());
   require_size("displacement", displacement.size(), pressure.size());
-  return 0.5 * mean_over(pressure.size(), weights, rows, [&](std::size_t i) {
+  return 0.5 * mean_over(pressure.size(), weights, workers, [&](std::size_t i) {
            return pressure[i] * displacement[i];
          });
 }
 
 double contact_energy(std::span<const double> pressure, double local_compliance,
-                      std::span<const double> weights, const SharedRows* rows) {
+                      std::span<const double> weights, const Workers& workers) {
   require_size("pressure", pressure.size(), pressure.size());
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   return 0.5 * local_compliance *
-         mean_over(pressure.size(), weights, rows,
+         mean_over(pressure.size(), weights, workers,
                    [&](std::size_t i) { return pressure[i] * pressure[i]; });
 }
 

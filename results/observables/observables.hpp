@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "ranks/in_order.hpp"
+#include "ranks/workers.hpp"
 
 namespace asperity::results {
 
@@ -35,16 +35,16 @@ enum class Border { periodic, free };
 /// contact::SurfaceOperator::nodal_weights); empty if all are equal. A node is
 /// in contact where its pressure is > 0.
 ///
-/// With `rows`, the maps have the nodes of the rows of this process only, the
-/// call is collective over the ranks that share them, the border is periodic,
-/// and each rank gets the number that one process gets from all rows, to the
-/// last bit.
+/// Sums are those of ranks/chunked_sum.hpp: bitwise the same on any number of
+/// threads and ranks. If ranks share the rows, the maps have the nodes of this
+/// process only, the call is collective, the border is periodic, and a number
+/// that cannot be computed on one rank fails on all.
 
 /// Returns <f> = sum_i weight_i f_i / n, in the unit of the field.
 /// @throws std::domain_error  the sizes differ or the field is empty
 double weighted_mean(std::span<const double> field,
                      std::span<const double> weights = {},
-                     const SharedRows* rows = nullptr);
+                     const Workers& workers = 1);
 
 /// Returns A/A_0, the fraction of the nominal area that belongs to nodes in
 /// contact.
@@ -55,7 +55,7 @@ double weighted_mean(std::span<const double> field,
 ///                  results/observables/area_estimate.hpp for the correction
 double counted_area_fraction(std::span<const double> pressure,
                              std::span<const double> weights = {},
-                             const SharedRows* rows = nullptr);
+                             const Workers& workers = 1);
 
 /// Returns the perimeter of the contact per nominal area on the grid:
 ///
@@ -76,7 +76,7 @@ double counted_area_fraction(std::span<const double> pressure,
 ///       (2017)
 double contact_perimeter(const Grid& grid, std::span<const double> pressure,
                          Border border = Border::periodic,
-                         const SharedRows* rows = nullptr);
+                         const Workers& workers = 1);
 
 /// Returns pi/4 S_d [1/m], the length per nominal area of an isotropic smooth
 /// curve whose representation on the grid has the length S_d.
@@ -97,7 +97,7 @@ struct PressureCentre {
 PressureCentre pressure_centre(const Grid& grid,
                                std::span<const double> pressure,
                                std::span<const double> weights = {},
-                               const SharedRows* rows = nullptr);
+                               const Workers& workers = 1);
 
 /// Returns U/A_0 = <p w>/2, the elastic energy of the block due to the contact
 /// pressure.
@@ -110,7 +110,7 @@ PressureCentre pressure_centre(const Grid& grid,
 double elastic_energy(std::span<const double> pressure,
                       std::span<const double> displacement,
                       std::span<const double> weights = {},
-                      const SharedRows* rows = nullptr);
+                      const Workers& workers = 1);
 
 /// Returns <p^2> local_compliance / 2, the energy of the penalty springs.
 /// @param local_compliance  1/k [m/Pa] >= 0, 0 for hard (unilateral) contact
@@ -119,6 +119,6 @@ double elastic_energy(std::span<const double> pressure,
 ///                            local_compliance is negative
 double contact_energy(std::span<const double> pressure, double local_compliance,
                       std::span<const double> weights = {},
-                      const SharedRows* rows = nullptr);
+                      const Workers& workers = 1);
 
 } // namespace asperity::results

@@ -8,11 +8,14 @@
 #include <boost/math/tools/roots.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "ranks/node_sums.hpp"
 
 namespace asperity::results {
 namespace {
@@ -21,6 +24,9 @@ constexpr int fewest_nodes = 20;
 constexpr double bins_per_deviation = 8.0; // bins per s = sqrt(2G)
 constexpr double reach = 6.0; // of the bins on either side of p, in s
 constexpr int n_passes = 2;
+// They end at most 2 reach s beyond their start; one more is for roundoff.
+constexpr std::size_t most_bins =
+    static_cast<std::size_t>(2.0 * reach * bins_per_deviation) + 1;
 
 // Above this value of <sigma^2>/p^2 - 1, of the order 1/eps^2, the mean p of
 // positive and negative pressures is dominated by roundoff.
@@ -37,7 +43,7 @@ constexpr int search_bits = 26; // half of the bits, the attainable accuracy of
 struct ReducedMap {
   std::span<const double> pressure;
   std::span<const double> weights;
-  const SharedRows* rows;          ///< null: this process holds the map
+  Workers workers;
   double mean = 0.0;               ///< p [Pa]
   double mean_square_excess = 0.0; ///< <sigma^2>/p^2 - 1 of sigma > 0
   long nodes_in_contact = 0;
@@ -47,33 +53,43 @@ struct ReducedMap {
   }
 
   /// Number of nodes on all ranks.
-  std::size_t size() const { return all_nodes(rows, pressure.size()); }
+  std::size_t size() const { return workers.all_nodes(pressure.size()); }
 };
 
 struct SpreadSums {
   long nodes_in_contact = 0;
   double spread = 0.0, surplus = 0.0;
+
+  SpreadSums& operator+=(const SpreadSums& other) {
+    nodes_in_contact += other.nodes_in_contact;
+    spread += other.spread;
+    surplus += other.surplus;
+    return *this;
+  }
 };
 
 ReducedMap reduced(std::span<const double> pressure,
-                   std::span<const double> weights, const SharedRows* rows) {
-  ReducedMap map{pressure, weights, rows};
-  map.mean = weighted_mean(pressure, weights, rows);
+                   std::span<const double> weights, const Workers& workers) {
+  ReducedMap map{pressure, weights, workers};
+  map.mean = weighted_mean(pressure, weights, workers);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
   // Computes <s^2>/p^2 - 1, where s is the positive part of the pressure,
   // without cancellation. Pressures are divided by p before they are squared,
   // because the square of a pressure may exceed the range of double.
-  const SpreadSums all = in_order(rows, SpreadSums{}, [&](SpreadSums& sums) {
-    SpreadSums own = sums;
-    for (std::size_t i = 0; i < pressure.size(); ++i) {
-      const double ratio = pressure[i] / map.mean;
-      const double positive = std::max(0.0, ratio);
-      own.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
-      own.spread += map.weight(i) * (positive - 1.0) * (positive - 1.0);
-      own.surplus += map.weight(i) * (positive - ratio);
-    }
-    sums = own;
+  const auto all = with_weights(weights, [&](const auto weight) {
+    return chunked_sum<SpreadSums>(
+        pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
+          SpreadSums sums;
+          for (std::size_t i = begin; i < end; ++i) {
+            const double ratio = pressure[i] / map.mean;
+            const double positive = std::max(0.0, ratio);
+            sums.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
+            sums.spread += weight[i] * (positive - 1.0) * (positive - 1.0);
+            sums.surplus += weight[i] * (positive - ratio);
+          }
+          return sums;
+        });
   });
   map.nodes_in_contact = all.nodes_in_contact;
   map.mean_square_excess =
@@ -121,18 +137,27 @@ Bins histogram(const ReducedMap& map, double variance) {
   Bins bins;
   bins.width = spread / bins_per_deviation;
   bins.start = std::max(bins.width, 1.0 - reach * spread);
-  bins.share.assign(static_cast<std::size_t>(std::ceil(
-                        (1.0 + reach * spread - bins.start) / bins.width)),
-                    0.0);
-  const auto size = static_cast<double>(map.size());
-  bytes_in_order(map.rows, std::as_writable_bytes(std::span(bins.share)), [&] {
-    for (std::size_t i = 0; i < map.pressure.size(); ++i) {
-      const double place =
-          (map.pressure[i] / map.mean - bins.start) / bins.width;
-      if (place >= 0.0 && place < static_cast<double>(bins.share.size()))
-        bins.share[static_cast<std::size_t>(place)] += map.weight(i) / size;
-    }
-  });
+  const auto n = static_cast<std::size_t>(
+      std::ceil((1.0 + reach * spread - bins.start) / bins.width));
+  assert(n <= most_bins);
+  const auto sums = chunked_sum<SeveralSums<most_bins>>(
+      map.pressure.size(), map.workers,
+      [&](std::size_t begin, std::size_t end) {
+        SeveralSums<most_bins> chunk;
+        for (std::size_t i = begin; i < end; ++i) {
+          if (!(map.pressure[i] > 0.0))
+            continue; // below the first bin
+          const double place =
+              (map.pressure[i] / map.mean - bins.start) / bins.width;
+          if (place >= 0.0 && place < static_cast<double>(n))
+            chunk.values[static_cast<std::size_t>(place)] += map.weight(i);
+        }
+        return chunk;
+      });
+  bins.share.assign(sums.values.begin(),
+                    sums.values.begin() + static_cast<std::ptrdiff_t>(n));
+  for (double& share : bins.share)
+    share /= static_cast<double>(map.size());
   return bins;
 }
 
@@ -199,12 +224,7 @@ PressureFit finished(PressureFit fit, double reduced_variance) {
   return fit;
 }
 
-} // namespace
-
-PressureFit fit_pressure_distribution(std::span<const double> pressure,
-                                      std::span<const double> weights,
-                                      const SharedRows* rows) {
-  const ReducedMap map = reduced(pressure, weights, rows);
+PressureFit fit_histogram(const ReducedMap& map) {
   PressureFit fit = empty_fit(map);
   if (!fit.reason.empty())
     return fit;
@@ -225,14 +245,32 @@ PressureFit fit_pressure_distribution(std::span<const double> pressure,
   return finished(fit, variance);
 }
 
-PressureFit pressure_fit_by_moment(std::span<const double> pressure,
-                                   std::span<const double> weights,
-                                   const SharedRows* rows) {
-  const ReducedMap map = reduced(pressure, weights, rows);
+PressureFit fit_moment(const ReducedMap& map) {
   PressureFit fit = empty_fit(map);
   return fit.reason.empty()
              ? finished(fit, variance_of_excess(map.mean_square_excess))
              : fit;
+}
+
+} // namespace
+
+PressureFit fit_pressure_distribution(std::span<const double> pressure,
+                                      std::span<const double> weights,
+                                      const Workers& workers) {
+  return fit_histogram(reduced(pressure, weights, workers));
+}
+
+PressureFit pressure_fit_by_moment(std::span<const double> pressure,
+                                   std::span<const double> weights,
+                                   const Workers& workers) {
+  return fit_moment(reduced(pressure, weights, workers));
+}
+
+PressureFits pressure_fits(std::span<const double> pressure,
+                           std::span<const double> weights,
+                           const Workers& workers) {
+  const ReducedMap map = reduced(pressure, weights, workers);
+  return {fit_histogram(map), fit_moment(map)};
 }
 
 } // namespace asperity::results

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "ranks/in_order.hpp"
+#include "ranks/workers.hpp"
 
 namespace asperity::results {
 
@@ -49,7 +49,7 @@ struct PressureFit {
 ///
 /// @param pressure  [Pa], any sign; contact where > 0
 /// @param weights   relative nodal areas, empty if all are equal
-/// @param rows      if not null, as explained in observables.hpp
+/// @param workers   as explained in observables.hpp
 /// @return  the fit. G is also not determined if the mean is not positive or is
 ///          dominated by roundoff, if fewer than 20 nodes are in contact, or if
 ///          there is no minimum within a factor of 50 of the second moment's G.
@@ -60,7 +60,7 @@ struct PressureFit {
 ///                property of the model.
 PressureFit fit_pressure_distribution(std::span<const double> pressure,
                                       std::span<const double> weights = {},
-                                      const SharedRows* rows = nullptr);
+                                      const Workers& workers = 1);
 
 /// Computes G from the second moment. The mean square of the positive pressures
 /// over the nominal area is
@@ -72,6 +72,16 @@ PressureFit fit_pressure_distribution(std::span<const double> pressure,
 /// @throws std::domain_error  as fit_pressure_distribution
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
                                    std::span<const double> weights = {},
-                                   const SharedRows* rows = nullptr);
+                                   const Workers& workers = 1);
+
+/// Both fits, which share the moments of the map.
+struct PressureFits {
+  PressureFit by_histogram, by_moment;
+};
+
+/// @throws std::domain_error  as fit_pressure_distribution
+PressureFits pressure_fits(std::span<const double> pressure,
+                           std::span<const double> weights = {},
+                           const Workers& workers = 1);
 
 } // namespace asperity::results

@@ -144,9 +144,9 @@ std::string gathered_text(const SharedRows& rows, const std::string& own) {
 /// A hash of the hashes of all chunks, which are equal on any number of ranks.
 std::string hash_of(const SharedRows& rows, std::span<const double> field) {
   std::string hashes;
-  for (std::size_t at = 0; at < field.size(); at += contact::chunk_nodes) {
+  for (std::size_t at = 0; at < field.size(); at += chunk_nodes) {
     const auto chunk =
-        field.subspan(at, std::min(contact::chunk_nodes, field.size() - at));
+        field.subspan(at, std::min(chunk_nodes, field.size() - at));
     hashes += content_hash({reinterpret_cast<const char*>(chunk.data()),
                             chunk.size() * sizeof(double)});
   }

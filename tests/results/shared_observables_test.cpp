@@ -1,6 +1,6 @@
 // Tests of the observables on rows that several ranks share: every rank gets
-// the bits that one process gets from all rows. The ranks are threads.
-// Tolerance: none.
+// the bits that one process gets from all rows, on any number of threads. The
+// ranks are threads. Tolerance: none, where no other is given.
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
@@ -45,27 +45,25 @@ struct Numbers {
 };
 
 Observed corrected(const Grid& grid, const Maps& maps, double modulus,
-                   const SharedRows* rows) {
-  return rows != nullptr
-             ? corrected_area_fraction(*rows, maps.pressure, maps.gap, modulus,
-                                       halfspace_area_coefficients)
-             : corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
-                                       halfspace_area_coefficients);
+                   const Workers& workers) {
+  return corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
+                                 halfspace_area_coefficients, Border::periodic,
+                                 workers);
 }
 
-Numbers observed(const Grid& grid, const Maps& maps, const SharedRows* rows) {
+Numbers observed(const Grid& grid, const Maps& maps, const Workers& workers) {
   const std::vector<double>& p = maps.pressure;
-  const PressureFit fit = fit_pressure_distribution(p, {}, rows);
-  const PressureCentre centre = pressure_centre(grid, p, {}, rows);
-  return {weighted_mean(maps.displacement, {}, rows),
-          counted_area_fraction(p, {}, rows),
-          contact_perimeter(grid, p, Border::periodic, rows),
-          corrected(grid, maps, 2.0, rows).value,
-          elastic_energy(p, maps.displacement, {}, rows),
-          contact_energy(p, 0.7, {}, rows),
+  const PressureFit fit = fit_pressure_distribution(p, {}, workers);
+  const PressureCentre centre = pressure_centre(grid, p, {}, workers);
+  return {weighted_mean(maps.displacement, {}, workers),
+          counted_area_fraction(p, {}, workers),
+          contact_perimeter(grid, p, Border::periodic, workers),
+          corrected(grid, maps, 2.0, workers).value,
+          elastic_energy(p, maps.displacement, {}, workers),
+          contact_energy(p, 0.7, {}, workers),
           fit.area_fraction,
           fit.variance,
-          pressure_fit_by_moment(p, {}, rows).area_fraction,
+          pressure_fit_by_moment(p, {}, workers).area_fraction,
           centre.x,
           centre.y};
 }
@@ -80,43 +78,84 @@ Maps rows_in(const SharedRows& rows, const Maps& maps) {
   return {part(maps.pressure), part(maps.gap), part(maps.displacement)};
 }
 
+// The grid has five groups of one chunk; 64 rows are a unit (workers.hpp).
 TEST(SharedObservables, HaveTheBitsOfOneProcess) {
-  const Grid grid{50, 37, 3.0, 2.0};
+  const Grid grid{128, 300, 3.0, 7.0};
   const Maps maps = patchy(grid);
-  const Numbers alone = observed(grid, maps, nullptr);
+  const Numbers alone = observed(grid, maps, 1);
   EXPECT_GT(alone.perimeter, 0.0);
   EXPECT_TRUE(std::isfinite(alone.fit) && std::isfinite(alone.corrected));
-  for (const std::vector<int>& bounds :
-       {std::vector{0, 37}, {0, 10, 37}, {0, 1, 20, 37}, {0, 8, 9, 30, 37}})
+  EXPECT_TRUE(observed(grid, maps, 3) == alone) << "3 threads";
+  for (const std::vector<int>& bounds : {std::vector{0, 300},
+                                         {0, 192, 300},
+                                         {0, 64, 128, 300},
+                                         {0, 64, 128, 256, 300}})
     tests::on_thread_ranks(
         static_cast<int>(bounds.size()) - 1, [&](RankGroup& ranks) {
           const SharedRows rows(grid, ranks, bounds);
-          EXPECT_TRUE(observed(grid, rows_in(rows, maps), &rows) == alone)
+          EXPECT_TRUE(observed(grid, rows_in(rows, maps), {2, &rows}) == alone)
               << bounds.size() - 1 << " ranks";
         });
+}
+
+// The sums in chunks differ from those in the order of the nodes by roundoff:
+// 100 eps of sums of positive numbers, of which a chunk adds 8192.
+TEST(SharedObservables, AreTheSumsOfAllNodes) {
+  const Grid grid{128, 300, 3.0, 7.0};
+  const Maps maps = patchy(grid);
+  const Numbers chunked = observed(grid, maps, 2);
+  std::size_t in_contact = 0, edges_x = 0, edges_y = 0;
+  double square = 0.0, moment_x = 0.0, moment_y = 0.0, load = 0.0;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const auto p = [&](int x, int y) {
+        return maps.pressure[grid.index(x % grid.points_x, y % grid.points_y)];
+      };
+      const double here = p(ix, iy);
+      in_contact += here > 0.0 ? 1 : 0;
+      edges_x += (here > 0.0) != (p(ix + 1, iy) > 0.0) ? 1 : 0;
+      edges_y += (here > 0.0) != (p(ix, iy + 1) > 0.0) ? 1 : 0;
+      square += here * here;
+      load += here;
+      moment_x += here * (ix - 64);
+      moment_y += here * (iy - 150);
+    }
+  const auto n = static_cast<double>(grid.size());
+
+  EXPECT_EQ(chunked.area, static_cast<double>(in_contact) / n);
+  EXPECT_EQ(chunked.perimeter,
+            (static_cast<double>(edges_x) * grid.spacing_y() +
+             static_cast<double>(edges_y) * grid.spacing_x()) /
+                grid.area());
+  const double roundoff = 100.0 * std::numeric_limits<double>::epsilon();
+  EXPECT_NEAR(chunked.contact / (0.35 * square / n), 1.0, roundoff);
+  EXPECT_NEAR(chunked.centre_x, grid.spacing_x() * moment_x / load,
+              roundoff * grid.length_x);
+  EXPECT_NEAR(chunked.centre_y, grid.spacing_y() * moment_y / load,
+              roundoff * grid.length_y);
 }
 
 // A number that cannot be computed on one rank fails on all, with the message
 // of one process.
 TEST(SharedObservables, FailOnAllRanks) {
-  const Grid grid{20, 16, 1.0, 1.0};
+  const Grid grid{128, 256, 1.0, 1.0};
   Maps maps = patchy(grid);
   maps.pressure.assign(grid.size(), 0.0);
-  maps.pressure[grid.index(3, 12)] = 1.0;
-  maps.gap[grid.index(4, 12)] = std::numeric_limits<double>::quiet_NaN();
-  const auto message_of = [&](const Maps& own, const SharedRows* rows) {
+  maps.pressure[grid.index(3, 200)] = 1.0;
+  maps.gap[grid.index(4, 200)] = std::numeric_limits<double>::quiet_NaN();
+  const auto message_of = [&](const Maps& own, const Workers& workers) {
     try {
-      static_cast<void>(corrected(grid, own, 1.0, rows));
+      static_cast<void>(corrected(grid, own, 1.0, workers));
     } catch (const std::domain_error& error) {
       return std::string(error.what());
     }
     return std::string("no failure");
   };
-  const std::string alone = message_of(maps, nullptr);
+  const std::string alone = message_of(maps, 1);
   EXPECT_NE(alone.find("gap_outside"), std::string::npos) << alone;
   tests::on_thread_ranks(3, [&](RankGroup& ranks) {
-    const SharedRows rows(grid, ranks, {0, 4, 10, 16});
-    EXPECT_EQ(message_of(rows_in(rows, maps), &rows), alone);
+    const SharedRows rows(grid, ranks, {0, 64, 128, 256});
+    EXPECT_EQ(message_of(rows_in(rows, maps), {1, &rows}), alone);
   });
 }
 

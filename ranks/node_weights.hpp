@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace asperity::contact {
+namespace asperity {
 
 struct EqualWeights {
   double operator[](std::size_t) const { return 1.0; }
@@ -25,4 +25,4 @@ auto with_weights(std::span<const double> weights, const Loop& loop) {
   return weights.empty() ? loop(EqualWeights{}) : loop(weights.data());
 }
 
-} // namespace asperity::contact
+} // namespace asperity

@@ -10,7 +10,7 @@
 
 #include "ranks/shared_rows.hpp"
 
-namespace asperity::contact {
+namespace asperity {
 
 /// Number of nodes in one chunk, which one thread sums.
 inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
@@ -67,4 +67,4 @@ std::vector<std::byte> gathered_sums(const SharedRows& rows,
 /// Sum of a number over all ranks, itself if there are none. Collective.
 std::size_t total_count(const Workers& workers, std::size_t own);
 
-} // namespace asperity::contact
+} // namespace asperity

@@ -1,4 +1,4 @@
-#include "contact/operators/workers.hpp"
+#include "ranks/workers.hpp"
 
 #include "base/require.hpp"
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-namespace asperity::contact {
+namespace asperity {
 namespace {
 
 std::size_t group_nodes(const Grid& grid) {
@@ -96,4 +96,4 @@ std::size_t total_count(const Workers& workers, std::size_t own) {
   return std::accumulate(all.begin(), all.end(), std::size_t{0});
 }
 
-} // namespace asperity::contact
+} // namespace asperity

@@ -3,13 +3,13 @@
 // This file computes weighted sums over all nodes of a field, bitwise the same
 // on any number of threads and ranks.
 
-#include "contact/operators/chunked_sum.hpp"
-#include "contact/operators/node_weights.hpp"
-
 #include <cstddef>
 #include <span>
 
-namespace asperity::contact {
+#include "ranks/chunked_sum.hpp"
+#include "ranks/node_weights.hpp"
+
+namespace asperity {
 
 /// sum_i weight_i term(i) over the nodes 0..nodes-1 of each rank.
 /// @param weights  nodal areas relative to their mean; empty if all are equal
@@ -47,4 +47,4 @@ inline double weighted_dot(std::span<const double> weights,
                       });
 }
 
-} // namespace asperity::contact
+} // namespace asperity

@@ -5,7 +5,6 @@
 
 #include "base/maximum.hpp"
 #include "base/parallel_rows.hpp"
-#include "contact/operators/workers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +15,9 @@
 #include <type_traits>
 #include <vector>
 
-namespace asperity::contact {
+#include "ranks/workers.hpp"
+
+namespace asperity {
 
 /// The value of one sum over a loop.
 struct Sum {
@@ -93,4 +94,4 @@ Sums chunked_sum(std::size_t nodes, const Workers& workers,
   return total;
 }
 
-} // namespace asperity::contact
+} // namespace asperity

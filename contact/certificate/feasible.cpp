@@ -1,0 +1,136 @@
+#include "contact/certificate/feasible.hpp"
+
+#include "base/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace asperity::contact {
+namespace {
+
+/// Cuts off tension and scales the mean to p_0.
+std::vector<double> projected(std::span<const double> pressure,
+                              const Weighted& weighted, double mean_pressure,
+                              const Workers& workers) {
+  std::vector<double> result(pressure.size());
+  const double mean_value = weighted.mean(pressure.size(), [&](std::size_t i) {
+    return std::max(pressure[i], 0.0);
+  });
+  if (!(mean_value > 0.0))
+    throw std::domain_error(
+        "no node of the submitted field has a pressure > 0");
+  const double factor = mean_pressure / mean_value;
+  chunked(result.size(), workers.threads,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              result[i] = factor * std::max(pressure[i], 0.0);
+          });
+  return result;
+}
+
+/// The largest values of a Feasible.
+struct LargestValues {
+  Largest excess, displacement, height; ///< the last two without sign
+
+  LargestValues& operator+=(const LargestValues& other) {
+    excess += other.excess;
+    displacement += other.displacement;
+    height += other.height;
+    return *this;
+  }
+};
+
+/// The transforms of the operator have a relative roundoff of order
+/// eps log2(nodes), by the largest value of the field.
+/// @param nodes  on all ranks
+double roundoff_of(const LargestValues& largest, std::size_t nodes) {
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return 8.0 * epsilon *
+         std::log2(static_cast<double>(std::max<std::size_t>(nodes, 2))) *
+         (largest.displacement.value + largest.height.value);
+}
+
+} // namespace
+
+double largest_of(std::span<const double> values, const Workers& workers) {
+  return largest_term(values.size(), workers,
+                      [&](std::size_t i) { return values[i]; });
+}
+
+double largest_size(std::span<const double> values, const Workers& workers) {
+  return largest_term(values.size(), workers,
+                      [&](std::size_t i) { return std::abs(values[i]); });
+}
+
+Defects sound_or_refused(const SurfaceOperator& elasticity,
+                         const SubmittedField& submitted) {
+  const std::size_t nodes = elasticity.n_nodes();
+  const std::span<const double> heights = submitted.heights;
+  const std::span<const double> pressure = submitted.pressure;
+  if (heights.size() != nodes || pressure.size() != nodes)
+    throw std::domain_error(
+        "heights and pressure must have one value for each node of the grid");
+  const auto defects = chunked_sum<Defects>(
+      nodes, elasticity.workers(), [&](std::size_t begin, std::size_t end) {
+        Defects own;
+        for (std::size_t i = begin; i < end; ++i) {
+          own.not_finite +=
+              std::isfinite(heights[i]) && std::isfinite(pressure[i]) ? 0 : 1;
+          own.in_tension += pressure[i] < 0.0 ? 1 : 0;
+          own.largest_tension = std::max(own.largest_tension, -pressure[i]);
+        }
+        return own;
+      });
+  if (defects.not_finite > 0)
+    throw std::domain_error("heights and pressure must be finite");
+  require_positive("nominal_pressure", submitted.nominal_pressure, "Pa");
+  require_not_negative("local_compliance", submitted.local_compliance, "m/Pa");
+  return defects;
+}
+
+Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
+                  std::span<const double> submitted) {
+  Feasible answer;
+  const std::size_t nodes = submitted.size();
+  const Workers workers = elasticity.workers();
+  const Weighted weighted(elasticity.nodal_weights(), workers);
+  answer.pressure =
+      projected(submitted, weighted, problem.nominal_pressure, workers);
+  const std::vector<double>& pressure = answer.pressure;
+  answer.displacement.resize(nodes);
+  elasticity.displacement(pressure, answer.displacement);
+  if (!elasticity.is_periodic())
+    answer.lift = weighted.mean_of(answer.displacement);
+  answer.excess.resize(nodes);
+  const auto largest = chunked_sum<LargestValues>(
+      nodes, workers, [&](std::size_t begin, std::size_t end) {
+        LargestValues own;
+        for (std::size_t i = begin; i < end; ++i) {
+          answer.displacement[i] += problem.local_compliance * pressure[i];
+          answer.excess[i] = problem.heights[i] - answer.displacement[i];
+          own.excess += Largest{answer.excess[i]};
+          own.displacement += Largest{std::abs(answer.displacement[i])};
+          own.height += Largest{std::abs(problem.heights[i])};
+        }
+        return own;
+      });
+  answer.separation = largest.excess.value;
+  answer.roundoff = roundoff_of(largest, workers.all_nodes(nodes));
+  return answer;
+}
+
+double duality_gap(const Feasible& answer, double pressure_excess,
+                   double mean_pressure) {
+  const double gap = answer.separation * mean_pressure - pressure_excess;
+  return std::max(gap, 0.0) + 2.0 * answer.roundoff * mean_pressure;
+}
+
+double duality_gap(const Feasible& answer, const Weighted& weighted,
+                   double mean_pressure) {
+  return duality_gap(answer, weighted.product(answer.pressure, answer.excess),
+                     mean_pressure);
+}
+
+} // namespace asperity::contact

@@ -1,0 +1,75 @@
+#pragma once
+
+// This file makes a pressure >= 0 of the prescribed mean from a submitted
+// field, and finds what the bounds of the certificate need of it.
+
+#include "contact/certificate/certificate.hpp"
+#include "contact/certificate/weighted.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace asperity::contact {
+
+/// The largest of term(i) over the nodes of all ranks.
+template <class Term>
+double largest_term(std::size_t nodes, const Workers& workers,
+                    const Term& term) {
+  return chunked_sum<Largest>(nodes, workers,
+                              [&](std::size_t begin, std::size_t end) {
+                                Largest largest;
+                                for (std::size_t i = begin; i < end; ++i)
+                                  largest += Largest{term(i)};
+                                return largest;
+                              })
+      .value;
+}
+
+double largest_of(std::span<const double> values, const Workers& workers);
+
+/// The largest size of a value.
+double largest_size(std::span<const double> values, const Workers& workers);
+
+/// Defects of a submitted field that are seen without the operator.
+struct Defects {
+  std::size_t not_finite = 0, in_tension = 0; ///< numbers of nodes
+  double largest_tension = 0.0;               ///< [Pa]
+
+  Defects& operator+=(const Defects& other) {
+    not_finite += other.not_finite;
+    in_tension += other.in_tension;
+    largest_tension = std::max(largest_tension, other.largest_tension);
+    return *this;
+  }
+};
+
+/// @throws std::domain_error  as check_field(), except for a pressure that is
+///                            nowhere > 0
+Defects sound_or_refused(const SurfaceOperator& elasticity,
+                         const SubmittedField& submitted);
+
+/// A pressure >= 0 of mean p_0 with what the bounds need of it.
+struct Feasible {
+  std::vector<double> pressure;
+  std::vector<double> displacement; ///< (C + c) p [m]
+  std::vector<double> excess;       ///< h - (C + c) p [m]
+  double lift = 0.0;       ///< mean of C p; 0 on a periodic surface [m]
+  double separation = 0.0; ///< smallest u with gap >= 0 everywhere [m]
+  double roundoff = 0.0;   ///< of any value of displacement [m]
+};
+
+/// Cuts off tension, scales the mean to p_0 and applies the operator once.
+/// @param pressure  as in SubmittedField
+/// @throws std::domain_error  no node has a pressure > 0
+Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
+                  std::span<const double> pressure);
+
+/// G = <p, g> with its allowance for roundoff [J/m^2].
+/// @param pressure_excess  <p, excess>
+double duality_gap(const Feasible& answer, double pressure_excess,
+                   double mean_pressure);
+double duality_gap(const Feasible& answer, const Weighted& weighted,
+                   double mean_pressure);
+
+} // namespace asperity::contact
