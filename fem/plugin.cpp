@@ -84,6 +84,10 @@ public:
   std::unique_ptr<contact::SurfaceOperator>
   condensed_on_ranks(const std::string& text, int threads) const override {
     const BlockRequest request = block_request_of(text);
+    if (degree(request) == 2)
+      return std::make_unique<Q2Operator>(
+          request.grid, mpi_group(),
+          condensed_column_q2(request.grid, layers_of(request)), threads);
     return std::make_unique<contact::SharedFourierOperator>(
         request.grid, mpi_group(),
         condensed_column_q1(request.grid, layers_of(request)), threads);

@@ -301,10 +301,9 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
   const bool has_columns = (half != nullptr && !half->has_free_boundaries) ||
-                           (block != nullptr && !is_full_block(method) &&
-                            block->block.element == mechanics::Element::q1);
+                           (block != nullptr && !is_full_block(method));
   return n_ranks > 1 && has_columns && grid.size() >= least_shared_nodes &&
-         n_ranks <= contact::most_ranks(grid);
+         n_ranks <= most_ranks(grid);
 }
 
 std::unique_ptr<LoadSteps>

@@ -65,6 +65,9 @@ constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
 /// states of two steps, once for the next step and once on their way to the
 /// cache; docs/numerics/shared-rows.md.
 constexpr double arrays_per_rank = 13.0;
+/// Further ones of a condensed Q2 block: its compliance and its inverse take
+/// 16 bytes per node, nodal areas 8, and the spectra of the node classes 6.
+constexpr double more_arrays_of_q2 = 4.0;
 constexpr double doubles_per_atom = 60.0;
 constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
@@ -198,8 +201,13 @@ MethodCost cost_of(const cases::Case& contact_case,
       method.settings);
 }
 
-double memory_of_rank(const Grid& grid, int ranks) {
-  return arrays_per_rank * sizeof(double) * nodes(grid) / ranks;
+double memory_of_rank(const cases::MethodSpec& method, const Grid& grid,
+                      int ranks) {
+  const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
+  const bool is_q2 =
+      block != nullptr && block->block.element == mechanics::Element::q2;
+  return (arrays_per_rank + (is_q2 ? more_arrays_of_q2 : 0.0)) *
+         sizeof(double) * nodes(grid) / ranks;
 }
 
 double study_time(const cases::Case& contact_case, MachineRates& rates) {

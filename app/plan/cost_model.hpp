@@ -27,7 +27,8 @@ MethodCost cost_of(const cases::Case& contact_case,
 
 /// Predicts the memory of each of several ranks that share the rows of a
 /// method, without that of the program [B].
-double memory_of_rank(const Grid& grid, int ranks);
+double memory_of_rank(const cases::MethodSpec& method, const Grid& grid,
+                      int ranks);
 
 /// Predicts the CPU time of the tables of [magnification] and [adhesion] [s].
 double study_time(const cases::Case& contact_case, MachineRates& rates);

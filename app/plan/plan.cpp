@@ -58,10 +58,9 @@ void share_by_ranks(const MethodSpec& method, const RunOptions& options,
       options.cache != nullptr &&
       sizeof(float) * maps <= static_cast<double>(options.cache->most_bytes());
   const double gathered = fit_into_cache ? sizeof(double) * maps : 0.0;
-  planned.memory =
-      gathered +
-      options.ranks_on_machine * memory_of_rank(planned.grid, options.ranks) +
-      (options.ranks_on_machine - 1) * base_memory(true);
+  planned.rank_memory = memory_of_rank(method, planned.grid, options.ranks);
+  planned.memory = gathered + options.ranks_on_machine * planned.rank_memory +
+                   (options.ranks_on_machine - 1) * base_memory(true);
 }
 
 /// Returns true if the last table of each study is cached.

@@ -89,8 +89,7 @@ std::string shared_rows_text(const Plan& plan) {
       text += fmt::format(
           "{}: {} ranks share the rows of the surface, {} on each\n",
           planned.name, planned.ranks,
-          size_text(memory_of_rank(planned.grid, planned.ranks) +
-                    base_memory(true)));
+          size_text(planned.rank_memory + base_memory(true)));
   return text;
 }
 

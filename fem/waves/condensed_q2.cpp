@@ -5,6 +5,7 @@
 #include "fem/waves/mirrored_q2.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 
 namespace asperity::fem {
@@ -21,26 +22,69 @@ NodeClassBlock mirrored(const NodeClassBlock& block) {
   return mirror;
 }
 
-/// Computes four neighbouring blocks in jx; those beyond the last column repeat
-/// it.
-void fill_blocks(const MirroredQ2& layers, double spring, int first, int mode_y,
-                 const Q2Compliance& compliance,
-                 std::array<NodeClassBlock, lanes>& blocks) {
-  const Grid& grid = compliance.grid;
+using FourBlocks = std::array<NodeClassBlock, lanes>;
+
+/// The block of the body, and what does not depend on the wavevector.
+struct Body {
+  Grid grid;
+  MirroredQ2 layers;
+  double spring; ///< on the uniform mode [N/m]
+
+  Body(const Grid& of_nodes, const LayeredBlock& block)
+      : grid(of_nodes),
+        layers(of_nodes, block),
+        spring(block.layers.back().shear_modulus * of_nodes.spacing_x()) {}
+
+  int columns() const { return grid.points_x / 4 + 1; }
+};
+
+/// Computes the blocks of four cell wavevectors.
+FourBlocks four_blocks(const Body& body, const std::array<int, lanes>& modes_x,
+                       const std::array<int, lanes>& modes_y) {
+  const Grid& grid = body.grid;
   SimdBatch theta_x{}, theta_y{}, on_uniform_mode{};
   for (std::size_t lane = 0; lane < lanes; ++lane) {
-    const int mode_x =
-        std::min(first + static_cast<int>(lane), compliance.columns() - 1);
-    theta_x[lane] = 2.0 * std::numbers::pi * mode_x / grid.points_x;
-    theta_y[lane] = 2.0 * std::numbers::pi * mode_y / grid.points_y;
+    theta_x[lane] = 2.0 * std::numbers::pi * modes_x[lane] / grid.points_x;
+    theta_y[lane] = 2.0 * std::numbers::pi * modes_y[lane] / grid.points_y;
+    if (modes_x[lane] == 0 && modes_y[lane] == 0)
+      on_uniform_mode[lane] = body.spring;
   }
-  if (first == 0 && mode_y == 0)
-    on_uniform_mode[0] = spring;
   std::array<SimdBatch, node_classes * node_classes> packs;
-  layers.face_compliance(theta_x, theta_y, on_uniform_mode, packs.data());
+  body.layers.face_compliance(theta_x, theta_y, on_uniform_mode, packs.data());
+  FourBlocks blocks;
   for (std::size_t lane = 0; lane < lanes; ++lane)
     for (std::size_t i = 0; i < packs.size(); ++i)
       blocks[lane][i] = grid.cell_area() * packs[i][lane];
+  return blocks;
+}
+
+/// Four neighbouring blocks in jx; those beyond the last column repeat it.
+FourBlocks along_jx(const Body& body, int first, int mode_y) {
+  std::array<int, lanes> modes_x{}, modes_y{};
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    modes_x[lane] =
+        std::min(first + static_cast<int>(lane), body.columns() - 1);
+    modes_y[lane] = mode_y;
+  }
+  return four_blocks(body, modes_x, modes_y);
+}
+
+/// Four neighbouring blocks in jy up to the last one. On a square grid those
+/// with jy > jx are mirror images, as in condensed_compliance_q2().
+FourBlocks along_jy(const Body& body, int mode_x, int first, int last) {
+  std::array<int, lanes> modes_x{}, modes_y{};
+  std::array<bool, lanes> is_mirrored{};
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const int mode_y = std::min(first + static_cast<int>(lane), last);
+    is_mirrored[lane] = body.grid.is_square() && mode_y > mode_x;
+    modes_x[lane] = is_mirrored[lane] ? mode_y : mode_x;
+    modes_y[lane] = is_mirrored[lane] ? mode_x : mode_y;
+  }
+  FourBlocks blocks = four_blocks(body, modes_x, modes_y);
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    if (is_mirrored[lane])
+      blocks[lane] = mirrored(blocks[lane]);
+  return blocks;
 }
 
 } // namespace
@@ -49,7 +93,7 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
                                      const LayeredBlock& block, int threads) {
   require_cells(grid, 2);
   require_block(block);
-  const MirroredQ2 layers(grid, block);
+  const Body body(grid, block);
   Q2Compliance compliance{grid, {}, relative_nodal_areas(2)};
   const int columns = compliance.columns();
   const bool is_square = grid.is_square();
@@ -60,12 +104,10 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
                                  static_cast<std::size_t>(columns) +
                              static_cast<std::size_t>(mode_x)];
   };
-  const double spring = block.layers.back().shear_modulus * grid.spacing_x();
   parallel_rows(compliance.rows(), threads, [&](int mode_y) {
     constexpr int step = static_cast<int>(lanes);
-    std::array<NodeClassBlock, lanes> blocks;
     for (int first = is_square ? mode_y : 0; first < columns; first += step) {
-      fill_blocks(layers, spring, first, mode_y, compliance, blocks);
+      const FourBlocks blocks = along_jx(body, first, mode_y);
       for (int mode_x = first; mode_x < std::min(columns, first + step);
            ++mode_x) {
         at(mode_x, mode_y) = blocks[static_cast<std::size_t>(mode_x - first)];
@@ -75,6 +117,22 @@ Q2Compliance condensed_compliance_q2(const Grid& grid,
     }
   });
   return compliance;
+}
+
+Q2Column condensed_column_q2(const Grid& grid, const LayeredBlock& block) {
+  require_cells(grid, 2);
+  require_block(block);
+  return [body = std::make_shared<const Body>(grid, block)](
+             int mode_x, std::span<NodeClassBlock> of_jy) {
+    const int n = static_cast<int>(of_jy.size());
+    constexpr int step = static_cast<int>(lanes);
+    for (int first = 0; first < n; first += step) {
+      const FourBlocks blocks = along_jy(*body, mode_x, first, n - 1);
+      for (int mode_y = first; mode_y < std::min(n, first + step); ++mode_y)
+        of_jy[static_cast<std::size_t>(mode_y)] =
+            blocks[static_cast<std::size_t>(mode_y - first)];
+    }
+  };
 }
 
 } // namespace asperity::fem

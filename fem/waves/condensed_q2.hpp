@@ -7,6 +7,8 @@
 #include "fem/waves/elastic_layers.hpp"
 
 #include <array>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace asperity::fem {
@@ -65,5 +67,13 @@ struct Q2Compliance {
 Q2Compliance condensed_compliance_q2(const Grid& grid,
                                      const LayeredBlock& block,
                                      int threads = 1);
+
+/// Computes the blocks of a column: jx, and jy = 0..n-1, where n is the length
+/// of the answer. Threads call it at the same time.
+using Q2Column = std::function<void(int jx, std::span<NodeClassBlock> of_jy)>;
+
+/// The blocks of condensed_compliance_q2(), with the same bits, by columns.
+/// @throws std::domain_error  as condensed_compliance_q2()
+Q2Column condensed_column_q2(const Grid& grid, const LayeredBlock& block);
 
 } // namespace asperity::fem

@@ -1,210 +1,285 @@
 #include "fem/waves/q2_operator.hpp"
 
+#include "base/parallel_rows.hpp"
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
+#include "contact/operators/shared_fourier_operator.hpp"
+#include "fem/waves/cell_stiffness.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
-#include <cstdlib>
+#include <iterator>
+#include <limits>
 #include <utility>
+
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 namespace {
 
-using Amplitudes = std::array<std::complex<double>, node_classes>;
 using BlockView = Eigen::Map<const Eigen::Matrix4d>;
-
-/// Computes (Q2.3) without a factor; it is its own inverse up to 1/4.
-Amplitudes hadamard(const Amplitudes& f) {
-  const auto even = f[0] + f[1], odd = f[0] - f[1];
-  const auto even_y = f[2] + f[3], odd_y = f[2] - f[3];
-  return {even + even_y, odd + odd_y, even - even_y, odd - odd_y};
-}
+using WeightView = Eigen::Map<const Eigen::Vector4d>;
 
 /// Compliance of the longest wave of a group with respect to itself [m/Pa].
-double long_wave(const Q2Compliance& compliance, const NodeClassBlock& block) {
+double long_wave(const NodeClassBlock& block,
+                 const std::vector<double>& class_weights) {
   double sum = 0.0;
   for (std::size_t i = 0; i < node_classes; ++i)
     for (std::size_t j = 0; j < node_classes; ++j)
-      sum += block[node_classes * i + j] * compliance.class_weights[j];
+      sum += block[node_classes * i + j] * class_weights[j];
   return sum / static_cast<double>(node_classes);
 }
 
 /// Removes the uniform displacement, weighted by area, from the block of q = 0.
-void remove_uniform_mode(Q2Compliance& compliance) {
-  const Eigen::Map<const Eigen::Vector4d> weights(
-      compliance.class_weights.data());
+void remove_uniform_mode(NodeClassBlock& of_zero,
+                         const std::vector<double>& class_weights) {
+  const WeightView weights(class_weights.data());
   const Eigen::Matrix4d keep =
       Eigen::Matrix4d::Identity() -
       Eigen::Vector4d::Ones() * weights.transpose() / 4;
-  Eigen::Map<Eigen::Matrix4d> block(compliance.blocks[0].data());
+  Eigen::Map<Eigen::Matrix4d> block(of_zero.data());
   block = (keep * block * keep.transpose()).eval();
 }
 
-/// The four grid modes of one cell wavevector in the half spectrum. Modes
-/// beyond half of the grid in x are stored as the conjugates of their
-/// opposites.
-struct Group {
-  std::array<std::size_t, node_classes> place;
+/// The grid of the cells, which is also that of their vertices.
+Grid grid_of_cells(const Grid& nodes) {
+  return {nodes.points_x / 2, nodes.points_y / 2, nodes.length_x,
+          nodes.length_y};
+}
 
-  Group(const Grid& grid, int mode_x, int mode_y) {
-    const int half_x = grid.points_x / 2;
-    const int half_y = grid.points_y / 2;
-    const auto index = [&](int column, int row) {
-      const int wrapped =
-          ((row % grid.points_y) + grid.points_y) % grid.points_y;
-      return static_cast<std::size_t>(wrapped) *
-                 static_cast<std::size_t>(half_x + 1) +
-             static_cast<std::size_t>(column);
-    };
-    place = {index(mode_x, mode_y), index(half_x - mode_x, -mode_y),
-             index(mode_x, mode_y + half_y),
-             index(half_x - mode_x, -mode_y - half_y)};
-  }
+std::vector<int> halved(std::vector<int> bounds) {
+  for (int& bound : bounds)
+    bound /= 2;
+  return bounds;
+}
 
-  Amplitudes read(const std::vector<std::complex<double>>& spectrum) const {
-    return {spectrum[place[0]], std::conj(spectrum[place[1]]),
-            spectrum[place[2]], std::conj(spectrum[place[3]])};
-  }
+Q2Convolution<float>::Block rounded_block(const NodeClassBlock& block) {
+  Q2Convolution<float>::Block rounded{};
+  std::ranges::transform(block, rounded.begin(), [](double value) {
+    return static_cast<float>(value);
+  });
+  return rounded;
+}
 
-  void write(const Amplitudes& amplitudes,
-             std::vector<std::complex<double>>& spectrum) const {
-    spectrum[place[0]] = amplitudes[0];
-    spectrum[place[1]] = std::conj(amplitudes[1]);
-    spectrum[place[2]] = amplitudes[2];
-    spectrum[place[3]] = std::conj(amplitudes[3]);
-  }
-};
+/// The factor of W in (G W + c)^-1 = (W G W + c W)^-1 W.
+Q2Convolution<float>::Block inverse_of(const Eigen::Matrix4d& block,
+                                       const std::vector<double>& class_weights,
+                                       double local_compliance) {
+  const WeightView weights(class_weights.data());
+  Eigen::Matrix4d whole = weights.asDiagonal() * block * weights.asDiagonal();
+  whole.diagonal() += local_compliance * weights;
+  // The block is scaled because Cholesky factorisation takes square roots,
+  // whose roundoff depends on the unit.
+  const double scale = whole(0, 0);
+  whole /= scale;
+  NodeClassBlock inverse;
+  Eigen::Map<Eigen::Matrix4d>(inverse.data()) =
+      whole.llt().solve(Eigen::Matrix4d::Identity()) / scale;
+  return rounded_block(inverse);
+}
 
 } // namespace
 
 struct Q2Operator::Shared {
-  RealFourier fourier;
-  Q2Compliance compliance; ///< the block of q = 0 is without the uniform mode
-  std::vector<double> nodal_weights;
-  double softest; ///< largest compliance of a long wave [m/Pa]
+  SharedRows nodes, cells;
   int threads;
+  bool is_alone; ///< this process holds all rows
+  Q2Column column;
+  std::vector<double> class_weights = relative_nodal_areas(2);
+  std::vector<double> nodal_weights = {}; ///< of the nodes of this process
+  std::size_t first_column = 0;           ///< of this rank
+  /// G of the columns of this rank, jy = 0..cells/2 of each; the block of q = 0
+  /// is without the uniform mode.
+  std::vector<NodeClassBlock> blocks = {};
+  std::vector<Q2Convolution<float>::Block> rounded = {};
+  double softest = 0.0;  ///< largest compliance of a long wave [m/Pa]
+  double shortest = 0.0; ///< compliance of the shortest long wave in x [m/Pa]
+
+  std::size_t height() const {
+    return static_cast<std::size_t>(cells.grid().points_y) / 2 + 1;
+  }
+
+  int columns() const { return cells.grid().points_x / 2 + 1; }
+
+  void find_blocks();
+  void find_long_waves();
+  void take_long_waves(int jx, std::span<double> of_jy) const;
+  std::vector<double> all_long_waves() const;
 };
 
-Q2Operator::Q2Operator(Q2Compliance compliance, int threads) {
-  require_cells(compliance.grid, 2);
-  const Grid& grid = compliance.grid;
-  remove_uniform_mode(compliance);
-  std::vector<double> weights(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      weights[grid.index(ix, iy)] =
-          compliance
-              .class_weights[static_cast<std::size_t>(ix % 2 + 2 * (iy % 2))];
-  double softest = 0.0;
-  for (std::size_t i = 1; i < compliance.blocks.size(); ++i)
-    softest = std::max(softest, long_wave(compliance, compliance.blocks[i]));
-  shared_ = std::make_shared<const Shared>(
-      Shared{RealFourier(grid, threads), std::move(compliance),
-             std::move(weights), softest, threads});
-  spectrum_.resize(shared_->fourier.grid().half_spectrum_size());
-  product_.resize(spectrum_.size());
+/// Computes the blocks of the columns of this rank.
+void Q2Operator::Shared::find_blocks() {
+  const SharedConvolution<float> transforms(cells, threads);
+  first_column = transforms.columns().first;
+  const std::size_t n = transforms.columns().count;
+  blocks.resize(n * height());
+  parallel_rows(static_cast<int>(n), threads, [&](int k) {
+    column(static_cast<int>(first_column) + k,
+           std::span(blocks).subspan(static_cast<std::size_t>(k) * height(),
+                                     height()));
+  });
+  if (first_column == 0 && !blocks.empty())
+    remove_uniform_mode(blocks[0], class_weights);
+  find_long_waves();
+  std::ranges::transform(blocks, std::back_inserter(rounded), rounded_block);
+  for (int iy = 0; iy < nodes.count(); ++iy) // the first row is one of vertices
+    for (int ix = 0; ix < nodes.grid().points_x; ++ix)
+      nodal_weights.push_back(
+          class_weights[static_cast<std::size_t>(ix % 2 + 2 * (iy % 2))]);
 }
+
+void Q2Operator::Shared::find_long_waves() {
+  const double none = -std::numeric_limits<double>::infinity();
+  double largest = 0.0, last = none;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const double wave = long_wave(blocks[i], class_weights);
+    if (first_column > 0 || i > 0)
+      largest = std::max(largest, wave);
+    if (first_column + i / height() ==
+            static_cast<std::size_t>(columns()) - 1 &&
+        i % height() == 0)
+      last = wave;
+  }
+  softest = rank_max(nodes.ranks(), largest);
+  shortest = rank_max(nodes.ranks(), last);
+}
+
+/// C of the operator on the vertices: that of a column of this rank, or
+/// computed.
+void Q2Operator::Shared::take_long_waves(int jx,
+                                         std::span<double> of_jy) const {
+  const auto k = static_cast<std::size_t>(jx);
+  std::vector<NodeClassBlock> computed;
+  const NodeClassBlock* from = nullptr;
+  if (k >= first_column && k < first_column + blocks.size() / height()) {
+    from = &blocks[(k - first_column) * height()];
+  } else {
+    computed.resize(of_jy.size());
+    column(jx, computed);
+    from = computed.data();
+  }
+  for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
+    of_jy[jy] = long_wave(from[jy], class_weights);
+}
+
+/// The same for the half spectrum of the cells.
+std::vector<double> Q2Operator::Shared::all_long_waves() const {
+  const Grid& grid = cells.grid();
+  const auto width = static_cast<std::size_t>(columns());
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  std::vector<double> own;
+  for (const NodeClassBlock& block : blocks)
+    own.push_back(long_wave(block, class_weights));
+  std::vector<std::size_t> bytes;
+  for (const double n :
+       of_ranks(cells.ranks(), static_cast<double>(own.size())))
+    bytes.push_back(static_cast<std::size_t>(n) * sizeof(double));
+  std::vector<double> columns_of_all(width * height());
+  cells.ranks()->gather_to_all(
+      std::as_bytes(std::span(own)), bytes,
+      std::as_writable_bytes(std::span(columns_of_all)));
+  std::vector<double> symbol(width * rows);
+  for (std::size_t jy = 0; jy < rows; ++jy)
+    for (std::size_t jx = 0; jx < width; ++jx)
+      symbol[jy * width + jx] =
+          columns_of_all[jx * height() + std::min(jy, rows - jy)];
+  return symbol;
+}
+
+namespace {
+
+/// Copies the blocks of a column.
+Q2Column column_of(const Q2Compliance& compliance) {
+  return [&compliance](int jx, std::span<NodeClassBlock> of_jy) {
+    for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
+      of_jy[jy] =
+          compliance
+              .blocks[jy * static_cast<std::size_t>(compliance.columns()) +
+                      static_cast<std::size_t>(jx)];
+  };
+}
+
+} // namespace
+
+Q2Operator::Q2Operator(const Q2Compliance& compliance, int threads)
+    : Q2Operator([&] {
+        const Grid& grid = compliance.grid;
+        require_cells(grid, 2);
+        auto shared = std::make_shared<Shared>(
+            Shared{rows_of_one(grid), rows_of_one(grid_of_cells(grid)), threads,
+                   true, column_of(compliance)});
+        shared->find_blocks();
+        shared->column = nullptr; // all columns are stored
+        return std::shared_ptr<const Shared>(std::move(shared));
+      }()) {}
+
+Q2Operator::Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
+                       int threads)
+    : Q2Operator([&] {
+        require_cells(grid, 2);
+        const std::vector<int> bounds = row_bounds(grid, ranks.size());
+        auto shared = std::make_shared<Shared>(
+            Shared{SharedRows(grid, ranks, bounds),
+                   SharedRows(grid_of_cells(grid), ranks, halved(bounds)),
+                   threads, false, std::move(blocks)});
+        shared->find_blocks();
+        return std::shared_ptr<const Shared>(std::move(shared));
+      }()) {}
 
 Q2Operator::Q2Operator(std::shared_ptr<const Shared> shared)
     : shared_(std::move(shared)),
-      spectrum_(shared_->fourier.grid().half_spectrum_size()),
-      product_(spectrum_.size()) {}
+      exact_(shared_->nodes, shared_->cells, shared_->threads),
+      convolution_(shared_->nodes, shared_->cells, shared_->threads) {}
 
 std::unique_ptr<contact::SurfaceOperator> Q2Operator::clone() const {
   return std::unique_ptr<contact::SurfaceOperator>(new Q2Operator(shared_));
 }
 
 const Grid& Q2Operator::grid() const {
-  return shared_->fourier.grid();
+  return shared_->nodes.grid();
+}
+
+const SharedRows* Q2Operator::shared_rows() const {
+  return shared_->is_alone ? nullptr : &shared_->nodes;
 }
 
 std::span<const double> Q2Operator::nodal_weights() const {
   return shared_->nodal_weights;
 }
 
-/// Computes result = B W field, where B are the blocks and W the weights of the
-/// node classes.
-void Q2Operator::apply(const std::vector<NodeClassBlock>& blocks,
-                       std::span<const double> field,
-                       std::span<double> result) {
-  shared_->fourier.forward(field, spectrum_);
-  const std::vector<double>& weights = shared_->compliance.class_weights;
-  const int cells_x = grid().points_x / 2;
-  const int cells_y = grid().points_y / 2;
-  const double normalise =
-      1.0 / static_cast<double>(node_classes * grid().size());
-  for (int row = 0; row < cells_y; ++row) {
-    const int mode_y = signed_wavenumber(row, cells_y);
-    const std::size_t block_row =
-        static_cast<std::size_t>(std::abs(mode_y)) *
-        static_cast<std::size_t>(shared_->compliance.columns());
-    for (int mode_x = 0; mode_x <= cells_x / 2; ++mode_x) {
-      const NodeClassBlock& block =
-          blocks[block_row + static_cast<std::size_t>(mode_x)];
-      const Group group(grid(), mode_x, mode_y);
-      Amplitudes n_classes = hadamard(group.read(spectrum_));
-      for (std::size_t k = 0; k < node_classes; ++k)
-        n_classes[k] *= weights[k] * normalise;
-      Amplitudes answer{};
-      for (std::size_t i = 0; i < node_classes; ++i)
-        for (std::size_t j = 0; j < node_classes; ++j)
-          answer[i] += block[node_classes * i + j] * n_classes[j];
-      group.write(hadamard(answer), product_);
-    }
-  }
-  shared_->fourier.backward(product_, result);
-}
-
-void Q2Operator::apply(const std::vector<NodeClassBlock>& blocks,
-                       std::span<const float> field, std::span<float> result) {
-  field_.assign(field.begin(), field.end());
-  apply(blocks, field_, field_);
-  std::transform(field_.begin(), field_.end(), result.begin(),
-                 [](double value) { return static_cast<float>(value); });
-}
-
 void Q2Operator::displacement(std::span<const double> pressure,
                               std::span<double> displacement) {
-  apply(shared_->compliance.blocks, pressure, displacement);
+  // A step needs it two or three times, so that nothing is kept for it.
+  convolution_.free_scratch();
+  exact_.apply(shared_->blocks, pressure, displacement);
+  exact_.free_scratch();
 }
 
 void Q2Operator::displacement_change(std::span<const float> pressure_change,
                                      std::span<float> displacement_change) {
-  apply(shared_->compliance.blocks, pressure_change, displacement_change);
+  convolution_.apply(shared_->rounded, pressure_change, displacement_change);
 }
 
-/// Applies (G W + c)^-1 = (W G W + c W)^-1 W, which is again a symmetric block
-/// times W.
 void Q2Operator::pressure_estimate(std::span<const float> gap,
                                    double local_compliance,
                                    std::span<float> pressure) {
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   if (inverted_compliance_ != local_compliance) {
-    const Q2Compliance& compliance = shared_->compliance;
-    const Eigen::Map<const Eigen::Vector4d> weights(
-        compliance.class_weights.data());
-    inverse_.resize(compliance.blocks.size());
+    const std::vector<NodeClassBlock>& blocks = shared_->blocks;
+    inverse_.resize(blocks.size());
     for (std::size_t i = 0; i < inverse_.size(); ++i) {
-      Eigen::Matrix4d block = BlockView(compliance.blocks[i].data());
-      if (i == 0) // the uniform mode gets the compliance of the longest wave
+      Eigen::Matrix4d block = BlockView(blocks[i].data());
+      // The uniform mode gets the compliance of the longest wave.
+      if (i == 0 && shared_->first_column == 0)
         block.array() += shared_->softest / 4.0;
-      Eigen::Matrix4d whole =
-          weights.asDiagonal() * block * weights.asDiagonal();
-      whole.diagonal() += local_compliance * weights;
-      // The block is scaled because Cholesky factorisation takes square roots,
-      // whose roundoff depends on the unit.
-      const double scale = whole(0, 0);
-      whole /= scale;
-      Eigen::Map<Eigen::Matrix4d>(inverse_[i].data()) =
-          whole.llt().solve(Eigen::Matrix4d::Identity()) / scale;
+      inverse_[i] = inverse_of(block, shared_->class_weights, local_compliance);
     }
     inverted_compliance_ = local_compliance;
   }
-  apply(inverse_, gap, pressure);
+  convolution_.apply(inverse_, gap, pressure);
 }
 
 int Q2Operator::threads() const {
@@ -212,29 +287,22 @@ int Q2Operator::threads() const {
 }
 
 double Q2Operator::short_wave_compliance() const {
-  const Q2Compliance& compliance = shared_->compliance;
-  return long_wave(
-      compliance,
-      compliance.blocks[static_cast<std::size_t>(compliance.columns() - 1)]);
+  return shared_->shortest;
 }
 
 std::unique_ptr<contact::SurfaceOperator> Q2Operator::coarsened() const {
-  const Q2Compliance& compliance = shared_->compliance;
-  const Grid coarse{grid().points_x / 2, grid().points_y / 2, grid().length_x,
-                    grid().length_y};
+  const Grid& coarse = shared_->cells.grid();
   if (coarse.points_x < 32 || coarse.points_y < 32)
     return nullptr;
-  std::vector<double> symbol;
-  for (int row = 0; row < coarse.points_y; ++row)
-    for (int mode_x = 0; mode_x <= coarse.points_x / 2; ++mode_x)
-      symbol.push_back(long_wave(
-          compliance,
-          compliance.blocks[static_cast<std::size_t>(std::abs(
-                                signed_wavenumber(row, coarse.points_y))) *
-                                static_cast<std::size_t>(compliance.columns()) +
-                            static_cast<std::size_t>(mode_x)]));
-  return std::make_unique<contact::FourierOperator>(coarse, std::move(symbol),
-                                                    threads());
+  if (shared_->is_alone || !holds_whole_groups(coarse, shared_->cells.bounds()))
+    return std::make_unique<contact::FourierOperator>(
+        coarse, shared_->all_long_waves(), threads());
+  return std::make_unique<contact::SharedFourierOperator>(
+      shared_->cells,
+      [shared = shared_](int jx, std::span<double> of_jy) {
+        shared->take_long_waves(jx, of_jy);
+      },
+      threads());
 }
 
 } // namespace asperity::fem

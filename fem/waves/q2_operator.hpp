@@ -2,32 +2,40 @@
 
 // The condensed Q2 block as an operator for the contact solver.
 
-#include "base/fourier.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/q2_convolution.hpp"
 
-#include <complex>
 #include <memory>
 #include <vector>
 
 namespace asperity::fem {
 
-/// Computes displacement = C pressure on all nodes of a Q2 surface with one
-/// pair of transforms on the node grid: the amplitudes of the four node classes
-/// at a cell wavevector q are the sums
-///
-///     p_k = sum_s (-1)^(s.k) F(q + s pi/h),   s, k in {0,1}^2,         (Q2.3)
-///
-/// over the four grid modes that alias to q; the inverse has an additional
-/// factor 1/4.
+/// Computes displacement = C pressure on all nodes of a Q2 surface by
+/// Q2Convolution, with bitwise the same numbers on any number of threads and
+/// ranks. If ranks share its rows, each holds its rows of the fields and the
+/// blocks of its columns of cell wavevectors, and all calls but grid(),
+/// shared_rows(), nodal_weights(), short_wave_compliance() and threads() are
+/// collective, also the construction.
 class Q2Operator final : public contact::SurfaceOperator {
 public:
+  /// All rows in this process.
   /// @param threads  used by each transform, >= 1
-  explicit Q2Operator(Q2Compliance compliance, int threads = 1);
+  explicit Q2Operator(const Q2Compliance& compliance, int threads = 1);
+
+  /// The rows of this rank.
+  /// @param ranks    share the rows by row_bounds(); must outlive the operator
+  ///                 and its clones
+  /// @param blocks   of the grid of all nodes (condensed_column_q2)
+  /// @param threads  used by each rank, >= 1
+  /// @throws std::domain_error  the grid has more ranks than most_ranks()
+  Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
+             int threads = 1);
 
   std::unique_ptr<contact::SurfaceOperator> clone() const override;
 
   const Grid& grid() const override;
+  const SharedRows* shared_rows() const override;
 
   /// The relative nodal areas: 4/9, 8/9, 8/9, 16/9 at vertices, edges and face
   /// centres.
@@ -44,22 +52,19 @@ public:
 
   /// The operator on the vertices of the cells only, accurate for waves longer
   /// than a cell; null below 64 points per side or if the cells cannot be
-  /// halved.
+  /// halved. It is shared if the ranks then hold whole groups of chunks
+  /// (ranks/workers.hpp); otherwise each rank has the operator of all rows.
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
 
 private:
   struct Shared;
   explicit Q2Operator(std::shared_ptr<const Shared> shared);
-  void apply(const std::vector<NodeClassBlock>& blocks,
-             std::span<const double> field, std::span<double> result);
-  void apply(const std::vector<NodeClassBlock>& blocks,
-             std::span<const float> field, std::span<float> result);
 
   std::shared_ptr<const Shared> shared_;
-  std::vector<std::complex<double>> spectrum_, product_;
-  std::vector<double> field_;         ///< a change in double precision
+  Q2Convolution<double> exact_;
+  Q2Convolution<float> convolution_;
   double inverted_compliance_ = -1.0; ///< local compliance of inverse_ [m/Pa]
-  std::vector<NodeClassBlock> inverse_;
+  std::vector<Q2Convolution<float>::Block> inverse_;
 };
 
 } // namespace asperity::fem

@@ -1,4 +1,4 @@
-"""Half-spaces and a condensed block whose rows the ranks of mpirun share: the rows, fields and tables
+"""Half-spaces and condensed blocks whose rows the ranks of mpirun share: the rows, fields and tables
 of one process, also when a run is resumed by another number of ranks, and for
 steps that the cache of one process has kept.
 
@@ -31,7 +31,7 @@ element = "Q1"
 [fem]
 element = "Q2"
 """)
-SHARED = ["fem.q1", "halfspace", "halfspace.thin"]
+SHARED = ["fem", "fem.q1", "halfspace", "halfspace.thin"]
 PATIENCE = 200.0  # [s]
 
 

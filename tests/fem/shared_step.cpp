@@ -1,11 +1,11 @@
-// Solves one load step of a rough surface on a half-space or a condensed Q1
+// Solves one load step of a rough surface on a half-space or a condensed
 // block on the ranks of mpirun and prints on rank 0 a hash of the fields, the
 // cost and the memory of each rank. The measurements of
 // docs/numerics/shared-rows.md are made with it.
 //
 // Arguments: points per side, threads per rank, "ranks" or "alone" (one process
-// without MPI); then "q1" for the block, or "fail" to let the last rank fail in
-// its tenth transform.
+// without MPI); then "q1" or "q2" for a block, or "fail" to let the last rank
+// fail in its tenth transform.
 #include "base/content_hash.hpp"
 #include "base/cpu_clock.hpp"
 #include "base/peak_memory.hpp"
@@ -15,6 +15,7 @@
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <fmt/format.h>
 
@@ -233,7 +234,7 @@ fem::LayeredBlock layered_block(const Grid& grid) {
 struct Asked {
   Grid grid;
   int threads = 1;
-  bool is_alone = false, fails = false, is_q1 = false;
+  bool is_alone = false, fails = false, is_q1 = false, is_q2 = false;
 };
 
 std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
@@ -241,6 +242,14 @@ std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
       1.0, 0.3, std::numeric_limits<double>::infinity(),
       mechanics::FarBoundary::clamped};
   const Grid& grid = asked.grid;
+  if (asked.is_q2 && asked.is_alone)
+    return std::make_unique<fem::Q2Operator>(
+        fem::condensed_compliance_q2(grid, layered_block(grid), asked.threads),
+        asked.threads);
+  if (asked.is_q2)
+    return std::make_unique<fem::Q2Operator>(
+        grid, counting_group(),
+        fem::condensed_column_q2(grid, layered_block(grid)), asked.threads);
   if (!asked.is_alone)
     return std::make_unique<contact::SharedFourierOperator>(
         grid, counting_group(),
@@ -321,7 +330,7 @@ void on_all_ranks(const std::function<void()>& share) {
 int main(int argc, char** argv) {
   using namespace asperity;
   if (argc < 4) {
-    fmt::print(stderr, "arguments: points threads ranks|alone [q1|fail]\n");
+    fmt::print(stderr, "arguments: points threads ranks|alone [q1|q2|fail]\n");
     return 2;
   }
   const int points = std::atoi(argv[1]);
@@ -330,7 +339,8 @@ int main(int argc, char** argv) {
                     std::atoi(argv[2]),
                     std::string(argv[3]) == "alone",
                     kind == "fail",
-                    kind == "q1"};
+                    kind == "q1",
+                    kind == "q2"};
   if (asked.is_alone)
     solve(asked);
   else

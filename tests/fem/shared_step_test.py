@@ -1,4 +1,4 @@
-"""A load step of the half-space and of a condensed Q1 block on rows that the
+"""A load step of the half-space and of condensed blocks on rows that the
 ranks of mpirun share: 1, 2 and 3 ranks give the bits of one process, and a
 failure of one rank ends all of them within seconds, with its message.
 
@@ -22,7 +22,8 @@ def main(program, mpirun):
     def on_ranks(ranks, *words):
         return run([mpirun, "-np", str(ranks), "--oversubscribe", program, "256", *words])
 
-    for block, on in (([], ((1, 1), (2, 1), (2, 2), (3, 1))), (["q1"], ((2, 1), (3, 2)))):
+    for block, on in (([], ((1, 1), (2, 1), (2, 2), (3, 1))), (["q1"], ((2, 1), (3, 2))),
+                      (["q2"], ((2, 2), (3, 1)))):
         alone = run([program, "256", "1", "alone", *block])
         assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
         answer = alone.stdout.splitlines()[0]
