@@ -1,7 +1,6 @@
 #include "results/provenance.hpp"
 
 #include "base/fourier.hpp"
-#include "base/peak_memory.hpp"
 #include "results/build_info.hpp"
 #include "results/storage/hdf5_file.hpp"
 
@@ -75,7 +74,7 @@ std::string utc_now() {
 
 RunClock::RunClock() : start_(std::chrono::steady_clock::now()) {}
 
-Provenance RunClock::facts() const {
+Provenance RunClock::facts(double peak_memory) const {
   const std::chrono::duration<double> wall =
       std::chrono::steady_clock::now() - start_;
   rusage used{};
@@ -89,7 +88,7 @@ Provenance RunClock::facts() const {
       {"wall time", fmt::format("{:.2f} s", wall.count())},
       {"CPU time", fmt::format("{:.2f} s", seconds(used.ru_utime) +
                                                seconds(used.ru_stime))},
-      {"peak memory", fmt::format("{:.0f} MiB", peak_memory() / (1 << 20))},
+      {"peak memory", fmt::format("{:.0f} MiB", peak_memory / (1 << 20))},
   };
 }
 

@@ -36,8 +36,9 @@ public:
   RunClock();
 
   /// Returns the current time [UTC], the wall time [s], the CPU time of the
-  /// process so far [s] and its peak memory [MiB].
-  Provenance facts() const;
+  /// process so far [s] and the peak memory [MiB].
+  /// @param peak_memory  of the largest process of the run [B]
+  Provenance facts(double peak_memory) const;
 
 private:
   std::chrono::steady_clock::time_point start_;

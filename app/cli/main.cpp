@@ -128,8 +128,8 @@ void add_bench(CLI::App& program, BenchCommand& bench, OutputOptions& output,
               "instead: strong and weak scaling over threads, 1,2,4")
       ->excludes(target);
   add_workers(command, "--ranks", bench.ranks,
-              "the same over ranks of mpirun, which share realisations\n"
-              "or a full block")
+              "the same over ranks of mpirun, which share realisations,\n"
+              "rows or a full block")
       ->excludes(target);
   add_quiet(command, output);
   add_json(command, output, "bench.json");

@@ -3,6 +3,7 @@
 #include "app/methods/shared_load_steps.hpp"
 #include "app/methods/shared_surface.hpp"
 #include "app/run/child_run.hpp"
+#include "base/peak_memory.hpp"
 #include "fem/plugin.hpp"
 
 #include <nlohmann/json.hpp>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::app {
 namespace {
@@ -30,6 +33,13 @@ nlohmann::json json_of(const RankedRun& run) {
   return {{"words", run.words}, {"last_words", run.last_words}, {"logs", logs}};
 }
 
+constexpr const char* memory_key = "largest peak memory";
+
+/// The largest peak memory of the ranks [B]. Collective.
+double peak_memory_of_ranks() {
+  return rank_max(&fem::load_fem_module().rank_group(), peak_memory());
+}
+
 void run_own_share(const std::string& text, int rank) {
   if (is_for_shared_steps(text)) {
     follow_shared_steps(text);
@@ -40,6 +50,10 @@ void run_own_share(const std::string& text, int rank) {
     return;
   }
   const nlohmann::json run = nlohmann::json::parse(text);
+  if (run.contains(memory_key)) {
+    static_cast<void>(peak_memory_of_ranks());
+    return;
+  }
   const auto i = static_cast<std::size_t>(rank);
   if (i >= run.at("last_words").size())
     return;
@@ -69,6 +83,16 @@ int n_ranks_on_machine() {
     if (const char* size = std::getenv(name))
       return std::max(1, std::atoi(size));
   return n_mpi_ranks();
+}
+
+double largest_peak_memory() {
+  if (n_mpi_ranks() == 1)
+    return peak_memory();
+  double largest = 0.0;
+  fem::load_fem_module().on_all_ranks(
+      nlohmann::json{{memory_key, true}}.dump(),
+      [&](const std::string&, int) { largest = peak_memory_of_ranks(); });
+  return largest;
 }
 
 void run_on_ranks(const RankedRun& run) {

@@ -24,6 +24,10 @@ int n_mpi_ranks();
 /// otherwise n_mpi_ranks().
 int n_ranks_on_machine();
 
+/// To be called on rank 0. Returns the largest peak memory of the MPI processes
+/// so far [B].
+double largest_peak_memory();
+
 /// One command of this program for each rank; with fewer commands than ranks,
 /// the last ranks have none.
 struct RankedRun {

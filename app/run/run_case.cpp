@@ -267,7 +267,7 @@ RunOutcome Run::execute() {
        {"steps computed again for what follows them",
         std::to_string(tally_.repeated_steps)}});
   writer_.record_skipped(skipped());
-  writer_.record_provenance(clock.facts());
+  writer_.record_provenance(clock.facts(largest_peak_memory()));
   writer_.record_provenance(
       {{"writing CPU time", fmt::format("{:.4f} s", writer_.cpu_time())}});
   writer_.finish(was_interrupted ? "interrupted" : "complete");
