@@ -28,6 +28,8 @@ public:
 
   RankGroup& ranks() const { return ranks_; }
 
+  std::size_t owned() const { return owned_; } ///< items of this rank
+
   /// Copies the values of the owners to the ghosts.
   template <class Number>
   void fill_ghosts(Number* values) const;

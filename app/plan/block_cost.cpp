@@ -143,21 +143,18 @@ double multigrid_time(const cases::Case& contact_case,
 /// Returns what multigrid without a matrix is used, if the block allows it:
 /// algebraic otherwise.
 BlockCostKind matrix_free_kind(const cases::Case& contact_case,
-                               const mechanics::FemSettings& settings,
-                               int ranks) {
+                               const mechanics::FemSettings& settings) {
   const bool has_two = settings.full.bodies == 2;
   if (is_on_lattice(contact_case, settings))
     return BlockCostKind::lattice;
-  if (!has_two && has_halved_boxes(contact_case, settings) &&
-      (ranks == 1 ||
-       settings.full.contact_at == mechanics::ContactPoints::nodes))
+  if (!has_two && has_halved_boxes(contact_case, settings))
     return BlockCostKind::halved;
   if (!has_hexahedra(contact_case, settings))
     return BlockCostKind::algebraic;
   if (!has_two)
     return BlockCostKind::hexahedra;
-  return contact_case.mesh.counter && ranks == 1 ? BlockCostKind::pair
-                                                 : BlockCostKind::algebraic;
+  return contact_case.mesh.counter ? BlockCostKind::pair
+                                   : BlockCostKind::algebraic;
 }
 
 } // namespace
@@ -170,7 +167,7 @@ BlockCostKind block_cost_kind(const cases::Case& contact_case,
     return BlockCostKind::direct;
   if (asked == LinearSolver::fourier)
     return BlockCostKind::fourier;
-  const BlockCostKind free = matrix_free_kind(contact_case, settings, ranks);
+  const BlockCostKind free = matrix_free_kind(contact_case, settings);
   if (asked == LinearSolver::multigrid)
     return free;
   const bool is_lattice = free == BlockCostKind::lattice;

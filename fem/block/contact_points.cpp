@@ -102,8 +102,6 @@ void ContactPoints::find_counter() {
               static_cast<global_dof_index>(part[i + 3]);
 }
 
-/// Subtracts the displacement of the second body from the row of a place on the
-/// first. Returns false if there is no counter-surface at this place.
 bool ContactPoints::add_counter(const Point<2>& place, FaceRow& row) const {
   if (counter_) {
     const std::optional<FaceRow> counter = counter_->row_at(place);
@@ -203,20 +201,12 @@ void ContactPoints::finish(const Grid& grid) {
   double own_area = 0.0;
   double smallest = 1e300;
   std::vector<double> count(grid.size(), 0.0);
-  std::vector<global_dof_index> of_others;
   for (const ContactPoint& point : points_) {
     own_area += point.area;
     smallest = std::min(smallest, point.area);
     if (point.grid_node >= 0)
       count[static_cast<std::size_t>(point.grid_node)] += 1.0;
-    for (const auto& entry : point.row)
-      if (!space_.owned().is_element(entry.first))
-        of_others.push_back(entry.first);
   }
-  std::sort(of_others.begin(), of_others.end());
-  needed_ = space_.owned();
-  needed_.add_indices(of_others.begin(), of_others.end());
-  needed_.compress();
   area_ = sum(own_area, MPI_COMM_WORLD);
   const std::size_t n_points = sum(points_.size(), MPI_COMM_WORLD);
   if (n_points == 0)
@@ -236,7 +226,30 @@ void ContactPoints::finish(const Grid& grid) {
   is_grid_ = is_nodal_ && n_points == grid.size() &&
              std::all_of(count.begin(), count.end(),
                          [](double n) { return n == 1.0; });
+  find_needed();
+}
+
+void ContactPoints::find_needed() {
+  std::vector<global_dof_index> of_others;
+  const auto take = [&](const FaceRow& row) {
+    for (const auto& entry : row)
+      if (!space_.owned().is_element(entry.first))
+        of_others.push_back(entry.first);
+  };
+  for (const ContactPoint& point : points_)
+    take(point.row);
+  for (const FaceRow& row : others_)
+    take(row);
+  std::sort(of_others.begin(), of_others.end());
+  needed_ = space_.owned();
+  needed_.add_indices(of_others.begin(), of_others.end());
+  needed_.compress();
   ghosted_.reinit(space_.owned(), needed_, MPI_COMM_WORLD);
+}
+
+void ContactPoints::also_reserve(std::vector<FaceRow> rows) {
+  others_ = std::move(rows);
+  find_needed();
 }
 
 void ContactPoints::take_displacement(const Vector& unknowns,

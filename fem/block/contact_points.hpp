@@ -107,8 +107,8 @@ public:
   void add_springs(std::span<const double> springs,
                    dealii::TrilinosWrappers::SparseMatrix& matrix) const;
 
-  /// Reserves the entries of further rows, too.
-  void also_reserve(std::vector<FaceRow> rows) { others_ = std::move(rows); }
+  /// Reserves the entries of further rows, too. Collective.
+  void also_reserve(std::vector<FaceRow> rows);
 
   /// Reserves the entries for arbitrary springs.
   void reserve(dealii::TrilinosWrappers::SparsityPattern& pattern) const;
@@ -118,6 +118,11 @@ public:
   FaceRow row_at(const dealii::DoFHandler<3>::active_cell_iterator& cell,
                  const dealii::Point<3>& unit) const;
 
+  /// Subtracts the displacement of the second body, if there is one, from the
+  /// row of a place on the first. Returns false if there is no counter-surface
+  /// at this place.
+  bool add_counter(const dealii::Point<2>& place, FaceRow& row) const;
+
   /// The Gauss point nearest to a place among those of one face.
   /// @param first  index of the first point of the face
   std::size_t nearest_on_face(std::size_t first,
@@ -125,7 +130,7 @@ public:
 
 private:
   void find_counter();
-  bool add_counter(const dealii::Point<2>& place, FaceRow& row) const;
+  void find_needed();
   void add_point(const Grid& grid, const dealii::Point<2>& place, double area,
                  FaceRow row);
   void take_nodes(const Grid& grid);

@@ -68,10 +68,12 @@ FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
       displacement_(force_),
       values_(numbers_.size()) {
   find_parents(unknowns);
-  if (fine.contact().is_nodal() || fine.has_counter())
+  if (fine.contact().is_nodal())
     find_points(fine, unknowns);
   else
     find_gauss_points(fine);
+  if (fine.has_counter())
+    coarse_.also_reserve(points_);
   find_rigid_modes();
 }
 
@@ -95,8 +97,8 @@ void FirstOrderCorrection::find_parents(const LocalUnknowns& unknowns) {
   }
 }
 
-/// Writes the rows of contact points in first-order unknowns, if they have own
-/// unknowns only.
+/// Writes the rows of contact nodes in first-order unknowns: those of the
+/// vertices that a node of this rank is interpolated from.
 void FirstOrderCorrection::find_points(const BlockSystem& fine,
                                        const LocalUnknowns& unknowns) {
   std::vector<std::size_t> row_of(unknowns.owned() / 3);
@@ -104,16 +106,14 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
     row_of[nodes_[row] / 3] = row;
   const std::vector<Unknown> global = numbers_.global();
   for (std::size_t i = 0; i < fine.contact().size(); ++i) {
+    const ContactPoint& point = fine.contact()[i];
+    const std::size_t own = unknowns.of(point.row.front().first);
+    const std::size_t row = row_of[own / 3];
     FaceRow coarse;
-    for (const auto& [unknown, value] : fine.contact()[i].row) {
-      const std::size_t own = unknowns.of(unknown);
-      const std::size_t row = row_of[own / 3];
-      for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1];
-           ++k)
-        coarse.emplace_back(global[parents_.column[k]] + own % 3,
-                            value * parents_.weight[k]);
-    }
-    points_.push_back(coarse_.space().resolved(coarse));
+    for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
+      coarse.emplace_back(global[parents_.column[k]] + own % 3,
+                          parents_.weight[k]);
+    add_point(point.place, coarse_.space().resolved(coarse));
     vertices_.emplace_back();
     if (coarse.size() != 1 ||
         coarse_.space().constraints().is_constrained(coarse.front().first))
@@ -122,8 +122,6 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
     if (!coarse_.space().owned().is_element(*vertices_.back()))
       throw std::logic_error("the owners of a node and its vertex differ");
   }
-  if (fine.has_counter())
-    coarse_.also_reserve(points_);
 }
 
 /// Writes the rows of Gauss points in first-order unknowns. Second-order
@@ -131,10 +129,19 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
 /// the Galerkin product.
 void FirstOrderCorrection::find_gauss_points(const BlockSystem& fine) {
   for_gauss_points(coarse_.space(), fine.space().face_quadrature(),
-                   [&](const auto&, unsigned int, const FaceRow& row) {
-                     points_.push_back(row);
+                   [&](const auto& values, unsigned int q, const FaceRow& row) {
+                     const dealii::Point<3> place = values.quadrature_point(q);
+                     add_point(dealii::Point<2>(place[0], place[1]), row);
                      vertices_.emplace_back();
                    });
+}
+
+/// The faces of a second body carry first-order functions, too, whose values
+/// are those that its second-order functions interpolate.
+void FirstOrderCorrection::add_point(const dealii::Point<2>& place,
+                                     FaceRow row) {
+  static_cast<void>(coarse_.contact().add_counter(place, row));
+  points_.push_back(std::move(row));
 }
 
 /// Computes the rigid motions of the block, the near null space of the matrix:
@@ -289,11 +296,8 @@ bool is_compressible(const BlockSystem& system) {
 }
 
 bool is_hexahedron_block(const BlockSystem& system) {
-  const bool has_rows_of_one_rank =
-      system.contact().has_counter_mesh() &&
-      dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
   return has_low_order(system.space()) &&
-         (!system.has_counter() || has_rows_of_one_rank);
+         (!system.has_counter() || system.contact().has_counter_mesh());
 }
 
 std::unique_ptr<MatrixFreeBlock>

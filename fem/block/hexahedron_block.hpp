@@ -52,6 +52,7 @@ private:
   void find_parents(const LocalUnknowns& unknowns);
   void find_points(const BlockSystem& fine, const LocalUnknowns& unknowns);
   void find_gauss_points(const BlockSystem& fine);
+  void add_point(const dealii::Point<2>& place, FaceRow row);
   void find_rigid_modes();
   void refresh();
 
@@ -105,8 +106,9 @@ private:
 bool is_compressible(const BlockSystem& system);
 
 /// Whether HexahedronBlock can solve the problem: one body of second-order
-/// hexahedra. With two bodies, stiff springs between them leave
-/// their common motion to the correction alone.
+/// hexahedra, or two with meshes of their own. Between a block and its mirror
+/// image, stiff springs on the whole surface leave the common motion of both to
+/// the correction alone.
 bool is_hexahedron_block(const BlockSystem& system);
 
 /// The block if it can solve the problem and no other solver is requested or

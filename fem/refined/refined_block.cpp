@@ -163,7 +163,8 @@ RefinedCorrection::RefinedCorrection(const BlockProblem& problem,
   const bool is_second_order = problem.degree == 2;
   cycle_ = std::make_unique<RefinedCycle>(
       lattice, std::move(all),
-      NodesOfCells{unknowns.cell_nodes(), is_second_order ? 3U : 2U, own.cells},
+      NodesOfCells{unknowns.cell_nodes(), is_second_order ? 3U : 2U, own.cells,
+                   unknowns.ghosts()},
       first, free_nodes(unknowns), is_second_order);
   cycle_->set_contact({}, false);
 }
@@ -218,9 +219,8 @@ RefinedBlock::RefinedBlock(const BlockProblem& problem,
           system, unknowns, box_mesh_of(problem, system, *unknowns),
           std::make_unique<RefinedCorrection>(problem, system, *unknowns)) {}
 
-bool is_refined_block(const BlockProblem& problem, const BlockSystem& system) {
-  return !problem.counter && (n_ranks() == 1 || system.contact().is_nodal()) &&
-         coarsest_lattice(problem).has_value();
+bool is_refined_block(const BlockProblem& problem) {
+  return !problem.counter && coarsest_lattice(problem).has_value();
 }
 
 std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
@@ -228,7 +228,7 @@ std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
                          system.n_unknowns() > most_direct_matrix_free_unknowns;
-  if (!(is_asked || may_serve) || !is_refined_block(problem, system) ||
+  if (!(is_asked || may_serve) || !is_refined_block(problem) ||
       !is_compressible(system))
     return nullptr;
   if (problem.degree == 1)

@@ -64,8 +64,8 @@ private:
 };
 
 /// Whether RefinedCorrection serves the problem: one body whose coarsest mesh
-/// is a lattice of boxes; on several ranks contact at the nodes only.
-bool is_refined_block(const BlockProblem& problem, const BlockSystem& system);
+/// is a lattice of boxes.
+bool is_refined_block(const BlockProblem& problem);
 
 /// The block if it can solve the problem and no other solver is requested or
 /// preferable; null otherwise.

@@ -5,7 +5,7 @@
 
 #include "fem/multigrid/multigrid_cycle.hpp"
 #include "fem/multigrid/smoothed_level.hpp"
-#include "fem/refined/box_levels.hpp"
+#include "fem/refined/node_interpolation.hpp"
 
 #include <cstddef>
 #include <memory>

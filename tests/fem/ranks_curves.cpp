@@ -65,6 +65,23 @@ BlockProblem by_waves(int degree, mechanics::FarBoundary far_boundary) {
   return problem;
 }
 
+/// A block on a column with a mesh of its own, which overlaps no face of the
+/// block exactly.
+BlockProblem on_column(int degree) {
+  BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
+  problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
+  problem.counter_mesh =
+      meshes::counter_body({.shape = mechanics::CounterShape::cylinder,
+                            .radius = 0.35e-6,
+                            .height = 0.5e-6,
+                            .size_at_contact = degree * grid.spacing_x(),
+                            .size_far = 0.3e-6,
+                            .fine_radius = 0.35e-6,
+                            .centre_x = 0.5e-6,
+                            .centre_y = 0.52e-6});
+  return problem;
+}
+
 void print_meshes() {
   const BlockProblem boxes = boxes_problem(grid, 1, body, 1e-6);
   BlockProblem problem = boxes;
@@ -80,21 +97,9 @@ void print_meshes() {
   problem = boxes;
   problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
   print_curve("counter", problem, mechanics::ContactLaw::penalty);
-  for (const int degree : {1, 2}) {
-    problem = boxes_problem(grid, degree, body, 1e-6);
-    problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
-    problem.counter_mesh =
-        meshes::counter_body({.shape = mechanics::CounterShape::cylinder,
-                              .radius = 0.35e-6,
-                              .height = 0.5e-6,
-                              .size_at_contact = degree * grid.spacing_x(),
-                              .size_far = 0.3e-6,
-                              .fine_radius = 0.35e-6,
-                              .centre_x = 0.5e-6,
-                              .centre_y = 0.52e-6});
-    print_curve(degree == 1 ? "column" : "column2", problem,
+  for (const int degree : {1, 2})
+    print_curve(degree == 1 ? "column" : "column2", on_column(degree),
                 mechanics::ContactLaw::penalty);
-  }
   problem = boxes_problem(grid, 2, body, 1e-6);
   problem.sides = mechanics::BlockSides::free;
   problem.far_boundary = mechanics::FarBoundary::sliding;
@@ -205,6 +210,29 @@ void print_adaptive(const char* name, int degree, mechanics::BlockSides sides) {
   }
 }
 
+/// Gauss points of boxes with hanging nodes, in both orders.
+void print_gauss_points() {
+  for (const int degree : {1, 2}) {
+    BlockProblem problem =
+        boxes_problem({16, 16, 1e-6, 1e-6}, degree, body, 1e-6);
+    problem.mesh =
+        meshes::hanging_mesh({16 / degree, 16 / degree, 1e-6, 1e-6}, 1e-6, 2);
+    problem.contact_at = mechanics::ContactPoints::gauss;
+    problem.linear_solver = LinearSolver::multigrid;
+    print_curve(degree == 1 ? "halved_gauss" : "halved_gauss2", problem,
+                mechanics::ContactLaw::augmented);
+  }
+}
+
+/// A counter-body of second-order hexahedra.
+void print_pairs() {
+  BlockProblem problem = on_column(2);
+  problem.linear_solver = LinearSolver::multigrid;
+  print_curve("pair", problem, mechanics::ContactLaw::penalty);
+  problem.contact_at = mechanics::ContactPoints::gauss;
+  print_curve("pair_gauss", problem, mechanics::ContactLaw::augmented);
+}
+
 void print_matrix_free() {
   print_curve("hexahedra", hexahedra(mechanics::BlockSides::periodic),
               mechanics::ContactLaw::hard);
@@ -217,6 +245,8 @@ void print_matrix_free() {
   print_stiffness(hexahedra(mechanics::BlockSides::free));
   print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
   print_adaptive("first-order", 1, mechanics::BlockSides::free);
+  print_gauss_points();
+  print_pairs();
 }
 
 } // namespace

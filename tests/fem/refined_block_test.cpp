@@ -6,7 +6,6 @@
 #include "fem/refined/refined_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 
-#include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,10 +25,6 @@ using mechanics::FarBoundary;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double length = 1e-6; // m
-
-bool is_alone() {
-  return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
-}
 
 struct RefinedCase {
   const char* name;
@@ -108,8 +103,6 @@ class RefinedCases : public ::testing::TestWithParam<RefinedCase> {};
 // Verifies K u without a matrix against deal.II's matrix. Tolerance: roundoff
 // of a sum over the unknowns of a cell.
 TEST_P(RefinedCases, HaveTheStiffnessOfTheMatrix) {
-  if (GetParam().contact_at == ContactPoints::gauss && !is_alone())
-    GTEST_SKIP() << "on one process only";
   const RefinedMesh own(GetParam(), 4, 2);
   const std::unique_ptr<MatrixFreeBlock> block =
       refined_block_of(own.problem, own.system);
@@ -157,8 +150,6 @@ struct HalfContact {
 // residual times the condition number.
 TEST_P(RefinedCases, HaveTheSolutionOfTheDirectSolver) {
   const bool is_nodal = GetParam().contact_at == ContactPoints::nodes;
-  if (!is_nodal && !is_alone())
-    GTEST_SKIP() << "on one process only";
   const RefinedMesh own(GetParam(), 4, 2);
   const std::unique_ptr<MatrixFreeBlock> block =
       refined_block_of(own.problem, own.system);
@@ -234,9 +225,9 @@ TEST(RefinedBlockIterations, AreBounded) {
 // Verifies which meshes are left to other solvers.
 TEST(RefinedBlock, NeedsALatticeOfCoarsestCells) {
   RefinedMesh mesh(usual, 4, 1);
-  EXPECT_TRUE(is_refined_block(mesh.problem, mesh.system));
+  EXPECT_TRUE(is_refined_block(mesh.problem));
   shake(mesh.problem.mesh, 0.02 * length);
-  EXPECT_FALSE(is_refined_block(mesh.problem, mesh.system));
+  EXPECT_FALSE(is_refined_block(mesh.problem));
 }
 
 } // namespace
