@@ -8,8 +8,6 @@
 namespace asperity::contact {
 namespace {
 
-static_assert(rows_in_cell == std::size_t{1} << BoundaryExtension::levels);
-
 constexpr int rows_a_turn = 16;
 
 /// Weights of bilinear interpolation between the centres of cells, in one
@@ -17,22 +15,44 @@ constexpr int rows_a_turn = 16;
 constexpr float own_weight = 0.75F;
 constexpr float other_weight = 0.25F;
 
+/// Cells per side of the coarsest level, at most.
+constexpr int coarsest_cells = 4;
+
+/// Variance of the difference of cells of a level from those of the next one,
+/// over that of the preceding level: C(q) is proportional to 1/q.
+constexpr float variance_ratio = 0.5F;
+
+/// Variance of the cells of the coarsest level, over that of their difference
+/// from cells of twice the side. It is nearly without effect.
+constexpr float coarsest_variance = 4.0F;
+
 int halved(int points) {
   return (points + 1) / 2;
 }
 
 /// The cells of two nodes per side. The last one of an odd number of points is
 /// half as wide.
+Grid cells_of(const Grid& fine) {
+  return {halved(fine.points_x), halved(fine.points_y), fine.length_x,
+          fine.length_y};
+}
+
+/// The rows of cells of each rank; fine.bounds() are even, except for the last.
 SharedRows cells_of(const SharedRows& fine) {
-  const Grid& grid = fine.grid();
-  const Grid coarse{halved(grid.points_x), halved(grid.points_y), grid.length_x,
-                    grid.length_y};
+  const Grid coarse = cells_of(fine.grid());
   if (fine.ranks() == nullptr)
     return SharedRows(coarse);
   std::vector<int> bounds = fine.bounds();
   for (int& bound : bounds)
     bound = halved(bound);
   return {coarse, *fine.ranks(), std::move(bounds)};
+}
+
+/// Whether no cell of two rows belongs to two ranks.
+bool has_even_bounds(const SharedRows& rows) {
+  return std::ranges::all_of(
+      std::span(rows.bounds()).first(rows.bounds().size() - 1),
+      [](int bound) { return bound % 2 == 0; });
 }
 
 float counted(float value) {
@@ -96,186 +116,228 @@ void narrow(const float* fine, std::size_t points, float* cells) {
 
 } // namespace
 
-BoundaryExtension::Level::Level(const SharedRows& rows_)
-    : rows(rows_),
-      inverse(rows.size()),
-      values(rows.size() + 2 * rows.width()),
-      outside(values.size()) {}
+BoundaryExtension::Level::Level(const SharedRows& own_,
+                                const SharedRows& stored_, float variance_)
+    : own(own_),
+      stored(stored_),
+      variance(variance_),
+      shares(stored.size()),
+      values(stored.size() + 2 * stored.width()) {}
 
 BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers)
     : rows_(workers.rows != nullptr ? *workers.rows : SharedRows(grid)),
       threads_(workers.threads),
       outside_(rows_.size() + 2 * rows_.width()) {
-  for (std::size_t l = 0; l < levels; ++l)
-    levels_.emplace_back(cells_of(l == 0 ? rows_ : levels_.back().rows));
+  SharedRows fine = rows_;
+  float variance = variance_ratio;
+  for (bool is_coarsest = false; !is_coarsest; variance *= variance_ratio) {
+    const SharedRows cells = cells_of(fine);
+    is_coarsest = std::max(cells.grid().points_x, cells.grid().points_y) <=
+                  coarsest_cells;
+    const bool is_shared =
+        cells.ranks() != nullptr && !is_coarsest && has_even_bounds(cells);
+    levels_.emplace_back(cells, is_shared ? cells : SharedRows(cells.grid()),
+                         is_coarsest ? coarsest_variance * variance : variance);
+    fine = levels_.back().stored;
+  }
 }
 
-/// Calls do_row(iy, scratch) for each row of this process; `scratch` keeps its
-/// size from row to row.
+/// Calls do_row(iy, scratch) for each row of this process; the arrays of
+/// `scratch` keep their sizes from row to row.
 template <class DoRow>
 void BoundaryExtension::each_row(const SharedRows& rows,
                                  const DoRow& do_row) const {
   const int n_turns = (rows.count() + rows_a_turn - 1) / rows_a_turn;
   parallel_rows(n_turns, threads_, [&](int turn) {
-    std::vector<float> scratch;
+    Scratch scratch;
     const int end = std::min(rows.count(), (turn + 1) * rows_a_turn);
     for (int iy = turn * rows_a_turn; iy < end; ++iy)
       do_row(iy, scratch);
   });
 }
 
-/// Sums of the nodes, or cells, of a level over the cells of the next one.
-/// @param nodes  the first of this process
-template <class Value>
+/// Gathers the rows of all ranks, where every rank stores all and computes its
+/// own. Collective.
+/// @param rows  the stored rows
+void BoundaryExtension::complete(const Level& level, std::span<float> rows) {
+  if (level.own.ranks() == level.stored.ranks())
+    return;
+  const std::size_t width = level.own.width();
+  const std::vector<int>& bounds = level.own.bounds();
+  std::vector<std::size_t> bytes;
+  for (std::size_t r = 0; r + 1 < bounds.size(); ++r)
+    bytes.push_back(static_cast<std::size_t>(bounds[r + 1] - bounds[r]) *
+                    width * sizeof(float));
+  const std::span<const float> own = rows.subspan(
+      static_cast<std::size_t>(level.offset()) * width, level.own.size());
+  const std::vector<float> sent(own.begin(), own.end());
+  level.own.ranks()->gather_to_all(std::as_bytes(std::span(sent)), bytes,
+                                   std::as_writable_bytes(rows));
+}
+
+/// values of a level = sums over its cells, to which finish(shares, sums) is
+/// applied row by row.
+/// @param nodes  or cells of the finer level, from the first of this process
+template <class Value, class Finish>
 void BoundaryExtension::sum_cells(const SharedRows& fine, const Value* nodes,
-                                  const SharedRows& cells, float* sums) const {
-  each_row(cells, [&](int iy, std::vector<float>&) {
-    float* const own = sums + cells.grid().index(0, iy);
-    std::fill_n(own, cells.width(), 0.0F);
+                                  Level& level, const Finish& finish) const {
+  each_row(level.own, [&](int iy, Scratch&) {
+    float* const sums = level.row(level.offset() + iy);
+    std::fill_n(sums, level.own.width(), 0.0F);
     const int end = std::min(2 * iy + 2, fine.count());
     for (int row = 2 * iy; row < end; ++row)
-      add_pairs(fine.width(), nodes + fine.grid().index(0, row), own);
+      add_pairs(fine.width(), nodes + fine.grid().index(0, row), sums);
+    finish(level.shares_row(level.offset() + iy), sums);
   });
+  complete(level, level.stored_values());
 }
 
-void BoundaryExtension::build(std::span<const std::uint8_t> is_free) {
-  // First the counts, which are exact in single precision.
-  sum_cells(rows_, is_free.data(), levels_[0].rows, levels_[0].inverse.data());
-  for (std::size_t l = 1; l < levels; ++l)
-    sum_cells(levels_[l - 1].rows, levels_[l - 1].inverse.data(),
-              levels_[l].rows, levels_[l].inverse.data());
+/// The same on all levels, from the nodes to the coarsest one; calls
+/// finish(level, shares, sums).
+template <class Value, class Finish>
+void BoundaryExtension::sum_levels(const Value* nodes, const Finish& finish) {
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    const auto finish_row = [&](float* shares, float* sums) {
+      finish(level, shares, sums);
+    };
+    if (l == 0)
+      sum_cells(rows_, nodes, level, finish_row);
+    else
+      sum_cells(levels_[l - 1].stored, levels_[l - 1].row(0), level,
+                finish_row);
+  }
+}
+
+void BoundaryExtension::build(double share,
+                              std::span<const std::uint8_t> is_free) {
+  share_ = static_cast<float>(share);
+  sum_levels(is_free.data(),
+             [this](const Level& level, float* shares, float* precision) {
+               const float scale = is_finest(level) ? share_ : 1.0F;
+               for (std::size_t i = 0; i < level.own.width(); ++i) {
+                 const float own = scale * precision[i];
+                 shares[i] = 1.0F / (1.0F + level.variance * own);
+                 precision[i] = shares[i] * own;
+               }
+             });
   for (Level& level : levels_)
-    each_row(level.rows, [&](int iy, std::vector<float>&) {
-      float* const inverse = &level.inverse[level.rows.grid().index(0, iy)];
-      for (std::size_t i = 0; i < level.rows.width(); ++i)
-        inverse[i] = inverse[i] > 0.0F ? 1.0F / inverse[i] : 0.0F;
-    });
+    complete(level, level.shares);
 }
 
-/// fine = share gain (interpolation of the values of level `coarse`) on a row.
-void BoundaryExtension::interpolate(std::size_t coarse, double share, int iy,
+/// fine = interpolation of the values of a level on a row of the finer one.
+/// @param scratch  for a row of the level
+void BoundaryExtension::interpolate(Level& level, std::size_t points, int iy,
                                     std::vector<float>& scratch, float* fine) {
-  Level& level = levels_[coarse];
-  const SharedRows& fine_rows = coarse == 0 ? rows_ : levels_[coarse - 1].rows;
-  const std::size_t n = level.rows.width();
+  const std::size_t n = level.own.width();
   scratch.resize(n);
-  const float gain = static_cast<float>(share) * gains[coarse];
-  const float* const own = level.row(level.values, iy / 2);
-  const float* const other =
-      level.row(level.values, iy % 2 == 0 ? iy / 2 - 1 : iy / 2 + 1);
+  const int cells = level.offset() + iy / 2;
+  const float* const own = level.row(cells);
+  const float* const other = level.row(iy % 2 == 0 ? cells - 1 : cells + 1);
   for (std::size_t p = 0; p < n; ++p)
-    scratch[p] = gain * (own_weight * own[p] + other_weight * other[p]);
-  widen(scratch.data(), fine_rows.width(), fine);
+    scratch[p] = own_weight * own[p] + other_weight * other[p];
+  widen(scratch.data(), points, fine);
 }
 
-void BoundaryExtension::extend(double share,
-                               std::span<const std::uint8_t> is_free,
+void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
                                std::span<const float> residual,
                                std::span<float> extended) {
-  const auto sums = [this](std::size_t l) {
-    return levels_[l].row(levels_[l].values, 0);
-  };
-  sum_cells(rows_, residual.data(), levels_[0].rows, sums(0));
-  for (std::size_t l = 1; l < levels; ++l)
-    sum_cells(levels_[l - 1].rows, sums(l - 1), levels_[l].rows, sums(l));
-  for (std::size_t l = levels; l-- > 0;) {
+  sum_levels(residual.data(),
+             [this](const Level& level, const float* shares, float* sums) {
+               const float scale = is_finest(level) ? share_ : 1.0F;
+               for (std::size_t i = 0; i < level.own.width(); ++i)
+                 sums[i] *= scale * shares[i];
+             });
+  for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
-    each_row(level.rows, [&](int iy, std::vector<float>& scratch) {
-      const std::size_t n = level.rows.width();
-      const float* const inverse =
-          &level.inverse[level.rows.grid().index(0, iy)];
-      float* const values = level.row(level.values, iy);
-      float* const beyond = level.row(level.outside, iy);
-      if (l + 1 < levels)
-        interpolate(l + 1, share, iy, scratch, beyond);
-      else
-        std::fill_n(beyond, n, 0.0F);
+    const std::size_t n = level.own.width();
+    each_row(level.stored, [&](int iy, Scratch& scratch) {
+      scratch.row.resize(n, 0.0F);
+      if (l + 1 < levels_.size())
+        interpolate(levels_[l + 1], n, iy, scratch.cells, scratch.row.data());
+      const float* const shares = level.shares_row(iy);
+      const float* const beyond = scratch.row.data();
+      float* const values = level.row(iy);
       for (std::size_t i = 0; i < n; ++i)
-        values[i] = inverse[i] > 0.0F ? inverse[i] * values[i] : beyond[i];
+        values[i] = level.variance * values[i] + shares[i] * beyond[i];
     });
-    level.rows.fill_ghost_rows(std::span(level.values));
+    level.stored.fill_ghost_rows(std::span(level.values));
   }
-  each_row(rows_, [&](int iy, std::vector<float>& scratch) {
+  each_row(rows_, [&](int iy, Scratch& scratch) {
     const std::size_t first = rows_.grid().index(0, iy);
     float* const own = &extended[first];
-    interpolate(0, share, iy, scratch, own);
+    interpolate(levels_[0], rows_.width(), iy, scratch.cells, own);
     for (std::size_t i = 0; i < rows_.width(); ++i)
       own[i] = is_free[first + i] > 0 ? residual[first + i] : own[i];
   });
 }
 
-/// values of level `coarse` = the transpose of interpolate().
-/// @param outside  with ghost rows
-void BoundaryExtension::gather(std::size_t coarse, double share,
-                               const SharedRows& fine_rows,
-                               const std::vector<float>& outside) {
-  Level& level = levels_[coarse];
-  const std::size_t width = fine_rows.width();
-  const float gain = static_cast<float>(share) * gains[coarse];
+/// values of a level = its shares times the transpose of interpolate().
+/// @param field  values of the nodes, or of the cells of the finer level, with
+///               ghost rows
+void BoundaryExtension::gather(const SharedRows& fine, const float* field,
+                               Level& level) const {
+  const std::size_t width = fine.width();
   const bool has_row_before = // that has a cell of this process as neighbour
-      fine_rows.first() > 0 || fine_rows.grid().points_y % 2 == 0;
-  each_row(level.rows, [&](int iy, std::vector<float>& scratch) {
-    scratch.resize(width);
-    const auto row = [&](int fine) {
-      return outside.data() + static_cast<std::size_t>(fine + 1) * width;
+      fine.first() > 0 || fine.grid().points_y % 2 == 0;
+  each_row(level.own, [&](int iy, Scratch& scratch) {
+    scratch.row.resize(width);
+    const auto row = [&](int y) {
+      return field + static_cast<std::size_t>(y + 1) * width;
     };
-    const bool has_second = 2 * iy + 1 < fine_rows.count();
+    const bool has_second = 2 * iy + 1 < fine.count();
     const float* const first = row(2 * iy);
     const float* const second = row(2 * iy + (has_second ? 1 : 0));
     const float* const before = row(2 * iy - 1);
     const float* const after = row(2 * iy + (has_second ? 2 : 1));
     const float second_weight = has_second ? own_weight : 0.0F;
     const float before_weight = iy > 0 || has_row_before ? other_weight : 0.0F;
+    float* const sums = scratch.row.data();
     for (std::size_t i = 0; i < width; ++i)
-      scratch[i] = gain * (own_weight * first[i] + second_weight * second[i] +
-                           before_weight * before[i] + other_weight * after[i]);
-    narrow(scratch.data(), width, level.row(level.values, iy));
+      sums[i] = own_weight * first[i] + second_weight * second[i] +
+                before_weight * before[i] + other_weight * after[i];
+    float* const values = level.row(level.offset() + iy);
+    narrow(sums, width, values);
+    const float* const shares = level.shares_row(level.offset() + iy);
+    for (std::size_t i = 0; i < level.own.width(); ++i)
+      values[i] *= shares[i];
   });
+  complete(level, level.stored_values());
 }
 
-void BoundaryExtension::fold(double share,
-                             std::span<const std::uint8_t> is_free,
+void BoundaryExtension::fold(std::span<const std::uint8_t> is_free,
                              std::span<float> field) {
-  each_row(rows_, [&](int iy, std::vector<float>&) {
+  each_row(rows_, [&](int iy, Scratch&) {
     const std::size_t first = rows_.grid().index(0, iy);
     float* const outside = outside_.data() + first + rows_.width();
     for (std::size_t i = 0; i < rows_.width(); ++i)
       outside[i] = is_free[first + i] > 0 ? 0.0F : field[first + i];
   });
   rows_.fill_ghost_rows(std::span(outside_));
-  gather(0, share, rows_, outside_);
-  for (std::size_t l = 0; l + 1 < levels; ++l) {
-    Level& level = levels_[l];
-    each_row(level.rows, [&](int iy, std::vector<float>&) {
-      const float* const inverse =
-          &level.inverse[level.rows.grid().index(0, iy)];
-      const float* const values = level.row(level.values, iy);
-      float* const outside = level.row(level.outside, iy);
-      for (std::size_t i = 0; i < level.rows.width(); ++i)
-        outside[i] = inverse[i] > 0.0F ? 0.0F : values[i];
-    });
-    level.rows.fill_ghost_rows(std::span(level.outside));
-    gather(l + 1, share, level.rows, level.outside);
+  gather(rows_, outside_.data(), levels_[0]);
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+    levels_[l].stored.fill_ghost_rows(std::span(levels_[l].values));
+    gather(levels_[l].stored, levels_[l].values.data(), levels_[l + 1]);
   }
-  for (std::size_t l = levels; l-- > 0;) { // what each active node takes
+  for (std::size_t l = levels_.size(); l-- > 0;) { // what each cell takes
     Level& level = levels_[l];
-    each_row(level.rows, [&](int iy, std::vector<float>&) {
-      const float* const inverse =
-          &level.inverse[level.rows.grid().index(0, iy)];
-      float* const values = level.row(level.values, iy);
+    each_row(level.stored, [&](int iy, Scratch&) {
+      const float* const shares = level.shares_row(iy);
       const float* const above =
-          l + 1 < levels ? levels_[l + 1].row(levels_[l + 1].values, iy / 2)
-                         : nullptr;
-      for (std::size_t i = 0; i < level.rows.width(); ++i)
-        values[i] =
-            inverse[i] * values[i] + (above != nullptr ? above[i / 2] : 0.0F);
+          l + 1 < levels_.size()
+              ? levels_[l + 1].row(levels_[l + 1].offset() + iy / 2)
+              : nullptr;
+      float* const values = level.row(iy);
+      for (std::size_t i = 0; i < level.own.width(); ++i)
+        values[i] = level.variance * values[i] +
+                    (above != nullptr ? shares[i] * above[i / 2] : 0.0F);
     });
   }
-  each_row(rows_, [&](int iy, std::vector<float>&) {
+  each_row(rows_, [&](int iy, Scratch&) {
     float* const own = &field[rows_.grid().index(0, iy)];
-    const float* const above = levels_[0].row(levels_[0].values, iy / 2);
+    const float* const above = levels_[0].row(levels_[0].offset() + iy / 2);
     for (std::size_t i = 0; i < rows_.width(); ++i)
-      own[i] += above[i / 2];
+      own[i] += share_ * above[i / 2];
   });
 }
 

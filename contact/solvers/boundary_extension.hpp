@@ -4,6 +4,8 @@
 // boundary, and applies the transpose to the result, which makes the masked
 // preconditioner efficient.
 
+#include "contact/operators/workers.hpp"
+
 #include <array>
 #include <cstdint>
 #include <span>
@@ -14,77 +16,105 @@
 namespace asperity::contact {
 
 /// The linear map E from a residual on the active nodes to a field on the grid.
-/// It is the identity on the active nodes. Cells of 2, 4 and 8 nodes per side,
-/// the levels 1, 2 and 3, hold the mean of the residual over their active
-/// nodes. Cells without an active node, and inactive nodes, take
+/// It is the identity on the active nodes. On the inactive ones it is an
+/// estimate of the residual there from that on the active ones, as if the
+/// residual were a random field with the spectrum C(q), proportional to 1/q:
+/// squares of 2 by 2 nodes are the cells of level 1, 2 by 2 cells of level l
+/// those of level l + 1, until at most four remain per side, and the values of
+/// the nodes in a cell, or of the cells in a larger one, differ from its value
+/// independently of each other, by variances v_l = 2^-l. With r_0 the residual
+/// and n_0 = 1 on the active nodes, both 0 elsewhere, and sums over the nodes
+/// or cells in a cell, the values e_l are computed from the finest level to the
+/// coarsest one and back:
 ///
-///     e_l = share gain_l (interpolation of e_(l+1))                    (R.1)
+///     n_1 = s sum n_0,            r_1 = s sum r_0
+///     n_(l+1) = sum k_l n_l,      r_(l+1) = sum k_l r_l,
+///     k_l = 1 / (1 + v_l n_l)                                        (R.1)
+///     e_l = k_l (v_l r_l + interpolation of e_(l+1))
 ///
-/// where the interpolation is bilinear between the centres of the cells; on
-/// level 3 they take 0. The grid is continued periodically.
+/// On inactive nodes, E r is the interpolation of e_1. The interpolation is
+/// bilinear between the centres of the cells, on the periodic continuation of
+/// the grid; on the coarsest level it is 0. s <= 1 is the share of the
+/// compliance of short waves in that of a node, which also has the compliance
+/// of a penalty: the latter is noise of the nodes.
 ///
 /// Reason: the inverse of C on the active nodes corresponds to the continuation
-/// of the residual with the least energy. F^-1 C^-1 F corresponds to the
-/// continuation by 0, whose jump at the contact boundary has an energy that
-/// grows with the logarithm of contact size over grid spacing. The least energy
-/// has a continuation that decays over the length on which the residual varies,
-/// short waves sooner than long ones, and a mean over a large cell contains
-/// only the latter.
+/// of the residual with the least energy, sum |r(q)|^2 / C(q), which is that
+/// estimate (both are the mean of a Gaussian field under a condition).
+/// F^-1 C^-1 F corresponds to the continuation by 0, whose jump at the contact
+/// boundary has an energy that grows with contact size over grid spacing. With
+/// E, the condition number was 1.2 on contacts of 512^2, 1024^2 and 2048^2
+/// nodes, see docs/numerics/solver-measurements.md.
 ///
-/// All calls are collective; fields have the nodes of this process.
+/// The calls are collective; fields have the nodes of this process.
 class BoundaryExtension {
 public:
-  static constexpr std::size_t levels = 3;
-
-  /// Of nodes, and of cells of levels 1 and 2: measured, see
-  /// docs/numerics/solver-measurements.md.
-  static constexpr std::array<float, levels> gains{0.85F, 0.75F, 0.65F};
-
   /// @param workers  whose ranks share the rows of the grid, if there are any
   BoundaryExtension(const Grid& grid, const Workers& workers);
 
-  /// Counts the active nodes of each cell, those with is_free[i] > 0.
-  void build(std::span<const std::uint8_t> is_free);
+  /// Determines k_l. Required before the other calls.
+  /// @param share    s in 0..1
+  /// @param is_free  > 0 at the active nodes
+  void build(double share, std::span<const std::uint8_t> is_free);
 
   /// extended = E residual.
   /// @param residual  0 at the inactive nodes
   /// @param extended  overwritten; not `residual`
-  void extend(double share, std::span<const std::uint8_t> is_free,
+  void extend(std::span<const std::uint8_t> is_free,
               std::span<const float> residual, std::span<float> extended);
 
   /// field = E^T field on the active nodes; elsewhere the result has no
   /// meaning.
-  void fold(double share, std::span<const std::uint8_t> is_free,
-            std::span<float> field);
+  void fold(std::span<const std::uint8_t> is_free, std::span<float> field);
 
 private:
-  /// The cells of one level. Arrays with ghost rows begin with the row before
-  /// those of this process.
+  /// The cells of one level. Ranks share the rows of fine levels; from the
+  /// first level on whose rows cannot be shared any more, each rank stores all.
   struct Level {
-    explicit Level(const SharedRows& rows_);
+    Level(const SharedRows& own_, const SharedRows& stored_, float variance_);
 
-    SharedRows rows;
-    std::vector<float> inverse; ///< 1 / active nodes, 0 if there are none
-    std::vector<float> values;  ///< with ghost rows
-    std::vector<float> outside; ///< with ghost rows; 0 where a cell has nodes
+    SharedRows own;    ///< rows that this rank computes from the finer level
+    SharedRows stored; ///< rows that it stores: its own, or all
+    float variance;    ///< v_l
+    std::vector<float> shares; ///< k_l
+    std::vector<float> values; ///< with ghost rows
 
-    float* row(std::vector<float>& field, int iy) const {
-      return field.data() + static_cast<std::size_t>(iy + 1) * rows.width();
+    /// The first of its own rows among those it stores.
+    int offset() const { return own.first() - stored.first(); }
+
+    float* row(int iy) {
+      return values.data() + static_cast<std::size_t>(iy + 1) * stored.width();
     }
+
+    float* shares_row(int iy) {
+      return shares.data() + static_cast<std::size_t>(iy) * stored.width();
+    }
+
+    std::span<float> stored_values() { return {row(0), stored.size()}; }
   };
+
+  /// Memory of a loop over rows.
+  struct Scratch {
+    std::vector<float> cells, row;
+  };
+
+  bool is_finest(const Level& level) const { return &level == &levels_[0]; }
 
   template <class DoRow>
   void each_row(const SharedRows& rows, const DoRow& do_row) const;
-  template <class Value>
-  void sum_cells(const SharedRows& fine, const Value* nodes,
-                 const SharedRows& cells, float* sums) const;
-  void interpolate(std::size_t coarse, double share, int iy,
-                   std::vector<float>& scratch, float* fine);
-  void gather(std::size_t coarse, double share, const SharedRows& fine_rows,
-              const std::vector<float>& outside);
+  static void complete(const Level& level, std::span<float> rows);
+  template <class Value, class Finish>
+  void sum_cells(const SharedRows& fine, const Value* nodes, Level& level,
+                 const Finish& finish) const;
+  template <class Value, class Finish>
+  void sum_levels(const Value* nodes, const Finish& finish);
+  static void interpolate(Level& level, std::size_t points, int iy,
+                          std::vector<float>& scratch, float* fine);
+  void gather(const SharedRows& fine, const float* field, Level& level) const;
 
   SharedRows rows_;
   int threads_;
+  float share_ = 1.0F; ///< s
   std::vector<Level> levels_;
   std::vector<float> outside_; ///< with ghost rows; 0 at the active nodes
 };

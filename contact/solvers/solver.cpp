@@ -72,16 +72,14 @@ private:
   void precondition(ContactState& state) {
     const double c = state.problem.local_compliance;
     if (state.freed != freed_at_build_) {
-      extension_.build(state.freedom);
+      const double short_wave = state.elasticity.short_wave_compliance();
+      extension_.build(short_wave / (short_wave + c), state.freedom);
       freed_at_build_ = state.freed;
     }
-    // A soft penalty acts locally and does not couple neighbouring nodes.
-    const double short_wave = state.elasticity.short_wave_compliance();
-    const double share = short_wave / (short_wave + c);
     std::vector<float>& extended = compliance_direction_; // free until step()
-    extension_.extend(share, state.freedom, state.residual, extended);
+    extension_.extend(state.freedom, state.residual, extended);
     state.elasticity.pressure_estimate(extended, c, preconditioned_);
-    extension_.fold(share, state.freedom, preconditioned_);
+    extension_.fold(state.freedom, preconditioned_);
     ++state.transforms;
   }
 

@@ -91,7 +91,7 @@ void extension_build(benchmark::State& state) {
   const ContactState contact = partial_contact(elasticity, heights);
   BoundaryExtension extension(elasticity.grid(), 1);
   for (auto _ : state)
-    extension.build(contact.freedom);
+    extension.build(1.0, contact.freedom);
 }
 
 void extension_extend_and_fold(benchmark::State& state) {
@@ -100,11 +100,11 @@ void extension_extend_and_fold(benchmark::State& state) {
       problems::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
   BoundaryExtension extension(elasticity.grid(), 1);
-  extension.build(contact.freedom);
+  extension.build(1.0, contact.freedom);
   std::vector<float> extended(heights.size());
   for (auto _ : state) {
-    extension.extend(1.0, contact.freedom, contact.residual, extended);
-    extension.fold(1.0, contact.freedom, extended);
+    extension.extend(contact.freedom, contact.residual, extended);
+    extension.fold(contact.freedom, extended);
   }
 }
 
