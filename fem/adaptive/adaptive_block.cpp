@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace asperity::fem {
@@ -21,6 +20,13 @@ namespace {
 
 /// Tolerance of solutions that only decide on the mesh.
 constexpr double loose_tolerance = 1e-4;
+
+/// Least mean gap of such solutions, over the prescribed one.
+constexpr double least_share = 0.5;
+
+/// Share of a prescribed mean gap that gaps between the nodes of a cell in hard
+/// contact may have.
+constexpr double gap_share = 0.05;
 
 /// Passes in addition to one per halving.
 constexpr int extra_passes = 4;
@@ -48,9 +54,19 @@ std::shared_ptr<MeshChange::Mesh> coarsest_mesh(const BlockProblem& problem) {
   return adaptive;
 }
 
-double mean_of(std::span<const double> field) {
-  return std::accumulate(field.begin(), field.end(), 0.0) /
-         static_cast<double>(field.size());
+/// The mean height of a surface with the finest cells, in which the functions
+/// at the vertices and those at the middle of edges of a second-order cell
+/// integrate to the weights of Simpson's rule.
+double mean_height(const BlockProblem& problem,
+                   std::span<const double> heights) {
+  const auto weight = [&](int i) {
+    return problem.degree == 1 ? 1.0 : (i % 2 == 0 ? 2.0 : 4.0) / 3.0;
+  };
+  double sum = 0.0;
+  for (int iy = 0; iy < problem.grid.points_y; ++iy)
+    for (int ix = 0; ix < problem.grid.points_x; ++ix)
+      sum += weight(ix) * weight(iy) * heights[problem.grid.index(ix, iy)];
+  return sum / static_cast<double>(heights.size());
 }
 
 class AdaptiveBlock final : public FullBlock {
@@ -104,10 +120,16 @@ private:
     BlockContact contact;
   };
 
+  /// Whether gaps have a prescribed mean and cannot be negative.
+  static bool excludes_overlap(const Step& step) {
+    return step.load.control == mechanics::Control::mean_gap &&
+           step.contact.law != mechanics::ContactLaw::penalty;
+  }
+
   BlockSolution solve_on_mesh(const Step& step, double tolerance);
   static BlockWatch watch_of_pass(const Step& step, int pass,
                                   const BlockSolution& before);
-  bool change_mesh(const BlockSolution& found, const BlockContact& contact,
+  bool change_mesh(const BlockSolution& found, const Step& step,
                    bool may_coarsen);
   void rebuild(MeshChange& change, std::span<const double> pressure);
 
@@ -117,8 +139,11 @@ private:
   std::vector<double> weights_; ///< all ones: fields are samples
 };
 
-/// Solves with the mean height of the grid in place of that of the contact
-/// points.
+/// Solves with the mean height of the finest mesh in place of that of the
+/// contact points. On a coarse mesh, no pressure may then lead to the
+/// prescribed mean gap: a gap at the nodes of the grid may be an overlap at the
+/// contact points, which hard contact excludes. A mean gap of the points of at
+/// least half of the prescribed one serves to decide on the mesh.
 BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   const ContactPoints& points = block_->system().contact();
   const std::vector<double> at_points =
@@ -128,10 +153,13 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
     mean_at_points += points[i].area * at_points[i];
   mean_at_points = dealii::Utilities::MPI::sum(mean_at_points, MPI_COMM_WORLD) /
                    points.area();
-  const double missed = mean_at_points - mean_of(step.heights);
+  const double missed = mean_at_points - mean_height(problem_, step.heights);
   mechanics::LoadTarget load = step.load;
-  if (load.control == mechanics::Control::mean_gap)
+  if (load.control == mechanics::Control::mean_gap) {
     load.amount -= missed;
+    if (tolerance > 0.0 && excludes_overlap(step))
+      load.amount = std::max(load.amount, least_share * step.load.amount);
+  }
   BlockContact contact = step.contact;
   contact.tolerance = std::max(tolerance, contact.tolerance);
   BlockSolution found = block_->solve(step.heights, load, contact);
@@ -175,7 +203,7 @@ BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
   };
   do
     solve_pass(loose_tolerance);
-  while (pass++ < most_passes && change_mesh(total, contact, pass == 1));
+  while (pass++ < most_passes && change_mesh(total, step, pass == 1));
   const bool is_settled = pass <= most_passes;
   solve_pass(0.0);
   if (!is_settled && total.note.empty())
@@ -185,15 +213,18 @@ BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
 
 /// Changes the mesh where the solution requires it. Returns whether it has
 /// changed; if so, the block on the new mesh continues from that solution.
-bool AdaptiveBlock::change_mesh(const BlockSolution& found,
-                                const BlockContact& contact, bool may_coarsen) {
-  const double compliance = contact.law == mechanics::ContactLaw::penalty
-                                ? 1.0 / contact.penalty
+bool AdaptiveBlock::change_mesh(const BlockSolution& found, const Step& step,
+                                bool may_coarsen) {
+  const double compliance = step.contact.law == mechanics::ContactLaw::penalty
+                                ? 1.0 / step.contact.penalty
                                 : 0.0;
   std::vector<double> gap = found.gap;
   for (std::size_t i = 0; i < gap.size(); ++i)
     gap[i] += compliance * found.pressure[i];
-  const RefinementRule rule(problem_, *block_, {found.pressure, gap},
+  FoundContact fields{found.pressure, gap};
+  if (excludes_overlap(step))
+    fields.gap_tolerance = gap_share * step.load.amount;
+  const RefinementRule rule(problem_, *block_, fields,
                             found.nominal_pressure /
                                 std::max(found.area_by_points, 1e-300));
   MeshChange change(problem_, *mesh_, rule.changes(may_coarsen));

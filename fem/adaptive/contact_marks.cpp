@@ -1,5 +1,6 @@
 #include "fem/adaptive/contact_marks.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::fem {
@@ -29,7 +30,9 @@ bool ContactMarks::is_troubled(int ix, int iy, double tolerance) const {
 
 void ContactMarks::examine(const CellRange& face) {
   const double edge = (face.last_x - face.first_x) * cells_.spacing_x();
-  const double tolerance = fields_.pressure_tolerance * edge / fields_.modulus;
+  const double tolerance =
+      std::min(fields_.gap_tolerance,
+               fields_.pressure_tolerance * edge / fields_.modulus);
   for (int iy = face.first_y; iy < face.last_y; ++iy)
     for (int ix = face.first_x; ix < face.last_x; ++ix)
       if (is_troubled(ix, iy, tolerance))

@@ -7,6 +7,7 @@
 
 #include "base/grid.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct SurfaceFields {
   /// nodes of a cell of edge H changes the pressure by about E* e / H.
   double modulus = 0.0;
   double pressure_tolerance = 0.0; ///< of that change [Pa]
+  /// Of the gap at a node under pressure, in cells of any edge [m].
+  double gap_tolerance = std::numeric_limits<double>::infinity();
 };
 
 /// A rectangle of finest cells: first <= i < last.
@@ -36,10 +39,10 @@ struct CellRange {
 /// A cell face of the mesh is examined at all nodes of the grid inside of it. A
 /// finest cell in it is marked if some of its nodes are under pressure and
 /// others are not, if a node without pressure penetrates, or if the gap at a
-/// node under pressure exceeds pressure_tolerance H / modulus in magnitude,
-/// with H the edge of the face. A contact that the nodes of a coarse cell miss
-/// thus shows as penetration between them, and inside of a contact with smooth
-/// heights coarse cells remain.
+/// node under pressure exceeds gap_tolerance, or pressure_tolerance H / modulus
+/// with H the edge of the face, in magnitude. A contact that the nodes of a
+/// coarse cell miss thus shows as penetration between them, and inside of a
+/// contact with smooth heights coarse cells remain.
 class ContactMarks {
 public:
   explicit ContactMarks(const SurfaceFields& fields);

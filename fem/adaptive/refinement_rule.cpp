@@ -31,7 +31,8 @@ SurfaceFields fields_of(const BlockProblem& problem, const BlockSystem& system,
           found.pressure,
           found.gap,
           modulus_ratio * system.face_shear_modulus(),
-          pressure_share * contact_pressure};
+          pressure_share * contact_pressure,
+          found.gap_tolerance};
 }
 
 /// Gives every rank the marks of all.

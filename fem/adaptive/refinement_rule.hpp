@@ -8,6 +8,7 @@
 #include "fem/adaptive/mesh_change.hpp"
 #include "fem/solution/meshed_block.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,9 @@ namespace asperity::fem {
 
 /// A solution at the nodes of the grid; see SurfaceFields.
 struct FoundContact {
-  std::span<const double> pressure; ///< [Pa] >= 0
-  std::span<const double> gap;      ///< [m]
+  std::span<const double> pressure;                               ///< [Pa] >= 0
+  std::span<const double> gap;                                    ///< [m]
+  double gap_tolerance = std::numeric_limits<double>::infinity(); ///< [m]
 };
 
 /// The rule of adaptive_block.hpp for one solution.

@@ -14,8 +14,8 @@ using dealii::Utilities::MPI::max;
 /// moduli per node spacing.
 constexpr double first_spring = 1e3;
 
-/// Fraction of the tolerance below which a penetration or a tensile pressure is
-/// considered roundoff.
+/// Fraction of the tolerances of gap and forces below which a penetration or a
+/// tensile pressure is considered roundoff.
 constexpr double slack = 0.1;
 
 /// Maximum number of steps: an active set that converges does so within some
@@ -35,18 +35,25 @@ void ContactNewton::take_wall_pressure(const std::vector<bool>& active) {
 }
 
 /// The next active set: removes points under tension and adds points that
-/// penetrate.
+/// penetrate. A tension that is kept is set to zero at the end, so that it is
+/// small for the gap and for the balance of the forces. Under a light load the
+/// pressure of a gap tolerance exceeds all others.
 std::vector<bool> ContactNewton::next_active(const std::vector<bool>& active,
+                                             const BlockContact& contact,
                                              double gap_tolerance) const {
   double highest = 0.0;
   for (const double pressure : pressure_)
     highest = std::max(highest, pressure);
   const double pull = slack * gap_tolerance * stiffness_scale_;
   const double rounding = 1e-12 * max(highest, MPI_COMM_WORLD);
+  const double force = slack * contact.tolerance * largest_force();
   std::vector<bool> next(active.size());
-  for (std::size_t i = 0; i < next.size(); ++i)
-    next[i] = active[i] ? pressure_[i] >= -std::max(pull, rounding)
-                        : gap(i) < -slack * gap_tolerance;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const double tension =
+        std::max(std::min(pull, force / system_.contact()[i].area), rounding);
+    next[i] =
+        active[i] ? pressure_[i] >= -tension : gap(i) < -slack * gap_tolerance;
+  }
   return next;
 }
 
@@ -77,7 +84,7 @@ bool ContactNewton::active_set(const mechanics::LoadTarget& load,
       return false;
     }
     take_wall_pressure(active);
-    const std::vector<bool> next = next_active(active, gap_tolerance);
+    const std::vector<bool> next = next_active(active, contact, gap_tolerance);
     const int changed = n_changed(next, active);
     const double residual = unbalanced();
     report_step(answer.iterations, residual, changed);

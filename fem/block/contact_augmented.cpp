@@ -13,11 +13,21 @@ namespace {
 using dealii::Utilities::MPI::max;
 using dealii::Utilities::MPI::min;
 
-/// Bounds of the working penalty in Newton's method, in shear moduli per node
-/// spacing. With a softer one the multiplier needs many augmentations; with a
-/// stiffer one the roundoff of the gap is no longer small in the pressure.
+/// Bounds of the first working penalty in Newton's method, in shear moduli per
+/// node spacing. With a softer one the multiplier needs many augmentations;
+/// with a stiffer one the roundoff of the gap may no longer be small in the
+/// pressure.
 constexpr double softest_spring = 1e3;
 constexpr double stiffest_spring = 1e5;
+
+/// The working penalty grows by this factor if an augmentation has left more
+/// than this share of the violation.
+constexpr double stiffer = 10.0;
+constexpr double slow = 0.25;
+
+/// Share of the tolerance of forces that the roundoff of gaps may have in the
+/// pressure of the working penalty.
+constexpr double roundoff_share = 0.1;
 
 } // namespace
 
@@ -29,6 +39,21 @@ double ContactNewton::own_spring(const BlockContact& contact) const {
                          ? 0.0
                          : softest_spring * stiffness_scale_;
   return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
+}
+
+/// The working penalty [Pa/m] above which the roundoff of a gap, the difference
+/// of rigid gap, displacement and height, is no longer small in the pressure.
+double ContactNewton::stiffest_penalty(double tolerance) const {
+  double length = std::abs(rigid_gap_);
+  double highest = 0.0;
+  for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    length = std::max(
+        {length, std::abs(face_displacement_[i]), std::abs(heights_[i])});
+    highest = std::max(highest, pressure_[i]);
+  }
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  return roundoff_share * tolerance * max(highest, MPI_COMM_WORLD) /
+         (epsilon * max(length, MPI_COMM_WORLD));
 }
 
 /// The violation of the contact law: the largest |gap + c p| in contact and the
@@ -44,6 +69,18 @@ double ContactNewton::violation(double compliance) const {
   return max(largest, MPI_COMM_WORLD);
 }
 
+/// The next working penalty [Pa/m] if augmentations with the present one reduce
+/// the violation slowly, because modes of the block are stiffer: a thin, nearly
+/// incompressible coating is stiffer than its shear modulus per node spacing by
+/// a factor of 1e4 and more. A penalty stays softer than that of the contact.
+double ContactNewton::stiffer_penalty(const BlockContact& working,
+                                      const BlockContact& contact) const {
+  double limit = stiffest_penalty(working.tolerance);
+  if (contact.law == mechanics::ContactLaw::penalty)
+    limit = std::min(limit, contact.penalty);
+  return std::max(working.penalty, std::min(stiffer * working.penalty, limit));
+}
+
 void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
                                   const BlockContact& contact,
                                   double height_scale, BlockSolution& answer) {
@@ -53,11 +90,9 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
   const double compliance = contact.law == mechanics::ContactLaw::penalty
                                 ? 1.0 / contact.penalty
                                 : 0.0;
-  // The part of a pressure that the working penalty does not represent in the
-  // gap.
   const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
                       spring.penalty == contact.penalty;
-  const double kept = is_own ? 0.0 : 1.0 - spring.penalty * compliance;
+  double last = std::numeric_limits<double>::infinity();
   while (newton(load, spring, answer)) {
     answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
     answer.converged = answer.residual <= contact.tolerance;
@@ -67,6 +102,12 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
     if (missing > 0.0 &&
         !can_bear(missing, contact.tolerance * height_scale, answer))
       break;
+    if (answer.residual > slow * last)
+      spring.penalty = stiffer_penalty(spring, contact);
+    last = answer.residual;
+    // The part of a pressure that the working penalty does not represent in the
+    // gap.
+    const double kept = 1.0 - spring.penalty * compliance;
     for (std::size_t i = 0; i < multiplier_.size(); ++i)
       multiplier_[i] = kept * (pressure_[i] + missing);
   }

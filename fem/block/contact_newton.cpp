@@ -255,7 +255,12 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   watch_ = contact.watch;
   progress_ = {.unknowns = system_.n_unknowns()};
   iterations_before_ = iterations;
-  if (contact.law == mechanics::ContactLaw::hard)
+  if (load.control == mechanics::Control::mean_gap && load.amount <= 0.0 &&
+      contact.law != mechanics::ContactLaw::penalty)
+    answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
+                              "but must be > 0 m where nothing overlaps",
+                              load.amount);
+  else if (contact.law == mechanics::ContactLaw::hard)
     solve_wall(load, contact, height_scale, answer);
   else
     solve_springs(load, contact, height_scale, answer);
@@ -282,11 +287,28 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   answer.memory = solver_.memory();
   if (answer.converged && !(answer.residual <= contact.tolerance)) {
     answer.converged = false;
-    answer.note =
-        fmt::format("the nodal forces are not balanced to the tolerance of "
-                    "{:.2g}: {:.2g} of the largest contact force is left",
-                    contact.tolerance, answer.residual);
+    answer.note = why_unbalanced(contact.tolerance, answer.residual);
   }
+}
+
+/// The note of a step whose forces are not balanced. The tolerance may be below
+/// the roundoff of the forces, where the contact force is that of soft springs
+/// and the block is stiff.
+std::string ContactNewton::why_unbalanced(double tolerance,
+                                          double residual) const {
+  constexpr double most_roundings = 10.0;
+  const double rounding = rounding_force() / largest_force();
+  std::string note =
+      fmt::format("the nodal forces are not balanced to the tolerance of "
+                  "{:.2g}: {:.2g} of the largest contact force is left",
+                  tolerance, residual);
+  if (most_roundings * rounding > tolerance &&
+      residual <= most_roundings * rounding)
+    note += fmt::format(
+        "; the roundoff of the displacements of this block is a force of "
+        "{:.2g} of it, so that the tolerance must be at least {:.2g}",
+        rounding, most_roundings * rounding);
+  return note;
 }
 
 } // namespace asperity::fem

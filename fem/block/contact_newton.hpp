@@ -10,6 +10,7 @@
 
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace asperity::fem {
@@ -109,6 +110,9 @@ private:
   void take_heights(std::vector<double> heights);
   void lift_off(double mean_gap_target);
   double own_spring(const BlockContact& contact) const;
+  double stiffest_penalty(double tolerance) const;
+  double stiffer_penalty(const BlockContact& working,
+                         const BlockContact& contact) const;
   void update_pressure(double penalty);
   bool any(const std::vector<bool>& set) const;
   int n_changed(const std::vector<bool>& a, const std::vector<bool>& b) const;
@@ -117,6 +121,8 @@ private:
   void find_imbalance();
   double largest_force() const; ///< maximum over the points [N]
   double unbalanced();
+  double rounding_force() const;
+  std::string why_unbalanced(double tolerance, double residual) const;
   double violation(double compliance) const;
   void solve_springs(const mechanics::LoadTarget& load,
                      const BlockContact& contact, double height_scale,
@@ -136,6 +142,7 @@ private:
                   const BlockContact& contact, double gap_tolerance,
                   BlockSolution& answer);
   std::vector<bool> next_active(const std::vector<bool>& active,
+                                const BlockContact& contact,
                                 double gap_tolerance) const;
   void take_wall_pressure(const std::vector<bool>& active);
   bool step(const mechanics::LoadTarget& load, std::span<const double> springs,

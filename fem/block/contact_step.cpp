@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace asperity::fem {
@@ -69,6 +70,22 @@ double ContactNewton::unbalanced() {
   if (!std::isfinite(imbalance_.l2_norm()))
     return std::numeric_limits<double>::infinity();
   return largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
+}
+
+/// The largest nodal force [N] by which displacements differ that differ by
+/// half a unit in the last place, with signs from the bits of their values. No
+/// solution in double precision is balanced much better.
+double ContactNewton::rounding_force() const {
+  constexpr double half = 0.5 * std::numeric_limits<double>::epsilon();
+  Vector rounding(displacement_);
+  for (const auto unknown : rounding.locally_owned_elements()) {
+    const bool is_odd = std::hash<double>{}(rounding(unknown)) % 2 == 1;
+    rounding(unknown) = (is_odd ? -half : half) * displacement_(unknown);
+  }
+  rounding.compress(dealii::VectorOperation::insert);
+  Vector forces(rounding);
+  solver_.multiply(forces, rounding);
+  return forces.linfty_norm();
 }
 
 /// The force per unit of approach, as an l2 norm over the points [N/m]. A

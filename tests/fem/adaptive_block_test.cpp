@@ -250,6 +250,37 @@ TEST(AdaptiveBlock, AveragesAllHeights) {
   }
 }
 
+// A paraboloid almost in full contact at a mean gap of a hundredth of its
+// height. The mean height of the nodes of coarse cells is off by more, so that
+// no load leads to this mean gap on the coarsest mesh; the mesh refines until
+// the load is that of the uniform block, whose nodes are those of the finest
+// cells.
+TEST(AdaptiveBlock, ReachesSmallMeanGaps) {
+  const Grid grid{16, 16, length, length};
+  constexpr double height = 1e-3 * length;
+  std::vector<double> heights(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      heights[grid.index(ix, iy)] =
+          -height * (std::pow(2.0 * ix / grid.points_x - 1.0, 2) +
+                     std::pow(2.0 * iy / grid.points_y - 1.0, 2));
+  for (const int degree : {1, 2}) {
+    const auto block =
+        make_adaptive_block(adaptive_problem(grid, degree, 3 - degree));
+    const auto uniform = uniform_block(grid, degree);
+    const mechanics::LoadTarget target{Control::mean_gap, 0.01 * height};
+
+    const BlockSolution found = block->solve(heights, target, contact_of(grid));
+    const BlockSolution expected =
+        uniform->solve(heights, target, contact_of(grid));
+
+    ASSERT_TRUE(found.converged && expected.converged) << found.note;
+    EXPECT_LT(share(found.mean_gap, target.amount), 1e-6);
+    EXPECT_LT(share(found.nominal_pressure, expected.nominal_pressure), 0.05)
+        << degree;
+  }
+}
+
 // Other elements, contact points, contact laws and boundaries: the area agrees
 // with that of the uniform block within a cell and the mean gap within 1 %.
 TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {

@@ -21,7 +21,7 @@ protected:
 
   /// The marks after an examination of one face.
   ContactMarks examined(const CellRange& face) const {
-    ContactMarks marks({grid_, 2, pressure_, gap_, 100.0, 1.0});
+    ContactMarks marks({grid_, 2, pressure_, gap_, 100.0, 1.0, gap_tolerance_});
     marks.examine(face);
     return marks;
   }
@@ -30,6 +30,7 @@ protected:
   std::vector<double> pressure_ = std::vector<double>(grid_.size(), 0.0);
   std::vector<double> gap_ = std::vector<double>(grid_.size(), 1.0);
   const CellRange coarse_{0, 4, 0, 4};
+  double gap_tolerance_ = 1.0;
 };
 
 TEST_F(Marks, AreAbsentWithoutContact) {
@@ -60,6 +61,18 @@ TEST_F(Marks, FollowTheBoundaryOfTheContact) {
   EXPECT_TRUE(marks.is_marked_near({2, 3, 1, 2})); // nodes 4, 5 of 4 to 6
   EXPECT_FALSE(marks.is_marked_near({0, 1, 1, 2}));
   EXPECT_TRUE(marks.is_touched({0, 1, 1, 2}));
+}
+
+// A smaller gap is marked if the gap has a tolerance of its own.
+TEST_F(Marks, FollowGapsAboveTheirTolerance) {
+  for (int iy = 0; iy <= 8; ++iy)
+    for (int ix = 0; ix <= 8; ++ix)
+      press(ix, iy);
+  gap_[node(3, 3)] = 0.03;
+  EXPECT_FALSE(examined(coarse_).is_marked_near(coarse_));
+
+  gap_tolerance_ = 0.02;
+  EXPECT_TRUE(examined(coarse_).is_marked_near({1, 2, 1, 2}));
 }
 
 // Inside of a contact, a gap in either direction is marked if it exceeds

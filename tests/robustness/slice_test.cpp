@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "robustness/run_instance.hpp"
 
@@ -170,6 +171,63 @@ TEST(Slice, BalancesLightLoadsBetweenTheHighestNodes) {
     EXPECT_EQ(report.outcome, Outcome::verified)
         << index << ", " << report.check << ": " << report.reason;
   }
+}
+
+/// A problem with a direct solver beside it, which was drawn for two ranks.
+Instance drawn_for_one_process(std::uint64_t seed, int index) {
+  Instance instance = draw_instance(seed, index);
+  instance.path = Path::library;
+  instance.relation = MetamorphicRelation::direct_solver;
+  return instance;
+}
+
+// Pressures below that of a gap tolerance: tension at nodes in contact must be
+// small for the balance of forces, too. Sawteeth on a block with hanging nodes
+// and a flat surface on one of gmsh, whose last steps left a tension of 24 and
+// 47 % of the largest force.
+TEST(Slice, KeepsNoTensionUnderLightLoads) {
+  for (const auto& [seed, index] : {std::pair{601, 1355}, {4001, 8387}}) {
+    const InstanceReport report =
+        run_instance(draw_instance(static_cast<std::uint64_t>(seed), index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << ", " << report.check << ": " << report.reason;
+  }
+}
+
+// Paraboloids on adaptive meshes, almost in full contact at a prescribed mean
+// gap: second-order nodes have unequal areas, and the mean height is that of
+// these areas, below which no mean gap exists.
+TEST(Slice, ReachesSmallMeanGapsOnAdaptiveMeshes) {
+  for (const auto& [seed, index] : {std::pair{1001, 391}, {4001, 7714}}) {
+    const InstanceReport report =
+        run_instance(draw_instance(static_cast<std::uint64_t>(seed), index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << ", " << report.check << ": " << report.reason;
+  }
+}
+
+// A thin, nearly incompressible coating is stiffer than its shear modulus per
+// node spacing by a factor of 6e4, so that the working penalty has to grow.
+TEST(Slice, AugmentsStiffCoatings) {
+  const InstanceReport report = run_instance(drawn_for_one_process(5001, 7123));
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << report.check << ": " << report.reason;
+  EXPECT_TRUE(report.has_pair);
+  EXPECT_LT(report.iterations, 100);
+}
+
+// Soft springs on a nearly incompressible coating, 858 times stiffer than the
+// block: the roundoff of its displacements exceeds the tolerance of forces.
+TEST(Slice, SaysThatForcesCannotBeRepresented) {
+  const InstanceReport report = run_instance(draw_instance(1001, 1666));
+
+  EXPECT_EQ(report.outcome, Outcome::refused);
+  EXPECT_NE(report.reason.find("roundoff of the displacements"),
+            std::string::npos)
+      << report.reason;
 }
 
 /// A problem that was found before meshes were drawn, on its mesh of layers.
