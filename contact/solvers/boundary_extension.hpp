@@ -4,9 +4,6 @@
 // boundary, and applies the transpose to the result, which makes the masked
 // preconditioner efficient.
 
-#include "contact/operators/workers.hpp"
-
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
