@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity::contact {
 namespace {
@@ -35,31 +36,54 @@ std::vector<double> every_second(const SharedRows& fine,
   return picked;
 }
 
-/// @param field  the coarse rows of this process, between the rows beside them
+/// Value half-way between the inner two of four equidistant ones, cubic in
+/// between.
+double between(double before, double left, double right, double after) {
+  return 0.5625 * (left + right) - 0.0625 * (before + after);
+}
+
+/// The row half-way between the second and third of four rows.
+std::vector<double> row_between(std::span<const double> four_rows) {
+  const std::size_t width = four_rows.size() / 4;
+  std::vector<double> middle(width);
+  for (std::size_t i = 0; i < width; ++i)
+    middle[i] = between(four_rows[i], four_rows[width + i],
+                        four_rows[2 * width + i], four_rows[3 * width + i]);
+  return middle;
+}
+
+/// The positive part of a row at twice as many points.
+void put_positive(std::span<const double> coarse, std::span<double> fine) {
+  const std::size_t n = coarse.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double middle = between(coarse[(i + n - 1) % n], coarse[i],
+                                  coarse[(i + 1) % n], coarse[(i + 2) % n]);
+    fine[2 * i] = std::max(0.0, coarse[i]);
+    fine[2 * i + 1] = std::max(0.0, middle);
+  }
+}
+
+/// The positive part of the cubic interpolation of a field.
+/// @param field  the coarse rows of this process, after the row before and
+///               before the two rows after them
 std::vector<double> interpolated(const SharedRows& coarse_rows,
                                  const SharedRows& fine_rows,
                                  std::span<const double> field, int threads) {
-  const Grid& coarse = coarse_rows.grid();
-  const Grid& fine = fine_rows.grid();
+  const std::size_t width = coarse_rows.width();
   std::vector<double> result(fine_rows.size());
   parallel_rows(coarse_rows.count(), threads, [&](int iy) {
-    for (int ix = 0; ix < coarse.points_x; ++ix) {
-      const int right = (ix + 1) % coarse.points_x;
-      const double here = field[coarse.index(ix, iy + 1)];
-      const double east = field[coarse.index(right, iy + 1)];
-      const double north = field[coarse.index(ix, iy + 2)];
-      const double corner = field[coarse.index(right, iy + 2)];
-      result[fine.index(2 * ix, 2 * iy)] = here;
-      result[fine.index(2 * ix + 1, 2 * iy)] = 0.5 * (here + east);
-      result[fine.index(2 * ix, 2 * iy + 1)] = 0.5 * (here + north);
-      result[fine.index(2 * ix + 1, 2 * iy + 1)] =
-          0.25 * (here + east + north + corner);
-    }
+    const auto rows =
+        field.subspan(static_cast<std::size_t>(iy) * width, 4 * width);
+    const auto fine =
+        std::span(result).subspan(fine_rows.grid().index(0, 2 * iy), 4 * width);
+    put_positive(rows.subspan(width, width), fine.first(2 * width));
+    put_positive(row_between(rows), fine.last(2 * width));
   });
   return result;
 }
 
-/// The rows of this process between the rows beside them.
+/// The rows of this process, after the row before and before the two rows after
+/// them.
 /// @param field  these rows, or all rows
 std::vector<double> with_ghost_rows(const SharedRows& rows,
                                     std::span<const double> field) {
@@ -67,10 +91,32 @@ std::vector<double> with_ghost_rows(const SharedRows& rows,
   if (field.size() != rows.size())
     field = field.subspan(static_cast<std::size_t>(rows.first()) * width,
                           rows.size());
-  std::vector<double> padded(rows.size() + 2 * width);
+  std::vector<double> padded(rows.size() + 3 * width);
   std::ranges::copy(field, padded.begin() + static_cast<std::ptrdiff_t>(width));
-  rows.fill_ghost_rows(std::span(padded));
+  const std::span<double> all(padded);
+  rows.fill_ghost_rows(all.first(rows.size() + 2 * width));
+  // The second row of the next rank, or the row after its only one.
+  const std::span<double> second = all.subspan(2 * width, width);
+  const std::span<double> last = all.last(width);
+  if (rows.ranks() == nullptr)
+    std::ranges::copy(second, last.begin());
+  else
+    rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
+                       std::as_writable_bytes(last));
   return padded;
+}
+
+/// The pressure where there is one, otherwise minus a pressure that would close
+/// the gap if it varied on the scale of the grid. Interpolation finds the
+/// boundary of the contact between the two.
+/// @param compliance  [m/Pa] of such a pressure
+std::vector<double> signed_pressure(ContactSolution&& solution,
+                                    double compliance) {
+  std::vector<double> field = std::move(solution.pressure);
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (!(field[i] > 0.0))
+      field[i] = -std::max(0.0, solution.gap[i]) / compliance;
+  return field;
 }
 
 } // namespace
@@ -91,13 +137,16 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   ContactProblem coarse_problem = problem;
   coarse_problem.heights = heights;
   coarse_problem.gap_tolerance = coarse_tolerance;
-  const ContactSolution solution = solve_contact_from(
+  ContactSolution solution = solve_contact_from(
       coarse_start(*coarse, coarse_problem, target, coarse_tolerance), *coarse,
       coarse_problem, target);
   if (!std::isfinite(solution.gap_error))
     return {};
+  const std::vector<double> field =
+      signed_pressure(std::move(solution), elasticity.short_wave_compliance() +
+                                               problem.local_compliance);
   return interpolated(coarse_rows, fine_rows,
-                      with_ghost_rows(coarse_rows, solution.pressure),
+                      with_ghost_rows(coarse_rows, field),
                       elasticity.threads());
 }
 

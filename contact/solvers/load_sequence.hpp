@@ -81,8 +81,9 @@ private:
 };
 
 /// Pressure of the same problem on every second node, solved to
-/// `coarse_tolerance` [m] and interpolated bilinearly; empty if the operator
-/// has no coarse version or if the coarse residual is not finite.
+/// `coarse_tolerance` [m] and interpolated with the gap, so that the boundary
+/// of the contact is found between the nodes; empty if the operator has no
+/// coarse version or if the coarse residual is not finite.
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
                                  const ContactProblem& problem,
                                  const mechanics::LoadTarget& target,
