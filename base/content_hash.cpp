@@ -10,20 +10,54 @@ namespace asperity {
 
 namespace {
 
+using Digest = std::array<unsigned char, EVP_MAX_MD_SIZE>;
+
+std::string digits_of(const Digest& digest, unsigned int length) {
+  std::string digits;
+  for (unsigned int i = 0; i < length; ++i)
+    digits += fmt::format("{:02x}", digest[i]);
+  return digits;
+}
+
 std::string hash_of(std::string_view text, const EVP_MD* method,
                     const char* method_name) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  Digest digest{};
   unsigned int length = 0;
   if (EVP_Digest(text.data(), text.size(), digest.data(), &length, method,
                  nullptr) != 1)
     throw std::runtime_error(fmt::format("OpenSSL has no {}", method_name));
-  std::string hash;
-  for (unsigned int i = 0; i < length; ++i)
-    hash += fmt::format("{:02x}", digest[i]);
-  return hash;
+  return digits_of(digest, length);
 }
 
 } // namespace
+
+struct ContentHash::State {
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{
+      EVP_MD_CTX_new(), EVP_MD_CTX_free};
+};
+
+ContentHash::ContentHash() : state_(std::make_unique<State>()) {
+  if (!state_->context ||
+      EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("OpenSSL has no SHA-256");
+}
+
+ContentHash::~ContentHash() = default;
+
+void ContentHash::add(std::string_view bytes) {
+  if (EVP_DigestUpdate(state_->context.get(), bytes.data(), bytes.size()) != 1)
+    throw std::runtime_error("OpenSSL failed to hash bytes");
+}
+
+std::string ContentHash::text() const {
+  const State copy; // the digest of OpenSSL ends its context
+  Digest digest{};
+  unsigned int length = 0;
+  if (EVP_MD_CTX_copy_ex(copy.context.get(), state_->context.get()) != 1 ||
+      EVP_DigestFinal_ex(copy.context.get(), digest.data(), &length) != 1)
+    throw std::runtime_error("OpenSSL failed to hash bytes");
+  return digits_of(digest, length);
+}
 
 std::string content_hash(std::string_view text) {
   return hash_of(text, EVP_sha256(), "SHA-256");

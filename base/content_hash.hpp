@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -7,6 +8,24 @@ namespace asperity {
 
 /// SHA-256 of a text, as 64 hexadecimal digits.
 std::string content_hash(std::string_view text);
+
+/// The same of bytes that come in pieces.
+class ContentHash {
+public:
+  ContentHash();
+  ~ContentHash();
+  ContentHash(const ContentHash&) = delete;
+  ContentHash& operator=(const ContentHash&) = delete;
+
+  void add(std::string_view bytes);
+
+  /// The digits of all bytes so far.
+  std::string text() const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// MD5 of a text, as 32 hexadecimal digits: for file formats that prescribe it,
 /// not for security.

@@ -105,7 +105,7 @@ std::string correction_of_whole_map(const SurfaceSpec& surface) {
 
 std::string reason_of(const SurfaceSpec& surface,
                       const std::optional<WindowReader>& reader) {
-  const std::string correction = correction_of_whole_map(surface);
+  std::string correction = correction_of_whole_map(surface);
   if (!correction.empty())
     return correction;
   if (!reader)

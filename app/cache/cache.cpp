@@ -11,7 +11,8 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace asperity::app {
@@ -78,34 +79,61 @@ std::uintmax_t total_bytes_of(const std::vector<Entry>& entries) {
   return bytes;
 }
 
+/// Bytes of an entry that are in memory at a time while it is checked.
+constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+
 /// The header of an entry. It holds the key and the kind, so that a renamed
 /// entry is detected.
+/// @param hash  of the bytes behind the header
 std::string head_of(const std::string& key, const std::string& kind,
-                    std::string_view bytes) {
-  return fmt::format("asperity-cache-2\n{} {}\n{}\n", key, kind,
-                     content_hash(bytes));
+                    const std::string& hash) {
+  return fmt::format("asperity-cache-2\n{} {}\n{}\n", key, kind, hash);
 }
 
-/// Returns the bytes after the header if the header matches this entry and the
+std::size_t head_size(const std::string& key, const std::string& kind) {
+  return head_of(key, kind, content_hash("")).size();
+}
+
+/// Opens the bytes after the header if the header matches this entry and the
 /// hash of the bytes.
-std::optional<std::string> checked_bytes(const fs::path& path,
-                                         const std::string& key,
-                                         const std::string& kind) {
+std::optional<CacheEntry> checked_entry(const fs::path& path,
+                                        const std::string& key,
+                                        const std::string& kind) {
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf()))
+  std::string head(head_size(key, kind), '\0');
+  if (!stream.read(head.data(), static_cast<std::streamsize>(head.size())))
     return std::nullopt;
-  const std::string read = std::move(text).str();
-  const std::size_t head = head_of(key, kind, "").size();
-  if (read.size() < head)
+  ContentHash hash;
+  std::uintmax_t size = 0;
+  std::string piece(piece_bytes, '\0');
+  do {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    const auto count = static_cast<std::size_t>(stream.gcount());
+    hash.add(std::string_view(piece).substr(0, count));
+    size += count;
+  } while (stream);
+  if (!stream.eof() || head != head_of(key, kind, hash.text()))
     return std::nullopt;
-  std::string bytes = read.substr(head);
-  if (!read.starts_with(head_of(key, kind, bytes)))
-    return std::nullopt;
-  return bytes;
+  stream.clear();
+  return CacheEntry(std::move(stream), head.size(), size);
 }
 
 } // namespace
+
+CacheEntry::CacheEntry(std::ifstream stream, std::uintmax_t begin,
+                       std::uintmax_t size)
+    : stream_(std::move(stream)), begin_(begin), size_(size) {
+  go_to(0);
+}
+
+void CacheEntry::read(std::span<char> bytes) {
+  if (!stream_.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    throw std::runtime_error("an entry of the cache became shorter");
+}
+
+void CacheEntry::go_to(std::uintmax_t place) {
+  stream_.seekg(static_cast<std::streamoff>(begin_ + place));
+}
 
 Cache::Cache(fs::path folder, std::uintmax_t most_bytes)
     : folder_(std::move(folder)),
@@ -122,25 +150,40 @@ bool Cache::has(const std::string& key, const std::string& kind) const {
 
 std::optional<std::string> Cache::read(const std::string& key,
                                        const std::string& kind) {
+  std::optional<CacheEntry> entry = open(key, kind);
+  if (!entry)
+    return std::nullopt;
+  std::string bytes(entry->size(), '\0');
+  entry->read(bytes);
+  return bytes;
+}
+
+std::optional<CacheEntry> Cache::open(const std::string& key,
+                                      const std::string& kind) {
   if (!has(key, kind))
     return std::nullopt;
-  std::optional<std::string> bytes =
-      checked_bytes(path_of(key, kind), key, kind);
+  std::optional<CacheEntry> entry =
+      checked_entry(path_of(key, kind), key, kind);
   std::error_code error;
-  if (bytes) {
+  if (entry) {
     fs::last_write_time(path_of(key, kind), fs::file_time_type::clock::now(),
                         error);
   } else if (has(key, kind)) { // not removed by another process meanwhile
     ++damaged_;
     remove(key, kind);
   }
-  return bytes;
+  return entry;
 }
 
 void Cache::write(const std::string& key, const std::string& kind,
                   std::string_view bytes) {
-  const std::string head = head_of(key, kind, bytes);
-  const std::uintmax_t size = head.size() + bytes.size();
+  write(key, kind, bytes.size(),
+        [bytes](const TakeBytes& take) { take(bytes); });
+}
+
+void Cache::write(const std::string& key, const std::string& kind,
+                  std::uintmax_t size, const BytePieces& pieces) {
+  size += head_size(key, kind);
   if (size > most_bytes_)
     return;
   std::error_code error;
@@ -150,7 +193,18 @@ void Cache::write(const std::string& key, const std::string& kind,
   // The file is not synced to disk: an entry that a power failure truncates
   // does not pass the check.
   std::ofstream stream(part, std::ios::binary);
-  stream << head << bytes;
+  ContentHash hash;
+  stream << head_of(key, kind, hash.text());
+  try {
+    pieces([&](std::string_view bytes) {
+      hash.add(bytes);
+      stream << bytes;
+    });
+  } catch (...) {
+    fs::remove(part, error);
+    throw;
+  }
+  stream.seekp(0) << head_of(key, kind, hash.text());
   stream.close();
   if (stream)
     fs::rename(part, path, error);

@@ -7,13 +7,41 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace asperity::app {
+
+/// Receives the next bytes of an entry.
+using TakeBytes = std::function<void(std::string_view)>;
+/// Gives all bytes of an entry to a function, piece by piece.
+using BytePieces = std::function<void(const TakeBytes&)>;
+
+/// An entry whose bytes were found undamaged, open for reading. It remains
+/// readable if the cache removes it.
+class CacheEntry {
+public:
+  /// @param begin  place of the first byte in the file
+  CacheEntry(std::ifstream stream, std::uintmax_t begin, std::uintmax_t size);
+
+  std::uintmax_t size() const { return size_; }
+
+  /// Reads the next bytes.
+  /// @throws std::runtime_error  the file has become shorter
+  void read(std::span<char> bytes);
+  void go_to(std::uintmax_t place);
+
+private:
+  std::ifstream stream_;
+  std::uintmax_t begin_;
+  std::uintmax_t size_;
+};
 
 /// The kinds of entries, used as file name extensions.
 namespace entry_kind {
@@ -63,11 +91,22 @@ public:
   std::optional<std::string> read(const std::string& key,
                                   const std::string& kind);
 
+  /// Opens an entry, whose bytes are checked by pieces. Returns nothing if it
+  /// is missing or damaged.
+  std::optional<CacheEntry> open(const std::string& key,
+                                 const std::string& kind);
+
   /// Returns true if the file of the entry exists. The file is not opened.
   bool has(const std::string& key, const std::string& kind) const;
 
   void write(const std::string& key, const std::string& kind,
              std::string_view bytes);
+
+  /// The same for bytes that come in pieces.
+  /// @param size    number of all bytes; if the cache has no room for them,
+  ///                `pieces` is not called
+  void write(const std::string& key, const std::string& kind,
+             std::uintmax_t size, const BytePieces& pieces);
 
   void remove(const std::string& key, const std::string& kind);
 

@@ -2,8 +2,10 @@
 
 #include "app/cache/resolved_keys.hpp"
 #include "base/content_hash.hpp"
+#include "base/read_file.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "md/engines.hpp"
 #include "meshes/geometry_files.hpp"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace asperity::app {
 namespace {
@@ -43,6 +46,15 @@ bool is_key(const std::string& table, const std::string& name) {
   const std::vector<cases::Key>& keys = cases::vocabulary_table(table).keys;
   return std::any_of(keys.begin(), keys.end(),
                      [&](const cases::Key& key) { return key.name == name; });
+}
+
+std::string hash_of_input(const std::filesystem::path& path) {
+  try {
+    require_regular_file(path, input::largest_number_file);
+    return hash_of_file(path);
+  } catch (const FileError& error) {
+    throw input::InputError(error.what());
+  }
 }
 
 /// Returns "" if the case names no such file.
@@ -155,13 +167,26 @@ std::string CaseKeys::of_operator(const std::string& text) const {
   return content_hash(program_ + "\n" + text);
 }
 
+std::string hash_of_file(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  ContentHash hash;
+  std::string piece(std::size_t{1} << 20, '\0');
+  while (
+      stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+      stream.gcount() > 0)
+    hash.add(std::string_view(piece).substr(
+        0, static_cast<std::size_t>(stream.gcount())));
+  if (!stream.eof())
+    throw FileError(path.string() + ": cannot be read");
+  return hash.text();
+}
+
 std::map<std::string, std::string>
 input_hashes(const cases::Case& contact_case) {
   std::map<std::string, std::string> inputs;
   const auto add = [&](const char* key, const std::string& path) {
     if (!path.empty())
-      inputs[key] = content_hash(
-          input::read_input_file(path, input::largest_number_file));
+      inputs[key] = hash_of_input(path);
   };
   add(surface_file, contact_case.surface.file);
   if (contact_case.material.variation)
@@ -169,8 +194,7 @@ input_hashes(const cases::Case& contact_case) {
   if (!contact_case.mesh.file.empty()) {
     std::string hashes;
     for (const auto& path : meshes::geometry_files(contact_case.mesh.file))
-      hashes += content_hash(
-          input::read_input_file(path, input::largest_number_file));
+      hashes += hash_of_input(path);
     inputs[mesh_file] = content_hash(hashes);
   }
   return inputs;

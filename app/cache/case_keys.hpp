@@ -8,6 +8,7 @@
 #include "cases/types/case.hpp"
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -62,6 +63,10 @@ private:
   std::map<std::string, std::string> inputs_; ///< input_hashes()
   std::string problem_text_;                  ///< text of surface and material
 };
+
+/// The content_hash() of the bytes of a file, which is read by pieces.
+/// @throws FileError  it cannot be read
+std::string hash_of_file(const std::filesystem::path& path);
 
 /// Returns the SHA-256 hash of each file that the case names, by the key that
 /// names it: "surface.file", "material.variation.file" or "mesh.file". A base

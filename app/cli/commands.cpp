@@ -108,6 +108,7 @@ RunOptions options_of(const ReadCase& read, const fs::path& folder,
   RunOptions options{folder, command.methods, command.resume, command.threads,
                      read.reference};
   options.is_exact = command.is_exact;
+  options.has_report = !command.no_report;
   options.cache = &cache;
   options.ranks = n_mpi_ranks();
   options.ranks_on_machine = n_ranks_on_machine();

@@ -105,10 +105,10 @@ public:
 
   std::string found_at_setup() const override { return atoms_->description(); }
 
-  std::vector<double> state() const override { return atoms_->state(); }
+  SavedState state() const override { return saved_state(atoms_->state()); }
 
-  void restore(std::span<const double> state) override {
-    atoms_->restore(state);
+  void restore(const StateReader& state) override {
+    atoms_->restore(state.all());
   }
 
 private:

@@ -3,12 +3,13 @@
 // Converts solved load steps and tables of studies to the bytes of cache
 // entries and back.
 
+#include "app/cache/cache.hpp"
 #include "app/methods/step_solver.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace asperity::app {
 
@@ -18,19 +19,31 @@ struct CachedStep {
   double setup_cpu_time = 0.0; ///< of the method on this realisation [s]
   std::string found_at_setup;  ///< see StepSolver::found_at_setup()
 
-  bool has_maps() const { return !answer.pressure.empty(); }
+  bool has_maps() const { return !answer.pressure.empty() || answer.rows; }
 };
 
-/// Converts to the bytes of a cache entry. All numbers are restored bit by bit,
-/// except that maps are stored in single precision as in a result file.
-std::string bytes_of(const CachedStep& step);
+/// The entry of a step: its length without maps, this part, and the maps in
+/// single precision as in a result file, which come by rows if ranks hold them.
+/// All other numbers are restored bit by bit.
+struct StepEntry {
+  std::uintmax_t size = 0; ///< [B]
+  BytePieces bytes;
+};
+
+/// @param step  must outlive the result
+StepEntry entry_of(const CachedStep& step);
+
+/// Converts to the bytes of a cache entry.
 std::string bytes_of(const results::Table& table);
-std::string bytes_of(const std::vector<double>& numbers);
 
 /// Converts from the bytes of a cache entry. Returns nothing if the bytes were
-/// not written by the functions above.
-std::optional<CachedStep> cached_step(std::string_view bytes);
+/// not written by the functions above. Large maps are left in the entry, and
+/// the answer reads them by rows.
+std::optional<CachedStep> cached_step(CacheEntry entry);
 std::optional<results::Table> kept_table(std::string_view bytes);
-std::optional<std::vector<double>> kept_numbers(std::string_view bytes);
+
+/// The entry of a state.
+StepEntry entry_of(const SavedState& state);
+std::optional<StateReader> kept_state(CacheEntry entry);
 
 } // namespace asperity::app

@@ -35,15 +35,9 @@ public:
     return steps_->solve(target);
   }
 
-  std::vector<double> state() const override { return steps_->memory(); }
+  SavedState state() const override { return steps_->memory(); }
 
-  std::size_t gathered_state_bytes() const override {
-    return steps_->gathered_memory_bytes();
-  }
-
-  void restore(std::span<const double> state) override {
-    steps_->recall(state);
-  }
+  void restore(const StateReader& state) override { steps_->recall(state); }
 
   double saved_setup_time() const override { return saved_setup_time_; }
 

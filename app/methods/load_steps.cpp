@@ -51,10 +51,10 @@ public:
     return answer;
   }
 
-  std::vector<double> memory() const override { return sequence_.memory(); }
+  SavedState memory() const override { return saved_state(sequence_.memory()); }
 
-  void recall(std::span<const double> memory) override {
-    sequence_.recall(memory);
+  void recall(const StateReader& memory) override {
+    sequence_.recall(memory.all());
   }
 
 private:

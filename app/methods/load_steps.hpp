@@ -6,9 +6,7 @@
 #include "app/methods/curve_row.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
-#include <cstddef>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace asperity::app {
@@ -22,12 +20,10 @@ public:
   /// be left out.
   virtual StepAnswer solve(const StepTarget& target) = 0;
 
-  virtual std::vector<double> memory() const = 0;
+  /// The numbers of contact::LoadSequence::memory().
+  virtual SavedState memory() const = 0;
 
-  /// Size of memory() at most, if it is gathered from ranks; else 0 [B].
-  virtual std::size_t gathered_memory_bytes() const { return 0; }
-
-  virtual void recall(std::span<const double> memory) = 0;
+  virtual void recall(const StateReader& memory) = 0;
 };
 
 /// What a loading path is made of besides the operator and the heights.

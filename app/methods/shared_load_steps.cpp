@@ -8,12 +8,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
+
+#include "ranks/rank_sums.hpp"
+#include "ranks/rows_from_rank_0.hpp"
 
 namespace asperity::app {
 namespace {
@@ -160,38 +164,61 @@ void send_part(const json& command, const results::TakeValues& take) {
       command.at("field") == "pressure" ? part.pressure : part.gap, take);
 }
 
-/// The layout of contact::LoadSequence::memory(): a number, then a number and a
-/// field of each step.
-std::vector<double> memory_part(const json& command) {
-  const RankPart& part = part_in(command);
-  const std::vector<double> own = part.steps->memory();
-  std::vector<double> all;
-  for (std::size_t at = 1; at < own.size(); at += part.rows.size() + 1) {
-    if (all.empty())
-      all.push_back(own[0]);
-    all.push_back(own[at]);
-    const std::vector<double> field = part.rows.gathered_on_rank_0(
-        std::span(own).subspan(at + 1, part.rows.size()));
-    all.insert(all.end(), field.begin(), field.end());
-  }
-  return all;
+/// The memory of this rank: a number, then a number and the rows of a field of
+/// each step.
+std::vector<double> own_memory(const RankPart& part) {
+  std::vector<double> own;
+  const SavedState memory = part.steps->memory();
+  own.reserve(memory.count);
+  if (memory.count > 0)
+    memory.numbers([&](std::span<const double> numbers) {
+      own.insert(own.end(), numbers.begin(), numbers.end());
+    });
+  return own;
 }
 
-void recall_part(const json& command, std::span<const double> memory) {
-  RankPart& part = part_in(command);
-  const std::size_t nodes = part.rows.grid().size();
-  const auto numbers = command.at("numbers").get<std::vector<double>>();
-  std::vector<double> own;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    own.push_back(numbers[k]);
-    if (k == 0)
-      continue;
-    const std::vector<double> field = part.rows.scattered(
-        memory.empty() ? memory
-                       : memory.subspan(2 + (k - 1) * (nodes + 1), nodes));
-    own.insert(own.end(), field.begin(), field.end());
+std::size_t n_steps_in(std::size_t numbers, std::size_t nodes) {
+  return numbers == 0 ? 0 : (numbers - 1) / (nodes + 1);
+}
+
+/// Passes the memory of all ranks to rank 0, with whole fields.
+void memory_part(const json& command, const results::TakeValues& take) {
+  const RankPart& part = part_in(command);
+  const std::vector<double> own = own_memory(part);
+  const std::span<const double> numbers = own;
+  const std::size_t nodes = part.rows.size();
+  const bool takes = part.rows.ranks()->rank() == 0;
+  if (takes)
+    take(numbers.first(1));
+  for (std::size_t k = 0; k < n_steps_in(own.size(), nodes); ++k) {
+    const std::size_t at = 1 + k * (nodes + 1);
+    if (takes)
+      take(numbers.subspan(at, 1));
+    part.rows.pass_to_rank_0(numbers.subspan(at + 1, nodes), take);
   }
-  part.steps->recall(own);
+}
+
+/// Divides a memory that rank 0 reads among the ranks.
+void recall_part(const json& command, const StateReader& memory) {
+  RankPart& part = part_in(command);
+  RankGroup& ranks = *part.rows.ranks();
+  const std::size_t nodes = part.rows.size();
+  const std::size_t steps = command.at("steps");
+  std::vector<double> own(command.at("is_empty") ? 0 : 1 + steps * (nodes + 1));
+  const auto take_number = [&](double& number) {
+    if (ranks.rank() == 0)
+      memory.next(std::span(&number, 1));
+    number = of_ranks(&ranks, number).front();
+  };
+  if (!own.empty())
+    take_number(own.front());
+  for (std::size_t k = 0; k < steps; ++k) {
+    const std::size_t at = 1 + k * (nodes + 1);
+    take_number(own[at]);
+    std::ranges::copy(rows_from_rank_0(part.rows, memory.next),
+                      own.begin() + static_cast<std::ptrdiff_t>(at + 1));
+  }
+  part.steps->recall(saved_reader(own));
 }
 
 void drop_part(const json& command) {
@@ -244,29 +271,26 @@ public:
     return answer;
   }
 
-  std::size_t gathered_memory_bytes() const override {
-    return (2 * nodes_ + 3) * sizeof(double);
-  }
-
-  std::vector<double> memory() const override {
+  SavedState memory() const override {
     const json ask = command("memory");
-    std::vector<double> memory;
-    lead(ask, [&] { memory = memory_part(ask); });
-    return memory;
+    const RankPart& own = part_in(ask);
+    const std::size_t numbers = own_memory(own).size();
+    if (numbers == 0)
+      return {};
+    const std::size_t steps = n_steps_in(numbers, own.rows.size());
+    return {1 + steps * (nodes_ + 1), [ask](const results::TakeValues& take) {
+              lead(ask, [&] { memory_part(ask, take); });
+            }};
   }
 
-  void recall(std::span<const double> memory) override {
-    const std::size_t length = nodes_ + 1;
-    if (!memory.empty() && memory.size() != 1 + length &&
-        memory.size() != 1 + 2 * length)
+  void recall(const StateReader& memory) override {
+    const std::size_t steps = n_steps_in(memory.count, nodes_);
+    if (memory.count != 0 &&
+        (steps < 1 || steps > 2 || memory.count != 1 + steps * (nodes_ + 1)))
       throw std::domain_error("a saved state has another number of nodes");
     json recall = command("recall");
-    std::vector<double> numbers;
-    if (!memory.empty())
-      numbers.push_back(memory[0]);
-    for (std::size_t at = 1; at < memory.size(); at += length)
-      numbers.push_back(memory[at]);
-    recall["numbers"] = numbers;
+    recall["steps"] = steps;
+    recall["is_empty"] = memory.count == 0;
     lead(recall, [&] { recall_part(recall, memory); });
   }
 
@@ -326,7 +350,7 @@ void follow_shared_steps(const std::string& text) {
   else if (what == "send")
     send_part(command, {});
   else if (what == "memory")
-    static_cast<void>(memory_part(command));
+    memory_part(command, {});
   else if (what == "recall")
     recall_part(command, {});
   else

@@ -9,10 +9,10 @@ bool StepChain::has(std::size_t step) const {
 std::optional<CachedStep> StepChain::read(std::size_t step, bool needs_maps,
                                           bool needs_section) {
   const std::string& key = keys_.at(step);
-  const std::optional<std::string> bytes = cache_.read(key, entry_kind::step);
-  if (!bytes)
+  std::optional<CacheEntry> entry = cache_.open(key, entry_kind::step);
+  if (!entry)
     return std::nullopt;
-  std::optional<CachedStep> kept = cached_step(*bytes);
+  std::optional<CachedStep> kept = cached_step(std::move(*entry));
   if (!kept)
     cache_.remove(key, entry_kind::step);
   if (kept && ((needs_maps && !kept->has_maps()) ||
@@ -22,22 +22,23 @@ std::optional<CachedStep> StepChain::read(std::size_t step, bool needs_maps,
 }
 
 void StepChain::keep(std::size_t step, const CachedStep& kept,
-                     const std::vector<double>& state) {
+                     const SavedState& state) {
   if (!cache_.is_on())
     return;
-  cache_.write(keys_.at(step), entry_kind::step, bytes_of(kept));
-  if (state.empty())
+  const StepEntry entry = entry_of(kept);
+  cache_.write(keys_.at(step), entry_kind::step, entry.size, entry.bytes);
+  if (state.count == 0)
     return;
-  cache_.write(keys_[step], entry_kind::state, bytes_of(state));
+  const StepEntry saved = entry_of(state);
+  cache_.write(keys_[step], entry_kind::state, saved.size, saved.bytes);
   if (step > 0)
     cache_.remove(keys_[step - 1], entry_kind::state);
 }
 
-std::vector<double> StepChain::state_after(std::size_t step) {
-  const std::optional<std::string> bytes =
-      cache_.read(keys_.at(step), entry_kind::state);
-  return bytes ? kept_numbers(*bytes).value_or(std::vector<double>())
-               : std::vector<double>();
+std::optional<StateReader> StepChain::state_after(std::size_t step) {
+  std::optional<CacheEntry> entry =
+      cache_.open(keys_.at(step), entry_kind::state);
+  return entry ? kept_state(std::move(*entry)) : std::nullopt;
 }
 
 } // namespace asperity::app

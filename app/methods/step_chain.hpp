@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::app {
@@ -21,12 +22,6 @@ public:
 
   bool is_on() const { return cache_.is_on(); }
 
-  /// Returns false if the cache would refuse an entry of so many bytes, besides
-  /// some for names.
-  bool has_room_for(std::size_t bytes) const {
-    return bytes <= cache_.most_bytes();
-  }
-
   /// Returns true if an entry for the step exists. The entry is not opened.
   bool has(std::size_t step) const;
 
@@ -35,16 +30,17 @@ public:
   std::optional<CachedStep> read(std::size_t step, bool needs_maps,
                                  bool needs_section);
 
-  /// Caches a step.
+  /// Caches a step. Maps and states that ranks hold pass through rank 0 by
+  /// rows, unless the cache has no room for them.
   ///
   /// @param state  StepSolver::state() after the step. The state after the
   ///               previous step is removed, because a run continues only from
   ///               the last one.
   void keep(std::size_t step, const CachedStep& kept,
-            const std::vector<double>& state = {});
+            const SavedState& state = {});
 
-  /// Returns the solver state after a step; empty if there is none.
-  std::vector<double> state_after(std::size_t step);
+  /// Returns the solver state after a step; nothing if there is none.
+  std::optional<StateReader> state_after(std::size_t step);
 
 private:
   Cache& cache_;

@@ -7,10 +7,13 @@
 #include "results/types/map_rows.hpp"
 #include "results/types/result.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::app {
@@ -38,6 +41,43 @@ struct StepAnswer {
   std::optional<results::Table> section = {};
 };
 
+/// The state of a solver, as numbers that are passed on piece by piece, because
+/// ranks may hold them. Valid until the solver is called again.
+struct SavedState {
+  std::size_t count = 0;    ///< of numbers; 0: there is no state
+  results::MapRows numbers; ///< passes all of them, in their order
+};
+
+inline SavedState saved_state(std::vector<double> numbers) {
+  const std::size_t count = numbers.size();
+  return {count, [kept = std::move(numbers)](const results::TakeValues& take) {
+            take(kept);
+          }};
+}
+
+/// The same numbers, which are read in their order.
+struct StateReader {
+  std::size_t count = 0;
+  /// Fills a span with the next numbers.
+  std::function<void(std::span<double>)> next;
+
+  std::vector<double> all() const {
+    std::vector<double> numbers(count);
+    next(numbers);
+    return numbers;
+  }
+};
+
+/// Reads numbers in memory, which must outlive the result.
+inline StateReader saved_reader(std::span<const double> numbers) {
+  return {numbers.size(),
+          [numbers, at = std::size_t{0}](std::span<double> next) mutable {
+            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at),
+                        next.size(), next.begin());
+            at += next.size();
+          }};
+}
+
 /// Solves the load steps of one method on one realisation.
 class StepSolver {
 public:
@@ -51,16 +91,10 @@ public:
   /// Returns the state from which the next step starts, so that another process
   /// can continue with identical results. It is empty for a method that cannot
   /// be continued.
-  virtual std::vector<double> state() const { return {}; }
-
-  /// Returns the size of state() at most, if ranks would have to gather it on
-  /// rank 0; 0 if this process has it [B].
-  virtual std::size_t gathered_state_bytes() const { return 0; }
+  virtual SavedState state() const { return {}; }
 
   /// Restores the state of an equal solver.
-  virtual void restore(std::span<const double> state) {
-    static_cast<void>(state);
-  }
+  virtual void restore(const StateReader& state) { static_cast<void>(state); }
 
   /// Returns the additional CPU time that set-up would have taken without the
   /// cached parts of an earlier run [s].

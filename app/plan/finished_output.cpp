@@ -27,8 +27,17 @@ constexpr const char* list_name = "output.json";
 /// would replace the steps of many other cases.
 constexpr std::uintmax_t smallest_number_of_outputs = 10;
 
-std::string hash_of_file(const fs::path& file) {
-  return content_hash(read_file(file, INT64_MAX));
+/// Passes the bytes of a file on by pieces.
+BytePieces pieces_of(const fs::path& file) {
+  return [file](const TakeBytes& take) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string piece(std::size_t{1} << 20, '\0');
+    while (
+        stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+        stream.gcount() > 0)
+      take(std::string_view(piece).substr(
+          0, static_cast<std::size_t>(stream.gcount())));
+  };
 }
 
 /// Identifies the program that draws the figures: equal texts draw equal bytes.
@@ -78,10 +87,10 @@ void record_output(const fs::path& folder, const std::string& key,
     }
   const bool fits = size <= cache.most_bytes() / smallest_number_of_outputs;
   for (auto& [file, hash] : hashes) {
-    const std::string bytes = read_file(folder / file, INT64_MAX);
-    hash = content_hash(bytes);
+    hash = hash_of_file(folder / file);
     if (fits && !cache.has(hash, entry_kind::file))
-      cache.write(hash, entry_kind::file, bytes);
+      cache.write(hash, entry_kind::file, fs::file_size(folder / file),
+                  pieces_of(folder / file));
   }
   const Json list = {{"format", "asperity-output"},
                      {"format_version", 1},

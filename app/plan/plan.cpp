@@ -11,6 +11,7 @@
 #include "app/plan/block_cost.hpp"
 #include "cases/reader/locking.hpp"
 #include "fem/plugin.hpp"
+#include "surfaces/build.hpp"
 
 #include <algorithm>
 #include <span>
@@ -44,8 +45,7 @@ int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
 }
 
 /// Lets the ranks of mpirun share the rows of a method, if they do: the memory
-/// is then that of the ranks on this machine, and rank 0 gathers the maps and
-/// the states that the cache takes.
+/// is then that of the ranks on this machine.
 void share_by_ranks(const MethodSpec& method, const RunOptions& options,
                     PlannedMethod& planned) {
   if (!method.has_fields() ||
@@ -53,13 +53,8 @@ void share_by_ranks(const MethodSpec& method, const RunOptions& options,
     return;
   planned.ranks = options.ranks;
   planned.runs_alone = true;
-  const double maps = 2.0 * static_cast<double>(planned.grid.size());
-  const bool fit_into_cache =
-      options.cache != nullptr &&
-      sizeof(float) * maps <= static_cast<double>(options.cache->most_bytes());
-  const double gathered = fit_into_cache ? sizeof(double) * maps : 0.0;
   planned.rank_memory = memory_of_rank(method, planned.grid, options.ranks);
-  planned.memory = gathered + options.ranks_on_machine * planned.rank_memory +
+  planned.memory = options.ranks_on_machine * planned.rank_memory +
                    (options.ranks_on_machine - 1) * base_memory(true);
 }
 
@@ -115,6 +110,13 @@ double peak_memory(const Plan& plan, const Grid& grid, double n_surfaces,
   return program + surfaces + std::max(beside, alone);
 }
 
+/// Whether rank 0 holds whole surfaces, or does until it has sent their rows.
+bool holds_surfaces(const cases::Case& contact_case,
+                    const std::vector<MethodSpec>& methods, int n_ranks) {
+  return !has_surfaces_by_rows(contact_case, methods, n_ranks) ||
+         !surfaces::reason_for_whole(contact_case.surface).empty();
+}
+
 double result_bytes(const cases::Case& contact_case,
                     const std::vector<MethodSpec>& methods, const Grid& grid) {
   if (!needs_surfaces(methods))
@@ -126,6 +128,24 @@ double result_bytes(const cases::Case& contact_case,
       bytes += static_cast<double>(steps_with_fields(contact_case).size()) *
                map_bytes(grid);
   return bytes;
+}
+
+/// Memory of a result that is read after the jobs, when the fields of the
+/// solvers are free: heights, and the maps of the saved steps of realisation 0
+/// in double precision [B].
+double memory_of_result(const cases::Case& contact_case,
+                        const std::vector<MethodSpec>& methods,
+                        const Grid& grid, const RunOptions& options) {
+  if (!needs_surfaces(methods) ||
+      (!options.has_report && !contact_case.report.stress_inside))
+    return 0.0;
+  const auto n_methods = static_cast<double>(
+      std::ranges::count_if(methods, &MethodSpec::has_fields));
+  const double maps =
+      contact_case.surface.realizations +
+      2.0 * n_methods *
+          static_cast<double>(steps_with_fields(contact_case).size());
+  return sizeof(double) * maps * static_cast<double>(grid.size());
 }
 
 /// Predicts the CPU time of the studies and of the stress inside, which are
@@ -212,11 +232,15 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
       options.realizations.empty()
           ? contact_case.surface.realizations
           : static_cast<double>(options.realizations.size());
+  const double program =
+      base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
   plan.memory = peak_memory(
       plan, grid,
-      has_surfaces_by_rows(contact_case, methods, options.ranks) ? 0.0
-                                                                 : n_surfaces,
-      base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0));
+      holds_surfaces(contact_case, methods, options.ranks) ? n_surfaces : 0.0,
+      program);
+  plan.memory =
+      std::max(plan.memory, program + memory_of_result(contact_case, methods,
+                                                       grid, options));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);
   plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);

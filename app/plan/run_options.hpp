@@ -21,6 +21,7 @@ struct RunOptions {
   bool is_exact = false;      ///< `methods` lists names only: "fem" is not
                               ///< "fem.hard"
   std::set<int> realizations = {}; ///< only these; empty: all of the case
+  bool has_report = true;   ///< the result is read again when it is complete
   int ranks = 1;            ///< of mpirun, that may share the rows of a surface
   int ranks_on_machine = 1; ///< of these, on this machine
 };

@@ -34,15 +34,6 @@ bool leaves_files(const cases::MethodSpec& method,
   return (md != nullptr && md->dump) || (is_full_block(method) && report.vtu);
 }
 
-std::vector<double> whole_map(const results::MapRows& rows, const Grid& grid) {
-  std::vector<double> map;
-  map.reserve(grid.size());
-  rows([&](std::span<const double> values) {
-    map.insert(map.end(), values.begin(), values.end());
-  });
-  return map;
-}
-
 bool has_failed(const CurvePoint& row) {
   return row.status == results::StepStatus::not_converged;
 }
@@ -185,6 +176,7 @@ void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
                            // written
     context_.writer.record_table(answer.section.value());
   if (answer.rows) {
+    answer.rows->step = row.step;
     answer.rows->nominal_pressure = row.nominal_pressure;
     context_.writer.append_step_with_fields(method_.name, realization_, row,
                                             answer.grid, *answer.rows);
@@ -287,9 +279,8 @@ std::string MethodJob::activity_text(const std::string& part) const {
 /// @return  false if the run is to end
 bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
   for (std::size_t known = step; known > next; --known)
-    if (const std::vector<double> state = chain_.state_after(known - 1);
-        !state.empty()) {
-      solver.restore(state);
+    if (const auto state = chain_.state_after(known - 1)) {
+      solver.restore(*state);
       next = known;
       break;
     }
@@ -338,33 +329,12 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
     answer.rows = {};
   }
   CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
-  keep(step, kept, solver);
+  if (chain_.is_on())
+    chain_.keep(step, kept, solver.state());
   record(row, kept.answer, step);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);
   return true;
-}
-
-/// Caches a step. What ranks hold by rows is gathered for it, unless the cache
-/// would refuse an entry of that size.
-void MethodJob::keep(std::size_t step, CachedStep& kept,
-                     const StepSolver& solver) {
-  if (!chain_.is_on())
-    return;
-  StepAnswer& answer = kept.answer;
-  if (answer.rows &&
-      chain_.has_room_for(2 * sizeof(float) * answer.grid.size())) {
-    answer.pressure = whole_map(answer.rows->pressure, answer.grid);
-    answer.gap = whole_map(answer.rows->gap, answer.grid);
-    answer.rows = {};
-    context_.tally.gathered_bytes += 2 * sizeof(double) * answer.grid.size();
-  }
-  std::vector<double> state;
-  if (chain_.has_room_for(solver.gathered_state_bytes()))
-    state = solver.state();
-  if (solver.gathered_state_bytes() > 0)
-    context_.tally.gathered_bytes += state.size() * sizeof(double);
-  chain_.keep(step, kept, state);
 }
 
 Resources MethodJob::resources() const {

@@ -35,8 +35,6 @@ public:
   std::atomic<int> computed_steps = 0;
   std::atomic<int> failed_steps = 0;   ///< not converged
   std::atomic<int> repeated_steps = 0; ///< computed again only for the solver
-  /// What rank 0 has gathered from ranks for the cache [B].
-  std::atomic<std::size_t> gathered_bytes = 0;
   ///< state after them
   std::atomic<bool> uses_fem = false;
 
@@ -110,7 +108,6 @@ private:
   std::string activity_text(const std::string& part) const;
   bool go_to(StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
-  void keep(std::size_t step, CachedStep& kept, const StepSolver& solver);
   Resources resources() const;
 
   const RunContext& context_;

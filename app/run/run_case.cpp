@@ -275,9 +275,6 @@ RunOutcome Run::execute() {
   fmt::print("{} steps: {} computed, {} from the cache\n",
              tally_.computed_steps + tally_.kept_steps(),
              tally_.computed_steps.load(), tally_.kept_steps());
-  if (tally_.gathered_bytes > 0)
-    fmt::print("rank 0 gathered {:.1f} MB for the cache\n",
-               1e-6 * static_cast<double>(tally_.gathered_bytes));
   for (const std::string& problem : cache_.problems())
     fmt::print(stderr, "{}\n", problem);
   return {was_interrupted, tally_.failed_steps, tally_.computed_steps,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity::app {
 namespace {
@@ -113,16 +114,16 @@ void record_stress_inside(const cases::Case& contact_case,
                           results::ResultWriter& writer, Tally& tally) {
   if (!contact_case.report.stress_inside)
     return;
-  const results::Result result = results::read_result(writer.path());
-  for (const results::MethodRecord& record : result.methods) {
+  results::Result result = results::read_result(writer.path());
+  for (results::MethodRecord& record : result.methods) {
     const auto method =
         std::find_if(methods.begin(), methods.end(),
                      [&](const auto& one) { return one.name == record.name; });
     if (method == methods.end() || !method->is_continuum() ||
         record.realizations.empty())
       continue;
-    const results::Curve& curve = record.realizations.front();
-    std::vector<results::Fields> maps = curve.fields;
+    results::Curve& curve = record.realizations.front();
+    std::vector<results::Fields> maps = std::move(curve.fields);
     std::erase_if(maps, [](const auto& map) { return !has_maps(map); });
     if (maps.empty())
       continue;

@@ -10,6 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,6 +50,57 @@ TEST_F(Store, ReadsBackWhatItWasGiven) {
   EXPECT_EQ(cache.read(key(1), entry_kind::step), bytes);
   EXPECT_FALSE(cache.read(key(2), entry_kind::step));
   EXPECT_FALSE(cache.read(key(1), entry_kind::state));
+}
+
+std::string file_text(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The file has the same bytes whatever the pieces, and is read by pieces.
+TEST_F(Store, WritesAndReadsPieces) {
+  Cache cache(folder, 1000);
+  cache.write(key(1), entry_kind::step, "one entry");
+  const std::string whole = file_text(file(1));
+  cache.remove(key(1), entry_kind::step);
+
+  cache.write(key(1), entry_kind::step, 9, [](const TakeBytes& take) {
+    take("one ");
+    take("");
+    take("entry");
+  });
+
+  EXPECT_EQ(file_text(file(1)), whole);
+  std::optional<CacheEntry> entry = cache.open(key(1), entry_kind::step);
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->size(), 9U);
+  cache.remove(key(1), entry_kind::step); // it remains readable
+  std::string part(3, ' ');
+  entry->read(part);
+  EXPECT_EQ(part, "one");
+  entry->go_to(4);
+  part.resize(5);
+  entry->read(part);
+  EXPECT_EQ(part, "entry");
+  EXPECT_THROW(entry->read(part), std::runtime_error);
+}
+
+// Without room for an entry its pieces are not asked for; a failure leaves no
+// file.
+TEST_F(Store, AsksForNoPiecesInVain) {
+  Cache cache(folder, 1000);
+  bool was_asked = false;
+  cache.write(key(1), entry_kind::step, 1000,
+              [&](const TakeBytes&) { was_asked = true; });
+  EXPECT_FALSE(was_asked);
+
+  EXPECT_THROW(cache.write(key(1), entry_kind::step, 9,
+                           [](const TakeBytes& take) {
+                             take("one ");
+                             throw std::runtime_error("no more");
+                           }),
+               std::runtime_error);
+  EXPECT_TRUE(fs::is_empty(folder));
 }
 
 // If any byte differs, the entry is removed.

@@ -67,6 +67,32 @@ TEST_F(PlannedRun, CountsWhatTheCaseRequests) {
   EXPECT_GT(planned.cpu_time, 0.0);
 }
 
+// The result is read again for a report and for stresses inside: the heights of
+// two surfaces, and pressure and gap of two methods at twelve steps, which
+// exceed the fields of the solvers.
+TEST_F(PlannedRun, CountsTheMapsOfAReport) {
+  const std::vector<std::string> overrides = {
+      "surface.points=2048", "report.fields=\"all\"",
+      "load.nominal_pressure={ from = \"1e-3 E*\", to = \"0.1 E*\", steps = "
+      "12, spacing = \"log\" }"};
+  const std::vector<std::string> methods = {"halfspace", "fem"};
+  RunOptions options{folder / "out", methods, false, 1, "", &cache};
+  const double with_report = make_plan(read(overrides), options, 32).memory;
+  options.has_report = false;
+  const double without = make_plan(read(overrides), options, 32).memory;
+  const auto add_stress = [&](std::vector<std::string> all) {
+    all.emplace_back("report.stress_inside=true");
+    return all;
+  };
+
+  const double maps = 8.0 * (2.0 + 2.0 * 2.0 * 12.0) * 2048.0 * 2048.0;
+  EXPECT_GE(with_report, maps);
+  EXPECT_LT(with_report, maps + 1e9); // and the program
+  EXPECT_LT(without, maps);
+  EXPECT_EQ(make_plan(read(add_stress(overrides)), options, 32).memory,
+            with_report);
+}
+
 // Nothing is written: neither a result nor a cache.
 TEST_F(PlannedRun, LeavesTheDiskAlone) {
   plan();

@@ -40,18 +40,18 @@ class Runner:
         self.program, self.mpirun, self.folder = program, mpirun, folder
         self.same_maps = same_maps
 
-    def start(self, *words, ranks=1, output=subprocess.PIPE):
+    def start(self, *words, ranks=1, output=subprocess.PIPE, cache="cache"):
         environment = os.environ | {
             "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
             "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1",
-            "XDG_CACHE_HOME": str(self.folder / "cache")}
+            "XDG_CACHE_HOME": str(self.folder / cache)}
         several = [self.mpirun, "-np", str(ranks), "--oversubscribe"] if ranks > 1 else []
         return subprocess.Popen([*several, self.program, *words], cwd=self.folder, text=True,
                                 env=environment, stdout=output,
                                 stderr=subprocess.STDOUT)
 
-    def run(self, *words, ranks=1, code=0):
-        process = self.start(*words, ranks=ranks)
+    def run(self, *words, ranks=1, code=0, cache="cache"):
+        process = self.start(*words, ranks=ranks, cache=cache)
         output, _ = process.communicate(timeout=280)
         assert process.returncode == code, f"{words}: {process.returncode}, not {code}\n{output}"
         return output
@@ -79,8 +79,7 @@ def check_bits(runner):
 
 def check_surface_by_rows(runner):
     """Without methods that need the whole surface, no rank holds it. What the
-    result keeps is the same, also if the surface is rescaled, and without the
-    cache nothing is gathered."""
+    result keeps is the same, also if the surface is rescaled."""
     scaled = ["--set", "surface.rescale=true", "--set", 'surface.amplitudes="gaussian"']
     for name, settings, all_ranks in (("plain", [], (2, 3)), ("scaled", scaled, (2,))):
         ask = ["run", "shared.toml", "--methods", ",".join(["theory", *SHARED]), "--exactly",
@@ -91,7 +90,6 @@ def check_surface_by_rows(runner):
             folder = f"{name}-{ranks}"
             output = runner.run(*ask, "--out", folder, ranks=ranks)
             assert f"{ranks} ranks generate the rows of the surface" in output, output
-            assert "gathered" not in output, output
             runner.run("diff", f"{name}-alone", folder, "--tolerance", "0")
             runner.expect_same_maps(f"{name}-alone", folder)
 
@@ -159,11 +157,36 @@ def check_cache(runner):
     runner.run(*ask, *short, "--out", "kept")
     output = runner.run(*ask, *longer, "--out", "kept", ranks=2)
     assert "3 steps: 1 computed, 2 from the cache" in output, output
-    assert "rank 0 gathered" in output, output
     output = runner.run(*ask, *longest, "--out", "kept")
     assert "4 steps: 1 computed, 3 from the cache" in output, output
     assert "again" not in output, output
     runner.run("diff", "fresh", "kept", "--tolerance", "0")
+
+
+def entries(folder, kind):
+    """The entries of a cache of this kind by their names."""
+    return {path.name: path.read_bytes() for path in folder.rglob(f"*.{kind}")}
+
+
+def check_cache_by_rows(runner):
+    """The entries of ranks have the bytes of one process, apart from CPU times and
+    the hash of all, and their maps are read again, also by rows."""
+    ask = ["run", "shared.toml", "--methods", "halfspace", "--exactly", "--no-report", "--set",
+           "surface.points=1024", "--set", "report.fields=1"]
+    one = ["--set", 'load.nominal_pressure=["0.003 E*"]']
+    runner.run(*ask, *one, "--out", "by-one", cache="one")
+    runner.run(*ask, *one, "--out", "by-two", cache="two", ranks=2)
+    states = entries(runner.folder / "one", "state")
+    assert len(states) == 1 and entries(runner.folder / "two", "state") == states
+    steps = [entries(runner.folder / cache, "step") for cache in ("one", "two")]
+    assert len(steps[0]) == 1 and steps[0].keys() == steps[1].keys()
+    maps = -2 * 4 * 1024 * 1024  # bytes of pressure and gap
+    for name, step in steps[0].items():
+        assert len(step) > -maps and step[maps:] == steps[1][name][maps:]
+    output = runner.run(*ask, *one, "--out", "again", cache="two")
+    assert "1 steps: 0 computed, 1 from the cache" in output, output
+    runner.run("diff", "by-one", "again", "--tolerance", "0")
+    runner.expect_same_maps("by-one", "again")
 
 
 def check_kill(runner):
@@ -197,7 +220,8 @@ def main(program, mpirun, folder, same_maps):
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder, same_maps)
     for check in (check_plan, check_bits, check_surface_by_rows,
-                  check_other_surfaces, check_small, check_cache, check_kill):
+                  check_other_surfaces, check_small, check_cache,
+                  check_cache_by_rows, check_kill):
         check(runner)
 
 

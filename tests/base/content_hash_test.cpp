@@ -14,5 +14,14 @@ TEST(ContentHash, IsThatOfTheStandards) {
   EXPECT_EQ(md5_hash("abc"), "900150983cd24fb0d6963f7d28e17f72");
 }
 
+TEST(ContentHash, OfPiecesIsThatOfTheWhole) {
+  ContentHash hash;
+  EXPECT_EQ(hash.text(), content_hash(""));
+  hash.add("a");
+  EXPECT_EQ(hash.text(), content_hash("a"));
+  hash.add("bc");
+  EXPECT_EQ(hash.text(), content_hash("abc"));
+}
+
 } // namespace
 } // namespace asperity

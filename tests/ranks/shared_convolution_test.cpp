@@ -5,12 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numeric>
 #include <vector>
 
 #include "ranks/one_rank.hpp"
+#include "ranks/rows_from_rank_0.hpp"
 #include "ranks/shared_convolution.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
@@ -177,6 +179,20 @@ TEST(SharedRows, RefusesBoundsThatAreNone) {
   });
 }
 
+std::vector<double> from_rank_0(const SharedRows& rows,
+                                const std::vector<double>& all) {
+  std::size_t at = 0;
+  std::vector<double> own = rows_from_rank_0(rows, [&](std::span<double> next) {
+    EXPECT_EQ(rows.first(), 0); // of rank 0
+    EXPECT_LE(next.size(), std::max<std::size_t>(rows.width(), 1 << 19));
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(at), next.size(),
+                next.begin());
+    at += next.size();
+  });
+  EXPECT_EQ(at, rows.first() == 0 ? all.size() : 0);
+  return own;
+}
+
 std::vector<double> passed_to_rank_0(const SharedRows& rows,
                                      std::span<const double> own) {
   std::vector<double> passed;
@@ -210,6 +226,7 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
     EXPECT_EQ(rows.gathered_on_rank_0(own), is_first ? all : nothing);
     EXPECT_EQ(rows.scattered(is_first ? all : nothing), own);
     EXPECT_EQ(passed_to_rank_0(rows, own), is_first ? all : nothing);
+    EXPECT_EQ(from_rank_0(rows, all), own);
   };
   check(SharedRows(grid));
   tests::on_thread_ranks(1, [&](RankGroup& one) {
@@ -235,6 +252,7 @@ TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
     EXPECT_EQ(own.back(), own.front() + static_cast<double>(own.size() - 1));
     EXPECT_TRUE(rows.gathered_on_rank_0(own) == (is_first ? all : nothing));
     EXPECT_TRUE(passed_to_rank_0(rows, own) == (is_first ? all : nothing));
+    EXPECT_TRUE(from_rank_0(rows, all) == own);
   });
 }
 
