@@ -250,11 +250,11 @@ TEST(AdaptiveBlock, AveragesAllHeights) {
   }
 }
 
-// A paraboloid almost in full contact at a mean gap of a hundredth of its
-// height. The mean height of the nodes of coarse cells is off by more, so that
-// no load leads to this mean gap on the coarsest mesh; the mesh refines until
-// the load is that of the uniform block, whose nodes are those of the finest
-// cells.
+// A cup almost in full contact at a mean gap of a hundredth of its height. The
+// mean height of the first-order nodes of the coarsest mesh is too large by
+// 0.078 of it, so that no load leads to this mean gap there. The mesh refines
+// until the load is that of the uniform block, whose nodes are those of the
+// finest cells.
 TEST(AdaptiveBlock, ReachesSmallMeanGaps) {
   const Grid grid{16, 16, length, length};
   constexpr double height = 1e-3 * length;
@@ -262,8 +262,8 @@ TEST(AdaptiveBlock, ReachesSmallMeanGaps) {
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
       heights[grid.index(ix, iy)] =
-          -height * (std::pow(2.0 * ix / grid.points_x - 1.0, 2) +
-                     std::pow(2.0 * iy / grid.points_y - 1.0, 2));
+          height * (std::pow(2.0 * ix / grid.points_x - 1.0, 2) +
+                    std::pow(2.0 * iy / grid.points_y - 1.0, 2));
   for (const int degree : {1, 2}) {
     const auto block =
         make_adaptive_block(adaptive_problem(grid, degree, 3 - degree));
