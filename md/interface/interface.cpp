@@ -77,20 +77,21 @@ struct Interface::Kernel {
   Substrate substrate;
 
   std::vector<double> sites; ///< along one side, in substrate spacings
+  double per_substrate_spacing = 1.0 / substrate_grid.spacing_x();
+  double per_distance = 1.0 / interaction.distance;
 
   LatticePoint point(const LayerView& atoms, int ix, int iy) const {
     const int points = substrate_grid.points_x;
-    const double spacing = substrate_grid.spacing_x();
     const std::size_t i = layer.index(ix, iy);
     const auto coordinate = [&](int site, double displacement) {
       return wrapped(sites[static_cast<std::size_t>(site)] +
-                         displacement / spacing,
+                         displacement * per_substrate_spacing,
                      points);
     };
     return {coordinate(ix, atoms.x[i]), coordinate(iy, atoms.y[i])};
   }
 
-  AtomSum sum_of_atom(const LayerView& atoms, int ix, int iy) const;
+  std::vector<Window> windows_of_row(const LayerView& atoms, int iy) const;
   double sum_of_row(const LayerView& atoms, const LayerForces& forces,
                     int iy) const;
   void second_derivatives_of_row(const LayerView& atoms,
@@ -100,28 +101,37 @@ struct Interface::Kernel {
                          double contact_distance) const;
 };
 
-AtomSum Interface::Kernel::sum_of_atom(const LayerView& atoms, int ix,
-                                       int iy) const {
-  const std::size_t i = layer.index(ix, iy);
-  if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
-    return {not_a_number, not_a_number, not_a_number, not_a_number};
+/// The window of an atom whose position is not finite has no tiles and the
+/// height NaN.
+std::vector<Window> Interface::Kernel::windows_of_row(const LayerView& atoms,
+                                                      int iy) const {
+  std::vector<Window> windows(static_cast<std::size_t>(layer.points_x));
+  for (int ix = 0; ix < layer.points_x; ++ix) {
+    const std::size_t i = layer.index(ix, iy);
+    Window& window = windows[static_cast<std::size_t>(ix)];
+    if (is_finite(atoms.x[i], atoms.y[i], atoms.z[i]))
+      window =
+          substrate.window(point(atoms, ix, iy), atoms.z[i] * per_distance);
+    else
+      window.z = not_a_number;
   }
-  const double z = atoms.z[i] / interaction.distance;
-  return sum_window(law, substrate.window(point(atoms, ix, iy), z),
-                    substrate.spacing(), z);
+  return windows;
 }
 
 double Interface::Kernel::sum_of_row(const LayerView& atoms,
                                      const LayerForces& forces, int iy) const {
   const double unit = 12.0 * interaction.energy / interaction.distance;
-  double energy = 0.0;
-  for (int ix = 0; ix < layer.points_x; ++ix) {
-    const AtomSum sum = sum_of_atom(atoms, ix, iy);
-    const std::size_t i = layer.index(ix, iy);
-    forces.x[i] = unit * sum.x;
-    forces.y[i] = unit * sum.y;
-    forces.z[i] = unit * sum.z;
-    energy += sum.energy;
+  const std::vector<Window> windows = windows_of_row(atoms, iy);
+  std::vector<AtomForce> sums(windows.size());
+  double energy = sum_windows(law, windows, substrate.spacing(), sums);
+  for (std::size_t ix = 0; ix < windows.size(); ++ix) {
+    const std::size_t i = layer.index(static_cast<int>(ix), iy);
+    // NaN if the position is not finite
+    const double invalid = 0.0 * windows[ix].z;
+    forces.x[i] = unit * sums[ix].x + invalid;
+    forces.y[i] = unit * sums[ix].y + invalid;
+    forces.z[i] = unit * sums[ix].z + invalid;
+    energy += invalid;
   }
   return interaction.energy * energy;
 }
@@ -130,19 +140,17 @@ void Interface::Kernel::second_derivatives_of_row(
     const LayerView& atoms, std::span<SymmetricBlock> blocks, int iy) const {
   const double unit =
       12.0 * interaction.energy / (interaction.distance * interaction.distance);
-  for (int ix = 0; ix < layer.points_x; ++ix) {
-    const std::size_t i = layer.index(ix, iy);
-    SymmetricBlock& block = blocks[i];
-    if (!is_finite(atoms.x[i], atoms.y[i], atoms.z[i])) {
-      block = {not_a_number, not_a_number, not_a_number,
-               not_a_number, not_a_number, not_a_number};
-      continue;
-    }
-    const double z = atoms.z[i] / interaction.distance;
-    const SymmetricBlock sum = sum_second_derivatives(
-        law, substrate.window(point(atoms, ix, iy), z), substrate.spacing(), z);
-    block = {unit * sum.xx, unit * sum.yy, unit * sum.zz,
-             unit * sum.xy, unit * sum.xz, unit * sum.yz};
+  const std::vector<Window> windows = windows_of_row(atoms, iy);
+  const auto row = blocks.subspan(layer.index(0, iy), windows.size());
+  sum_second_derivatives(law, windows, substrate.spacing(), row);
+  for (std::size_t ix = 0; ix < windows.size(); ++ix) {
+    SymmetricBlock& block = row[ix];
+    block =
+        std::isnan(windows[ix].z)
+            ? SymmetricBlock{not_a_number, not_a_number, not_a_number,
+                             not_a_number, not_a_number, not_a_number}
+            : SymmetricBlock{unit * block.xx, unit * block.yy, unit * block.zz,
+                             unit * block.xy, unit * block.xz, unit * block.yz};
   }
 }
 
@@ -157,19 +165,21 @@ Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
       ++found.below_substrate;
       continue;
     }
-    const double z = atoms.z[i] / interaction.distance;
+    const double z = atoms.z[i] * per_distance;
     const LatticePoint under = point(atoms, ix, iy);
     found.below_substrate += z < substrate.height_at(under) ? 1 : 0;
 
     const Window window = substrate.window(under, z);
     double shortest = std::numeric_limits<double>::infinity();
-    for (const Strip& strip : window.strips)
-      for (int lane = 0; lane < strip_width; ++lane) {
+    for (const Tile& tile : window.tiles)
+      for (int lane = 0; lane < tile_columns * tile_rows; ++lane) {
+        const int column = lane / tile_rows;
+        const int row = lane % tile_rows;
         const double distance =
             interaction.distance *
-            std::hypot(window.x - strip.x - lane * substrate.spacing(),
-                       window.y - strip.y,
-                       z - window.heights[strip.height + lane]);
+            std::hypot(window.x - tile.x - column * substrate.spacing(),
+                       window.y - tile.y - row * substrate.spacing(),
+                       z - window.heights[tile.height + lane]);
         found.close_pairs += distance < close_distance ? 1 : 0;
         shortest = std::min(shortest, distance);
       }

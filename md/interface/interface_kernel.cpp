@@ -1,198 +1,80 @@
 #include "md/interface/interface_kernel.hpp"
 
-#include "base/simd_pack.hpp"
+#include "md/interface/tile_turns.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace asperity::md {
 namespace {
 
-// Processors differ in their SIMD width. Two strips are summed together, in
-// eight lanes. Every operation rounds identically for all widths, and the lanes
-// are added in a fixed order.
-constexpr std::size_t strips_in_pair = 2;
-constexpr std::size_t n_lanes = strips_in_pair * strip_width;
-
-/// Beside the last strip of an odd number: no atom reaches it.
-constexpr double nowhere = 1e8;
-
 template <std::size_t bytes>
-struct Lanes : SimdPack<double, bytes> {
-  using Vector = typename SimdPack<double, bytes>::Type;
-  static constexpr std::size_t width = SimdPack<double, bytes>::lanes;
-  static constexpr std::size_t parts = n_lanes / width; ///< vectors per pair
-
-  /// One number for each lane of a pair of strips.
-  using Pair = std::array<Vector, parts>;
-
-  /// Sets the four lanes of either strip to one number.
-  [[gnu::always_inline]] static Pair each(double first, double second) {
-    Pair pair;
-    for (std::size_t part = 0; part < parts; ++part)
-      for (std::size_t lane = 0; lane < width; ++lane)
-        pair[part][lane] = part * width + lane < strip_width ? first : second;
-    return pair;
-  }
-
-  /// Four numbers from each of two places.
-  [[gnu::always_inline]] static Pair load(const double* first,
-                                          const double* second) {
-    Pair pair;
-    if constexpr (width > strip_width) {
-      using Half = SimdPack<double, strip_width * sizeof(double)>;
-      pair[0] = __builtin_shufflevector(
-          *reinterpret_cast<const typename Half::Unaligned*>(first),
-          *reinterpret_cast<const typename Half::Unaligned*>(second), 0, 1, 2,
-          3, 4, 5, 6, 7);
-    } else {
-      for (std::size_t part = 0; part < parts; ++part) {
-        const std::size_t lane = part * width;
-        pair[part] = *reinterpret_cast<const typename Lanes::Unaligned*>(
-            lane < strip_width ? first + lane : second + lane - strip_width);
-      }
-    }
-    return pair;
-  }
-
-  [[gnu::always_inline]] static double total(const Pair& pair) {
-    const auto lane = [&](std::size_t i) { return pair[i / width][i % width]; };
-    return ((lane(0) + lane(1)) + (lane(2) + lane(3))) +
-           ((lane(4) + lane(5)) + (lane(6) + lane(7)));
-  }
-};
-
-// The dependency chain from distance to force is long, and a processor keeps
-// only few pairs in flight. Strips are therefore processed in bundles, one
-// operation at a time for all strips of a bundle.
-constexpr std::size_t bundle = 16; ///< pairs of strips
-
-/// Distances from an atom to the substrate atoms of a bundle of strips.
-template <std::size_t bytes>
-struct Distances {
-  using Lanes = md::Lanes<bytes>;
-  typename Lanes::Pair dx[bundle], dy[bundle], dz[bundle];
-  typename Lanes::Pair inverse[bundle]; ///< 1/r^2
-
-  /// @param x  of the atom relative to the first atom of a strip at the corner,
-  ///           and to the three that follow it
-  /// @return   the number of pairs of strips
-  [[gnu::always_inline]] std::size_t fill(std::span<const Strip> strips,
-                                          const Window& window,
-                                          const typename Lanes::Pair& x,
-                                          double z) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < strips.size(); i += strips_in_pair, ++count) {
-      const Strip& first = strips[i];
-      const Strip second = i + 1 < strips.size()
-                               ? strips[i + 1]
-                               : Strip{nowhere, first.y, first.height};
-      const auto strip_x = Lanes::each(first.x, second.x);
-      const auto strip_y = Lanes::each(first.y, second.y);
-      const auto heights = Lanes::load(window.heights + first.height,
-                                       window.heights + second.height);
-      for (std::size_t part = 0; part < Lanes::parts; ++part) {
-        const auto x_part = x[part] - strip_x[part];
-        const auto y_part = window.y - strip_y[part];
-        const auto z_part = z - heights[part];
-        dx[count][part] = x_part;
-        dy[count][part] = y_part;
-        dz[count][part] = z_part;
-        inverse[count][part] =
-            1.0 / (x_part * x_part + y_part * y_part + z_part * z_part);
-      }
-    }
-    return count;
-  }
-};
-
-/// Returns the coordinate along x of an atom relative to the atoms of a strip
-/// that begins at the corner.
-template <std::size_t bytes>
-[[gnu::always_inline]] inline typename Lanes<bytes>::Pair
-along_strips(const Window& window, double spacing) {
-  typename Lanes<bytes>::Pair x;
-  for (std::size_t lane = 0; lane < n_lanes; ++lane)
-    x[lane / Lanes<bytes>::width][lane % Lanes<bytes>::width] =
-        window.x - spacing * static_cast<double>(lane % strip_width);
-  return x;
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline AtomSum sum_pairs(const ReducedLaw& law,
-                                                const Window& window,
-                                                double spacing, double z) {
+[[gnu::always_inline]] inline double
+sum_pairs(const ReducedLaw& reduced, std::span<const Window> windows,
+          double spacing, std::span<AtomForce> forces) {
   using Lanes = md::Lanes<bytes>;
   using Vector = typename Lanes::Vector;
-  const typename Lanes::Pair x = along_strips<bytes>(window, spacing);
-  typename Lanes::Pair energy{}, force_x{}, force_y{}, force_z{};
-  const Vector y_end = Vector{} + law.y_end;
-  const Vector width = Vector{} + law.width;
-  const double rise = 2.0 / 3.0 * law.square;
-  const double bend = 0.5 * law.cube;
-
-  Distances<bytes> to;
-  typename Lanes::Pair force[bundle];
-  for (auto strips = window.strips; !strips.empty();) {
-    const auto some =
-        strips.first(std::min(strips.size(), strips_in_pair * bundle));
-    const std::size_t count = to.fill(some, window, x, z);
-    for (std::size_t i = 0; i < count; ++i)
+  const Law<bytes> law(reduced);
+  typename Distances<bytes>::OfTile stored[n_stored];
+  Turns<bytes> turns(law, windows, spacing, stored);
+  typename Lanes::Numbers tapered{}, full{};
+  for (std::size_t atom = 0; atom < windows.size(); ++atom) {
+    // The sum of f (corner - tile) is corner times the sum of f, minus f tile.
+    typename Lanes::Numbers sum{}, tile_x{}, tile_y{}, force_z{};
+    for (const Tile& tile : windows[atom].tiles) {
       for (std::size_t part = 0; part < Lanes::parts; ++part) {
-        const Vector inverse = to.inverse[i][part];
-        const Vector y = inverse * inverse * inverse;
-        const Vector p = (y > y_end ? y : y_end) - y_end;
-        const Vector u = p < width ? p : width;
-        const Vector v = p - u;
+        Vector inverse, y, u, v;
+        turns.next(part, inverse, y, u, v);
         const Vector u2 = u * u;
-        const Vector bent = bend * u; // half of cube u
-        energy[part] += u2 * u * (rise + bent) + v * (v + law.lever);
-        force[i][part] = y * inverse * (u2 * (law.square + bent + bent) + v);
+        const Vector steepness = u2 * (law.square + law.cube * u);
+        tapered[part] += u * (steepness + law.third * u2);
+        full[part] += v * (v + law.lever);
+        const Vector force = y * inverse * (steepness + v);
+        sum[part] += force;
+        tile_x[part] += force * tile.x;
+        tile_y[part] += force * tile.y;
+        force_z[part] += force * turns.dz(part);
       }
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t part = 0; part < Lanes::parts; ++part) {
-        force_x[part] += force[i][part] * to.dx[i][part];
-        force_y[part] += force[i][part] * to.dy[i][part];
-        force_z[part] += force[i][part] * to.dz[i][part];
-      }
-    strips = strips.subspan(some.size());
+      turns.next_tile();
+    }
+    Corner<bytes> corner;
+    corner.set(windows[atom], spacing);
+    for (std::size_t part = 0; part < Lanes::parts; ++part) {
+      tile_x[part] = sum[part] * corner.x[part] - tile_x[part];
+      tile_y[part] = sum[part] * corner.y[part] - tile_y[part];
+    }
+    forces[atom] = {Lanes::total(tile_x), Lanes::total(tile_y),
+                    Lanes::total(force_z)};
   }
-  return {Lanes::total(energy), Lanes::total(force_x), Lanes::total(force_y),
-          Lanes::total(force_z)};
+  return 0.5 * Lanes::total(tapered) + Lanes::total(full);
 }
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline SymmetricBlock
-sum_pair_blocks(const ReducedLaw& law, const Window& window, double spacing,
-                double z) {
+[[gnu::always_inline]] inline void
+sum_pair_blocks(const ReducedLaw& reduced, std::span<const Window> windows,
+                double spacing, std::span<SymmetricBlock> blocks) {
   using Lanes = md::Lanes<bytes>;
   using Vector = typename Lanes::Vector;
-  const typename Lanes::Pair x = along_strips<bytes>(window, spacing);
-  typename Lanes::Pair push{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
-  const Vector y_end = Vector{} + law.y_end;
-  const Vector width = Vector{} + law.width;
-  const double slope_square = 1.5 * law.square; // 3/4 of G'
-  const double slope_cube = 2.25 * law.cube;
-
-  Distances<bytes> to;
-  for (auto strips = window.strips; !strips.empty();) {
-    const auto some =
-        strips.first(std::min(strips.size(), strips_in_pair * bundle));
-    const std::size_t count = to.fill(some, window, x, z);
-    for (std::size_t i = 0; i < count; ++i)
+  const Law<bytes> law(reduced);
+  typename Distances<bytes>::OfTile stored[n_stored];
+  Turns<bytes> turns(law, windows, spacing, stored);
+  const double slope_square = 1.5 * reduced.square; // 3/4 of G'
+  const double slope_cube = 2.25 * reduced.cube;
+  for (std::size_t atom = 0; atom < windows.size(); ++atom) {
+    Corner<bytes> corner;
+    corner.set(windows[atom], spacing);
+    typename Lanes::Numbers push{}, xx{}, yy{}, zz{}, xy{}, xz{}, yz{};
+    for (const Tile& tile : windows[atom].tiles) {
       for (std::size_t part = 0; part < Lanes::parts; ++part) {
-        const Vector dx = to.dx[i][part];
-        const Vector dy = to.dy[i][part];
-        const Vector dz = to.dz[i][part];
-        const Vector inverse = to.inverse[i][part];
-        const Vector y = inverse * inverse * inverse;
-        const Vector p = (y > y_end ? y : y_end) - y_end;
-        const Vector u = p < width ? p : width;
-        const Vector steepness = u * u * (law.square + law.cube * u) + (p - u);
+        Vector inverse, y, u, v;
+        turns.next(part, inverse, y, u, v);
+        const Vector steepness = u * u * (law.square + law.cube * u) + v;
         const Vector slope = u * (slope_square + slope_cube * u);
         const Vector over_steepness = y * inverse;
         const Vector bend =
             8.0 * over_steepness * inverse * (y * slope + steepness);
+        const Vector dx = corner.x[part] - tile.x;
+        const Vector dy = corner.y[part] - tile.y;
+        const Vector dz = turns.dz(part);
         const Vector bend_x = bend * dx;
         const Vector bend_y = bend * dy;
         push[part] += over_steepness * steepness;
@@ -203,17 +85,19 @@ sum_pair_blocks(const ReducedLaw& law, const Window& window, double spacing,
         xz[part] += bend_x * dz;
         yz[part] += bend_y * dz;
       }
-    strips = strips.subspan(some.size());
+      turns.next_tile();
+    }
+    const double pushed = Lanes::total(push);
+    blocks[atom] = {Lanes::total(xx) - pushed, Lanes::total(yy) - pushed,
+                    Lanes::total(zz) - pushed, Lanes::total(xy),
+                    Lanes::total(xz),          Lanes::total(yz)};
   }
-  const double pushed = Lanes::total(push);
-  return {Lanes::total(xx) - pushed, Lanes::total(yy) - pushed,
-          Lanes::total(zz) - pushed, Lanes::total(xy),
-          Lanes::total(xz),          Lanes::total(yz)};
 }
 
-using SumPairs = AtomSum (*)(const ReducedLaw&, const Window&, double, double);
-using SumBlocks = SymmetricBlock (*)(const ReducedLaw&, const Window&, double,
-                                     double);
+using SumPairs = double (*)(const ReducedLaw&, std::span<const Window>, double,
+                            std::span<AtomForce>);
+using SumBlocks = void (*)(const ReducedLaw&, std::span<const Window>, double,
+                           std::span<SymmetricBlock>);
 
 struct Kernels {
   SumPairs pairs;
@@ -221,43 +105,61 @@ struct Kernels {
 };
 
 #ifdef __x86_64__
-[[gnu::target("avx2")]] AtomSum pairs_on_avx2(const ReducedLaw& law,
-                                              const Window& window,
-                                              double spacing, double z) {
-  return sum_pairs<32>(law, window, spacing, z);
+[[gnu::target("avx2")]] double pairs_on_avx2(const ReducedLaw& law,
+                                             std::span<const Window> windows,
+                                             double spacing,
+                                             std::span<AtomForce> forces) {
+  return sum_pairs<32>(law, windows, spacing, forces);
 }
 
-[[gnu::target("avx2")]] SymmetricBlock blocks_on_avx2(const ReducedLaw& law,
-                                                      const Window& window,
-                                                      double spacing,
-                                                      double z) {
-  return sum_pair_blocks<32>(law, window, spacing, z);
+[[gnu::target("avx2")]] void blocks_on_avx2(const ReducedLaw& law,
+                                            std::span<const Window> windows,
+                                            double spacing,
+                                            std::span<SymmetricBlock> blocks) {
+  sum_pair_blocks<32>(law, windows, spacing, blocks);
 }
 
-[[gnu::target("avx512f,avx512dq,avx512vl")]] AtomSum
-pairs_on_avx512(const ReducedLaw& law, const Window& window, double spacing,
-                double z) {
-  return sum_pairs<64>(law, window, spacing, z);
+[[gnu::target("avx512f,avx512dq,avx512vl")]] double
+pairs_on_avx512(const ReducedLaw& law, std::span<const Window> windows,
+                double spacing, std::span<AtomForce> forces) {
+  return sum_pairs<64>(law, windows, spacing, forces);
 }
 
-[[gnu::target("avx512f,avx512dq,avx512vl")]] SymmetricBlock
-blocks_on_avx512(const ReducedLaw& law, const Window& window, double spacing,
-                 double z) {
-  return sum_pair_blocks<64>(law, window, spacing, z);
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void
+blocks_on_avx512(const ReducedLaw& law, std::span<const Window> windows,
+                 double spacing, std::span<SymmetricBlock> blocks) {
+  sum_pair_blocks<64>(law, windows, spacing, blocks);
 }
 #endif
 
-Kernels kernels_here() {
+/// The kernels that this processor has, two lanes first.
+std::vector<Kernels> kernels_here() {
+  std::vector<Kernels> kernels{{sum_pairs<16>, sum_pair_blocks<16>}};
 #ifdef __x86_64__
-  if (has_avx512())
-    return {pairs_on_avx512, blocks_on_avx512};
   if (has_avx2())
-    return {pairs_on_avx2, blocks_on_avx2};
+    kernels.push_back({pairs_on_avx2, blocks_on_avx2});
+  if (has_avx512())
+    kernels.push_back({pairs_on_avx512, blocks_on_avx512});
 #endif
-  return {sum_pairs<16>, sum_pair_blocks<16>};
+  return kernels;
 }
 
-const Kernels kernels = kernels_here();
+const Kernels kernels = kernels_here().back();
+
+bool have_tiles(std::span<const Window> windows) {
+  return std::any_of(windows.begin(), windows.end(), [](const Window& window) {
+    return !window.tiles.empty();
+  });
+}
+
+double sum_with(const SumPairs& sum_pairs, const ReducedLaw& law,
+                std::span<const Window> windows, double spacing,
+                std::span<AtomForce> forces) {
+  if (have_tiles(windows))
+    return sum_pairs(law, windows, spacing, forces);
+  std::fill(forces.begin(), forces.end(), AtomForce{});
+  return 0.0;
+}
 
 } // namespace
 
@@ -275,27 +177,29 @@ ReducedLaw reduced(const Interaction& interaction) {
           (width - 2.0 * full) / (width * width * width), 2.0 * full};
 }
 
-AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
-                   double z) {
-  return kernels.pairs(law, window, spacing, z);
+double sum_windows(const ReducedLaw& law, std::span<const Window> windows,
+                   double spacing, std::span<AtomForce> forces) {
+  return sum_with(kernels.pairs, law, windows, spacing, forces);
 }
 
-SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
-                                      const Window& window, double spacing,
-                                      double z) {
-  return kernels.blocks(law, window, spacing, z);
+void sum_second_derivatives(const ReducedLaw& law,
+                            std::span<const Window> windows, double spacing,
+                            std::span<SymmetricBlock> blocks) {
+  if (have_tiles(windows))
+    kernels.blocks(law, windows, spacing, blocks);
+  else
+    std::fill(blocks.begin(), blocks.end(), SymmetricBlock{});
 }
 
-std::vector<AtomSum> sums_of_all_widths(const ReducedLaw& law,
-                                        const Window& window, double spacing,
-                                        double z) {
-  std::vector<AtomSum> sums{sum_pairs<16>(law, window, spacing, z)};
-#ifdef __x86_64__
-  if (has_avx2())
-    sums.push_back(pairs_on_avx2(law, window, spacing, z));
-  if (has_avx512())
-    sums.push_back(pairs_on_avx512(law, window, spacing, z));
-#endif
+std::vector<WindowSums> sums_of_all_widths(const ReducedLaw& law,
+                                           std::span<const Window> windows,
+                                           double spacing) {
+  std::vector<WindowSums> sums;
+  for (const Kernels& each : kernels_here()) {
+    std::vector<AtomForce> forces(windows.size());
+    const double energy = sum_with(each.pairs, law, windows, spacing, forces);
+    sums.push_back({energy, forces});
+  }
   return sums;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file declares the SIMD kernel that sums over the pairs of one atom.
+// This file declares the SIMD kernels that sum over the pairs of some atoms.
 // Lengths are in units of r_0 and energies in units of eps.
 
 #include "md/interface/interaction.hpp"
@@ -31,53 +31,63 @@ struct ReducedLaw {
 
 ReducedLaw reduced(const Interaction& interaction);
 
-constexpr int strip_width = 4;
+constexpr int tile_columns = 4;
+constexpr int tile_rows = 2;
 
-/// Four consecutive substrate atoms of one row, relative to the corner of a
-/// cell.
-struct Strip {
+/// Eight substrate atoms, four columns of two rows, relative to the corner of a
+/// cell. They are stored column by column.
+struct Tile {
   double x = 0.0;          ///< of the first atom [r_0]
   double y = 0.0;          ///< [r_0]
-  std::int64_t height = 0; ///< index of its height
+  std::int64_t height = 0; ///< index of its height; the others follow
 };
 
-/// The surroundings of one atom.
+/// An atom and its surroundings.
 struct Window {
   double x = 0.0;                  ///< position of the atom relative to the
                                    ///< corner [r_0]
   double y = 0.0;                  ///< [r_0]
+  double z = 0.0;                  ///< height of the atom [r_0]
   const double* heights = nullptr; ///< [r_0], starting at the corner
-  std::span<const Strip> strips;
+  std::span<const Tile> tiles;
 };
 
-struct AtomSum {
-  double energy = 0.0; ///< [eps]
-  double x = 0.0;      ///< force [12 eps/r_0]
+/// Force on an atom [12 eps/r_0].
+struct AtomForce {
+  double x = 0.0;
   double y = 0.0;
   double z = 0.0;
 };
 
-/// Sums over the window with the widest vectors of the processor: two, four or
-/// eight lanes. All give bitwise identical results.
+/// Sums over the window of each atom with the widest vectors of the processor:
+/// two, four or eight lanes. All give bitwise identical results.
 /// @param spacing  of the substrate [r_0]
-/// @param z        height of the atom [r_0]
-AtomSum sum_window(const ReducedLaw& law, const Window& window, double spacing,
-                   double z);
+/// @param forces   one for each window, zero where it has no tiles
+/// @return         energy of all pairs [eps]
+double sum_windows(const ReducedLaw& law, std::span<const Window> windows,
+                   double spacing, std::span<AtomForce> forces);
 
-/// Returns the second derivatives of this energy with respect to the position
-/// of the atom [12 eps/r_0^2]. With g = -U'(r)/r as in ReducedLaw and
+/// Computes the second derivatives of this energy with respect to the position
+/// of each atom [12 eps/r_0^2]. With g = -U'(r)/r as in ReducedLaw and
 /// G' = dG/dy = u (2 square + 3 cube u), a pair at distance d contributes
 ///
 ///     -g 1 + 2 y (r_0/r)^4 (3 y G' + 4 G) d d
 ///
-/// The number of lanes is that of sum_window().
-SymmetricBlock sum_second_derivatives(const ReducedLaw& law,
-                                      const Window& window, double spacing,
-                                      double z);
+/// The number of lanes is that of sum_windows().
+/// @param blocks  one for each window, zero where it has no tiles
+void sum_second_derivatives(const ReducedLaw& law,
+                            std::span<const Window> windows, double spacing,
+                            std::span<SymmetricBlock> blocks);
 
-/// The sum by each width that this processor has, two lanes first.
-std::vector<AtomSum> sums_of_all_widths(const ReducedLaw& law,
-                                        const Window& window, double spacing,
-                                        double z);
+/// Energy and forces by vectors of one width.
+struct WindowSums {
+  double energy = 0.0;           ///< [eps]
+  std::vector<AtomForce> forces; ///< [12 eps/r_0]
+};
+
+/// The sums by each width that this processor has, two lanes first.
+std::vector<WindowSums> sums_of_all_widths(const ReducedLaw& law,
+                                           std::span<const Window> windows,
+                                           double spacing);
 
 } // namespace asperity::md

@@ -32,7 +32,7 @@ public:
             double unit);
 
   /// Returns a superset of the substrate atoms that are closer than `reach` to
-  /// an atom at the given point and height. The window has no strips if the
+  /// an atom at the given point and height. The window has no tiles if the
   /// atom is farther than `reach` above all of them.
   Window window(const LatticePoint& point, double z) const;
 
@@ -44,22 +44,25 @@ public:
 private:
   void pad(const Grid& grid, std::span<const double> heights, double unit);
   void find_highest(int points);
-  void list_strips();
-  void list_strips(double column, double row, double radius_square);
+  void list_tiles();
 
   double reach_ = 0.0;
   double spacing_ = 0.0;
+  double per_spacing_ = 0.0;  ///< 1 / spacing
   double reach_square_ = 0.0; ///< in spacings^2
   int margin_ = 0;            ///< periodic images on each side
-  std::int64_t stride_ = 0;
-  std::vector<double> padded_;
+  std::int64_t stride_ = 0;   ///< columns of a padded row
+
+  /// For each padded node (column by column, row by row) its height and that of
+  /// the node above it in the next row, so that a tile is contiguous.
+  std::vector<double> paired_;
 
   int blocks_ = 0;              ///< number of blocks per side
   std::vector<double> highest_; ///< maximum within reach of a block
 
-  /// Strips around a point in each part of a cell, for each radius. The lists
+  /// Tiles around a point in each part of a cell, for each radius. The lists
   /// are stored contiguously; list i ends where list i + 1 begins.
-  std::vector<Strip> strips_;
+  std::vector<Tile> tiles_;
   std::vector<std::size_t> list_begins_;
 };
 

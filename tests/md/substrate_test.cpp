@@ -29,10 +29,12 @@ using Offsets = std::set<std::pair<int, int>>;
 
 Offsets offsets_in(const Window& window, double spacing) {
   Offsets offsets;
-  for (const Strip& strip : window.strips)
-    for (int lane = 0; lane < strip_width; ++lane)
-      offsets.emplace(static_cast<int>(std::lround(strip.x / spacing)) + lane,
-                      static_cast<int>(std::lround(strip.y / spacing)));
+  for (const Tile& tile : window.tiles)
+    for (int row = 0; row < tile_rows; ++row)
+      for (int column = 0; column < tile_columns; ++column)
+        offsets.emplace(static_cast<int>(std::lround(tile.x / spacing)) +
+                            column,
+                        static_cast<int>(std::lround(tile.y / spacing)) + row);
   return offsets;
 }
 
@@ -45,7 +47,7 @@ void expect_all_partners(const Lattice& lattice) {
   for (const LatticePoint& point :
        {LatticePoint{1.0, 2.0}, LatticePoint{1.99, 2.99}}) {
     const Window window = substrate.window(point, -1.0);
-    ASSERT_LE(window.strips.size(), grid.size());
+    ASSERT_LE(window.tiles.size(), grid.size());
     const Offsets found = offsets_in(window, substrate.spacing());
     for (int row = -far; row <= far; ++row)
       for (int column = -far; column <= far; ++column) {
