@@ -1,7 +1,8 @@
 // The cost of a load step of the contact solver: iterations and transforms
 // (counts, the same on every machine), CPU and wall seconds, peak memory; over
 // loads from light to nearly full contact, without an initial guess and along a
-// loading path.
+// loading path. The ratio is the CPU time of a step over that of its
+// transforms, on all grids.
 //
 //     bench_contact_steps [points] [threads] [thickness] [steps]
 //
@@ -47,6 +48,69 @@ double peak_gigabytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9;
 }
 
+double cpu_now() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) +
+         1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// CPU time of all applications of operators [s].
+double transform_seconds = 0.0;
+
+/// An operator whose applications are timed, also on coarser grids.
+class TimedTransforms final : public SurfaceOperator {
+public:
+  explicit TimedTransforms(std::unique_ptr<SurfaceOperator> timed)
+      : timed_(std::move(timed)) {}
+
+  std::unique_ptr<SurfaceOperator> clone() const override {
+    return std::make_unique<TimedTransforms>(timed_->clone());
+  }
+
+  std::unique_ptr<SurfaceOperator> coarsened() const override {
+    std::unique_ptr<SurfaceOperator> coarse = timed_->coarsened();
+    return coarse ? std::make_unique<TimedTransforms>(std::move(coarse))
+                  : nullptr;
+  }
+
+  const Grid& grid() const override { return timed_->grid(); }
+
+  std::span<const double> nodal_weights() const override {
+    return timed_->nodal_weights();
+  }
+
+  double short_wave_compliance() const override {
+    return timed_->short_wave_compliance();
+  }
+
+  int threads() const override { return timed_->threads(); }
+
+  void displacement(std::span<const double> pressure,
+                    std::span<double> displacement) override {
+    const double begin = cpu_now();
+    timed_->displacement(pressure, displacement);
+    transform_seconds += cpu_now() - begin;
+  }
+
+  void displacement_change(std::span<const float> pressure_change,
+                           std::span<float> displacement_change) override {
+    const double begin = cpu_now();
+    timed_->displacement_change(pressure_change, displacement_change);
+    transform_seconds += cpu_now() - begin;
+  }
+
+  void pressure_estimate(std::span<const float> gap, double local_compliance,
+                         std::span<float> pressure) override {
+    const double begin = cpu_now();
+    timed_->pressure_estimate(gap, local_compliance, pressure);
+    transform_seconds += cpu_now() - begin;
+  }
+
+private:
+  std::unique_ptr<SurfaceOperator> timed_;
+};
+
 struct RoughProblem {
   Grid grid;
   std::vector<double> heights;
@@ -61,9 +125,10 @@ struct RoughProblem {
 /// Solves and prints one step; its cost is added to the total.
 struct Totals {
   int steps = 0, iterations = 0, most = 0, unconverged = 0;
-  double cpu = 0.0, most_cpu = 0.0, wall = 0.0;
+  double cpu = 0.0, most_cpu = 0.0, wall = 0.0, transforms = 0.0;
 
   void take(const char* kind, LoadSequence& sequence, double pressure) {
+    transform_seconds = 0.0;
     const Clock clock;
     const ContactSolution solution =
         sequence.solve({mechanics::Control::nominal_pressure, pressure});
@@ -72,11 +137,12 @@ struct Totals {
     const auto contacts =
         std::count_if(solution.pressure.begin(), solution.pressure.end(),
                       [](double value) { return value > 0.0; });
-    std::printf("%-7s %9.4f %7.4f %6d %6d %8.3f %8.3f %s\n", kind, pressure,
+    std::printf("%-7s %9.4f %7.4f %6d %6d %8.3f %8.3f %6.2f %s\n", kind,
+                pressure,
                 static_cast<double>(contacts) /
                     static_cast<double>(solution.pressure.size()),
                 solution.iterations, solution.transforms, seconds, wall_seconds,
-                solution.note.c_str());
+                seconds / transform_seconds, solution.note.c_str());
     ++steps;
     iterations += solution.iterations;
     most = std::max(most, solution.iterations);
@@ -84,13 +150,15 @@ struct Totals {
     cpu += seconds;
     most_cpu = std::max(most_cpu, seconds);
     wall += wall_seconds;
+    transforms += transform_seconds;
   }
 
   void print(const char* kind) const {
     std::printf("%-7s iterations: mean %.1f, most %d; CPU [s]: mean %.3f, most "
-                "%.3f; wall [s]: mean %.3f; unconverged: %d\n",
+                "%.3f; ratio %.2f; wall [s]: mean %.3f; unconverged: %d\n",
                 kind, static_cast<double>(iterations) / steps, most,
-                cpu / steps, most_cpu, wall / steps, unconverged);
+                cpu / steps, most_cpu, cpu / transforms, wall / steps,
+                unconverged);
   }
 };
 
@@ -100,15 +168,16 @@ void run(int points, int threads, double thickness, int n_steps) {
   problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
   const double infinity = std::numeric_limits<double>::infinity();
   const Clock clock;
-  problem.elasticity = std::make_unique<FourierOperator>(
-      halfspace_operator(grid,
-                         {1.0, 0.3, thickness > 0.0 ? thickness : infinity,
-                          mechanics::FarBoundary::pressure},
-                         threads));
+  problem.elasticity =
+      std::make_unique<TimedTransforms>(std::make_unique<FourierOperator>(
+          halfspace_operator(grid,
+                             {1.0, 0.3, thickness > 0.0 ? thickness : infinity,
+                              mechanics::FarBoundary::pressure},
+                             threads)));
   std::printf("%d^2, %d threads; set-up CPU %.3f s\n", points, threads,
               clock.cpu_seconds());
-  std::printf("%-7s %9s %7s %6s %6s %8s %8s\n", "start", "p0/E*h'", "area",
-              "iter", "pairs", "CPU [s]", "wall [s]");
+  std::printf("%-7s %9s %7s %6s %6s %8s %8s %6s\n", "start", "p0/E*h'", "area",
+              "iter", "pairs", "CPU [s]", "wall [s]", "ratio");
   Totals cold;
   for (const double pressure : {.003, .01, .03, .1, .3, .6, 1.0, 1.3}) {
     LoadSequence sequence = problem.sequence();

@@ -1,6 +1,7 @@
 #include "contact/solvers/boundary_extension.hpp"
 
 #include "base/parallel_rows.hpp"
+#include "contact/solvers/extension_rows.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,11 +10,6 @@ namespace asperity::contact {
 namespace {
 
 constexpr int rows_a_turn = 16;
-
-/// Weights of bilinear interpolation between the centres of cells, in one
-/// direction: of the cell that contains a place, and of the nearest other one.
-constexpr float own_weight = 0.75F;
-constexpr float other_weight = 0.25F;
 
 /// Cells per side of the coarsest level, at most.
 constexpr int coarsest_cells = 4;
@@ -53,65 +49,6 @@ bool has_even_bounds(const SharedRows& rows) {
   return std::ranges::all_of(
       std::span(rows.bounds()).first(rows.bounds().size() - 1),
       [](int bound) { return bound % 2 == 0; });
-}
-
-float counted(float value) {
-  return value;
-}
-
-float counted(std::uint8_t freedom) {
-  return freedom > 0 ? 1.0F : 0.0F;
-}
-
-/// Adds the nodes 2p and 2p + 1 of a row to sums[p].
-template <class Value>
-void add_pairs(std::size_t points, const Value* nodes, float* sums) {
-  const std::size_t pairs = points / 2;
-  for (std::size_t p = 0; p < pairs; ++p)
-    sums[p] += counted(nodes[2 * p]) + counted(nodes[2 * p + 1]);
-  if (points % 2 != 0)
-    sums[pairs] += counted(nodes[points - 1]);
-}
-
-/// fine[x] = interpolation along x of a row of cells.
-void widen(const float* cells, std::size_t points, float* fine) {
-  const std::size_t n = (points + 1) / 2;
-  const auto put = [&](std::size_t p, float before, float after) {
-    const float own = own_weight * cells[p];
-    fine[2 * p] = own + other_weight * before;
-    if (2 * p + 1 < points)
-      fine[2 * p + 1] = own + other_weight * after;
-  };
-  put(0, cells[n - 1], cells[n > 1 ? 1 : 0]);
-  for (std::size_t p = 1; p + 1 < n; ++p) {
-    const float own = own_weight * cells[p];
-    fine[2 * p] = own + other_weight * cells[p - 1];
-    fine[2 * p + 1] = own + other_weight * cells[p + 1];
-  }
-  if (n > 1)
-    put(n - 1, cells[n - 2], cells[0]);
-}
-
-/// The transpose of widen().
-void narrow(const float* fine, std::size_t points, float* cells) {
-  const std::size_t n = (points + 1) / 2;
-  const auto at_end = [&](std::size_t p) {
-    float own = fine[2 * p];
-    if (2 * p + 1 < points)
-      own += fine[2 * p + 1];
-    float other = fine[p + 1 < n ? 2 * p + 2 : 0];
-    if (p > 0)
-      other += fine[2 * p - 1];
-    else if (points % 2 == 0)
-      other += fine[points - 1];
-    cells[p] = own_weight * own + other_weight * other;
-  };
-  at_end(0);
-  for (std::size_t p = 1; p + 1 < n; ++p)
-    cells[p] = own_weight * (fine[2 * p] + fine[2 * p + 1]) +
-               other_weight * (fine[2 * p - 1] + fine[2 * p + 2]);
-  if (n > 1)
-    at_end(n - 1);
 }
 
 } // namespace
@@ -214,12 +151,8 @@ void BoundaryExtension::build(double share,
   share_ = static_cast<float>(share);
   sum_levels(is_free.data(),
              [this](const Level& level, float* shares, float* precision) {
-               const float scale = is_finest(level) ? share_ : 1.0F;
-               for (std::size_t i = 0; i < level.own.width(); ++i) {
-                 const float own = scale * precision[i];
-                 shares[i] = 1.0F / (1.0F + level.variance * own);
-                 precision[i] = shares[i] * own;
-               }
+               share_precision(level.own.width(), scale_of(level),
+                               level.variance, precision, shares);
              });
   for (Level& level : levels_)
     complete(level, level.shares);
@@ -234,9 +167,8 @@ void BoundaryExtension::interpolate(Level& level, std::size_t points, int iy,
   const int cells = level.offset() + iy / 2;
   const float* const own = level.row(cells);
   const float* const other = level.row(iy % 2 == 0 ? cells - 1 : cells + 1);
-  for (std::size_t p = 0; p < n; ++p)
-    scratch[p] = own_weight * own[p] + other_weight * other[p];
-  widen(scratch.data(), points, fine);
+  mix_rows(n, own, other, scratch.data());
+  widen_row(scratch.data(), points, fine);
 }
 
 void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
@@ -244,9 +176,7 @@ void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
                                std::span<float> extended) {
   sum_levels(residual.data(),
              [this](const Level& level, const float* shares, float* sums) {
-               const float scale = is_finest(level) ? share_ : 1.0F;
-               for (std::size_t i = 0; i < level.own.width(); ++i)
-                 sums[i] *= scale * shares[i];
+               scale_row(level.own.width(), scale_of(level), shares, sums);
              });
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
@@ -255,11 +185,8 @@ void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
       scratch.row.resize(n, 0.0F);
       if (l + 1 < levels_.size())
         interpolate(levels_[l + 1], n, iy, scratch.cells, scratch.row.data());
-      const float* const shares = level.shares_row(iy);
-      const float* const beyond = scratch.row.data();
-      float* const values = level.row(iy);
-      for (std::size_t i = 0; i < n; ++i)
-        values[i] = level.variance * values[i] + shares[i] * beyond[i];
+      add_beyond(n, level.variance, level.shares_row(iy), scratch.row.data(),
+                 level.row(iy));
     });
     level.stored.fill_ghost_rows(std::span(level.values));
   }
@@ -267,8 +194,7 @@ void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
     const std::size_t first = rows_.grid().index(0, iy);
     float* const own = &extended[first];
     interpolate(levels_[0], rows_.width(), iy, scratch.cells, own);
-    for (std::size_t i = 0; i < rows_.width(); ++i)
-      own[i] = is_free[first + i] > 0 ? residual[first + i] : own[i];
+    take_active(rows_.width(), &is_free[first], &residual[first], own);
   });
 }
 
@@ -286,21 +212,17 @@ void BoundaryExtension::gather(const SharedRows& fine, const float* field,
       return field + static_cast<std::size_t>(y + 1) * width;
     };
     const bool has_second = 2 * iy + 1 < fine.count();
-    const float* const first = row(2 * iy);
-    const float* const second = row(2 * iy + (has_second ? 1 : 0));
-    const float* const before = row(2 * iy - 1);
-    const float* const after = row(2 * iy + (has_second ? 2 : 1));
-    const float second_weight = has_second ? own_weight : 0.0F;
-    const float before_weight = iy > 0 || has_row_before ? other_weight : 0.0F;
-    float* const sums = scratch.row.data();
-    for (std::size_t i = 0; i < width; ++i)
-      sums[i] = own_weight * first[i] + second_weight * second[i] +
-                before_weight * before[i] + other_weight * after[i];
+    const bool has_before = iy > 0 || has_row_before;
+    sum_rows(width,
+             {row(2 * iy), row(2 * iy + (has_second ? 1 : 0)), row(2 * iy - 1),
+              row(2 * iy + (has_second ? 2 : 1))},
+             {own_weight, has_second ? own_weight : 0.0F,
+              has_before ? other_weight : 0.0F, other_weight},
+             scratch.row.data());
     float* const values = level.row(level.offset() + iy);
-    narrow(sums, width, values);
-    const float* const shares = level.shares_row(level.offset() + iy);
-    for (std::size_t i = 0; i < level.own.width(); ++i)
-      values[i] *= shares[i];
+    narrow_row(scratch.row.data(), width, values);
+    scale_row(level.own.width(), 1.0F, level.shares_row(level.offset() + iy),
+              values);
   });
   complete(level, level.stored_values());
 }
@@ -309,9 +231,8 @@ void BoundaryExtension::fold(std::span<const std::uint8_t> is_free,
                              std::span<float> field) {
   each_row(rows_, [&](int iy, Scratch&) {
     const std::size_t first = rows_.grid().index(0, iy);
-    float* const outside = outside_.data() + first + rows_.width();
-    for (std::size_t i = 0; i < rows_.width(); ++i)
-      outside[i] = is_free[first + i] > 0 ? 0.0F : field[first + i];
+    take_inactive(rows_.width(), &is_free[first], &field[first],
+                  outside_.data() + first + rows_.width());
   });
   rows_.fill_ghost_rows(std::span(outside_));
   gather(rows_, outside_.data(), levels_[0]);
@@ -322,22 +243,18 @@ void BoundaryExtension::fold(std::span<const std::uint8_t> is_free,
   for (std::size_t l = levels_.size(); l-- > 0;) { // what each cell takes
     Level& level = levels_[l];
     each_row(level.stored, [&](int iy, Scratch&) {
-      const float* const shares = level.shares_row(iy);
       const float* const above =
           l + 1 < levels_.size()
               ? levels_[l + 1].row(levels_[l + 1].offset() + iy / 2)
               : nullptr;
-      float* const values = level.row(iy);
-      for (std::size_t i = 0; i < level.own.width(); ++i)
-        values[i] = level.variance * values[i] +
-                    (above != nullptr ? shares[i] * above[i / 2] : 0.0F);
+      pass_down(level.own.width(), level.variance, level.shares_row(iy), above,
+                level.row(iy));
     });
   }
   each_row(rows_, [&](int iy, Scratch&) {
-    float* const own = &field[rows_.grid().index(0, iy)];
-    const float* const above = levels_[0].row(levels_[0].offset() + iy / 2);
-    for (std::size_t i = 0; i < rows_.width(); ++i)
-      own[i] += share_ * above[i / 2];
+    add_above(rows_.width(), share_,
+              levels_[0].row(levels_[0].offset() + iy / 2),
+              &field[rows_.grid().index(0, iy)]);
   });
 }
 

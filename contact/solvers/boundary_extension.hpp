@@ -95,7 +95,10 @@ private:
     std::vector<float> cells, row;
   };
 
-  bool is_finest(const Level& level) const { return &level == &levels_[0]; }
+  /// s on the finest level.
+  float scale_of(const Level& level) const {
+    return &level == &levels_[0] ? share_ : 1.0F;
+  }
 
   template <class DoRow>
   void each_row(const SharedRows& rows, const DoRow& do_row) const;

@@ -6,6 +6,7 @@
 
 #include "contact/solvers/iteration.hpp"
 #include "contact/solvers/node_blocks.hpp"
+#include "contact/solvers/node_kernels.hpp"
 
 #include <cstdint>
 #include <span>
@@ -53,21 +54,14 @@ public:
 
   /// Mean of a field over the active nodes under pressure control, otherwise 0.
   /// Subtracting it from a direction preserves the load.
-  float free_mean(std::span<const float> field) const;
-
-  struct Slopes {
-    double now = 0.0, change = 0.0;
-
-    Slopes& operator+=(const Slopes& other) {
-      now += other.now;
-      change += other.change;
-      return *this;
-    }
-  };
+  float free_mean(std::span<const float> field);
 
   /// Computes r . z and the part of it due to the change of the residual;
   /// z = field - mean, restricted to the changes allowed.
-  Slopes slopes(std::span<const float> field, float mean) const;
+  TwoSums slopes(std::span<const float> field, float mean);
+
+  /// The fields for the loops over nodes.
+  NodeFields fields();
 
   /// The state as a solution; its note says if it did not converge.
   ContactSolution solution() &&;
@@ -82,34 +76,17 @@ public:
   double freed = 0.0; ///< cumulative number of changes of the active set
 
 private:
-  struct ContactSums {
-    double residual = 0.0, weight = 0.0;
-
-    ContactSums& operator+=(const ContactSums& other) {
-      residual += other.residual;
-      weight += other.weight;
-      return *this;
-    }
-  };
-
-  struct ResidualSums;
-  struct BlockSums;
-
   void compute_raw_gap();
   /// raw_gap += factor * field
-  void add_to_gap(float factor, std::span<const float> field);
+  void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
-  ContactSums contact_sums() const;
   void measure_residual();
-  template <class Weight>
-  BlockSums measure_block(const Weight& weight, std::size_t begin,
-                          std::size_t end);
 
   double mean_height_ = 0.0;
   double rigid_distance_ = 0.0; ///< u [m]
   double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
   bool is_computed_ = false;    ///< C p was recomputed, not updated
-  ContactSums contact_sums_;    ///< sums of raw_gap + c p where p > 0
+  TwoSums contact_sums_;        ///< see change_gap()
   BlockFlags written_;          ///< blocks where `residual` may differ from 0
   BlockFlags previous_written_;
   std::vector<double> lowest_; ///< lowest raw_gap of each block [m]

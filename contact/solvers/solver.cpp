@@ -3,7 +3,6 @@
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
-#include "contact/solvers/flagged_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -119,53 +118,42 @@ private:
 
   /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns the
   /// slope r . direction.
-  double conjugate(const ContactState& state) {
+  double conjugate(ContactState& state) {
     const float mean = state.free_mean(preconditioned_);
-    const ContactState::Slopes slopes = state.slopes(preconditioned_, mean);
+    const TwoSums slopes = state.slopes(preconditioned_, mean);
     const float beta =
         before_ > 0.0
-            ? static_cast<float>(std::max(0.0, slopes.change / before_))
+            ? static_cast<float>(std::max(0.0, slopes.second / before_))
             : 0.0F;
-    before_ = slopes.now;
+    before_ = slopes.first;
     clear_inactive(state.active, written_, std::span(direction_));
-    float* const d = direction_.data();
-    const float* const z = preconditioned_.data();
-    const std::uint8_t* const free = state.freedom.data();
-    const float* const r = state.residual.data();
-    const auto slope =
-        with_weights(state.elasticity.nodal_weights(), [&](const auto weight) {
-          return flagged_sum<Sum>(
-              state.active, direction_.size(), state.workers,
-              [=](std::size_t begin, std::size_t end) {
-                double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-                for (std::size_t i = begin; i < end; ++i) {
-                  const float own = allowed(z[i] - mean, free[i]);
-                  d[i] = allowed(own + beta * d[i], free[i]);
-                  sum += weight[i] * static_cast<double>(d[i]) *
-                         static_cast<double>(r[i]);
-                }
-                return Sum{sum};
-              });
+    NodeFields all = state.fields();
+    all.preconditioned = preconditioned_.data();
+    const Sum slope = flagged_sum<Sum>(
+        state.active, direction_.size(), state.workers,
+        [&](std::size_t begin, std::size_t end) {
+          return Sum{conjugate_nodes(all.at(begin, end), mean, beta,
+                                     &direction_[begin])};
         });
     if (slope.value > 0.0)
       return slope.value;
     for (std::size_t i = 0; i < direction_.size(); ++i) // restart
-      direction_[i] = allowed(z[i] - mean, free[i]);
-    return slopes.now;
+      direction_[i] = allowed(preconditioned_[i] - mean, state.freedom[i]);
+    return slopes.first;
   }
 
   /// d . (C + c) d
-  double energy(const ContactState& state) const {
-    const double c = state.problem.local_compliance;
-    const float* const d = direction_.data();
-    const float* const cd = compliance_direction_.data();
-    return flagged_weighted_sum(
-        state.elasticity.nodal_weights(), state.active, direction_.size(),
-        state.workers, [=](std::size_t i) {
-          const double own = static_cast<double>(d[i]);
-          return own * (static_cast<double>(cd[i]) + c * own);
-        });
+  double energy(ContactState& state) {
+    NodeFields all = state.fields();
+    all.direction = direction_.data();
+    all.displaced = compliance_direction_.data();
+    return flagged_sum<Sum>(state.active, direction_.size(), state.workers,
+                            [&](std::size_t begin, std::size_t end) {
+                              return Sum{
+                                  sum_energy(all.at(begin, end),
+                                             state.problem.local_compliance)};
+                            })
+        .value;
   }
 
   BoundaryExtension extension_;

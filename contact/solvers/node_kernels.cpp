@@ -1,0 +1,323 @@
+#include "contact/solvers/node_kernels.hpp"
+
+#include "contact/solvers/node_lanes.hpp"
+#include "contact/solvers/on_this_processor.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace asperity::contact {
+namespace {
+
+/// allowed() of contact_state.hpp: a Freedom of 2 allows every change, 1 only
+/// negative ones.
+[[gnu::always_inline]] inline float restricted(float value,
+                                               std::int32_t freedom) {
+  const float gain = value < 0.0F ? value : 0.0F;
+  return masked(value, -(freedom >> 1)) + masked(gain, -(freedom & 1));
+}
+
+/// The freedom of the nodes of a block as numbers of four bytes.
+struct Freedoms {
+  template <class Count>
+  [[gnu::always_inline]] Freedoms(const std::uint8_t* freedom, Count n) {
+    for (std::size_t i = 0; i < n; ++i)
+      codes[i] = freedom[i];
+  }
+
+  std::array<std::int32_t, block_nodes> codes;
+};
+
+/// Returns 1 if any node is active, otherwise 0.
+template <class Count>
+[[gnu::always_inline]] inline std::uint8_t
+store_freedom(const Terms& codes, Count n, std::uint8_t* freedom) {
+  std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
+  for (std::size_t i = 0; i < n; ++i)
+    narrow[i] = static_cast<std::int32_t>(codes.values[i]);
+  unsigned any = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    freedom[i] = static_cast<std::uint8_t>(narrow[i]);
+    any |= freedom[i];
+  }
+  return any != 0 ? 1 : 0;
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline MeasuredNodes
+measure(const NodeFields& f, double rigid, double compliance,
+        std::uint8_t* active) {
+  Lanes<bytes> error, zero, weight, changed, n_free;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        if (active[first / block_nodes] == 0)
+          return;
+        const double* const p = f.pressure + first;
+        const double* const w = f.raw_gap + first;
+        float* const r = f.residual + first;
+        std::uint8_t* const freedom = f.freedom + first;
+        Terms sizes(n), zeros(n), weights(n), changes(n), frees(n), codes(n);
+        const Freedoms before(freedom, n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double value = w[i] + compliance * p[i] + rigid;
+          const std::int64_t pushed = p[i] > 0.0 ? -1 : 0;
+          const std::int64_t overlaps = value < 0.0 ? -1 : 0;
+          const std::int64_t is_free = pushed | overlaps;
+          const double kept = masked(value, is_free);
+          const double free = masked(1.0, is_free);
+          r[i] = static_cast<float>(kept);
+          sizes[i] = -std::abs(kept);
+          zeros[i] = 0.0 * value;
+          frees[i] = free;
+          codes[i] = free + masked(1.0, pushed);
+        }
+        for (std::size_t i = 0; i < n; ++i) {
+          const double was_free = before.codes[i] > 0 ? 1.0 : 0.0;
+          changes[i] = std::abs(was_free - frees[i]);
+        }
+        active[first / block_nodes] = store_freedom(codes, n, freedom);
+        if (f.weight != nullptr) {
+          for (std::size_t i = 0; i < n; ++i)
+            weights[i] = f.weight[first + i] * frees[i];
+          weight.add(weights);
+        }
+        error.keep_smallest(sizes);
+        zero.add(zeros);
+        changed.add(changes);
+        n_free.add(frees);
+      });
+  const double free = n_free.total();
+  return {zero.total() - error.smallest(),
+          f.weight != nullptr ? weight.total() : free, changed.total()};
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline TwoSums
+change(const NodeFields& f, double factor, double compliance,
+       const std::uint8_t* active, double* lowest) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Lanes<bytes> residual, weight;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const u = f.displaced + first;
+        double* const w = f.raw_gap + first;
+        Terms gaps(n, infinity), zeros(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double own = w[i] + factor * static_cast<double>(u[i]);
+          w[i] = own;
+          gaps[i] = own;
+          zeros[i] = 0.0 * own;
+        }
+        Lanes<bytes> least, zero;
+        for (auto& part : least.parts)
+          part += infinity;
+        least.keep_smallest(gaps);
+        zero.add(zeros);
+        lowest[first / block_nodes] = least.smallest() + zero.total();
+        if (active[first / block_nodes] == 0)
+          return;
+        const double* const p = f.pressure + first;
+        Terms residuals(n), weights(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const std::int64_t pushed = p[i] > 0.0 ? -1 : 0;
+          residuals[i] = masked(gaps[i] + compliance * p[i], pushed);
+          weights[i] = masked(1.0, pushed);
+        }
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i) {
+            residuals[i] *= f.weight[first + i];
+            weights[i] *= f.weight[first + i];
+          }
+        residual.add(residuals);
+        weight.add(weights);
+      });
+  return {residual.total(), weight.total()};
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline double sum_of_free(const NodeFields& f) {
+  Lanes<bytes> sum;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const z = f.preconditioned + first;
+        const Freedoms freedom(f.freedom + first, n);
+        Terms terms(n);
+        for (std::size_t i = 0; i < n; ++i)
+          terms[i] =
+              static_cast<double>(masked(z[i], freedom.codes[i] > 0 ? -1 : 0));
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i)
+            terms[i] *= f.weight[first + i];
+        sum.add(terms);
+      });
+  return sum.total();
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline TwoSums slopes(const NodeFields& f, float mean) {
+  Lanes<bytes> now, change;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const z = f.preconditioned + first;
+        const float* const r = f.residual + first;
+        const float* const before = f.previous_residual + first;
+        const Freedoms freedom(f.freedom + first, n);
+        Terms nows(n), changes(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double slope =
+              static_cast<double>(restricted(z[i] - mean, freedom.codes[i]));
+          nows[i] = slope * static_cast<double>(r[i]);
+          changes[i] = slope * static_cast<double>(r[i] - before[i]);
+        }
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i) {
+            nows[i] *= f.weight[first + i];
+            changes[i] *= f.weight[first + i];
+          }
+        now.add(nows);
+        change.add(changes);
+      });
+  return {now.total(), change.total()};
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline double conjugate(const NodeFields& f, float mean,
+                                               float beta, float* direction) {
+  Lanes<bytes> slope;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const z = f.preconditioned + first;
+        const float* const r = f.residual + first;
+        float* const d = direction + first;
+        const Freedoms freedom(f.freedom + first, n);
+        Terms terms(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const float own = restricted(z[i] - mean, freedom.codes[i]);
+          const float value = restricted(own + beta * d[i], freedom.codes[i]);
+          d[i] = value;
+          terms[i] = static_cast<double>(value) * static_cast<double>(r[i]);
+        }
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i)
+            terms[i] *= f.weight[first + i];
+        slope.add(terms);
+      });
+  return slope.total();
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline double energy(const NodeFields& f,
+                                            double compliance) {
+  Lanes<bytes> sum;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const d = f.direction + first;
+        const float* const cd = f.displaced + first;
+        Terms terms(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double own = static_cast<double>(d[i]);
+          terms[i] = own * (static_cast<double>(cd[i]) + compliance * own);
+        }
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i)
+            terms[i] *= f.weight[first + i];
+        sum.add(terms);
+      });
+  return sum.total();
+}
+
+template <std::size_t bytes>
+[[gnu::always_inline]] inline TwoSums advance(const NodeFields& f,
+                                              double step) {
+  Lanes<bytes> total, cuts;
+  each_node_block(
+      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+        const float* const d = f.direction + first;
+        double* const p = f.pressure + first;
+        float* const dp = f.change + first;
+        Terms totals(n), cut(n);
+        for (std::size_t i = 0; i < n; ++i) {
+          const double wish = p[i] - step * static_cast<double>(d[i]);
+          const double kept = wish > 0.0 ? wish : 0.0;
+          dp[i] = static_cast<float>(kept - p[i]);
+          p[i] = kept;
+          totals[i] = kept;
+          cut[i] = kept - wish;
+        }
+        if (f.weight != nullptr)
+          for (std::size_t i = 0; i < n; ++i)
+            totals[i] *= f.weight[first + i];
+        total.add(totals);
+        cuts.add(cut);
+      });
+  return {total.total(), cuts.total()};
+}
+
+template <class Field>
+Field* moved(Field* field, std::size_t nodes) {
+  return field != nullptr ? field + nodes : nullptr;
+}
+
+} // namespace
+
+NodeFields NodeFields::at(std::size_t begin, std::size_t end) const {
+  return {end - begin,
+          moved(weight, begin),
+          moved(pressure, begin),
+          moved(raw_gap, begin),
+          moved(residual, begin),
+          moved(previous_residual, begin),
+          moved(freedom, begin),
+          moved(preconditioned, begin),
+          moved(direction, begin),
+          moved(displaced, begin),
+          moved(change, begin)};
+}
+
+MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
+                            double compliance, std::uint8_t* active) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return measure<bytes()>(fields, rigid, compliance, active);
+  });
+}
+
+TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
+                   const std::uint8_t* active, double* lowest) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return change<bytes()>(fields, factor, compliance, active, lowest);
+  });
+}
+
+double sum_free(const NodeFields& fields) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return sum_of_free<bytes()>(fields);
+  });
+}
+
+TwoSums sum_slopes(const NodeFields& fields, float mean) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return slopes<bytes()>(fields, mean);
+  });
+}
+
+double conjugate_nodes(const NodeFields& fields, float mean, float beta,
+                       float* direction) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return conjugate<bytes()>(fields, mean, beta, direction);
+  });
+}
+
+double sum_energy(const NodeFields& fields, double compliance) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return energy<bytes()>(fields, compliance);
+  });
+}
+
+TwoSums advance_nodes(const NodeFields& fields, double step) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return advance<bytes()>(fields, step);
+  });
+}
+
+} // namespace asperity::contact

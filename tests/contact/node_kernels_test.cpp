@@ -1,0 +1,236 @@
+// Tests of contact/solvers/node_kernels.hpp: each loop against the formula of
+// its declaration, one node after another.
+#include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/node_kernels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace asperity::contact {
+namespace {
+
+constexpr float mean = 0.1F;
+constexpr float beta = 0.7F;
+constexpr double compliance = 0.3;
+constexpr double rigid = -0.2;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Fields with all kinds of nodes: two blocks and a part of a third.
+struct Fields {
+  explicit Fields(bool is_weighted) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    for (std::size_t i = 0; i < nodes; ++i) {
+      pressure[i] = std::max(0.0, value(random));
+      raw_gap[i] = value(random);
+      freedom[i] = static_cast<std::uint8_t>(i % 3);
+      weight[i] = 1.0 + 0.3 * value(random);
+      for (std::vector<float>* field :
+           {&residual, &previous, &preconditioned, &direction, &displaced})
+        (*field)[i] = static_cast<float>(value(random));
+    }
+    if (!is_weighted)
+      weight.clear();
+  }
+
+  NodeFields view() {
+    return {nodes,
+            weight.empty() ? nullptr : weight.data(),
+            pressure.data(),
+            raw_gap.data(),
+            residual.data(),
+            previous.data(),
+            freedom.data(),
+            preconditioned.data(),
+            direction.data(),
+            displaced.data(),
+            change.data()};
+  }
+
+  double weight_at(std::size_t i) const {
+    return weight.empty() ? 1.0 : weight[i];
+  }
+
+  float restricted(std::size_t i) const {
+    return allowed(preconditioned[i] - mean, freedom[i]);
+  }
+
+  static constexpr std::size_t nodes = 2 * block_nodes + 37;
+  std::vector<double> weight = std::vector<double>(nodes);
+  std::vector<double> pressure = weight, raw_gap = weight;
+  std::vector<std::uint8_t> freedom = std::vector<std::uint8_t>(nodes);
+  std::vector<float> residual = std::vector<float>(nodes);
+  std::vector<float> previous = residual, preconditioned = residual,
+                     direction = residual, displaced = residual,
+                     change = residual;
+};
+
+/// A sum of up to 165 terms of order 1 in any order: 165 eps 165, rounded up.
+constexpr double roundoff = 1e-11;
+
+class NodeKernels : public testing::TestWithParam<bool> {};
+
+TEST_P(NodeKernels, MeasuresResidualAndFreedomOfActiveBlocks) {
+  Fields fields(GetParam());
+  const Fields before = fields;
+  std::vector<std::uint8_t> active{1, 0, 1};
+
+  const MeasuredNodes found =
+      measure_nodes(fields.view(), rigid, compliance, active.data());
+
+  MeasuredNodes expected;
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    if (i / block_nodes == 1) {
+      EXPECT_EQ(fields.residual[i], before.residual[i]);
+      EXPECT_EQ(fields.freedom[i], before.freedom[i]);
+      continue;
+    }
+    const double value =
+        before.raw_gap[i] + compliance * before.pressure[i] + rigid;
+    const bool has_pressure = before.pressure[i] > 0.0;
+    const bool is_free = has_pressure || value < 0.0;
+    EXPECT_EQ(fields.freedom[i], has_pressure ? may_shift
+                                 : is_free    ? gains
+                                              : fixed);
+    EXPECT_EQ(fields.residual[i], is_free ? static_cast<float>(value) : 0.0F);
+    if (is_free) {
+      expected.error = std::max(expected.error, std::abs(value));
+      expected.weight += fields.weight_at(i);
+    }
+    expected.changed += is_free != (before.freedom[i] > 0) ? 1.0 : 0.0;
+  }
+  EXPECT_EQ(found.error, expected.error);
+  EXPECT_EQ(found.changed, expected.changed);
+  EXPECT_NEAR(found.weight, expected.weight, roundoff);
+  EXPECT_EQ(active, (std::vector<std::uint8_t>{1, 0, 1}));
+}
+
+TEST_P(NodeKernels, FindsBlocksWithoutActiveNodes) {
+  Fields fields(GetParam());
+  std::fill_n(fields.pressure.begin(), block_nodes, 0.0);
+  std::fill_n(fields.raw_gap.begin(), block_nodes, 1.0);
+  std::vector<std::uint8_t> active{1, 1, 1};
+
+  measure_nodes(fields.view(), rigid, compliance, active.data());
+
+  EXPECT_EQ(active, (std::vector<std::uint8_t>{0, 1, 1}));
+}
+
+TEST_P(NodeKernels, ReportsValuesThatAreNotFinite) {
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
+    for (const std::size_t node : {std::size_t{5}, Fields::nodes - 1}) {
+      Fields fields(GetParam());
+      fields.raw_gap[node] = wrong;
+      std::vector<std::uint8_t> active{1, 1, 1};
+      std::vector<double> lowest(3);
+
+      const MeasuredNodes found =
+          measure_nodes(fields.view(), rigid, compliance, active.data());
+      change_gap(fields.view(), 1.0, compliance, active.data(), lowest.data());
+
+      EXPECT_TRUE(std::isnan(found.error)) << wrong << " at " << node;
+      EXPECT_TRUE(std::isnan(lowest[node / block_nodes]));
+      EXPECT_FALSE(std::isnan(lowest[1]));
+    }
+}
+
+TEST_P(NodeKernels, ChangesTheGapAndSumsItUnderPressure) {
+  Fields fields(GetParam());
+  const Fields before = fields;
+  const std::vector<std::uint8_t> active{1, 0, 1};
+  std::vector<double> lowest(3);
+
+  const TwoSums found =
+      change_gap(fields.view(), 0.6, compliance, active.data(), lowest.data());
+
+  TwoSums expected;
+  std::vector<double> least(3, infinity);
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const std::size_t block = i / block_nodes;
+    const double gap =
+        before.raw_gap[i] + 0.6 * static_cast<double>(before.displaced[i]);
+    EXPECT_EQ(fields.raw_gap[i], gap);
+    least[block] = std::min(least[block], gap);
+    if (active[block] == 0 || before.pressure[i] <= 0.0)
+      continue;
+    expected.first +=
+        fields.weight_at(i) * (gap + compliance * before.pressure[i]);
+    expected.second += fields.weight_at(i);
+  }
+  EXPECT_EQ(lowest, least);
+  EXPECT_NEAR(found.first, expected.first, roundoff);
+  EXPECT_NEAR(found.second, expected.second, roundoff);
+}
+
+TEST_P(NodeKernels, SumsTheDirection) {
+  Fields fields(GetParam());
+  double free = 0.0, energy = 0.0;
+  TwoSums slopes;
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const double weight = fields.weight_at(i);
+    if (fields.freedom[i] > fixed)
+      free += weight * static_cast<double>(fields.preconditioned[i]);
+    const double slope = weight * static_cast<double>(fields.restricted(i));
+    slopes.first += slope * static_cast<double>(fields.residual[i]);
+    slopes.second +=
+        slope * static_cast<double>(fields.residual[i] - fields.previous[i]);
+    const double d = static_cast<double>(fields.direction[i]);
+    energy += weight * d *
+              (static_cast<double>(fields.displaced[i]) + compliance * d);
+  }
+
+  const TwoSums found = sum_slopes(fields.view(), mean);
+
+  EXPECT_NEAR(sum_free(fields.view()), free, roundoff);
+  EXPECT_NEAR(found.first, slopes.first, roundoff);
+  EXPECT_NEAR(found.second, slopes.second, roundoff);
+  EXPECT_NEAR(sum_energy(fields.view(), compliance), energy, roundoff);
+}
+
+TEST_P(NodeKernels, ConjugatesWithinTheChangesAllowed) {
+  Fields fields(GetParam());
+  std::vector<float> next = fields.direction;
+
+  const double found = conjugate_nodes(fields.view(), mean, beta, next.data());
+
+  double expected = 0.0;
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const float wish = fields.restricted(i) + beta * fields.direction[i];
+    EXPECT_EQ(next[i], allowed(wish, fields.freedom[i]));
+    expected += fields.weight_at(i) * static_cast<double>(next[i]) *
+                static_cast<double>(fields.residual[i]);
+  }
+  EXPECT_NEAR(found, expected, roundoff);
+}
+
+TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
+  Fields fields(GetParam());
+  const Fields before = fields;
+
+  const TwoSums found = advance_nodes(fields.view(), 0.4);
+
+  TwoSums expected;
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const double wish =
+        before.pressure[i] - 0.4 * static_cast<double>(before.direction[i]);
+    const double kept = std::max(0.0, wish);
+    EXPECT_EQ(fields.pressure[i], kept);
+    EXPECT_EQ(fields.change[i], static_cast<float>(kept - before.pressure[i]));
+    expected.first += fields.weight_at(i) * kept;
+    expected.second += kept - wish;
+  }
+  EXPECT_NEAR(found.first, expected.first, roundoff);
+  EXPECT_NEAR(found.second, expected.second, roundoff);
+  EXPECT_GT(found.second, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(EqualAndUnequalAreas, NodeKernels, testing::Bool());
+
+} // namespace
+} // namespace asperity::contact
