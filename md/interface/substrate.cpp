@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace asperity::md {
@@ -103,11 +104,11 @@ void Substrate::find_highest(int points) {
   std::vector<double> along_x(as_index(n_rows) * as_index(blocks_));
   for (int row = 0; row < n_rows; ++row)
     for (int block = 0; block < blocks_; ++block) {
-      const double* heights = paired_.data() + 2 * row * stride_;
+      const double* heights = paired_.data() + 2 * (row * stride_);
       double& highest =
           along_x[as_index(row) * as_index(blocks_) + as_index(block)];
-      highest = heights[2 * begin(block)];
-      for (int column = begin(block); column < end(block); ++column)
+      highest = heights[std::int64_t{2} * begin(block)];
+      for (std::int64_t column = begin(block); column < end(block); ++column)
         highest = std::max(highest, heights[2 * column]);
     }
 
