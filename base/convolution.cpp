@@ -9,6 +9,10 @@
 namespace asperity {
 namespace {
 
+/// Pairs of rows by which memory is asked for ahead: a block of columns touches
+/// two or three cache lines of each pair, far apart from those of the next one.
+constexpr std::size_t pairs_ahead = 8;
+
 /// Pairs of rows that a thread processes at a time.
 constexpr int pairs_a_turn = 4;
 
@@ -148,10 +152,16 @@ void PairTransforms<Real>::separate(const Complex* spectrum, std::size_t first,
                                     std::size_t n, std::size_t stride,
                                     Complex* columns) const {
   const Real half = Real{0.5};
+  const std::size_t last_pair = (held_rows_ - 1) / 2;
   for (std::size_t jy = 0; jy < held_rows_; jy += 2) {
     const Complex* const modes = spectrum + jy / 2 * pair_stride_;
     const Complex* const plus = modes + first;
     const Complex* const minus = modes + (width_ - first);
+    const Complex* const ahead =
+        spectrum + std::min(jy / 2 + pairs_ahead, last_pair) * pair_stride_;
+    __builtin_prefetch(ahead + first);
+    __builtin_prefetch(ahead + (width_ - first + 1 - n));
+    __builtin_prefetch(ahead + std::min(width_ - first, pair_stride_ - 1));
     Complex* column = columns + jy;
     for (std::size_t k = 0; k < n; ++k, column += stride) {
       const Complex z = plus[k];

@@ -4,10 +4,10 @@
 // nodes, and sums that round in the same way for every SIMD width.
 //
 // The terms of the sums over a block go to arrays on the stack, which are added
-// in `n_lanes` lanes and then the lanes in a fixed order. The compiler turns the
-// loops over a block into vectors: they have no branches, a condition is a mask
-// of bits, and the number of nodes is known. Nodes that are missing in the last
-// block have terms of 0.
+// in `n_lanes` lanes and then the lanes in a fixed order. The compiler turns
+// the loops over a block into vectors: they have no branches, a condition is a
+// mask of bits, and the number of nodes is known. Nodes that are missing in the
+// last block have terms of 0.
 
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_blocks.hpp"
