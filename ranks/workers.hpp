@@ -19,8 +19,8 @@ inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
 /// are gathered and added in order.
 inline constexpr std::size_t most_groups = 1024;
 
-/// Rows that one rank holds together, so that ranks share the first three levels
-/// of BoundaryExtension.
+/// Rows that one rank holds together: the side of the largest cells of
+/// BoundaryExtension whose rows are shared on any grid.
 inline constexpr std::size_t rows_in_cell = 8;
 
 /// Number of chunks in a group of a field of all ranks together.
