@@ -25,12 +25,12 @@ bool has_surfaces_by_rows(const cases::Case& contact_case,
 /// must be built as a whole (surfaces::reason_for_whole): then rank 0 does so,
 /// sends the rows and keeps only its own. To be called on rank 0, as the next
 /// functions; one call at a time may be active.
-/// @param source           grid and whole_because are not read
+/// @param asked            grid and whole_because are not read
 /// @param contact_modulus  E* [Pa]
 /// @param threads          of each rank
 /// @return  the surface without its heights, with the bits of one process
 /// @throws  as surfaces::build_surface
-SurfaceOfCase surface_by_rows(const SurfaceSource& source,
+SurfaceOfCase surface_by_rows(const SurfaceSource& asked,
                               double contact_modulus, int threads);
 
 /// Who builds the rows of such a surface, as a sentence.

@@ -110,11 +110,17 @@ double peak_memory(const Plan& plan, const Grid& grid, double n_surfaces,
   return program + surfaces + std::max(beside, alone);
 }
 
-/// Whether rank 0 holds whole surfaces, or does until it has sent their rows.
-bool holds_surfaces(const cases::Case& contact_case,
-                    const std::vector<MethodSpec>& methods, int n_ranks) {
-  return !has_surfaces_by_rows(contact_case, methods, n_ranks) ||
-         !surfaces::reason_for_whole(contact_case.surface).empty();
+/// Number of whole surfaces that rank 0 holds, for the run or until it has sent
+/// their rows.
+double held_surfaces(const cases::Case& contact_case,
+                     const std::vector<MethodSpec>& methods,
+                     const RunOptions& options) {
+  if (has_surfaces_by_rows(contact_case, methods, options.ranks) &&
+      surfaces::reason_for_whole(contact_case.surface).empty())
+    return 0.0;
+  return options.realizations.empty()
+             ? contact_case.surface.realizations
+             : static_cast<double>(options.realizations.size());
 }
 
 double result_bytes(const cases::Case& contact_case,
@@ -228,19 +234,12 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
         time_on_first_surface(contact_case, methods, grid, keys, cache, rates);
   plan.base_time = base_time(rates);
   add_up_times(plan);
-  const double n_surfaces =
-      options.realizations.empty()
-          ? contact_case.surface.realizations
-          : static_cast<double>(options.realizations.size());
   const double program =
       base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
-  plan.memory = peak_memory(
-      plan, grid,
-      holds_surfaces(contact_case, methods, options.ranks) ? n_surfaces : 0.0,
-      program);
-  plan.memory =
-      std::max(plan.memory, program + memory_of_result(contact_case, methods,
-                                                       grid, options));
+  plan.memory = std::max(
+      peak_memory(plan, grid, held_surfaces(contact_case, methods, options),
+                  program),
+      program + memory_of_result(contact_case, methods, grid, options));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);
   plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);
