@@ -60,10 +60,10 @@ struct Feasible {
 };
 
 /// Cuts off tension, scales the mean to p_0 and applies the operator once.
-/// @param pressure  as in SubmittedField
+/// @param submitted  pressure, as in SubmittedField
 /// @throws std::domain_error  no node has a pressure > 0
 Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
-                  std::span<const double> pressure);
+                  std::span<const double> submitted);
 
 /// G = <p, g> with its allowance for roundoff [J/m^2].
 /// @param pressure_excess  <p, excess>
