@@ -179,9 +179,11 @@ Value setting_row(const Bench& bench, const BenchPoint& point) {
   row.set("wall_range",
           fmt::format("{} … {}", short_number(point.wall.least, "{:.3g}"),
                       short_number(point.wall.largest, "{:.3g}")));
-  row.set("memory", fmt::format("{:.0f}", point.peak_memory / 1048576.0));
+  const bool has_run = point.repeats > 0;
+  row.set("memory",
+          has_run ? fmt::format("{:.0f}", point.peak_memory / 1048576.0) : "–");
   row.set("unknowns", short_number(point.unknowns, "{:.0f}"));
-  row.set("iterations", std::to_string(point.iterations));
+  row.set("iterations", has_run ? std::to_string(point.iterations) : "–");
   row.set("transforms",
           point.transforms > 0 ? std::to_string(point.transforms) : "–");
   row.set("floor",

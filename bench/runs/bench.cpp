@@ -136,8 +136,10 @@ void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
         "The time budget was used up before the end: settings with n = 1 were "
         "run once, without a warm-up run.");
   if (!left_out.empty())
-    bench.remarks.push_back("Skipped because the time budget was used up: " +
-                            left_out + ". Increase it with --budget.");
+    bench.remarks.push_back(
+        "Skipped because the time budget was used up: " + left_out +
+        ". Increase it with --budget; --quick limits it to "
+        "60 s.");
 }
 
 void print_fronts(const Bench& bench) {
