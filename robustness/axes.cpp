@@ -110,7 +110,8 @@ const std::vector<Axis>& axes() {
       {"sides", {"periodic", "free"}},
       {"linear-solver", {"auto", "multigrid", "fourier"}},
       {"modulus-ratio", modulus_ratios.labels()},
-      {"mesh", names(MeshKind::layers, MeshKind::gmsh)}};
+      {"mesh", names(MeshKind::layers, MeshKind::gmsh)},
+      {"counter-body", names(CounterBody::none, CounterBody::cuboid)}};
   return all;
 }
 
@@ -162,7 +163,8 @@ std::vector<std::string> labels_of(const Instance& instance) {
       where(family == Family::full_block, name_of(instance.linear_solver)),
       where(family == Family::full_block,
             modulus_ratios.label_of(instance.modulus_ratio)),
-      where(family == Family::full_block, name_of(instance.mesh))};
+      where(family == Family::full_block, name_of(instance.mesh)),
+      where(family == Family::full_block, name_of(instance.counter))};
 }
 
 InstanceFilter::InstanceFilter(const std::string& words) {

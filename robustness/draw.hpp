@@ -48,6 +48,9 @@ enum class Stream {
   linear_solver,
   modulus_ratio,
   mesh,
+  counter,
+  counter_radius,
+  counter_stiffness,
 };
 
 /// The random numbers of one instance.

@@ -64,6 +64,17 @@ AskedContact asked_of_block(const Instance& instance,
   return asked;
 }
 
+mechanics::CounterShape shape_of(CounterBody counter) {
+  switch (counter) {
+  case CounterBody::cylinder:
+    return mechanics::CounterShape::cylinder;
+  case CounterBody::cuboid:
+    return mechanics::CounterShape::cuboid;
+  default:
+    return mechanics::CounterShape::sphere;
+  }
+}
+
 /// The mesh of an instance. Cells of gmsh are hexahedra or tetrahedra of one
 /// spacing at the contact surface, and an adaptive mesh has two coarsest cells
 /// per side, or four first-order ones.
@@ -73,10 +84,38 @@ mechanics::MeshSpec mesh_of(const Instance& instance) {
   mesh.kind = instance.mesh;
   mesh.halvings = instance.points == 8 ? 1 : 2;
   mesh.size_far = {2.0, ReferenceUnit::spacing};
-  // Vertices of second-order tetrahedra have no area for contact at nodes.
-  if (instance.index % 2 == 1 && instance.degree == 1)
+  const bool has_counter = instance.counter != CounterBody::none;
+  // Vertices of second-order tetrahedra have no area for contact at nodes, and
+  // counter-bodies are hexahedra.
+  if (instance.index % 2 == 1 && instance.degree == 1 && !has_counter)
     mesh.cells = mechanics::MeshCells::tetrahedra;
+  if (has_counter) {
+    mechanics::CounterMeshSpec& counter = mesh.counter.emplace();
+    counter.shape = shape_of(instance.counter);
+    counter.radius = {instance.counter_radius, ReferenceUnit::length};
+    counter.size_far = {2.0, ReferenceUnit::spacing};
+    // Cells are so coarse that only the widest fine region of a ball has two.
+    if (instance.counter == CounterBody::sphere)
+      counter.fine_radius = {0.4 * instance.counter_radius,
+                             ReferenceUnit::length};
+  }
   return mesh;
+}
+
+/// The moduli of the block, or of block and counter-body, whose E* is that of
+/// the pair.
+mechanics::MaterialSpec material_of(const Instance& instance) {
+  mechanics::MaterialSpec material;
+  material.contact_modulus = instance.contact_modulus;
+  material.poisson_ratio = instance.poisson_ratio;
+  if (instance.counter == CounterBody::none)
+    return material;
+  constexpr double ratio = 0.3;
+  const double stiffness = instance.counter_stiffness;
+  material.contact_modulus *= stiffness / (1.0 + stiffness);
+  material.counter = mechanics::BodyModuli{
+      stiffness * instance.contact_modulus * (1.0 - ratio * ratio), ratio};
+  return material;
 }
 
 /// The model of an instance: the block of a condensed one, with random moduli.
@@ -93,8 +132,8 @@ std::unique_ptr<fem::FullBlock> block_of(const Instance& instance,
   request.mesh = mesh_of(instance);
   if (instance.has_free_sides)
     request.full.sides = mechanics::BlockSides::free;
-  request.material.contact_modulus = instance.contact_modulus;
-  request.material.poisson_ratio = instance.poisson_ratio;
+  request.material = material_of(instance);
+  request.full.bodies = request.material.counter ? 2 : 1;
   request.material.layers = uniform.layers;
   request.scales = uniform.scales;
   // A wave much shorter than a cell is as good as random numbers.
@@ -115,7 +154,7 @@ bool is_laterally_uniform(const Instance& instance) {
 /// Whether the fields of a solution are those of the contact points. Otherwise
 /// they are samples, which need not satisfy the contact conditions.
 bool has_nodal_fields(const Instance& instance) {
-  return !instance.has_free_sides &&
+  return !instance.has_free_sides && instance.counter == CounterBody::none &&
          (instance.mesh == mechanics::MeshKind::layers ||
           instance.mesh == mechanics::MeshKind::hanging);
 }

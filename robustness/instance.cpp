@@ -127,10 +127,46 @@ void draw_block(const Draw& draw, Instance& instance) {
       draw.coin(Stream::modulus_ratio)
           ? draw.log_uniform(Stream::modulus_ratio, 1.0, 1e3)
           : 1.0;
+  instance.counter =
+      draw.weigh<CounterBody>(Stream::counter, {{CounterBody::none, 7.0},
+                                                {CounterBody::sphere, 1.0},
+                                                {CounterBody::cylinder, 1.0},
+                                                {CounterBody::cuboid, 1.0}});
+  instance.counter_radius = draw.uniform(Stream::counter_radius, 0.25, 0.45);
+  instance.counter_stiffness =
+      draw.log_uniform(Stream::counter_stiffness, 1e-2, 1e2);
   instance.far_boundary = draw.pick<mechanics::FarBoundary>(
       Stream::far_boundary,
       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
        mechanics::FarBoundary::pressure});
+}
+
+/// Restricts a full 3-D model on a counter-body to what a case accepts, and to
+/// prescribed loads: only a part of its points can touch, and no pressure may
+/// close the mean gap of all. A cell fits into the fine region of a ball, which
+/// has at most 0.4 R, and the surface on it is a paraboloid of its radius R:
+/// over a square of side L, the rms of the slope r/R is L/(sqrt(6) R).
+Instance with_counter_settings(Instance instance) {
+  if (instance.law == mechanics::ContactLaw::hard)
+    instance.law = mechanics::ContactLaw::augmented;
+  if (instance.far_boundary == mechanics::FarBoundary::pressure)
+    instance.far_boundary = mechanics::FarBoundary::sliding;
+  if (instance.mesh == mechanics::MeshKind::adaptive)
+    instance.mesh = mechanics::MeshKind::hanging;
+  if (instance.control == mechanics::Control::mean_gap)
+    instance.load = std::max(std::abs(instance.load), 1e-3);
+  instance.control = mechanics::Control::nominal_pressure;
+  if (instance.counter == CounterBody::sphere) {
+    if (instance.mesh == mechanics::MeshKind::gmsh)
+      instance.degree = 1;
+    else if (instance.degree == 2)
+      instance.points = 16;
+    const double edge = 1.0 * instance.degree / instance.points;
+    instance.counter_radius = std::max(instance.counter_radius, 2.75 * edge);
+    instance.shape = Shape::paraboloid;
+    instance.rms_slope = 1.0 / (std::sqrt(6.0) * instance.counter_radius);
+  }
+  return instance;
 }
 
 /// Restricts the settings of a full 3-D model to combinations that it accepts;
@@ -148,11 +184,15 @@ Instance with_block_settings(Instance instance) {
     instance.linear_solver = LinearSolver::automatic;
     instance.modulus_ratio = 1.0;
     instance.mesh = mechanics::MeshKind::layers;
+    instance.counter = CounterBody::none;
   }
+  if (instance.counter != CounterBody::none)
+    instance = with_counter_settings(instance);
   if (instance.far_boundary == mechanics::FarBoundary::pressure)
     instance.has_free_sides = false;
   if ((instance.has_free_sides ||
-       instance.mesh != mechanics::MeshKind::layers) &&
+       instance.mesh != mechanics::MeshKind::layers ||
+       instance.counter != CounterBody::none) &&
       instance.linear_solver == LinearSolver::fourier)
     instance.linear_solver = LinearSolver::multigrid;
   // Their iterations grow beyond the cost of a direct solver, which `auto`

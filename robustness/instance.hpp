@@ -62,6 +62,9 @@ enum class Path {
   two_ranks, ///< under mpirun, without a report; only full 3-D models
 };
 
+/// The second meshed body of a full 3-D model, of finite size.
+enum class CounterBody { none, sphere, cylinder, cuboid };
+
 /// The defect of a flawed instance.
 enum class Flaw {
   none,
@@ -127,13 +130,17 @@ struct Instance {
   double coating_stiffness = 1.0;
   /// In units of the block's thickness [1] 0..1.
   double coating_thickness = 0.1;
-  // Only full 3-D models use the following four.
+  // Only full 3-D models use the following seven.
   mechanics::MeshKind mesh = mechanics::MeshKind::layers;
   bool has_free_sides = false;
   mechanics::LinearSolver linear_solver = mechanics::LinearSolver::automatic;
   /// r: the moduli of the cells differ from each other by random factors within
   /// 1/r..r [1] >= 1.
   double modulus_ratio = 1.0;
+  CounterBody counter = CounterBody::none;
+  double counter_radius = 0.4;    ///< or half the side, in lengths [1] 0..0.5
+  double counter_stiffness = 1.0; ///< plane-strain modulus over that of the
+                                  ///< block [1] > 0
 
   double penalty = 100.0; ///< k, in E*/h [1] > 0; ignored by hard contact
   /// Nominal pressure in units of E* h' [1], or mean gap in units of h_rms [1].
@@ -171,6 +178,7 @@ std::string name_of(mechanics::FarBoundary far_boundary);
 std::string name_of(Program program);
 std::string name_of(mechanics::LinearSolver linear_solver);
 std::string name_of(mechanics::MeshKind mesh);
+std::string name_of(CounterBody counter);
 std::string name_of(MetamorphicRelation relation);
 std::string name_of(Flaw flaw);
 std::string name_of(Path path);

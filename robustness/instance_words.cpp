@@ -53,6 +53,10 @@ std::string name_of(mechanics::MeshKind mesh) {
   return nth(std::array{"layers", "hanging", "adaptive", "gmsh"}, mesh);
 }
 
+std::string name_of(CounterBody counter) {
+  return nth(std::array{"none", "sphere", "cylinder", "cuboid"}, counter);
+}
+
 std::string name_of(MetamorphicRelation relation) {
   return nth(std::array{"none", "binary-units", "decimal-units", "threads",
                         "direct-solver"},
@@ -110,6 +114,11 @@ std::string in_words(const Instance& instance) {
                          name_of(instance.mesh),
                          instance.has_free_sides ? "free" : "periodic",
                          name_of(instance.linear_solver));
+  if (instance.counter != CounterBody::none)
+    words += fmt::format("on a {} of radius {:.17g} lengths and {:.17g} times "
+                         "the modulus, ",
+                         name_of(instance.counter), instance.counter_radius,
+                         instance.counter_stiffness);
   if (instance.modulus_ratio != 1.0)
     words += fmt::format("moduli times {:.17g} to its inverse, ",
                          instance.modulus_ratio);

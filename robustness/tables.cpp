@@ -35,7 +35,8 @@ std::string csv_header() {
          "rms slope,length [m],contact modulus [Pa],nu,thickness [length],top,"
          "growth,gamma,metamorphic pair,flaw,degree,coating stiffness [E],"
          "coating thickness [thickness],path,threads,sides,linear solver,"
-         "modulus ratio [1],mesh\n";
+         "modulus ratio [1],mesh,counter-body,counter radius [length],"
+         "counter modulus [E]\n";
 }
 
 std::string csv_line(const InstanceResult& result) {
@@ -54,7 +55,7 @@ std::string csv_line(const InstanceResult& result) {
                   name_of(instance.program), instance.points);
   line += fmt::format(
       "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
-      "{},{},{},{}\n",
+      "{},{},{},{},{},{},{}\n",
       instance.shortest_wave, instance.hurst, instance.roll_off,
       instance.rms_slope, instance.length, instance.contact_modulus,
       instance.poisson_ratio, instance.thickness,
@@ -64,7 +65,9 @@ std::string csv_line(const InstanceResult& result) {
       name_of(instance.path), instance.threads,
       instance.has_free_sides ? "free" : "periodic",
       name_of(instance.linear_solver), instance.modulus_ratio,
-      instance.family == Family::full_block ? name_of(instance.mesh) : "");
+      instance.family == Family::full_block ? name_of(instance.mesh) : "",
+      name_of(instance.counter), instance.counter_radius,
+      instance.counter_stiffness);
   return line;
 }
 

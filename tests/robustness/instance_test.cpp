@@ -87,6 +87,7 @@ TEST(Instance, ReachesTheEndsOfItsAxes) {
 // random moduli, and only in combinations that they accept.
 TEST(Instance, GivesTheSettingsOfABlockToBlocksOnly) {
   int n_free = 0;
+  int n_counters = 0;
   double most = 1.0;
   for (int index = 0; index < 8000; ++index) {
     const Instance instance = draw_instance(4, index);
@@ -99,6 +100,14 @@ TEST(Instance, GivesTheSettingsOfABlockToBlocksOnly) {
       EXPECT_EQ(instance.modulus_ratio, 1.0);
     }
     n_free += instance.has_free_sides ? 1 : 0;
+    if (instance.counter != CounterBody::none) {
+      ++n_counters;
+      EXPECT_TRUE(is_compared);
+      EXPECT_NE(instance.law, mechanics::ContactLaw::hard);
+      EXPECT_NE(instance.far_boundary, mechanics::FarBoundary::pressure);
+      EXPECT_NE(instance.mesh, mechanics::MeshKind::adaptive);
+      EXPECT_NE(instance.linear_solver, mechanics::LinearSolver::fourier);
+    }
     most = std::max(most, instance.modulus_ratio);
     if (instance.has_free_sides) {
       EXPECT_NE(instance.far_boundary, mechanics::FarBoundary::pressure);
@@ -106,6 +115,7 @@ TEST(Instance, GivesTheSettingsOfABlockToBlocksOnly) {
     }
   }
   EXPECT_GT(n_free, 10);
+  EXPECT_GT(n_counters, 10);
   EXPECT_GT(most, 300.0);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "robustness/run_instance.hpp"
@@ -57,6 +58,39 @@ TEST(Slice, SolvesPlates) {
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << index << " " << report.check << ": " << report.reason;
+  }
+}
+
+// Elastic blocks on a ball, a column and a cuboid of finite size, with coatings
+// and moduli that vary: equal to the direct solver.
+TEST(Slice, SolvesBlocksOnCounterBodies) {
+  using mechanics::MeshKind;
+  for (const auto& [counter, mesh, degree] :
+       {std::tuple{CounterBody::sphere, MeshKind::layers, 1},
+        {CounterBody::cylinder, MeshKind::gmsh, 2},
+        {CounterBody::cuboid, MeshKind::hanging, 1}}) {
+    Instance instance;
+    instance.family = Family::full_block;
+    instance.shape = Shape::wave;
+    instance.points = 8;
+    instance.counter = counter;
+    instance.counter_stiffness = 0.1;
+    instance.law = mechanics::ContactLaw::augmented;
+    instance.load = 0.1;
+    instance.thickness = 0.5;
+    instance.mesh = mesh;
+    instance.degree = degree;
+    instance.linear_solver = mechanics::LinearSolver::multigrid;
+    instance.modulus_ratio = 3.0;
+    instance.coating_stiffness = 10.0;
+
+    const InstanceReport report = run_instance(within_reach(instance));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << report.check << ": " << report.reason << "\n"
+        << in_words(within_reach(instance));
+    EXPECT_TRUE(report.has_pair);
+    EXPECT_GT(report.area, 0.0);
   }
 }
 
