@@ -96,7 +96,7 @@ mechanics::MeshSpec mesh_of(const Instance& instance) {
     counter.size_far = {2.0, ReferenceUnit::spacing};
     // Cells are so coarse that only the widest fine region of a ball has two.
     if (instance.counter == CounterBody::sphere)
-      counter.fine_radius = {0.4 * instance.counter_radius,
+      counter.fine_radius = {0.399 * instance.counter_radius,
                              ReferenceUnit::length};
   }
   return mesh;

@@ -22,7 +22,7 @@ namespace {
 constexpr double loose_tolerance = 1e-4;
 
 /// Least mean gap of such solutions, over the prescribed one.
-constexpr double least_share = 0.5;
+constexpr double least_gap_share = 0.5;
 
 /// Share of a prescribed mean gap that gaps between the nodes of a cell in hard
 /// contact may have.
@@ -158,7 +158,7 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   if (load.control == mechanics::Control::mean_gap) {
     load.amount -= missed;
     if (tolerance > 0.0 && excludes_overlap(step))
-      load.amount = std::max(load.amount, least_share * step.load.amount);
+      load.amount = std::max(load.amount, least_gap_share * step.load.amount);
   }
   BlockContact contact = step.contact;
   contact.tolerance = std::max(tolerance, contact.tolerance);

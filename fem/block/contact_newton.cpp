@@ -255,10 +255,10 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   watch_ = contact.watch;
   progress_ = {.unknowns = system_.n_unknowns()};
   iterations_before_ = iterations;
-  if (load.control == mechanics::Control::mean_gap && load.amount <= 0.0 &&
+  if (load.control == mechanics::Control::mean_gap && load.amount < 0.0 &&
       contact.law != mechanics::ContactLaw::penalty)
     answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
-                              "but must be > 0 m where nothing overlaps",
+                              "but must be >= 0 m where nothing overlaps",
                               load.amount);
   else if (contact.law == mechanics::ContactLaw::hard)
     solve_wall(load, contact, height_scale, answer);
