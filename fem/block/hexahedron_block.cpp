@@ -75,6 +75,7 @@ FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
   if (fine.has_counter())
     coarse_.also_reserve(points_);
   find_rigid_modes();
+  numbers_.forget_cells();
 }
 
 /// Finds the vertices from which each second-order node is interpolated.
@@ -223,7 +224,7 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
         values[parents_.column[k] + c] +=
             unit * parents_.weight[k] *
             static_cast<double>(residual[nodes_[row] + c]);
-  numbers_.constraints().condense(values);
+  numbers_.constraints()->condense(values);
   if (numbers_.ghosts() != nullptr)
     numbers_.ghosts()->add_to_owners(values);
   for (const auto unknown : held_)
@@ -235,7 +236,7 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
     values[numbers_.of(unknown)] = 0.0;
   if (numbers_.ghosts() != nullptr)
     numbers_.ghosts()->fill_ghosts(values);
-  numbers_.constraints().distribute(values);
+  numbers_.constraints()->distribute(values);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
@@ -265,20 +266,19 @@ std::size_t FirstOrderCorrection::bytes() const {
 HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
                                  const BlockSystem& system)
     : HexahedronBlock(problem, system,
-                      std::make_shared<const LocalUnknowns>(
+                      std::make_shared<LocalUnknowns>(
                           system.space(), system.contact().needed())) {}
 
-HexahedronBlock::HexahedronBlock(
-    const BlockProblem& problem, const BlockSystem& system,
-    const std::shared_ptr<const LocalUnknowns>& unknowns)
+HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
+                                 const BlockSystem& system,
+                                 const std::shared_ptr<LocalUnknowns>& unknowns)
     : HexahedronBlock(
           system, unknowns,
           std::make_unique<FirstOrderCorrection>(problem, system, *unknowns)) {}
 
-HexahedronBlock::HexahedronBlock(
-    const BlockSystem& system,
-    const std::shared_ptr<const LocalUnknowns>& unknowns,
-    std::unique_ptr<MeshCorrection> correction)
+HexahedronBlock::HexahedronBlock(const BlockSystem& system,
+                                 const std::shared_ptr<LocalUnknowns>& unknowns,
+                                 std::unique_ptr<MeshCorrection> correction)
     : MeshBlock(system, unknowns, mesh_of(system, *unknowns),
                 std::move(correction)) {}
 

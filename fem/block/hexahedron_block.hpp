@@ -86,7 +86,7 @@ public:
 
   /// The same with another correction, which refers to the unknowns.
   HexahedronBlock(const BlockSystem& system,
-                  const std::shared_ptr<const LocalUnknowns>& unknowns,
+                  const std::shared_ptr<LocalUnknowns>& unknowns,
                   std::unique_ptr<MeshCorrection> correction);
 
   /// Gives some cells tangents at their Gauss points, as a plastic body has
@@ -98,7 +98,7 @@ public:
 
 private:
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system,
-                  const std::shared_ptr<const LocalUnknowns>& unknowns);
+                  const std::shared_ptr<LocalUnknowns>& unknowns);
 };
 
 /// Whether no cell is too incompressible for multigrid without a matrix.

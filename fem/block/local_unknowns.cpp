@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::fem {
 namespace {
@@ -93,21 +94,20 @@ void LocalUnknowns::take_constraints(const BlockSpace& space) {
     of_cells.add_indices(unknowns.begin(), unknowns.end());
     of_cells.compress();
   }
+  UnknownConstraints found;
   for (const auto& line : space.constraints().get_lines()) {
     if (!of_cells.is_element(line.index))
       continue;
-    constraints_.unknowns.push_back(of(line.index));
-    for (const auto& [master, weight] : line.entries) {
-      constraints_.masters.column.push_back(of(master));
-      constraints_.masters.weight.push_back(weight);
-    }
-    constraints_.masters.start.push_back(constraints_.masters.column.size());
+    for (const auto& [master, weight] : line.entries)
+      found.add_master(of(master), weight);
+    found.add(of(line.index));
   }
+  constraints_ = std::make_shared<const UnknownConstraints>(std::move(found));
 }
 
 std::size_t LocalUnknowns::bytes() const {
   return cell_nodes_.size() * sizeof(std::uint32_t) +
-         ghost_nodes_.size() * sizeof(std::size_t) + constraints_.bytes() +
+         ghost_nodes_.size() * sizeof(std::size_t) + constraints_->bytes() +
          (ghosts_ ? ghosts_->bytes() : 0);
 }
 

@@ -40,8 +40,10 @@ public:
   /// As BlockSpace::cell_nodes(), in these numbers.
   const std::vector<std::uint32_t>& cell_nodes() const { return cell_nodes_; }
 
+  void forget_cells() { cell_nodes_ = {}; } ///< frees their memory
+
   /// The constraints of the unknowns of cells.
-  const UnknownConstraints& constraints() const { return constraints_; }
+  const SharedConstraints& constraints() const { return constraints_; }
 
   /// Null on one process.
   const GhostValues* ghosts() const { return ghosts_.get(); }
@@ -57,7 +59,7 @@ private:
   std::vector<std::size_t> ghost_nodes_; ///< global numbers, increasing
   std::unique_ptr<GhostValues> ghosts_;
   std::vector<std::uint32_t> cell_nodes_;
-  UnknownConstraints constraints_;
+  SharedConstraints constraints_;
 };
 
 /// The contact of a block for the linear solver of its mesh [m, N]. This call

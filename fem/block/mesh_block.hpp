@@ -62,14 +62,15 @@ public:
   using Mesh = typename Operator<double>::Mesh;
 
   /// @param system    must outlive this object
-  /// @param unknowns  to which `mesh` and `correction` refer
-  MeshBlock(const BlockSystem& system,
-            std::shared_ptr<const LocalUnknowns> unknowns, const Mesh& mesh,
-            std::unique_ptr<MeshCorrection> correction)
+  /// @param unknowns  to which `mesh` and `correction` refer; its cells are
+  ///                  forgotten
+  MeshBlock(const BlockSystem& system, std::shared_ptr<LocalUnknowns> unknowns,
+            const Mesh& mesh, std::unique_ptr<MeshCorrection> correction)
       : system_(system),
         unknowns_(std::move(unknowns)),
         multigrid_(mesh),
         correction_(std::move(correction)) {
+    unknowns_->forget_cells();
     multigrid_.set_correction([this](const auto& residual, auto& displacement) {
       correction_->add(residual, displacement, multigrid_.unit());
     });
@@ -136,7 +137,7 @@ private:
   }
 
   const BlockSystem& system_;
-  std::shared_ptr<const LocalUnknowns> unknowns_;
+  std::shared_ptr<LocalUnknowns> unknowns_;
   MeshMultigrid<Operator> multigrid_;
   std::unique_ptr<MeshCorrection> correction_;
   mutable std::vector<double> from_, to_;

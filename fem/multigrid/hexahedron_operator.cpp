@@ -127,9 +127,9 @@ template <class Number>
 void UnknownConstraints::distribute(Number* displacement) const {
   for (std::size_t row = 0; row < unknowns.size(); ++row) {
     double sum = 0.0;
-    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
-      sum += masters.weight[i] *
-             static_cast<double>(displacement[masters.column[i]]);
+    for (std::uint32_t i = start[row]; i < start[row + 1]; ++i)
+      sum += static_cast<double>(weights[i]) *
+             static_cast<double>(displacement[masters[i]]);
     displacement[unknowns[row]] = static_cast<Number>(sum);
   }
 }
@@ -139,8 +139,9 @@ void UnknownConstraints::condense(Number* force) const {
   for (std::size_t row = 0; row < unknowns.size(); ++row) {
     const auto own = static_cast<double>(force[unknowns[row]]);
     force[unknowns[row]] = Number(0);
-    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
-      force[masters.column[i]] += static_cast<Number>(masters.weight[i] * own);
+    for (std::uint32_t i = start[row]; i < start[row + 1]; ++i)
+      force[masters[i]] +=
+          static_cast<Number>(static_cast<double>(weights[i]) * own);
   }
 }
 
@@ -148,9 +149,10 @@ void UnknownConstraints::condense_diagonal(
     std::vector<double>& diagonal) const {
   for (std::size_t row = 0; row < unknowns.size(); ++row) {
     double& slave = diagonal[unknowns[row]];
-    for (std::size_t i = masters.start[row]; i < masters.start[row + 1]; ++i)
-      diagonal[masters.column[i]] +=
-          masters.weight[i] * masters.weight[i] * slave;
+    for (std::uint32_t i = start[row]; i < start[row + 1]; ++i) {
+      const auto weight = static_cast<double>(weights[i]);
+      diagonal[masters[i]] += weight * weight * slave;
+    }
     slave = 0.0;
   }
 }
@@ -267,7 +269,7 @@ void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
       for (std::size_t k = 0; k < 3; ++k)
         sum[mesh.nodes[cell][a] + k] += own[3 * a + k];
   }
-  constraints_.condense_diagonal(sum);
+  constraints_->condense_diagonal(sum);
   collect(sum.data());
   diagonal_.assign(sum.begin(), sum.end());
 }
@@ -277,7 +279,7 @@ void HexahedronOperator<Number>::apply_own(Number* displacement,
                                            Number* force) const {
   if (ghosts_ != nullptr)
     ghosts_->fill_ghosts(displacement);
-  constraints_.distribute(displacement);
+  constraints_->distribute(displacement);
   std::fill_n(force, size_, Number(0));
   HexahedronProduct<Number> product;
   product.from = displacement;
@@ -289,12 +291,12 @@ void HexahedronOperator<Number>::apply_own(Number* displacement,
       tangent_places_.empty() ? nullptr : tangent_places_.data();
   product.tangents = tangents_.data();
   multiply_hexahedra(product);
-  constraints_.condense(force);
+  constraints_->condense(force);
 }
 
 template <class Number>
 std::size_t HexahedronOperator<Number>::bytes() const {
-  return constraints_.bytes() + nodes_.size() * sizeof(std::uint32_t) +
+  return nodes_.size() * sizeof(std::uint32_t) +
          (shapes_.size() + tangents_.size() + diagonal_.size()) *
              sizeof(Number) +
          tangent_places_.size() * sizeof(std::uint32_t);

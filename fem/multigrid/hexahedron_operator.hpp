@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,24 @@ namespace asperity::fem {
 /// Homogeneous linear constraints of unknowns by unconstrained ones: hanging
 /// nodes, images at periodic sides, and unknowns that are held (no entries).
 struct UnknownConstraints {
-  std::vector<std::size_t> unknowns; ///< which are constrained
-  SparseRows masters;                ///< a row per constrained unknown
+  std::vector<std::uint32_t> unknowns; ///< which are constrained
+  /// The row i of the masters of unknowns[i] is start[i]..start[i+1]-1. Weights
+  /// are sums of powers of two, which single precision has exactly.
+  std::vector<std::uint32_t> start{0};
+  std::vector<std::uint32_t> masters;
+  std::vector<float> weights;
+
+  /// Adds a master of the next unknown.
+  void add_master(std::size_t master, double weight) {
+    masters.push_back(static_cast<std::uint32_t>(master));
+    weights.push_back(static_cast<float>(weight));
+  }
+
+  /// Adds the unknown of the masters since the last one.
+  void add(std::size_t unknown) {
+    unknowns.push_back(static_cast<std::uint32_t>(unknown));
+    start.push_back(static_cast<std::uint32_t>(masters.size()));
+  }
 
   /// Writes the constrained values of a displacement.
   template <class Number>
@@ -37,9 +54,15 @@ struct UnknownConstraints {
   void condense_diagonal(std::vector<double>& diagonal) const;
 
   std::size_t bytes() const {
-    return unknowns.size() * sizeof(std::size_t) + masters.bytes();
+    return (unknowns.size() + start.size() + masters.size()) *
+               sizeof(std::uint32_t) +
+           weights.size() * sizeof(float);
   }
 };
+
+/// Constraints that operators of one mesh share. None of these counts them in
+/// its memory.
+using SharedConstraints = std::shared_ptr<const UnknownConstraints>;
 
 /// Second-order hexahedra, those of this rank if several share the block; the
 /// three unknowns of a node are consecutive.
@@ -50,7 +73,7 @@ struct HexahedronMesh {
   std::vector<std::array<std::array<double, 3>, 8>> vertices;
   std::vector<CellModuli> moduli; ///< of each cell
   std::size_t unknowns = 0;       ///< including copies of those of other ranks
-  UnknownConstraints constraints;
+  SharedConstraints constraints;
   /// The nodes of other ranks; null for a block on one process. It must outlive
   /// what is made from the mesh.
   const GhostValues* ghosts = nullptr;
@@ -116,7 +139,7 @@ private:
 
   std::size_t size_;
   const GhostValues* ghosts_;
-  UnknownConstraints constraints_;
+  SharedConstraints constraints_;
   std::vector<std::uint32_t> nodes_;
   std::vector<Number> shapes_;
   std::vector<Number> tangents_;

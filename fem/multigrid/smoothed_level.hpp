@@ -5,6 +5,7 @@
 
 #include "fem/multigrid/chebyshev.hpp"
 #include "fem/multigrid/face_contact.hpp"
+#include "fem/multigrid/hexahedron_operator.hpp"
 #include "fem/multigrid/sparse_rows.hpp"
 
 #include <algorithm>
@@ -33,7 +34,7 @@ public:
 
   /// @param mesh  in units in which its stiffness fits into a float
   explicit SmoothedLevel(const Mesh& mesh)
-      : stiffness_(mesh), constrained_(mesh.constraints.unknowns) {
+      : stiffness_(mesh), constraints_(mesh.constraints) {
     eigenvalue_ = static_cast<float>(eigenvalue_estimate(
         stiffness_.diagonal(),
         [&](float* from, float* to) { stiffness_.apply(from, to); },
@@ -59,8 +60,6 @@ public:
 
   const MeshContact& contact() const { return contact_; }
 
-  const std::vector<std::size_t>& constrained() const { return constrained_; }
-
   /// Smooths from zero for the force in `residual`, which becomes the residual
   /// of the displacement, zero at unknowns that are not solved for.
   void smooth_before() {
@@ -85,7 +84,7 @@ public:
   /// Sets unknowns to zero that constraints or contact determine.
   template <class Number>
   void clear_held(std::vector<Number>& vector) const {
-    for (const std::size_t unknown : constrained_)
+    for (const std::size_t unknown : constraints_->unknowns)
       vector[unknown] = Number(0);
     for (const std::size_t unknown : contact_.held)
       vector[unknown] = Number(0);
@@ -94,8 +93,7 @@ public:
   std::size_t bytes() const {
     return stiffness_.bytes() + 5 * product_.size() * sizeof(float) +
            contact_.springs.bytes() +
-           (constrained_.size() + contact_.unknowns.size() +
-            contact_.held.size()) *
+           (contact_.unknowns.size() + contact_.held.size()) *
                sizeof(std::size_t);
   }
 
@@ -130,7 +128,7 @@ private:
   }
 
   Operator<float> stiffness_;
-  std::vector<std::size_t> constrained_;
+  SharedConstraints constraints_;
   float eigenvalue_ = 0.0F;
   std::vector<float> inverse_; ///< of the diagonal times eigenvalue_
   MeshContact contact_;

@@ -149,13 +149,10 @@ UnknownConstraints constraints_of(const BoxLattice& lattice,
     for (std::size_t c = 0; c < 3; ++c) {
       if (masters.empty() && !is_held(node, c))
         continue;
-      found.unknowns.push_back(3 * std::size_t{node} + c);
       for (const auto& [master, weight] : masters)
-        if (!is_held(master, c)) {
-          found.masters.column.push_back(3 * std::size_t{master} + c);
-          found.masters.weight.push_back(weight);
-        }
-      found.masters.start.push_back(found.masters.column.size());
+        if (!is_held(master, c))
+          found.add_master(3 * std::size_t{master} + c, weight);
+      found.add(3 * std::size_t{node} + c);
     }
   }
   return found;
@@ -216,20 +213,30 @@ std::array<double, 3> edges_of(const BoxLattice& lattice, const BoxCell& cell) {
 BoxLevel::BoxLevel(const BoxLattice& lattice, HalvedBoxes own)
     : boxes(std::move(own)) {
   const BoxNodes nodes(lattice, boxes.cells);
+  std::vector<std::uint32_t> corners;
+  corners.reserve(nodes_in_box * (boxes.cells.size() + boxes_in_group));
   for (const BoxCell& cell : boxes.cells) {
-    auto& corners = mesh.nodes.emplace_back();
     for (std::uint32_t v = 0; v < nodes_in_box; ++v)
-      corners[v] =
-          3 * nodes.number(nodes.at(cell, {v & 1U, v >> 1U & 1U, v >> 2U}, 1));
+      corners.push_back(
+          3 * nodes.number(nodes.at(cell, {v & 1U, v >> 1U & 1U, v >> 2U}, 1)));
     mesh.edges.push_back(edges_of(lattice, cell));
   }
+  mesh.nodes = shared_nodes(std::move(corners));
   mesh.moduli = boxes.moduli;
   mesh.unknowns = 3 * nodes.size();
-  mesh.constraints = constraints_of(lattice, nodes, boxes.cells);
+  mesh.constraints = std::make_shared<const UnknownConstraints>(
+      constraints_of(lattice, nodes, boxes.cells));
 }
 
 bool BoxLevel::is_constrained(std::size_t unknown) const {
-  return std::ranges::binary_search(mesh.constraints.unknowns, unknown);
+  return std::ranges::binary_search(mesh.constraints->unknowns, unknown);
+}
+
+void BoxLevel::release_cells() {
+  boxes = {};
+  mesh.nodes = {};
+  mesh.edges = {};
+  mesh.moduli = {};
 }
 
 } // namespace asperity::fem

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "ranks/rank_sums.hpp"
 
@@ -22,6 +24,12 @@ std::array<double, 3> box_diagonal(const std::array<double, 3>& edge,
 }
 
 } // namespace
+
+SharedNodes shared_nodes(std::vector<std::uint32_t> nodes) {
+  constexpr std::size_t in_group = boxes_in_group * nodes_in_box;
+  nodes.resize((nodes.size() + in_group - 1) / in_group * in_group, 0);
+  return std::make_shared<const std::vector<std::uint32_t>>(std::move(nodes));
+}
 
 void BoxMesh::rescale(double length, double modulus) {
   for (auto& cell : edges)
@@ -50,14 +58,12 @@ BoxMesh normalised(const BoxMesh& mesh, double& unit) {
 
 template <class Number>
 BoxOperator<Number>::BoxOperator(const BoxMesh& mesh)
-    : ghosts_(mesh.ghosts), constraints_(mesh.constraints) {
-  const std::size_t cells = mesh.nodes.size();
-  const std::size_t stored =
-      (cells + boxes_in_group - 1) / boxes_in_group * boxes_in_group;
-  nodes_.reserve(stored * nodes_in_box);
-  for (const auto& nodes : mesh.nodes)
-    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
-  nodes_.resize(stored * nodes_in_box, 0);
+    : size_(mesh.unknowns),
+      ghosts_(mesh.ghosts),
+      constraints_(mesh.constraints),
+      nodes_(mesh.nodes) {
+  const std::size_t cells = mesh.edges.size();
+  const std::size_t stored = nodes_->size() / nodes_in_box;
   boxes_.resize(stored * numbers_in_box);
   for (std::size_t cell = 0; cell < stored; ++cell) {
     // The cells that fill up the last group have edges but no stiffness.
@@ -74,19 +80,20 @@ BoxOperator<Number>::BoxOperator(const BoxMesh& mesh)
       to += boxes_in_group;
     }
   }
-  take_diagonal(mesh);
+  if constexpr (std::is_same_v<Number, float>)
+    take_diagonal(mesh);
 }
 
 template <class Number>
 void BoxOperator<Number>::take_diagonal(const BoxMesh& mesh) {
   std::vector<double> sum(mesh.unknowns, 0.0);
-  for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
+  for (std::size_t cell = 0; cell < mesh.edges.size(); ++cell) {
     const auto own = box_diagonal(mesh.edges[cell], mesh.moduli[cell]);
-    for (const std::uint32_t node : mesh.nodes[cell])
+    for (std::size_t a = 0; a < nodes_in_box; ++a)
       for (std::size_t i = 0; i < 3; ++i)
-        sum[node + i] += own[i];
+        sum[(*mesh.nodes)[cell * nodes_in_box + a] + i] += own[i];
   }
-  constraints_.condense_diagonal(sum);
+  constraints_->condense_diagonal(sum);
   collect(sum.data());
   diagonal_.assign(sum.begin(), sum.end());
 }
@@ -95,21 +102,22 @@ template <class Number>
 void BoxOperator<Number>::apply_own(Number* displacement, Number* force) const {
   if (ghosts_ != nullptr)
     ghosts_->fill_ghosts(displacement);
-  constraints_.distribute(displacement);
+  constraints_->distribute(displacement);
   std::fill_n(force, size(), Number(0));
   BoxProduct<Number> product;
   product.from = displacement;
   product.to = force;
   product.groups = boxes_.size() / (boxes_in_group * numbers_in_box);
-  product.nodes = nodes_.data();
+  product.nodes = nodes_->data();
   product.boxes = boxes_.data();
   multiply_boxes(product);
-  constraints_.condense(force);
+  constraints_->condense(force);
 }
 
 template <class Number>
 std::size_t BoxOperator<Number>::bytes() const {
-  return constraints_.bytes() + nodes_.size() * sizeof(std::uint32_t) +
+  const std::size_t nodes = std::is_same_v<Number, float> ? nodes_->size() : 0;
+  return nodes * sizeof(std::uint32_t) +
          (boxes_.size() + diagonal_.size()) * sizeof(Number);
 }
 

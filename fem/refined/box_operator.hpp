@@ -9,19 +9,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace asperity::fem {
 
+/// The first unknown of each of the nodes of each cell, x fastest, filled up to
+/// whole groups of cells by zeros.
+using SharedNodes = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+SharedNodes shared_nodes(std::vector<std::uint32_t> nodes);
+
 /// Boxes with edges along the axes, those of this rank if several share the
 /// block; the three unknowns of a node are consecutive.
 struct BoxMesh {
-  /// The first unknown of each of the nodes of a cell, x fastest.
-  std::vector<std::array<std::uint32_t, nodes_in_box>> nodes;
+  SharedNodes nodes;
   std::vector<std::array<double, 3>> edges; ///< of each cell [m]
   std::vector<CellModuli> moduli;           ///< of each cell
   std::size_t unknowns = 0; ///< including copies of those of other ranks
-  UnknownConstraints constraints;
+  SharedConstraints constraints;
   /// The nodes of other ranks; null for a block on one process. It must outlive
   /// what is made from the mesh.
   const GhostValues* ghosts = nullptr;
@@ -57,7 +63,7 @@ public:
 
   explicit BoxOperator(const BoxMesh& mesh);
 
-  std::size_t size() const { return diagonal_.size(); }
+  std::size_t size() const { return size_; }
 
   /// Computes force = K displacement; zero at constrained unknowns.
   /// @param displacement  [m]; constrained values and those of other ranks are
@@ -78,19 +84,21 @@ public:
   }
 
   /// Diagonal of K without the terms that couple two masters of one unknown;
-  /// positive, and zero at constrained unknowns.
+  /// positive, and zero at constrained unknowns. In single precision only, for
+  /// a smoother; otherwise empty.
   const std::vector<Number>& diagonal() const { return diagonal_; }
 
-  const UnknownConstraints& constraints() const { return constraints_; }
-
+  /// The nodes are counted in single precision only, because the operator in
+  /// double precision shares them.
   std::size_t bytes() const;
 
 private:
   void take_diagonal(const BoxMesh& mesh);
 
+  std::size_t size_;
   const GhostValues* ghosts_;
-  UnknownConstraints constraints_;
-  std::vector<std::uint32_t> nodes_;
+  SharedConstraints constraints_;
+  SharedNodes nodes_;
   std::vector<Number> boxes_;
   std::vector<Number> diagonal_;
 };

@@ -1,6 +1,7 @@
 #include "fem/refined/node_interpolation.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace asperity::fem {
@@ -15,16 +16,17 @@ public:
 
   /// Adds an unknown of the level to the present row.
   void add(std::size_t unknown, double weight) {
-    const std::vector<std::size_t>& slaves = constraints_.unknowns;
+    const std::vector<std::uint32_t>& slaves = constraints_.unknowns;
     const auto slave = std::ranges::lower_bound(slaves, unknown);
     if (slave == slaves.end() || *slave != unknown) {
       add_free(unknown, weight);
       return;
     }
-    const SparseRows& masters = constraints_.masters;
     const auto own = static_cast<std::size_t>(slave - slaves.begin());
-    for (std::size_t i = masters.start[own]; i < masters.start[own + 1]; ++i)
-      add_free(masters.column[i], weight * masters.weight[i]);
+    for (std::uint32_t i = constraints_.start[own];
+         i < constraints_.start[own + 1]; ++i)
+      add_free(constraints_.masters[i],
+               weight * static_cast<double>(constraints_.weights[i]));
   }
 
   void end_row() { rows_.start.push_back(rows_.column.size()); }
@@ -75,7 +77,8 @@ NodeInterpolation::NodeInterpolation(const NodesOfCells& fine,
                 above.place[k];
       if (cell.place[2] == 0 && step[2] == 0)
         surface_.emplace_back(node, static_cast<std::uint32_t>(nodes_.size()));
-      add_row(node, at, coarse.mesh.nodes[coarse_of[i]]);
+      add_row(node, at,
+              coarse.mesh.nodes->data() + coarse_of[i] * nodes_in_box);
     }
   }
   std::ranges::sort(surface_);
@@ -88,47 +91,37 @@ NodeInterpolation::NodeInterpolation(const NodesOfCells& fine,
 /// one face of a coarse cell, so that a row has at most four entries.
 void NodeInterpolation::add_surface_of_others(const GhostValues& ghosts,
                                               std::size_t nodes) {
-  constexpr std::size_t entries_in_row = 4, in_node = 3;
+  constexpr std::size_t most_entries = 4, in_node = 3;
   constexpr double absent = -1.0;
-
-  struct Entry {
-    double column = absent, weight = 0.0;
-  };
-
   const std::size_t own_nodes = ghosts.owned();
-  std::vector<std::array<Entry, entries_in_row>> others(nodes - own_nodes);
+  std::vector<std::array<double, most_entries>> others(nodes - own_nodes);
   std::vector<double> values(in_node * nodes);
-  for (std::size_t k = 0; k < entries_in_row; ++k) {
+  for (std::size_t k = 0; k < most_entries; ++k) {
     std::ranges::fill(values, absent);
     for (const auto& [node, row] : surface_)
-      if (const std::uint32_t i = start_[row] + static_cast<std::uint32_t>(k);
-          i < start_[row + 1]) {
-        values[node] = static_cast<double>(column_[i]);
-        values[node + 1] = static_cast<double>(weight_[i]);
-      }
+      if (start_[row] + k < start_[row + 1])
+        values[node] = static_cast<double>(column_[start_[row] + k]);
     ghosts.fill_ghosts(values.data());
     for (std::size_t i = 0; i < others.size(); ++i)
-      others[i][k] = {values[in_node * (own_nodes + i)],
-                      values[in_node * (own_nodes + i) + 1]};
+      others[i][k] = values[in_node * (own_nodes + i)];
   }
   for (std::size_t i = 0; i < others.size(); ++i) {
-    if (others[i][0].column == absent)
+    if (others[i][0] == absent)
       continue;
     surface_.emplace_back(static_cast<std::uint32_t>(in_node * (own_nodes + i)),
                           static_cast<std::uint32_t>(rows()));
-    for (const auto& [column, weight] : others[i])
-      if (column != absent) {
+    for (const double column : others[i])
+      if (column != absent)
         column_.push_back(static_cast<std::uint32_t>(column));
-        weight_.push_back(static_cast<float>(weight));
-      }
     start_.push_back(static_cast<std::uint32_t>(column_.size()));
   }
 }
 
 /// @param at  in the coarse cell, 0..1 along each axis
-void NodeInterpolation::add_row(
-    std::uint32_t node, const std::array<double, 3>& at,
-    const std::array<std::uint32_t, nodes_in_box>& corners) {
+void NodeInterpolation::add_row(std::uint32_t node,
+                                const std::array<double, 3>& at,
+                                const std::uint32_t* corners) {
+  double sum = 0.0;
   for (std::size_t v = 0; v < nodes_in_box; ++v) {
     double weight = 1.0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -136,10 +129,13 @@ void NodeInterpolation::add_row(
     if (weight == 0.0)
       continue;
     column_.push_back(corners[v]);
-    weight_.push_back(static_cast<float>(weight));
+    sum += weight * weight;
   }
   nodes_.push_back(node);
   start_.push_back(static_cast<std::uint32_t>(column_.size()));
+  // The sum of squares of equal weights of sum 1 is their value.
+  if (sum != weight_of(rows() - 1))
+    throw std::logic_error("the weights of a node in a coarser box differ");
 }
 
 void NodeInterpolation::restrict_force(const std::vector<float>& fine,
@@ -147,9 +143,10 @@ void NodeInterpolation::restrict_force(const std::vector<float>& fine,
                                        std::vector<float>& coarse) const {
   for (std::size_t row = 0; row < nodes_.size(); ++row) {
     const float* const from = fine.data() + nodes_[row];
+    const float weight = factor * static_cast<float>(weight_of(row));
     for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
-        coarse[column_[k] + c] += factor * weight_[k] * from[c];
+        coarse[column_[k] + c] += weight * from[c];
   }
 }
 
@@ -157,9 +154,10 @@ void NodeInterpolation::interpolate(const std::vector<float>& coarse,
                                     std::vector<float>& fine) const {
   for (std::size_t row = 0; row < nodes_.size(); ++row) {
     float* const to = fine.data() + nodes_[row];
+    const auto weight = static_cast<float>(weight_of(row));
     for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
-        to[c] += weight_[k] * coarse[column_[k] + c];
+        to[c] += weight * coarse[column_[k] + c];
   }
 }
 
@@ -185,12 +183,12 @@ MeshContact NodeInterpolation::coarse(const MeshContact& fine,
     if (!level.is_constrained(at_place))
       found.held.push_back(at_place);
   }
-  FaceInterpolation face(level.mesh.constraints);
+  FaceInterpolation face(*level.mesh.constraints);
   for (const std::size_t unknown : fine.unknowns) {
     const std::size_t row = row_of(unknown);
     if (row < rows())
       for (std::uint32_t k = start_[row]; k < start_[row + 1]; ++k)
-        face.add(column_[k] + unknown % 3, static_cast<double>(weight_[k]));
+        face.add(column_[k] + unknown % 3, weight_of(row));
     face.end_row();
   }
   found.unknowns = face.unknowns();

@@ -28,7 +28,9 @@ struct NodesOfCells {
 };
 
 /// The values at the nodes of cells of the first-order functions on coarser or
-/// the same cells.
+/// the same cells: at vertices of first-order cells if these may be merged
+/// once, and at nodes of second-order cells that are the same. All weights of a
+/// node are then equal.
 class NodeInterpolation {
 public:
   /// @param coarse_of   number of the coarse cell that covers each cell
@@ -57,24 +59,28 @@ public:
   MeshContact coarse(const MeshContact& fine, const BoxLevel& level) const;
 
   std::size_t bytes() const {
-    return (nodes_.size() + start_.size() + column_.size()) *
-               sizeof(std::uint32_t) +
-           weight_.size() * sizeof(float);
+    return (nodes_.size() + start_.size() + column_.size() +
+            2 * surface_.size()) *
+           sizeof(std::uint32_t);
   }
 
 private:
   void add_row(std::uint32_t node, const std::array<double, 3>& at,
-               const std::array<std::uint32_t, nodes_in_box>& corners);
+               const std::uint32_t* corners);
   void add_surface_of_others(const GhostValues& ghosts, std::size_t nodes);
   std::size_t row_of(std::size_t unknown) const;
 
   std::size_t rows() const { return start_.size() - 1; }
 
+  /// Nodes lie in the middle of edges, faces and cells, or at vertices.
+  double weight_of(std::size_t row) const {
+    return 1.0 / (start_[row + 1] - start_[row]);
+  }
+
   /// First unknown of each row; those of nodes of other ranks follow without.
   std::vector<std::uint32_t> nodes_;
   std::vector<std::uint32_t> start_{0};
   std::vector<std::uint32_t> column_; ///< first unknowns
-  std::vector<float> weight_;
   /// Nodes of the contact surface, increasing, and their rows.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> surface_;
 };

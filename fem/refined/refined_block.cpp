@@ -104,7 +104,7 @@ MeshContact of_all(RankGroup& ranks, const MeshContact& own) {
 /// The own nodes with an unknown that is not constrained.
 std::vector<bool> free_nodes(const LocalUnknowns& unknowns) {
   std::vector<unsigned int> constrained(unknowns.size() / 3, 0);
-  for (const std::size_t unknown : unknowns.constraints().unknowns)
+  for (const std::size_t unknown : unknowns.constraints()->unknowns)
     ++constrained[unknown / 3];
   std::vector<bool> is_free(constrained.size(), false);
   for (std::size_t node = 0; node < unknowns.owned() / 3; ++node)
@@ -117,12 +117,9 @@ BoxMesh box_mesh_of(const BlockProblem& problem, const BlockSystem& system,
   const BoxLattice lattice = *coarsest_lattice(problem);
   HalvedBoxes boxes = own_boxes(lattice, system);
   BoxMesh mesh;
-  auto first = unknowns.cell_nodes().begin();
-  for (const BoxCell& cell : boxes.cells) {
-    std::copy_n(first, nodes_in_box, mesh.nodes.emplace_back().begin());
-    first += nodes_in_box;
+  mesh.nodes = shared_nodes(unknowns.cell_nodes());
+  for (const BoxCell& cell : boxes.cells)
     mesh.edges.push_back(edges_of(lattice, cell));
-  }
   mesh.moduli = std::move(boxes.moduli);
   mesh.unknowns = unknowns.size();
   mesh.constraints = unknowns.constraints();
@@ -209,12 +206,13 @@ std::size_t RefinedCorrection::bytes() const {
 RefinedBlock::RefinedBlock(const BlockProblem& problem,
                            const BlockSystem& system)
     : RefinedBlock(problem, system,
-                   std::make_shared<const LocalUnknowns>(
-                       system.space(), system.contact().needed())) {}
+                   std::make_shared<LocalUnknowns>(system.space(),
+                                                   system.contact().needed())) {
+}
 
 RefinedBlock::RefinedBlock(const BlockProblem& problem,
                            const BlockSystem& system,
-                           const std::shared_ptr<const LocalUnknowns>& unknowns)
+                           const std::shared_ptr<LocalUnknowns>& unknowns)
     : MeshBlock(
           system, unknowns, box_mesh_of(problem, system, *unknowns),
           std::make_unique<RefinedCorrection>(problem, system, *unknowns)) {}
@@ -233,7 +231,7 @@ std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
     return nullptr;
   if (problem.degree == 1)
     return std::make_unique<RefinedBlock>(problem, system);
-  const auto unknowns = std::make_shared<const LocalUnknowns>(
+  const auto unknowns = std::make_shared<LocalUnknowns>(
       system.space(), system.contact().needed());
   return std::make_unique<HexahedronBlock>(
       system, unknowns,

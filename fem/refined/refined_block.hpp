@@ -60,7 +60,7 @@ public:
 
 private:
   RefinedBlock(const BlockProblem& problem, const BlockSystem& system,
-               const std::shared_ptr<const LocalUnknowns>& unknowns);
+               const std::shared_ptr<LocalUnknowns>& unknowns);
 };
 
 /// Whether RefinedCorrection serves the problem: one body whose coarsest mesh

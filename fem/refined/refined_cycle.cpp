@@ -9,7 +9,9 @@ namespace asperity::fem {
 /// A mesh that is smoothed.
 struct RefinedCycle::Level {
   explicit Level(std::unique_ptr<BoxLevel> own)
-      : mesh(std::move(own)), smoothed(mesh->mesh) {}
+      : mesh(std::move(own)), smoothed(mesh->mesh) {
+    mesh->release_cells();
+  }
 
   std::unique_ptr<BoxLevel> mesh;
   SmoothedLevel<BoxOperator> smoothed;
@@ -42,6 +44,7 @@ struct RefinedCycle::Coarsest {
         cycle(with_moduli(lattice, mesh->boxes)),
         force(mesh->mesh.unknowns),
         displacement(force.size()) {
+    mesh->release_cells();
     const NodeLayout layout(lattice);
     places.reserve(force.size());
     for (int plane = 0; plane < static_cast<int>(layout.planes()); ++plane)
@@ -93,7 +96,7 @@ void RefinedCycle::Coarsest::set_contact(const MeshContact& contact,
 }
 
 void RefinedCycle::Coarsest::run() {
-  for (const std::size_t unknown : mesh->mesh.constraints.unknowns)
+  for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
     force[unknown] = 0.0F;
   for (const std::size_t unknown : held)
     force[unknown] = 0.0F;
@@ -104,7 +107,7 @@ void RefinedCycle::Coarsest::run() {
   cycle.run();
   for (std::size_t i = 0; i < places.size(); ++i)
     displacement[i] = cycle.displacement()[places[i]];
-  for (const std::size_t unknown : mesh->mesh.constraints.unknowns)
+  for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
     displacement[unknown] = 0.0F;
   for (const std::size_t unknown : held)
     displacement[unknown] = 0.0F;
@@ -131,14 +134,12 @@ RefinedCycle::RefinedCycle(const BoxLattice& lattice, HalvedBoxes boxes,
     auto coarser = std::make_unique<BoxLevel>(
         lattice, merged(lattice, mesh->boxes, coarse_of));
     std::vector<bool> is_free(mesh->mesh.unknowns / 3, true);
-    for (const std::size_t unknown : mesh->mesh.constraints.unknowns)
+    for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
       if (unknown % 3 == 2 && mesh->is_constrained(unknown - 1))
         is_free[unknown / 3] = false;
     interpolations_.emplace_back(
-        NodesOfCells{std::span(mesh->mesh.nodes.front().data(),
-                               mesh->mesh.nodes.size() * nodes_in_box),
-                     2, mesh->boxes.cells},
-        *coarser, coarse_of, std::move(is_free));
+        NodesOfCells{*mesh->mesh.nodes, 2, mesh->boxes.cells}, *coarser,
+        coarse_of, std::move(is_free));
     levels_.push_back(std::make_unique<Level>(std::move(mesh)));
     mesh = std::move(coarser);
   }
@@ -183,7 +184,7 @@ void RefinedCycle::descend(std::size_t level) {
   }
   SmoothedLevel<BoxOperator>& own = levels_[level]->smoothed;
   const UnknownConstraints& constraints =
-      levels_[level]->mesh->mesh.constraints;
+      *levels_[level]->mesh->mesh.constraints;
   constraints.condense(own.residual.data());
   own.clear_held(own.residual);
   own.smooth_before();
@@ -206,7 +207,7 @@ std::size_t RefinedCycle::bytes() const {
                       2 * coarsest_->force.size() * sizeof(float) +
                       coarsest_->places.size() * sizeof(std::size_t);
   for (const auto& level : levels_)
-    bytes += level->smoothed.bytes();
+    bytes += level->smoothed.bytes() + level->mesh->mesh.constraints->bytes();
   for (const NodeInterpolation& own : interpolations_)
     bytes += own.bytes();
   return bytes;
