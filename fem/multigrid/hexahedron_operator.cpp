@@ -128,8 +128,7 @@ void UnknownConstraints::distribute(Number* displacement) const {
   for (std::size_t row = 0; row < unknowns.size(); ++row) {
     double sum = 0.0;
     for (std::uint32_t i = start[row]; i < start[row + 1]; ++i)
-      sum += static_cast<double>(weights[i]) *
-             static_cast<double>(displacement[masters[i]]);
+      sum += weights[i] * static_cast<double>(displacement[masters[i]]);
     displacement[unknowns[row]] = static_cast<Number>(sum);
   }
 }
@@ -140,8 +139,7 @@ void UnknownConstraints::condense(Number* force) const {
     const auto own = static_cast<double>(force[unknowns[row]]);
     force[unknowns[row]] = Number(0);
     for (std::uint32_t i = start[row]; i < start[row + 1]; ++i)
-      force[masters[i]] +=
-          static_cast<Number>(static_cast<double>(weights[i]) * own);
+      force[masters[i]] += static_cast<Number>(weights[i] * own);
   }
 }
 
@@ -150,7 +148,7 @@ void UnknownConstraints::condense_diagonal(
   for (std::size_t row = 0; row < unknowns.size(); ++row) {
     double& slave = diagonal[unknowns[row]];
     for (std::uint32_t i = start[row]; i < start[row + 1]; ++i) {
-      const auto weight = static_cast<double>(weights[i]);
+      const double weight = weights[i];
       diagonal[masters[i]] += weight * weight * slave;
     }
     slave = 0.0;

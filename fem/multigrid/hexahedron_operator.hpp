@@ -23,16 +23,16 @@ namespace asperity::fem {
 /// nodes, images at periodic sides, and unknowns that are held (no entries).
 struct UnknownConstraints {
   std::vector<std::uint32_t> unknowns; ///< which are constrained
-  /// The row i of the masters of unknowns[i] is start[i]..start[i+1]-1. Weights
-  /// are sums of powers of two, which single precision has exactly.
+  /// The masters of unknowns[i] are start[i]..start[i+1]-1. The weights of the
+  /// pin against rotation need double precision.
   std::vector<std::uint32_t> start{0};
   std::vector<std::uint32_t> masters;
-  std::vector<float> weights;
+  std::vector<double> weights;
 
   /// Adds a master of the next unknown.
   void add_master(std::size_t master, double weight) {
     masters.push_back(static_cast<std::uint32_t>(master));
-    weights.push_back(static_cast<float>(weight));
+    weights.push_back(weight);
   }
 
   /// Adds the unknown of the masters since the last one.
@@ -56,7 +56,7 @@ struct UnknownConstraints {
   std::size_t bytes() const {
     return (unknowns.size() + start.size() + masters.size()) *
                sizeof(std::uint32_t) +
-           weights.size() * sizeof(float);
+           weights.size() * sizeof(double);
   }
 };
 

@@ -25,8 +25,7 @@ public:
     const auto own = static_cast<std::size_t>(slave - slaves.begin());
     for (std::uint32_t i = constraints_.start[own];
          i < constraints_.start[own + 1]; ++i)
-      add_free(constraints_.masters[i],
-               weight * static_cast<double>(constraints_.weights[i]));
+      add_free(constraints_.masters[i], weight * constraints_.weights[i]);
   }
 
   void end_row() { rows_.start.push_back(rows_.column.size()); }
