@@ -15,7 +15,7 @@ namespace asperity {
 /// Calls go_on() on each rank, one after another; it continues the state of the
 /// ranks before. All ranks receive the state after the last one. Collective.
 /// The ranks do not work at the same time, so that this is for sums that are
-/// needed once a load step.
+/// needed once for a surface.
 /// @param rows   whose ranks are called; one call without ranks, or if null
 /// @param state  bytes that go_on() changes
 /// @throws std::domain_error  on every rank, if go_on() threw an exception on
@@ -33,17 +33,6 @@ State in_order(const SharedRows* rows, State state, const GoOn& go_on) {
     bytes_in_order(rows, std::as_writable_bytes(std::span(&state, 1)),
                    [&] { go_on(state); });
   return state;
-}
-
-/// Sum of a number over all ranks, in their order. Collective.
-template <class Number>
-Number sum_of_ranks(const SharedRows* rows, Number own) {
-  return in_order(rows, Number{}, [=](Number& sum) { sum += own; });
-}
-
-/// Number of nodes on all ranks, of which this process holds `own`.
-inline std::size_t all_nodes(const SharedRows* rows, std::size_t own) {
-  return rows != nullptr ? rows->grid().size() : own;
 }
 
 } // namespace asperity
