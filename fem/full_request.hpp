@@ -26,7 +26,8 @@ struct FullRequest {
 };
 
 /// Builds the problem with the mesh that is requested: graded layers, cubes
-/// with hanging nodes, the coarsest cells of an adaptive mesh or a gmsh mesh. An invalid mesh is refused.
+/// with hanging nodes, the coarsest cells of an adaptive mesh or a gmsh mesh.
+/// An invalid mesh is refused.
 /// @param mesh  the mesh, if another process has generated it
 /// @throws std::domain_error  the mesh cannot be generated or is refused, with
 ///                            the reason; or a parameter is outside its range

@@ -109,6 +109,12 @@ void require_relief(const SurfaceSpec& surface, double before, double left) {
         "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
         "remain, the roundoff of the original {:.3g} m; there is no roughness",
         surface.file, left, before));
+  constexpr double largest = 1e100; // [m]; spectra contain squares
+  if (!(left < largest))
+    throw input::InputError(fmt::format(
+        "{}: heights of up to {:.3g} m, but they must be below {:.0e} m; check "
+        "their unit",
+        surface.file, left, largest));
 }
 
 MeasuredMap measured_map(const SurfaceSpec& surface) {

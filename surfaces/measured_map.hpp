@@ -39,10 +39,10 @@ ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);
 PixelWindow window_of_map(const mechanics::SurfaceSpec& surface,
                           const Grid& grid);
 
-/// Refuses a flat map.
+/// Refuses a flat map, and heights whose squares are no numbers.
 /// @param before  largest magnitude of the heights before levelling [m]
 /// @param left    the same after it [m]
-/// @throws input::InputError  what is left is roundoff
+/// @throws input::InputError  what is left is roundoff, or not below 1e100 m
 void require_relief(const mechanics::SurfaceSpec& surface, double before,
                     double left);
 

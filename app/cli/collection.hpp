@@ -22,7 +22,6 @@ struct RunPart {
 /// @param has_pdf  also print the report to report.pdf
 void write_collection_report(const FoundCases& collection,
                              const std::vector<RunPart>& parts,
-                             const std::filesystem::path& folder,
-                             bool has_pdf);
+                             const std::filesystem::path& folder, bool has_pdf);
 
 } // namespace asperity::app

@@ -4,8 +4,8 @@
 // displacement.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/refined/mesh_plan.hpp"
 #include "fem/block/block_problem.hpp"
+#include "fem/refined/mesh_plan.hpp"
 
 #include <deal.II/distributed/tria.h>
 #include <deal.II/dofs/dof_handler.h>

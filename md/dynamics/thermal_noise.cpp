@@ -24,7 +24,7 @@ double to_unit_interval(std::uint64_t bits) {
 }
 
 std::array<double, random_words> draw(std::uint64_t seed, std::int64_t step,
-                               std::uint64_t block) {
+                                      std::uint64_t block) {
   using Generator = r123::Philox4x64;
   const Generator::key_type key{
       {seed,
@@ -51,7 +51,8 @@ void draw_normal(std::uint64_t seed, std::int64_t step, int threads,
     const std::size_t begin = static_cast<std::size_t>(row) * chunk;
     const std::size_t end = std::min(begin + chunk, numbers.size());
     for (std::size_t i = begin; i < end; i += random_words) {
-      const std::array<double, random_words> normal = draw(seed, step, i / random_words);
+      const std::array<double, random_words> normal =
+          draw(seed, step, i / random_words);
       std::copy_n(normal.begin(), std::min(random_words, end - i),
                   numbers.begin() + static_cast<std::ptrdiff_t>(i));
     }

@@ -29,8 +29,7 @@ struct SweepReport {
 SweepReport write_sweep_report(const SweepRecord& record,
                                const std::filesystem::path& folder,
                                const std::filesystem::path& out,
-                               bool is_trusted,
-                               const ReportExtras& extras = {},
+                               bool is_trusted, const ReportExtras& extras = {},
                                const std::string& gnuplot = "gnuplot");
 
 } // namespace asperity::reports

@@ -56,7 +56,8 @@ TEST(UtcNow, IsIso8601) {
 // The CPU time is the process's own, so work raises it.
 TEST(RunClock, CountsWorkAndGivesMemory) {
   const RunClock clock;
-  const double before = std::atof(fact(clock.facts(3.0 * (1 << 20)), "CPU time").c_str());
+  const double before =
+      std::atof(fact(clock.facts(3.0 * (1 << 20)), "CPU time").c_str());
   volatile double sum = 0.0;
   for (int i = 0; i < 50'000'000; ++i)
     sum = sum + 1.0;

@@ -57,6 +57,13 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
                            "surface.fill = \"none\" none must be");
 }
 
+TEST(MeasuredMap, RefusesHeightsWhoseSquaresAreNoNumbers) {
+  const mechanics::SurfaceSpec surface = surface_of("huge", "1e200", "0");
+  EXPECT_EQ(refusal_of(surface),
+            surface.file + ": heights of up to 9.98e+190 m, but they must be "
+                           "below 1e+100 m; check their unit");
+}
+
 // The map is cropped first, so that missing points outside the window do not
 // count.
 TEST(MeasuredMap, CropsFirst) {
