@@ -56,8 +56,8 @@ std::optional<Failure> verify_ranges(const Grid& grid,
   const auto& [pressure, gap] = std::tie(solution.pressure, solution.gap);
   const auto counted = results::counted_area_fraction(pressure, asked.weights);
   const auto corrected = results::corrected_area_fraction(
-      grid, pressure, gap, contact_modulus,
-      results::halfspace_area_coefficients, asked.border);
+      grid, pressure, gap,
+      {contact_modulus, results::halfspace_area_coefficients, asked.border});
   const auto fit = results::fit_pressure_distribution(pressure, asked.weights);
   const auto moment = results::pressure_fit_by_moment(pressure, asked.weights);
   const double energy =

@@ -42,9 +42,11 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   row.area_fraction_corrected = results::Observed::none;
   if (observation.has_rim)
     observe("area_fraction_corrected", [&] {
-      return results::corrected_area_fraction(
-          grid, pressure, solution.gap, observation.contact_modulus,
-          observation.area_coefficients, observation.border, workers);
+      return results::corrected_area_fraction(grid, pressure, solution.gap,
+                                              {observation.contact_modulus,
+                                               observation.area_coefficients,
+                                               observation.border},
+                                              workers);
     });
   if (observation.has_middle) {
     const results::PressureCentre centre =

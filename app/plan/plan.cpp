@@ -87,8 +87,8 @@ double wall_time(const Plan& plan) {
   return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
-double peak_memory(const Plan& plan, const Grid& grid, double n_surfaces,
-                   double program) {
+double predicted_peak(const Plan& plan, const Grid& grid, double n_surfaces,
+                      double program) {
   std::vector<double> jobs;
   double alone = 0.0;
   for (const PlannedMethod& method : plan.methods) {
@@ -237,8 +237,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   const double program =
       base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
   plan.memory = std::max(
-      peak_memory(plan, grid, held_surfaces(contact_case, methods, options),
-                  program),
+      predicted_peak(plan, grid, held_surfaces(contact_case, methods, options),
+                     program),
       program + memory_of_result(contact_case, methods, grid, options));
   plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, grid);

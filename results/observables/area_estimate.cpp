@@ -237,9 +237,9 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
 Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients,
-                                 Border border, const Workers& workers) {
+                                 const AreaOperator& elasticity,
+                                 const Workers& workers) {
+  const auto& [contact_modulus, coefficients, border] = elasticity;
   const Contact contact(grid, pressure, border, workers);
   require_size("gap", gap.size(), pressure.size());
   const ContactSums sums = contact.measured(gap, contact_modulus);

@@ -102,6 +102,13 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth);
 /// Coefficients of second-order finite elements with cubic surface cells.
 constexpr AreaCoefficients q2_area_coefficients{0.051, 0.23};
 
+/// What the estimate needs to know of the operator.
+struct AreaOperator {
+  double contact_modulus = 0.0; ///< E* [Pa] > 0
+  AreaCoefficients coefficients = {};
+  Border border = Border::periodic;
+};
+
 /// Smallest admissible ratio of the estimate to the counted area [1].
 constexpr double least_corrected_share = 0.25;
 
@@ -135,9 +142,7 @@ constexpr double least_corrected_share = 0.25;
 Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
-                                 double contact_modulus,
-                                 const AreaCoefficients& coefficients,
-                                 Border border = Border::periodic,
+                                 const AreaOperator& elasticity,
                                  const Workers& workers = 1);
 
 } // namespace asperity::results

@@ -136,22 +136,22 @@ PressureCentre pressure_centre(const Grid& grid,
                rows != nullptr ? rows->size() : grid.size());
   require_weights(weights, pressure.size());
   const auto nx = static_cast<std::size_t>(grid.points_x);
+  const int middle_x = grid.points_x / 2;
+  const int middle_y = grid.points_y / 2;
+  const auto sums_of = [&](std::size_t begin, std::size_t end) {
+    SeveralSums<3> sums;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double load = weight_of(weights, i) * pressure[i];
+      const int ix = static_cast<int>(i % nx);
+      const int iy = first_row + static_cast<int>(i / nx);
+      sums.values[0] += load;
+      sums.values[1] += load * (ix - middle_x);
+      sums.values[2] += load * (iy - middle_y);
+    }
+    return sums;
+  };
   const auto [force, moment_x, moment_y] =
-      chunked_sum<SeveralSums<3>>(
-          pressure.size(), workers,
-          [&](std::size_t begin, std::size_t end) {
-            SeveralSums<3> sums;
-            for (std::size_t i = begin; i < end; ++i) {
-              const double load = weight_of(weights, i) * pressure[i];
-              const int ix = static_cast<int>(i % nx);
-              const int iy = first_row + static_cast<int>(i / nx);
-              sums.values[0] += load;
-              sums.values[1] += load * (ix - grid.points_x / 2);
-              sums.values[2] += load * (iy - grid.points_y / 2);
-            }
-            return sums;
-          })
-          .values;
+      chunked_sum<SeveralSums<3>>(pressure.size(), workers, sums_of).values;
   if (!(force > 0.0))
     return {};
   return {grid.spacing_x() * (moment_x / force),

@@ -90,7 +90,7 @@ Sample measure(const Grid& grid, const contact::ContactSolution& solution,
   sample.counted = results::counted_area_fraction(pressure);
   sample.lines = results::line_area_fraction(grid, pressure, solution.gap, 1.0);
   sample.corrected = results::corrected_area_fraction(
-                         grid, pressure, solution.gap, 1.0, coefficients)
+                         grid, pressure, solution.gap, {1.0, coefficients})
                          .value;
   sample.fitted = results::fit_pressure_distribution(pressure).area_fraction;
   sample.perimeter =

@@ -184,8 +184,9 @@ TEST(LineArea, IsTheCountWithoutABoundary) {
 
   EXPECT_EQ(line_area_fraction(grid, none, all, modulus), 0.0);
   EXPECT_EQ(line_area_fraction(grid, all, none, modulus), 1.0);
-  EXPECT_EQ(corrected_area_fraction(grid, all, none, modulus, {0.1, 0.5}).value,
-            1.0);
+  EXPECT_EQ(
+      corrected_area_fraction(grid, all, none, {modulus, {0.1, 0.5}}).value,
+      1.0);
 }
 
 // Patches minus holes, wherever the periodic boundary cuts them.
@@ -263,8 +264,8 @@ TEST(CorrectedArea, SubtractsThePerimeterAndAddsThePatches) {
   const double spacing = grid.spacing_x();
 
   const double corrected =
-      corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
-                              {0.1, 0.5})
+      corrected_area_fraction(grid, maps.pressure, maps.gap,
+                              {modulus, {0.1, 0.5}})
           .value;
 
   EXPECT_NEAR(corrected,
@@ -286,7 +287,7 @@ TEST(CorrectedArea, IsIndependentOfUnits) {
     for (double& gap : maps.gap)
       gap *= length_unit;
     return corrected_area_fraction(grid, maps.pressure, maps.gap,
-                                   modulus * pressure_unit, {0.1, 0.5})
+                                   {modulus * pressure_unit, {0.1, 0.5}})
         .value;
   };
 
@@ -306,8 +307,8 @@ Observed corrected_of(IsInContact is_in_contact, double gap,
         maps.pressure[grid.index(ix, iy)] = 1e6;
         maps.gap[grid.index(ix, iy)] = 0.0;
       }
-  return corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
-                                 coefficients);
+  return corrected_area_fraction(grid, maps.pressure, maps.gap,
+                                 {modulus, coefficients});
 }
 
 // With nodes in contact the corrected area is never 0. One node, and a
@@ -365,7 +366,7 @@ TEST(AreaMaps, AreCheckedByName) {
     EXPECT_STREQ(error.what(), "gap.size() = 15, but must be equal to 16");
   }
   EXPECT_THROW(euler_characteristic(grid, short_map), std::domain_error);
-  EXPECT_THROW(corrected_area_fraction(grid, short_map, full, modulus, {}),
+  EXPECT_THROW(corrected_area_fraction(grid, short_map, full, {modulus}),
                std::domain_error);
 }
 

@@ -46,8 +46,8 @@ struct Numbers {
 
 Observed corrected(const Grid& grid, const Maps& maps, double modulus,
                    const Workers& workers) {
-  return corrected_area_fraction(grid, maps.pressure, maps.gap, modulus,
-                                 halfspace_area_coefficients, Border::periodic,
+  return corrected_area_fraction(grid, maps.pressure, maps.gap,
+                                 {modulus, halfspace_area_coefficients},
                                  workers);
 }
 
