@@ -34,7 +34,9 @@ struct Terms {
 
   double& operator[](std::size_t i) { return values[i]; }
 
-  std::array<double, block_nodes> values;
+  /// Aligned, because clang forgets that a reference to SimdPack::Unaligned may
+  /// stand at any place.
+  alignas(64) std::array<double, block_nodes> values;
 };
 
 /// One accumulator per lane.
