@@ -34,8 +34,8 @@ class Tally {
 public:
   std::atomic<int> computed_steps = 0;
   std::atomic<int> failed_steps = 0;   ///< not converged
-  std::atomic<int> repeated_steps = 0; ///< computed again only for the solver
-  ///< state after them
+  /// Computed again only for the state of the solver after them.
+  std::atomic<int> repeated_steps = 0;
   std::atomic<bool> uses_fem = false;
 
   /// @param thing  name of a method or a table
