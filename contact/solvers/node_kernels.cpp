@@ -124,11 +124,8 @@ change(const NodeFields& f, double factor, double compliance,
           residuals[i] = masked(gaps[i] + compliance * p[i], pushed);
           weights[i] = masked(1.0, pushed);
         }
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i) {
-            residuals[i] *= f.weight[first + i];
-            weights[i] *= f.weight[first + i];
-          }
+        residuals.scale(f.weight, first, n);
+        weights.scale(f.weight, first, n);
         residual.add(residuals);
         weight.add(weights);
       });
@@ -146,9 +143,7 @@ template <std::size_t bytes>
         for (std::size_t i = 0; i < n; ++i)
           terms[i] =
               static_cast<double>(masked(z[i], freedom.codes[i] > 0 ? -1 : 0));
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i)
-            terms[i] *= f.weight[first + i];
+        terms.scale(f.weight, first, n);
         sum.add(terms);
       });
   return sum.total();
@@ -170,11 +165,8 @@ template <std::size_t bytes>
           nows[i] = slope * static_cast<double>(r[i]);
           changes[i] = slope * static_cast<double>(r[i] - before[i]);
         }
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i) {
-            nows[i] *= f.weight[first + i];
-            changes[i] *= f.weight[first + i];
-          }
+        nows.scale(f.weight, first, n);
+        changes.scale(f.weight, first, n);
         now.add(nows);
         change.add(changes);
       });
@@ -198,9 +190,7 @@ template <std::size_t bytes>
           d[i] = value;
           terms[i] = static_cast<double>(value) * static_cast<double>(r[i]);
         }
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i)
-            terms[i] *= f.weight[first + i];
+        terms.scale(f.weight, first, n);
         slope.add(terms);
       });
   return slope.total();
@@ -219,9 +209,7 @@ template <std::size_t bytes>
           const double own = static_cast<double>(d[i]);
           terms[i] = own * (static_cast<double>(cd[i]) + compliance * own);
         }
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i)
-            terms[i] *= f.weight[first + i];
+        terms.scale(f.weight, first, n);
         sum.add(terms);
       });
   return sum.total();
@@ -245,9 +233,7 @@ template <std::size_t bytes>
           totals[i] = kept;
           cut[i] = kept - wish;
         }
-        if (f.weight != nullptr)
-          for (std::size_t i = 0; i < n; ++i)
-            totals[i] *= f.weight[first + i];
+        totals.scale(f.weight, first, n);
         total.add(totals);
         cuts.add(cut);
       });

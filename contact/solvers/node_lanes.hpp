@@ -34,6 +34,16 @@ struct Terms {
 
   double& operator[](std::size_t i) { return values[i]; }
 
+  /// Multiplies the terms by the weights of n nodes from `first` on, if there
+  /// are any.
+  template <class Count>
+  [[gnu::always_inline]] void scale(const double* weights, std::size_t first,
+                                    Count n) {
+    if (weights != nullptr)
+      for (std::size_t i = 0; i < n; ++i)
+        values[i] *= weights[first + i];
+  }
+
   /// Aligned, because clang forgets that a reference to SimdPack::Unaligned may
   /// stand at any place.
   alignas(64) std::array<double, block_nodes> values;
