@@ -78,7 +78,8 @@ struct BenchPoint {
   int iterations = 0; ///< total over all steps
   int transforms = 0; ///< total over all steps, on the method's grid
   BenchPhases phases;
-  /// CPU time of a real forward and inverse transform on this grid [s]
+  /// CPU time of a real forward and inverse transform in single precision, as
+  /// the contact solver computes it, on this grid and one thread [s]
   double transform_pair = not_a_number;
   std::string problem; ///< why there is no result; empty if there is one
   BenchAnswer answer;

@@ -146,7 +146,8 @@ Figure phases_figure(const Bench& bench) {
   figure.title = "Breakdown of the CPU time";
   figure.caption = "Shares of the CPU time of a run at the case's own setting. "
                    "The marker is the floor: the time of one forward and one "
-                   "backward real transform for each application of the "
+                   "backward real transform in single precision, as in an "
+                   "iteration of the solver, for each application of the "
                    "elastic operator or its inverse on the method's grid.";
   figure.width = 860;
   figure.height = 360;

@@ -3,8 +3,8 @@
 #include "app/run/child_run.hpp"
 #include "app/run/exit_code.hpp"
 #include "app/run/interrupt.hpp"
+#include "base/convolution.hpp"
 #include "base/cpu_clock.hpp"
-#include "base/fourier.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>
@@ -180,18 +180,18 @@ double BenchRunner::transform_pair(const Grid& grid) {
       transform_pairs_.try_emplace({grid.points_x, grid.points_y}, 0.0);
   if (!is_new)
     return known->second;
-  const RealFourier fourier(grid);
-  std::vector<double> field(grid.size(), 1.0);
-  std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
+  const Convolution<float> convolution(grid);
+  const std::vector<double> ones(grid.half_spectrum_size(),
+                                 1.0 / static_cast<double>(grid.size()));
+  const Convolution<float>::Symbol symbol = convolution.arranged(ones);
+  Convolution<float>::Scratch scratch;
+  std::vector<float> field(grid.size(), 1.0F);
   std::vector<double> times;
   constexpr int tries = 9; // the first is the warm-up
   for (int i = 0; i < tries; ++i) {
     const CpuClock clock;
-    fourier.forward(field, spectrum);
-    fourier.backward(spectrum, field);
+    convolution.apply(field, symbol, scratch, field);
     times.push_back(clock.seconds());
-    for (double& value : field)
-      value /= static_cast<double>(grid.size());
   }
   known->second = time_of({times.begin() + 1, times.end()}).median;
   return known->second;

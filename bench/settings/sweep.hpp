@@ -43,7 +43,8 @@ struct SweepOptions {
 Sweep sweep_of(const cases::Case& contact_case, const SweepOptions& options);
 
 /// Returns the smallest even number of points per side that is not below
-/// `least` and 16 and of the form 2^a 3^b 5^c, for which transforms are fast.
+/// `least` and 16 and of the form 2^a 3^b 5^c, for which transforms are fast; a
+/// multiple of 16 if `least` exceeds 256.
 int transformable_points(int least);
 
 /// Returns the smallest transformable_points() whose grid resolves all of the

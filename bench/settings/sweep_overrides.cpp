@@ -14,6 +14,10 @@ using cases::MethodSpec;
 
 constexpr int least_points = 16;
 
+/// From this number of points on, transforms of multiples of 16 take about half
+/// the time per node of those of odd multiples of 2.
+constexpr int large_points = 256;
+
 /// True for 2^a 3^b 5^c, for which the FFT is fast.
 bool transforms_well(int points) {
   for (const int factor : {2, 3, 5})
@@ -25,9 +29,10 @@ bool transforms_well(int points) {
 } // namespace
 
 int transformable_points(int least) {
-  int points = std::max(least_points, least + least % 2);
+  const int step = least > large_points ? 16 : 2;
+  int points = std::max(least_points, (least + step - 1) / step * step);
   while (!transforms_well(points))
-    points += 2;
+    points += step;
   return points;
 }
 

@@ -40,8 +40,8 @@ std::vector<std::string> runs_of(const Sweep& sweep,
 }
 
 // 256 sqrt(2) = 362.04 and 256 sqrt(3) = 443.4 are rounded up to 364 and 444,
-// and then to even numbers without factors above 5: 384 and 450. The theory is
-// not run, and the run on one thread is shared by both series.
+// and then to multiples of 16 without factors above 5: 384 and 480. The theory
+// is not run, and the run on one thread is shared by both series.
 TEST(ScalingSettings, WorkGrowsWithTheThreads) {
   const Sweep sweep = scaling(rough_case(methods), {.threads = {1, 2, 3, 4}});
 
@@ -53,7 +53,7 @@ TEST(ScalingSettings, WorkGrowsWithTheThreads) {
   EXPECT_TRUE(sweep.scaling[1].is_weak);
   EXPECT_EQ(runs_of(sweep, sweep.scaling[1]),
             (std::vector<std::string>{"256 1 1 100", "384 2 1 225",
-                                      "450 3 1 309", "512 4 1 400"}));
+                                      "480 3 1 352", "512 4 1 400"}));
   EXPECT_EQ(sweep.points.size(), 7U);
   for (const BenchPoint& point : sweep.points)
     EXPECT_EQ(point.method, "halfspace");
@@ -85,9 +85,8 @@ TEST(ScalingSettings, RanksShareRealisationsOrAFullBlock) {
 }
 
 // One realisation with at least 512^2 nodes: the ranks share its rows. 512
-// sqrt(2) = 724.1 is rounded up to 750 = 2 375, which has no factors above 5
-// but no rows of whole chunks of 2^13 nodes, and then to 768; 512 sqrt(3) =
-// 886.8 to 900 = 4 225 for the same reason, and then to 960 = 64 15.
+// sqrt(2) = 724.1 is rounded up to 768, because 736 and 752 have factors above
+// 5 (and 750 is no multiple of 16); 512 sqrt(3) = 886.8 to 960 = 64 15.
 TEST(ScalingSettings, RanksShareTheRowsOfOneRealisation) {
   std::string text = rough_case("[halfspace]\n[fem]\nelement = \"Q1\"\n");
   text.replace(text.find("points = 256"), 12, "points = 512");
