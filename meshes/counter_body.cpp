@@ -4,6 +4,7 @@
 #include "meshes/counter_places.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/mesh_quality.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -174,6 +175,7 @@ BlockMesh counter_body(const CounterBody& body) {
   mesh.depth = body.height;
   mesh.group_names = {"counter"};
   BodyCells(body, mesh).add_all();
+  require_positive_cells(mesh);
   add_faces(body, mesh);
   return mesh;
 }

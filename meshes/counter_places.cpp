@@ -66,6 +66,13 @@ Place between(const Place& first, const Place& last, double share) {
 
 } // namespace
 
+double widest_fine_box(const CounterBody& body) {
+  const double across = body.shape == CounterShape::sphere
+                            ? 0.4 * half_width(body)
+                            : 0.5 * body.radius;
+  return std::min(across, 0.5 * body.height);
+}
+
 BodyPlaces::BodyPlaces(const CounterBody& body) : body_(body) {
   const bool is_sphere = body.shape == CounterShape::sphere;
   if (!is_sphere && body.fine_radius >= 0.5 * body.radius) {
@@ -91,7 +98,11 @@ void BodyPlaces::divide_column() {
 /// @param outer  half the width up to which the fan widens [m]
 void BodyPlaces::divide_fan(double outer) {
   const double size = body_.size_at_contact;
-  across_ = 2 * cells_along(body_.fine_radius, size);
+  const double widest = widest_fine_box(body_);
+  constexpr double roundoff = 1e-9;
+  const int most = static_cast<int>(std::floor(widest / size + roundoff));
+  across_ = 2 * std::clamp(cells_along(body_.fine_radius, size), 1,
+                           std::max(1, most));
   box_ = 0.5 * across_ * size;
   const int down = across_ / 2;
   for (int k = 0; k <= down; ++k)

@@ -24,6 +24,11 @@ struct BodyNode {
   }
 };
 
+/// The largest half width of a fine box around which the cells of the fans are
+/// well shaped [m]. Its corners reach sqrt(2) times as far, and on a ball its
+/// bottom is lower by as much as its end.
+double widest_fine_box(const CounterBody& body);
+
 /// The dimensions of the lattice of nodes and their places relative to the
 /// highest point.
 class BodyPlaces {

@@ -61,19 +61,6 @@ void require_consistent_lists(const BlockMesh& mesh) {
            "the cells are tetrahedra");
 }
 
-void require_positive_cells(const BlockMesh& mesh) {
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    const double shape = cell_shape(mesh, cell);
-    if (!(shape >= least_shape))
-      refuse("cell {} at {} is {}: its {} is {:.3g}", cell,
-             place_text(centre_of_cell(mesh, cell)),
-             shape < -least_shape ? "inverted" : "flat",
-             mesh.shape == CellShape::hexahedron ? "scaled Jacobian"
-                                                 : "mean ratio",
-             shape);
-  }
-}
-
 /// Refuses coincident vertices. Vertices whose coordinates before `direction`
 /// coincide are grouped into runs along it; vertices that share a run in all
 /// three directions coincide.
@@ -196,6 +183,19 @@ void require_held_cells(const BlockMesh& mesh) {
 }
 
 } // namespace
+
+void require_positive_cells(const BlockMesh& mesh) {
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    const double shape = cell_shape(mesh, cell);
+    if (!(shape >= least_shape))
+      refuse("cell {} at {} is {}: its {} is {:.3g}", cell,
+             place_text(centre_of_cell(mesh, cell)),
+             shape < -least_shape ? "inverted" : "flat",
+             mesh.shape == CellShape::hexahedron ? "scaled Jacobian"
+                                                 : "mean ratio",
+             shape);
+  }
+}
 
 void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides) {
   require_consistent_lists(mesh);

@@ -27,4 +27,8 @@ namespace asperity::meshes {
 ///   - for periodic sides: the errors of require_matching_sides.
 void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides);
 
+/// Refuses an inverted or flat cell as require_valid_mesh does.
+/// @throws std::domain_error  naming its number and place
+void require_positive_cells(const BlockMesh& mesh);
+
 } // namespace asperity::meshes

@@ -94,6 +94,17 @@ TEST(Slice, SolvesBlocksOnCounterBodies) {
   }
 }
 
+// First-order and second-order blocks on balls of few cells, whose meshes had
+// inverted cells, so that conjugate gradients broke down.
+TEST(Slice, SolvesBlocksOnBallsOfFewCells) {
+  for (const int index : {109, 992}) {
+    const InstanceReport report = run_instance(draw_instance(9001, index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << ", " << report.check << ": " << report.reason;
+  }
+}
+
 // Flat surfaces with second-order elements, held apart from hard contact, to
 // which the solver once assigned a pressure of 1e13 Pa because roundoff
 // concealed its error.
