@@ -15,6 +15,19 @@ namespace {
 
 constexpr unsigned int in_node = 3; // unknowns
 
+/// Appends the node of a contact point, the first of its row, and the face of
+/// the other body, which the row subtracts.
+void append_pair(const FaceRow& row, double spring,
+                 const LocalUnknowns& unknowns, ContactPairs& pairs) {
+  pairs.nodes.push_back(unknowns.of(row.front().first));
+  pairs.springs.push_back(spring);
+  for (std::size_t entry = 1; entry < row.size(); ++entry) {
+    pairs.faces.column.push_back(unknowns.of(row[entry].first));
+    pairs.faces.weight.push_back(-row[entry].second);
+  }
+  pairs.faces.start.push_back(pairs.faces.column.size());
+}
+
 } // namespace
 
 LocalUnknowns::LocalUnknowns(const BlockSpace& space,
@@ -114,7 +127,8 @@ std::size_t LocalUnknowns::bytes() const {
 MeshContact mesh_contact(const BlockSystem& system,
                          const LocalUnknowns& unknowns,
                          std::span<const double> springs,
-                         const std::vector<bool>& held, bool is_sticking) {
+                         const std::vector<bool>& held, bool is_sticking,
+                         const std::vector<bool>& is_pair) {
   MeshContact contact;
   SparseRows points; // by number of an unknown in contact.unknowns
   std::vector<std::size_t> number(unknowns.size(), 0);
@@ -126,6 +140,10 @@ MeshContact mesh_contact(const BlockSystem& system,
                   is_sticking, contact.held);
     if (springs[i] == 0.0)
       continue;
+    if (!is_pair.empty() && is_pair[i]) {
+      append_pair(row, springs[i], unknowns, contact.pairs);
+      continue;
+    }
     for (const auto& [global, value] : row) {
       const std::size_t unknown = unknowns.of(global);
       if (number[unknown] == 0) {
@@ -142,6 +160,10 @@ MeshContact mesh_contact(const BlockSystem& system,
     contact.springs = product(transposed(points, size), points, size);
   contact.has_springs =
       dealii::Utilities::MPI::max(size > 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
+  contact.pairs.exist =
+      dealii::Utilities::MPI::max(contact.pairs.nodes.empty() ? 0 : 1,
+                                  MPI_COMM_WORLD) == 1;
+  contact.pairs.ghosts = unknowns.ghosts();
   return contact;
 }
 

@@ -64,10 +64,13 @@ private:
 
 /// The contact of a block for the linear solver of its mesh [m, N]. This call
 /// is collective.
+/// @param unknowns  must outlive the result
 /// @param springs, held, is_sticking  as BlockSolver::set_contact has them
+/// @param is_pair  whether each point is a contact pair; or empty, on all ranks
 MeshContact mesh_contact(const BlockSystem& system,
                          const LocalUnknowns& unknowns,
                          std::span<const double> springs,
-                         const std::vector<bool>& held, bool is_sticking);
+                         const std::vector<bool>& held, bool is_sticking,
+                         const std::vector<bool>& is_pair = {});
 
 } // namespace asperity::fem

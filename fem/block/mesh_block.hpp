@@ -84,9 +84,10 @@ public:
 
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
                bool is_sticking) override {
-    MeshContact contact =
-        mesh_contact(system_, *unknowns_, springs, held, is_sticking);
-    correction_->prepare(springs, held, is_sticking, contact);
+    std::vector<double> softened(springs.begin(), springs.end());
+    MeshContact contact = mesh_contact(system_, *unknowns_, springs, held,
+                                       is_sticking, soften_pairs(softened));
+    correction_->prepare(softened, held, is_sticking, contact);
     multigrid_.set_contact(std::move(contact));
   }
 
@@ -130,6 +131,32 @@ protected:
   MeshMultigrid<Operator>& multigrid() { return multigrid_; }
 
 private:
+  /// Finds the points whose springs make a contact pair, those that are stiffer
+  /// than the node of the first body, and softens them for the correction. Its
+  /// functions have no relative displacement there: the node follows the face
+  /// of the other body. Moving it by e from where the function would have it
+  /// costs at most k e^2/2, with the bound k on the stiffness of the node, and
+  /// a spring of this kind is what the correction has for that. With 3 k, the
+  /// stiffness of the correction is at least 3/4 of that of its functions.
+  /// @return  of each point, or empty if no points can be pairs
+  std::vector<bool> soften_pairs(std::vector<double>& springs) const {
+    constexpr double stiff = 2.0;
+    constexpr double kept = 3.0;
+    const ContactPoints& points = system_.contact();
+    std::vector<bool> is_pair;
+    if (!system_.has_counter() || !points.is_nodal())
+      return is_pair;
+    is_pair.resize(springs.size());
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      const double own = multigrid_.stiffness_bound(
+          unknowns_->of(points[i].row.front().first));
+      is_pair[i] = springs[i] > stiff * own;
+      if (is_pair[i])
+        springs[i] = std::min(springs[i], kept * own);
+    }
+    return is_pair;
+  }
+
   /// Copies the own unknowns; those of other ranks are zero.
   void copy_owned(const Vector& from, std::vector<double>& to) const {
     to.assign(from.begin(), from.end());

@@ -33,6 +33,12 @@ public:
 
   double unit() const { return unit_; } ///< of the cycle's stiffness [N/m]
 
+  /// An upper bound on the stiffness of an unknown against any displacement
+  /// [N/m].
+  double stiffness_bound(std::size_t unknown) const {
+    return unit_ * level_.stiffness_bound(unknown);
+  }
+
   Operator<double>& stiffness() { return stiffness_; }
 
   void set_correction(Correction correction) {
@@ -41,7 +47,10 @@ public:
 
   void set_contact(MeshContact contact) {
     springs_ = contact.springs;
+    pairs_ = contact.pairs;
     for (double& spring : contact.springs.weight)
+      spring /= unit_;
+    for (double& spring : contact.pairs.springs)
       spring /= unit_;
     level_.set_contact(std::move(contact));
   }
@@ -67,7 +76,8 @@ public:
 
   std::size_t bytes() const {
     return stiffness_.bytes() + level_.bytes() +
-           3 * stiffness_.size() * sizeof(double) + springs_.bytes();
+           3 * stiffness_.size() * sizeof(double) + springs_.bytes() +
+           pairs_.bytes();
   }
 
   // The parts of the iteration (conjugate_gradients.hpp).
@@ -78,6 +88,7 @@ public:
     if (!springs_.is_empty())
       add_spring_force(springs_, level_.contact().unknowns, displacement.data(),
                        force.data());
+    pairs_.add_spring_force(displacement.data(), force.data());
     stiffness_.collect(force.data());
     clear_held(force);
   }
@@ -94,11 +105,8 @@ public:
 
   void run_cycle() {
     level_.smooth_before();
-    if (correction_) {
-      std::fill(level_.direction.begin(), level_.direction.end(), 0.0F);
-      correction_(level_.residual, level_.direction);
-      level_.add_correction();
-    }
+    if (correction_)
+      level_.add_correction(correction_);
     level_.smooth_after();
   }
 
@@ -107,6 +115,7 @@ private:
   double unit_ = 1.0;
   SmoothedLevel<Operator> level_; ///< in units
   SparseRows springs_;            ///< [N/m]
+  ContactPairs pairs_;            ///< [N/m]
   GradientVectors gradients_;
   Correction correction_;
 };

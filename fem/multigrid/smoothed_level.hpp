@@ -4,6 +4,7 @@
 // contact, and the smoother before and after a correction by coarser functions.
 
 #include "fem/multigrid/chebyshev.hpp"
+#include "fem/multigrid/contact_pairs.hpp"
 #include "fem/multigrid/face_contact.hpp"
 #include "fem/multigrid/hexahedron_operator.hpp"
 #include "fem/multigrid/sparse_rows.hpp"
@@ -22,11 +23,16 @@ struct MeshContact {
   SparseRows springs; ///< symmetric matrix on these, or no rows; [N/m] or in
                       ///< the unit of a level's stiffness
   bool has_springs = false;      ///< on any rank
+  ContactPairs pairs;            ///< whose springs are not among `springs`
   std::vector<std::size_t> held; ///< unknowns that are held
 };
 
 /// A level with the stiffness of Operator<float>, which has apply(),
 /// apply_own(), collect() and diagonal() as HexahedronOperator.
+///
+/// Between smooth_before() and smooth_after(), vectors are those of the
+/// relative variables of contact pairs. Coarser functions have no relative
+/// displacement of a pair, which the springs leave to the smoother alone.
 template <template <class> class Operator>
 class SmoothedLevel : public SmoothedVectors {
 public:
@@ -52,10 +58,16 @@ public:
     for (std::size_t i = 0; i < inverse_.size(); ++i)
       inverse_[i] =
           diagonal[i] > 0.0F ? 1.0F / (eigenvalue_ * diagonal[i]) : 0.0F;
-    if (contact_.has_springs)
+    if (contact_.has_springs || contact_.pairs.exist)
       soften();
     for (const std::size_t unknown : contact_.held)
       inverse_[unknown] = 0.0F;
+    relative_.resize(contact_.pairs.nodes.size());
+  }
+
+  /// An upper bound on the stiffness of an unknown against any displacement.
+  double stiffness_bound(std::size_t unknown) const {
+    return static_cast<double>(eigenvalue_ * stiffness_.diagonal()[unknown]);
   }
 
   const MeshContact& contact() const { return contact_; }
@@ -63,13 +75,26 @@ public:
   /// Smooths from zero for the force in `residual`, which becomes the residual
   /// of the displacement, zero at unknowns that are not solved for.
   void smooth_before() {
+    contact_.pairs.add_to_faces(residual.data());
     std::fill(displacement.begin(), displacement.end(), 0.0F);
     smooth_by_chebyshev(*this, inverse_, terms, false, [this] { subtract(); });
     clear_held(residual);
   }
 
-  /// Adds a correction, which is in `direction`, to the displacement.
-  void add_correction() {
+  /// Adds the correction that `correct` computes from the residual; neither
+  /// contains the relative displacements of pairs.
+  /// @param correct  adds to its second argument
+  template <class Correct>
+  void add_correction(const Correct& correct) {
+    const std::vector<std::size_t>& nodes = contact_.pairs.nodes;
+    for (std::size_t pair = 0; pair < nodes.size(); ++pair)
+      relative_[pair] = std::exchange(residual[nodes[pair]], 0.0F);
+    std::fill(direction.begin(), direction.end(), 0.0F);
+    correct(residual, direction);
+    for (std::size_t pair = 0; pair < nodes.size(); ++pair) {
+      residual[nodes[pair]] = relative_[pair];
+      direction[nodes[pair]] = 0.0F;
+    }
     clear_held(direction);
     for (std::size_t i = 0; i < product_.size(); ++i)
       displacement[i] += direction[i];
@@ -79,6 +104,7 @@ public:
   void smooth_after() {
     smooth_by_chebyshev(*this, inverse_, terms, true, [this] { subtract(); });
     clear_held(displacement);
+    contact_.pairs.add_common(displacement.data());
   }
 
   /// Sets unknowns to zero that constraints or contact determine.
@@ -92,7 +118,8 @@ public:
 
   std::size_t bytes() const {
     return stiffness_.bytes() + 5 * product_.size() * sizeof(float) +
-           contact_.springs.bytes() +
+           contact_.springs.bytes() + contact_.pairs.bytes() +
+           relative_.size() * sizeof(float) +
            (contact_.unknowns.size() + contact_.held.size()) *
                sizeof(std::size_t);
   }
@@ -109,6 +136,7 @@ private:
     for (std::size_t row = 0; row < springs.rows(); ++row)
       for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
         sums[contact_.unknowns[row]] += std::abs(springs.weight[i]);
+    add_common_stiffness(sums);
     stiffness_.collect(sums.data());
     for (std::size_t i = 0; i < sums.size(); ++i)
       if (sums[i] > 0.0)
@@ -116,13 +144,45 @@ private:
             1.0 / (static_cast<double>(eigenvalue_ * diagonal[i]) + sums[i]));
   }
 
+  /// Adds what makes the diagonal an upper bound on K in relative variables
+  /// and on the springs: with K <= D and any a > 0,
+  ///
+  ///     D (r + N m)^2 <= (1 + a) D r^2 + (1 + 1/a) D (sum |N|) (sum |N| m^2).
+  void add_common_stiffness(std::vector<double>& sums) const {
+    constexpr double a = 2.0;
+    const ContactPairs& pairs = contact_.pairs;
+    for (std::size_t pair = 0; pair < pairs.nodes.size(); ++pair) {
+      const std::size_t node = pairs.nodes[pair];
+      const double own = stiffness_bound(node);
+      sums[node] += a * own + pairs.springs[pair];
+      double shares = 0.0;
+      for (std::size_t i = pairs.faces.start[pair];
+           i < pairs.faces.start[pair + 1]; ++i)
+        shares += std::abs(pairs.faces.weight[i]);
+      for (std::size_t i = pairs.faces.start[pair];
+           i < pairs.faces.start[pair + 1]; ++i)
+        sums[pairs.faces.column[i]] +=
+            (1.0 + 1.0 / a) * own * shares * std::abs(pairs.faces.weight[i]);
+    }
+  }
+
   /// Subtracts (K + S) direction from the residual.
   void subtract() {
+    const ContactPairs& pairs = contact_.pairs;
+    for (std::size_t pair = 0; pair < pairs.nodes.size(); ++pair)
+      relative_[pair] = direction[pairs.nodes[pair]];
+    pairs.add_common(direction.data());
     stiffness_.apply_own(direction.data(), product_.data());
     if (!contact_.springs.is_empty())
       add_spring_force(contact_.springs, contact_.unknowns, direction.data(),
                        product_.data());
     stiffness_.collect(product_.data());
+    pairs.add_to_faces(product_.data());
+    for (std::size_t pair = 0; pair < pairs.nodes.size(); ++pair) {
+      direction[pairs.nodes[pair]] = relative_[pair];
+      product_[pairs.nodes[pair]] +=
+          static_cast<float>(pairs.springs[pair] * relative_[pair]);
+    }
     for (std::size_t i = 0; i < product_.size(); ++i)
       residual[i] -= product_[i];
   }
@@ -133,6 +193,7 @@ private:
   std::vector<float> inverse_; ///< of the diagonal times eigenvalue_
   MeshContact contact_;
   std::vector<float> product_;
+  std::vector<float> relative_; ///< values of the pairs' nodes, set aside
 };
 
 } // namespace asperity::fem

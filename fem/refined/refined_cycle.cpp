@@ -188,16 +188,16 @@ void RefinedCycle::descend(std::size_t level) {
   constraints.condense(own.residual.data());
   own.clear_held(own.residual);
   own.smooth_before();
-  std::vector<float>& next = force_of(level + 1);
-  std::ranges::fill(next, 0.0F);
-  interpolations_[level + 1].restrict_force(own.residual, 1.0F, next);
-  descend(level + 1);
-  std::ranges::fill(own.direction, 0.0F);
-  interpolations_[level + 1].interpolate(
-      level + 1 < levels_.size() ? levels_[level + 1]->smoothed.displacement
-                                 : coarsest_->displacement,
-      own.direction);
-  own.add_correction();
+  own.add_correction([&](const auto& residual, auto& displacement) {
+    std::vector<float>& next = force_of(level + 1);
+    std::ranges::fill(next, 0.0F);
+    interpolations_[level + 1].restrict_force(residual, 1.0F, next);
+    descend(level + 1);
+    interpolations_[level + 1].interpolate(
+        level + 1 < levels_.size() ? levels_[level + 1]->smoothed.displacement
+                                   : coarsest_->displacement,
+        displacement);
+  });
   own.smooth_after();
   constraints.distribute(own.displacement.data());
 }
