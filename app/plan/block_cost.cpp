@@ -63,8 +63,10 @@ constexpr double hexahedron_setup_time = 10e-6;
 constexpr double halved_time[] = {1.0e-6, 1.7e-6};
 constexpr double halved_setup_time = 5e-6;
 /// The same for a block and a counter-body of finite size (`elastic-sphere`),
-/// whose stiff springs need four times the iterations of one body.
-constexpr double pair_time = 18e-6;
+/// which take twice the Newton steps, and with stiff springs at Gauss points
+/// twice the iterations or more.
+constexpr double pair_time = 9e-6;
+constexpr double gauss_pair_time = 18e-6;
 
 constexpr double kilobyte = 1000.0;
 constexpr double hexahedron_memory = 0.46 * kilobyte;
@@ -218,7 +220,11 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
     break;
   case BlockCostKind::hexahedra:
   case BlockCostKind::pair:
-    unknown_time = settings.full.bodies == 2 ? pair_time : hexahedron_time;
+    unknown_time = hexahedron_time;
+    if (settings.full.bodies == 2)
+      unknown_time = settings.full.contact_at == mechanics::ContactPoints::gauss
+                         ? gauss_pair_time
+                         : pair_time;
     unknown_setup = hexahedron_setup_time;
     unknown_memory = hexahedron_memory;
     break;

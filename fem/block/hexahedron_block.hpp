@@ -19,7 +19,7 @@ namespace asperity::fem {
 ///
 /// A node of the contact surface is held if the second-order node at its place
 /// is; springs are those of the second-order block on first-order functions
-/// (Galerkin).
+/// (Galerkin), those of contact pairs softened.
 class FirstOrderCorrection final : public MeshCorrection {
 public:
   /// @param fine      must outlive this object
