@@ -62,6 +62,28 @@ void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
   });
 }
 
+/// Adds the sums of the chunks of this process in their order, first those of
+/// each group, then the groups of all ranks. Collective over the ranks.
+/// @param nodes  number of nodes of this process
+template <class Sums>
+Sums sum_of_chunks(std::span<const Sums> partial, std::size_t nodes,
+                   const Workers& workers) {
+  const std::size_t length = chunks_in_group(workers.all_nodes(nodes));
+  std::vector<Sums> groups((partial.size() + length - 1) / length);
+  for (std::size_t chunk = 0; chunk < partial.size(); ++chunk)
+    groups[chunk / length] += partial[chunk];
+  if (workers.rows != nullptr) {
+    const std::vector<std::byte> all = gathered_sums(
+        *workers.rows, std::as_bytes(std::span(groups)), sizeof(Sums));
+    groups.resize(all.size() / sizeof(Sums));
+    std::memcpy(groups.data(), all.data(), all.size());
+  }
+  Sums total{};
+  for (const Sums& sums : groups)
+    total += sums;
+  return total;
+}
+
 /// Calls do_chunk(begin, end) -> Sums for each chunk of the nodes of this
 /// process and adds the results in the order of the chunks, first those of each
 /// group, then the groups of all ranks. The result is bitwise independent of
@@ -77,21 +99,7 @@ Sums chunked_sum(std::size_t nodes, const Workers& workers,
   chunked(nodes, workers.threads, [&](std::size_t begin, std::size_t end) {
     partial[begin / chunk_nodes] = do_chunk(begin, end);
   });
-
-  const std::size_t length = chunks_in_group(workers.all_nodes(nodes));
-  std::vector<Sums> groups((chunks + length - 1) / length);
-  for (std::size_t chunk = 0; chunk < chunks; ++chunk)
-    groups[chunk / length] += partial[chunk];
-  if (workers.rows != nullptr) {
-    const std::vector<std::byte> all = gathered_sums(
-        *workers.rows, std::as_bytes(std::span(groups)), sizeof(Sums));
-    groups.resize(all.size() / sizeof(Sums));
-    std::memcpy(groups.data(), all.data(), all.size());
-  }
-  Sums total{};
-  for (const Sums& sums : groups)
-    total += sums;
-  return total;
+  return sum_of_chunks<Sums>(partial, nodes, workers);
 }
 
 } // namespace asperity

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 namespace asperity {
@@ -13,10 +12,6 @@ namespace {
 /// Most bytes that rank 0 sends or receives at a time: far below the 2^31 that
 /// libraries of message passing count, and the memory of a copy.
 constexpr std::size_t most_bytes = std::size_t{1} << 22;
-
-std::size_t sum_of(std::span<const std::size_t> sizes) {
-  return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
-}
 
 /// Some adjacent rows of each rank, as values from the first of its rows.
 struct Round {
@@ -102,31 +97,6 @@ std::vector<double> SharedRows::gathered(std::span<const double> own) const {
   std::vector<double> all(grid_.size());
   ranks_->gather_to_all(std::as_bytes(own), bytes_of_ranks(),
                         std::as_writable_bytes(std::span(all)));
-  return all;
-}
-
-std::vector<double>
-SharedRows::gathered_on_rank_0(std::span<const double> own) const {
-  if (ranks_ == nullptr)
-    return gathered(own);
-  std::vector<double> all(own_ == 0 ? grid_.size() : 0);
-  std::vector<double> received;
-  for (const Round& round : rounds_of(*this)) {
-    const std::span<const double> sent =
-        own.subspan(round.first(size()), round.count(size()));
-    std::vector<std::size_t> bytes = bytes_of_rank_0(0);
-    for (std::size_t r = 0; own_ == 0 && r < bytes.size(); ++r)
-      bytes[r] = round.count(size_of(r)) * sizeof(double);
-    received.resize(sum_of(bytes) / sizeof(double));
-    ranks_->exchange(std::as_bytes(sent), bytes_of_rank_0(sent.size_bytes()),
-                     std::as_writable_bytes(std::span(received)), bytes);
-    const double* part = received.data();
-    for (std::size_t r = 0; own_ == 0 && r < bytes.size(); ++r) {
-      const std::size_t n = bytes[r] / sizeof(double);
-      std::copy_n(part, n, all.data() + first_of(r) + round.first(size_of(r)));
-      part += n;
-    }
-  }
   return all;
 }
 

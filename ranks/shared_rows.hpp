@@ -77,10 +77,6 @@ public:
   /// @param own  size() values
   std::vector<double> gathered(std::span<const double> own) const;
 
-  /// All rows of a field on rank 0, nothing on the others. Collective.
-  /// @param own  size() values
-  std::vector<double> gathered_on_rank_0(std::span<const double> own) const;
-
   /// Passes all values of a field to a function of rank 0, from the first row
   /// to the last, in pieces of at most 4 MB or one row. Collective.
   /// @param own   size() values

@@ -4,6 +4,7 @@
 #include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
 #include "results/observables/contact_stiffness.hpp"
+#include "results/observables/map_sums.hpp"
 #include "results/storage/curve_storage.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/storage/hdf5_limits.hpp"
@@ -17,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -68,25 +70,35 @@ void require_format(const Hdf5Group& file) {
         version, layout::format_version));
 }
 
-Curve read_curve(const Hdf5Group& group) {
+/// Where maps are.
+struct Maps {
+  const std::filesystem::path& path;
+  MapsInFile left;
+};
+
+Curve read_curve(const Hdf5Group& group, const Maps& maps) {
   Curve curve;
   curve.setup_cpu_time = number_or(group, "setup_cpu_time", 0.0);
   if (group.has("curve"))
     curve.points = read_points(group.open("curve"));
   if (group.has("fields"))
-    curve.fields = read_fields(group.open("fields"));
+    curve.fields = read_fields(group.open("fields"), maps.path, maps.left);
   if (group.has(layout::own_surface))
-    curve.own_surface = read_surface(group.open(layout::own_surface));
+    curve.own_surface =
+        read_surface(group.open(layout::own_surface), maps.path, maps.left);
   return curve;
 }
 
-MethodRecord read_method(const Hdf5Group& group, const std::string& name) {
+MethodRecord read_method(const Hdf5Group& group, const std::string& name,
+                         const Maps& maps) {
   MethodRecord method;
   method.name = name;
   method.kind = text_or(group, "kind", name.substr(0, name.find('.')));
   method.description = text_or(group, "description", "");
-  method.realizations = read_indexed<Curve>(
-      group, [](const Hdf5Group& curve, int) { return read_curve(curve); });
+  method.realizations =
+      read_indexed<Curve>(group, [&](const Hdf5Group& curve, int) {
+        return read_curve(curve, maps);
+      });
   return method;
 }
 
@@ -102,7 +114,7 @@ void complete_grids(Result& result) {
           curve.own_surface ? curve.own_surface->grid : result.surfaces[r].grid;
       for (Fields& fields : curve.fields) {
         Grid& grid = fields.grid;
-        if (grid.size() == 0 && fields.pressure.size() == below.size()) {
+        if (grid.size() == 0 && fields.pressure_map().size() == below.size()) {
           grid.points_x = below.points_x;
           grid.points_y = below.points_y;
         }
@@ -114,7 +126,33 @@ void complete_grids(Result& result) {
     }
 }
 
-Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
+/// The rms of heights, which have no record of it.
+double rms_of(const MapView& heights) {
+  const double mean = mean_of(heights);
+  double squares = 0.0;
+  each_piece(heights, [&](std::span<const double> values) {
+    for (const double height : values)
+      squares += (height - mean) * (height - mean);
+  });
+  return std::sqrt(squares / static_cast<double>(heights.size()));
+}
+
+void complete_rms_height(SurfaceRecord& surface) {
+  if (std::isnan(surface.rms_height) && !surface.height_map().empty())
+    surface.rms_height = rms_of(surface.height_map());
+}
+
+void complete_rms_heights(Result& result) {
+  for (SurfaceRecord& surface : result.surfaces)
+    complete_rms_height(surface);
+  for (MethodRecord& method : result.methods)
+    for (Curve& curve : method.realizations)
+      if (curve.own_surface)
+        complete_rms_height(*curve.own_surface);
+}
+
+Result read_file(const Hdf5File& file, const std::filesystem::path& path,
+                 MapsInFile left) {
   require_format(file);
   Result result;
   result.path = path.string();
@@ -141,12 +179,14 @@ Result read_file(const Hdf5File& file, const std::filesystem::path& path) {
   }
   if (file.has("surfaces"))
     result.surfaces = read_indexed<SurfaceRecord>(
-        file.open("surfaces"),
-        [](const Hdf5Group& group, int) { return read_surface(group); });
+        file.open("surfaces"), [&](const Hdf5Group& group, int) {
+          return read_surface(group, path, left);
+        });
   const Hdf5Group methods = file.open("methods");
   for (const std::string& name :
        good_names(methods.children(), methods.place()))
-    result.methods.push_back(read_method(methods.open(name), name));
+    result.methods.push_back(
+        read_method(methods.open(name), name, {path, left}));
   if (file.has(layout::skipped))
     result.skipped = read_skipped(file.open(layout::skipped));
   if (file.has(layout::tables)) {
@@ -163,11 +203,11 @@ struct FileContent {
   JournalState journal;
 };
 
-FileContent read_file(const std::filesystem::path& path) {
+FileContent read_file(const std::filesystem::path& path, MapsInFile left) {
   const std::lock_guard lock(hdf5_mutex());
   try {
     const Hdf5File file(path, Hdf5File::Mode::read);
-    return {read_file(file, path), journal_state(file)};
+    return {read_file(file, path, left), journal_state(file)};
   } catch (const Hdf5Error& error) {
     throw input::InputError(error.what());
   }
@@ -206,10 +246,11 @@ void require_good_names(const Result& result) {
   }
 }
 
-FileContent read_file_and_journal(const std::filesystem::path& path) {
+FileContent read_file_and_journal(const std::filesystem::path& path,
+                                  MapsInFile left) {
   constexpr int tries = 100; // a writer rarely renames its file
   for (int i = 0; i < tries; ++i) {
-    FileContent content = read_file(path);
+    FileContent content = read_file(path, left);
     if (merge_journal(content, path))
       return content;
   }
@@ -218,18 +259,19 @@ FileContent read_file_and_journal(const std::filesystem::path& path) {
 
 } // namespace
 
-Result read_result(const std::filesystem::path& path) {
+Result read_result(const std::filesystem::path& path, MapsInFile left) {
   const bool is_folder = std::filesystem::is_directory(path);
   const std::filesystem::path file_path =
       is_folder ? path / layout::file_name : path;
   if (!std::filesystem::exists(file_path))
     throw input::InputError(file_path.string() + ": there is no such file");
-  Result result = std::move(read_file_and_journal(file_path).result);
+  Result result = std::move(read_file_and_journal(file_path, left).result);
   require_good_names(result);
   for (MethodRecord& method : result.methods)
     for (Curve& curve : method.realizations)
       fill_contact_stiffness(curve.points);
   complete_grids(result);
+  complete_rms_heights(result);
   require_valid(result);
   return result;
 }

@@ -19,10 +19,13 @@ namespace asperity::results {
 ///          missing step is the index of its row, and a missing status is
 ///          converged. A missing or NaN contact stiffness is computed from the
 ///          curve by finite differences. Rows are sorted by step.
+/// @param left  maps that are not read into memory. They are read from the file
+///              at this path when they are needed, so that it must stay
 /// @throws input::InputError  "file: ..." naming the group, dataset or
 ///                            attribute that is missing, of the wrong kind or
 ///                            outside its range (validity.hpp)
-Result read_result(const std::filesystem::path& path);
+Result read_result(const std::filesystem::path& path,
+                   MapsInFile left = MapsInFile::none);
 
 /// The steps of each (method, realization) that a result contains.
 using StepsDone = std::map<std::pair<std::string, int>, std::set<int>>;

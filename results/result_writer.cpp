@@ -69,7 +69,7 @@ ResultFile file_for(const std::filesystem::path& folder, const CaseInfo& info,
   if (mode != ResultWriter::Mode::resume || !std::filesystem::exists(path))
     return ResultFile::created(
         path, [&info](Hdf5File& file) { write_case(file, info); });
-  require_same_case(read_result(path), info);
+  require_same_case(read_result(path, MapsInFile::large), info);
   return ResultFile::opened(path, [&info](Hdf5File& file) {
     file.set_attribute("status", "running");
     file.set_attribute("reference", info.reference);
@@ -83,7 +83,7 @@ ResultWriter::ResultWriter(const std::filesystem::path& folder,
     : file_(file_for(folder, info, mode)) {
   if (mode != Mode::resume)
     return;
-  const Result old = read_result(path());
+  const Result old = read_result(path(), MapsInFile::large);
   steps_ = steps_done(old);
   for (const MethodRecord& method : old.methods)
     methods_.insert(method.name);

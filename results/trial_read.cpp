@@ -24,7 +24,7 @@ double read_time_limit(std::uintmax_t file_bytes) {
 }
 
 void require_readable(const std::filesystem::path& path) {
-  require_readable(path, [&] { read_result(path); });
+  require_readable(path, [&] { read_result(path, MapsInFile::large); });
 }
 
 void require_readable(const std::filesystem::path& path,

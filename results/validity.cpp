@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -63,13 +64,18 @@ void check_number(const std::string& place, double number,
 
 /// Reports the first value of a map that is not finite, and the number of such
 /// values.
-void check_map(const std::string& place, std::span<const double> map,
-               const Grid& grid, std::string_view unit, Findings& findings) {
+void check_map(const std::string& place, const MapView& map, const Grid& grid,
+               std::string_view unit, Findings& findings) {
   std::size_t bad = 0;
   std::size_t first = 0;
-  for (std::size_t i = 0; i < map.size(); ++i)
-    if (!std::isfinite(map[i]) && bad++ == 0)
-      first = i;
+  double first_value = 0.0;
+  each_piece(std::array{map}, [&](std::size_t begin, const auto& values) {
+    for (std::size_t i = 0; i < values[0].size(); ++i)
+      if (!std::isfinite(values[0][i]) && bad++ == 0) {
+        first = begin + i;
+        first_value = values[0][i];
+      }
+  });
   if (bad == 0)
     return;
   const auto columns =
@@ -78,7 +84,7 @@ void check_map(const std::string& place, std::span<const double> map,
       fmt::format("{}[{}, {}]", place, first / columns, first % columns),
       fmt::format(" = {}, but must be finite [{}]; {} of {} values are "
                   "not",
-                  map[first], unit, bad, map.size()));
+                  first_value, unit, bad, map.size()));
 }
 
 void check_point(const std::string& curve, const CurvePoint& point,
@@ -110,8 +116,9 @@ void check_curve(const std::string& place, const Curve& curve,
     const std::string maps = fmt::format("{}/fields/{}", place, fields.step);
     check_number(maps + "/nominal_pressure", fields.nominal_pressure, finite,
                  "Pa", findings);
-    check_map(maps + "/pressure", fields.pressure, fields.grid, "Pa", findings);
-    check_map(maps + "/gap", fields.gap, fields.grid, "m", findings);
+    check_map(maps + "/pressure", fields.pressure_map(), fields.grid, "Pa",
+              findings);
+    check_map(maps + "/gap", fields.gap_map(), fields.grid, "m", findings);
   }
 }
 
@@ -129,7 +136,8 @@ void check_surface(const std::string& place, const SurfaceRecord& surface,
   check("skewness", surface.skewness, finite, "1");
   check("kurtosis", surface.kurtosis, not_negative, "1");
   check("highest", surface.highest, finite, "m");
-  check_map(place + "/heights", surface.heights, surface.grid, "m", findings);
+  check_map(place + "/heights", surface.height_map(), surface.grid, "m",
+            findings);
   for (const SpectrumPoint& point : surface.spectrum) {
     check("spectrum/wavevector", point.wavevector, not_negative, "rad/m");
     check("spectrum/height_spectrum", point.spectrum, not_negative, "m^4");

@@ -24,6 +24,12 @@ double mean_square_offset(const std::vector<double>& means, std::size_t step) {
   return sum / static_cast<double>(means.size() - 2 * step);
 }
 
+/// Half the Nyquist wavevector of the coarser direction.
+double resolved_wavevector(const Grid& grid) {
+  const double spacing = std::max(grid.spacing_x(), grid.spacing_y());
+  return 0.5 * std::numbers::pi / spacing * (1.0 + nyquist_rounding);
+}
+
 std::size_t lines_within(double distance, double spacing) {
   return static_cast<std::size_t>(
       std::max(1.0, std::round(distance / spacing)));
@@ -32,9 +38,7 @@ std::size_t lines_within(double distance, double spacing) {
 } // namespace
 
 double unresolved_slope_share(const HeightMap& map) {
-  const double spacing = std::max(map.grid.spacing_x(), map.grid.spacing_y());
-  const double limit =
-      0.5 * std::numbers::pi / spacing * (1.0 + nyquist_rounding);
+  const double limit = resolved_wavevector(map.grid);
   double whole = 0.0;
   double above = 0.0;
   for_each_mode(map, [&](const ModePower& mode) {
@@ -46,16 +50,42 @@ double unresolved_slope_share(const HeightMap& map) {
   return whole > 0.0 ? above / whole : not_a_number;
 }
 
+double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
+                              int threads) {
+  double whole = 0.0;
+  double above = 0.0;
+  each_column(grid, heights, threads,
+              [&, limit = resolved_wavevector(grid)](
+                  int jx, std::span<const double> power) {
+                for (std::size_t jy = 0; jy < power.size(); ++jy) {
+                  const double q =
+                      mode_wavevector(grid, jx, static_cast<int>(jy));
+                  whole += q * q * power[jy];
+                  if (q > limit)
+                    above += q * q * power[jy];
+                }
+              });
+  return whole > 0.0 ? above / whole : not_a_number;
+}
+
 double line_offset_ratio(const HeightMap& map) {
-  const Grid& grid = map.grid;
+  return line_offset_ratio(map.grid,
+                           [&](const auto& take) { take(map.heights); });
+}
+
+double line_offset_ratio(const Grid& grid, const HeightRows& heights) {
   std::vector<double> along_x(static_cast<std::size_t>(grid.points_y), 0.0);
   std::vector<double> along_y(static_cast<std::size_t>(grid.points_x), 0.0);
-  for (std::size_t y = 0; y < along_x.size(); ++y)
-    for (std::size_t x = 0; x < along_y.size(); ++x) {
-      const double height = map.heights[y * along_y.size() + x];
-      along_x[y] += height / grid.points_x;
-      along_y[x] += height / grid.points_y;
-    }
+  std::size_t y = 0;
+  heights([&](std::span<const double> piece) {
+    for (std::size_t first = 0; first < piece.size();
+         first += along_y.size(), ++y)
+      for (std::size_t x = 0; x < along_y.size(); ++x) {
+        const double height = piece[first + x];
+        along_x[y] += height / grid.points_x;
+        along_y[x] += height / grid.points_y;
+      }
+  });
   const double distance = std::max(grid.spacing_x(), grid.spacing_y());
   const double square_x =
       mean_square_offset(along_x, lines_within(distance, grid.spacing_y()));

@@ -17,6 +17,10 @@ namespace asperity::surfaces {
 /// surface that is self-affine up to the Nyquist wavevector.
 double unresolved_slope_share(const HeightMap& map);
 
+/// The same to roundoff of a map that is passed on by pieces (mode_power.hpp).
+double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
+                              int threads = 1);
+
 /// Ratio of the height offsets between neighbouring scan lines of the two
 /// directions, from the mean heights m_i of lines along x and along y:
 ///
@@ -31,5 +35,8 @@ double unresolved_slope_share(const HeightMap& map);
 ///          offset, below 1 those along y. NaN for fewer than three lines, or
 ///          if all lines of one direction have the same mean
 double line_offset_ratio(const HeightMap& map);
+
+/// The same, with the same bits, of a map that is passed on by pieces.
+double line_offset_ratio(const Grid& grid, const HeightRows& heights);
 
 } // namespace asperity::surfaces

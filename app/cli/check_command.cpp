@@ -86,7 +86,8 @@ public:
         check_sweep_folder(target, checks_);
       } else if (asked == to_run_.end()) {
         results::require_readable(target);
-        checks_.add(target, summary_of(results::read_result(target)));
+        checks_.add(target, summary_of(results::read_result(
+                                target, results::MapsInFile::large)));
       } else {
         check_cases(asked->second);
       }

@@ -17,7 +17,8 @@ void write_collection_report(const FoundCases& collection,
   std::vector<results::Result> results;
   std::vector<cases::Case> contact_cases;
   for (const RunPart& part : parts) {
-    results.push_back(results::read_result(part.folder));
+    results.push_back(
+        results::read_result(part.folder, results::MapsInFile::large));
     contact_cases.push_back(reports::case_of(results.back()));
   }
   std::vector<reports::PaperPart> pages;

@@ -84,7 +84,8 @@ ExitCode run_if_needed(const cases::Case& contact_case,
   if (has_output(options.folder, key)) {
     fmt::print("{}: {}\n{} is up to date; --no-cache computes it again\n",
                contact_case.name, contact_case.title, options.folder.string());
-    return print_findings(summary_of(results::read_result(options.folder)),
+    return print_findings(summary_of(results::read_result(
+                              options.folder, results::MapsInFile::large)),
                           options.folder);
   }
   if (const auto files =
@@ -92,7 +93,8 @@ ExitCode run_if_needed(const cases::Case& contact_case,
     fmt::print("{}: {}\n", contact_case.name, contact_case.title);
     put_last_run_aside(options.folder);
     write_output(options.folder, *files);
-    const results::Result result = results::read_result(options.folder);
+    const results::Result result =
+        results::read_result(options.folder, results::MapsInFile::large);
     fmt::print("{0} steps: 0 computed, {0} from the cache, with the report\n",
                n_steps_of(result));
     return print_findings(summary_of(result), options.folder);
@@ -243,7 +245,8 @@ void add_answer(JsonAnswer& answer, const std::string& name,
     answer.add(name, folder, exit_code, nullptr, "there is no result");
     return;
   }
-  const results::Result result = results::read_result(folder);
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
   const reports::Summary summary =
       reports::summarize(result, reports::case_of(result));
   answer.add(name, folder, exit_code, &summary);
@@ -301,7 +304,7 @@ ExitCode report_results(const ReportCommand& command) {
   for (const std::string& path : paths)
     results::require_readable(path);
   for (const std::string& path : paths)
-    read.push_back(results::read_result(path));
+    read.push_back(results::read_result(path, results::MapsInFile::large));
   const fs::path first = paths.front();
   const fs::path folder = !out.empty()              ? fs::path(out)
                           : paths.size() > 1        ? fs::path("out/comparison")

@@ -46,8 +46,9 @@ ExitCode merge_into(const fs::path& folder, const WholeRun& run, bool no_report,
   merge_realizations(run, folder);
   if (!no_report)
     return print_findings(write_outputs(folder, has_pdf).summary, folder);
-  return all_converged(results::read_result(folder)) ? exit_good
-                                                     : exit_not_converged;
+  return all_converged(results::read_result(folder, results::MapsInFile::large))
+             ? exit_good
+             : exit_not_converged;
 }
 
 /// Returns true if one of the methods is parallel over the ranks itself.

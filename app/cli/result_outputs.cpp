@@ -31,7 +31,8 @@ reports::Summary summary_of(const results::Result& result) {
 }
 
 WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf) {
-  const results::Result result = results::read_result(folder);
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
   const cases::Case contact_case = reports::case_of(result);
   reports::ReportEntry entry = reports::entry_of(result, contact_case);
   results::write_curves_csv(result, folder / "curves.csv");

@@ -133,8 +133,8 @@ ExitCode merge_asked_sweep(const AskedSweep& asked, const fs::path& folder,
   reports::SweepRecord record = record_of(asked.sweep);
   bool has_converged = true;
   for (std::size_t i = 0; i < record.points.size(); ++i) {
-    const results::Result result =
-        results::read_result(folder / reports::point_folder(i));
+    const results::Result result = results::read_result(
+        folder / reports::point_folder(i), results::MapsInFile::large);
     record.points[i].case_hash = result.case_hash;
     has_converged = has_converged && all_converged(result);
   }

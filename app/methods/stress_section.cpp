@@ -72,7 +72,8 @@ std::vector<double> strength_at(const SectionPlaces& places,
                                 const results::Fields& map,
                                 const contact::StressPeak& peak, int threads) {
   const Grid& grid = map.grid;
-  const contact::StressInside inside(grid, block, map.pressure, threads);
+  const std::vector<double> held = map.pressure_map().whole();
+  const contact::StressInside inside(grid, block, held, threads);
   const int peak_x = static_cast<int>(peak.node) % grid.points_x;
   const int peak_y = static_cast<int>(peak.node) / grid.points_x;
   std::vector<double> strength;

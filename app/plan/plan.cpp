@@ -136,22 +136,45 @@ double result_bytes(const cases::Case& contact_case,
   return bytes;
 }
 
+/// Memory of a report whose maps are read by pieces [B]: pieces of two maps and
+/// their chunks, and for the spectrum of the surface columns of it
+/// (surfaces/maps/mode_power.hpp) and its shells.
+double memory_of_pieces(double nodes) {
+  constexpr double pieces = 2e8; // [B]
+  constexpr double per_node = 2.0;
+  return pieces + per_node * nodes;
+}
+
+/// Memory of the stresses below one map, which is whole [B]: the pressure and
+/// its spectrum, the spectra and the fields of six components of a plane and
+/// their norm, and the waves of each layer.
+double memory_of_stresses(const cases::Case& contact_case, double nodes) {
+  const auto layers =
+      static_cast<double>(contact_case.material.layers.size() + 1);
+  return (sizeof(double) * (2.0 + 6.0 * 2.0 + 1.0) + 16.0 * layers) * nodes;
+}
+
 /// Memory of a result that is read after the jobs, when the fields of the
-/// solvers are free: heights, and the maps of the saved steps of realisation 0
-/// in double precision [B].
+/// solvers are free [B]. Maps below results::large_map are read as a whole, in
+/// double precision: heights, and those of the saved steps of realisation 0.
 double memory_of_result(const cases::Case& contact_case,
                         const std::vector<MethodSpec>& methods,
                         const Grid& grid, const RunOptions& options) {
-  if (!needs_surfaces(methods) ||
-      (!options.has_report && !contact_case.report.stress_inside))
+  const bool has_stresses = contact_case.report.stress_inside;
+  if (!needs_surfaces(methods) || (!options.has_report && !has_stresses))
     return 0.0;
+  const auto nodes = static_cast<double>(grid.size());
+  const double stresses =
+      has_stresses ? memory_of_stresses(contact_case, nodes) : 0.0;
+  if (grid.size() >= results::large_map)
+    return std::max(stresses, memory_of_pieces(nodes));
   const auto n_methods = static_cast<double>(
       std::ranges::count_if(methods, &MethodSpec::has_fields));
   const double maps =
       contact_case.surface.realizations +
       2.0 * n_methods *
           static_cast<double>(steps_with_fields(contact_case).size());
-  return sizeof(double) * maps * static_cast<double>(grid.size());
+  return stresses + sizeof(double) * maps * nodes;
 }
 
 /// Predicts the CPU time of the studies and of the stress inside, which are

@@ -59,7 +59,8 @@ void put_last_run_aside(const fs::path& folder) {
     return;
   try {
     results::settle_result(folder);
-    remove_files_of_methods(folder, results::read_result(folder));
+    remove_files_of_methods(
+        folder, results::read_result(folder, results::MapsInFile::large));
   } catch (const input::InputError& error) {
     fmt::print("the previous result cannot be read: {}\n", error.what());
   }

@@ -17,8 +17,8 @@ using contact::StressPeak;
 using results::CurvePoint;
 
 bool has_maps(const results::Fields& fields) {
-  return fields.nominal_pressure > 0.0 && !fields.pressure.empty() &&
-         fields.pressure.size() == fields.grid.size();
+  return fields.nominal_pressure > 0.0 && !fields.pressure_map().empty() &&
+         fields.pressure_map().size() == fields.grid.size();
 }
 
 const CurvePoint& row_of(const results::Fields& map,
@@ -70,7 +70,8 @@ results::Table stress_table(const std::string& method,
   results::Column x{"x", "m", {}};
   results::Column y{"y", "m", {}};
   for (const results::Fields& map : maps) {
-    const StressInside inside(map.grid, block, map.pressure, threads);
+    const std::vector<double> held = map.pressure_map().whole();
+    const StressInside inside(map.grid, block, held, threads);
     const StressPeak peak = inside.strongest();
     const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
     pressure.values.push_back(map.nominal_pressure);
@@ -114,7 +115,8 @@ void record_stress_inside(const cases::Case& contact_case,
                           results::ResultWriter& writer, Tally& tally) {
   if (!contact_case.report.stress_inside)
     return;
-  results::Result result = results::read_result(writer.path());
+  results::Result result =
+      results::read_result(writer.path(), results::MapsInFile::large);
   for (results::MethodRecord& record : result.methods) {
     const auto method =
         std::find_if(methods.begin(), methods.end(),

@@ -58,7 +58,8 @@ EarlierRun earlier_run(const cases::Case& contact_case,
   if (!std::filesystem::exists(folder / "result.h5"))
     return missing("has no result.h5");
   try {
-    const results::Result result = results::read_result(folder);
+    const results::Result result =
+        results::read_result(folder, results::MapsInFile::large);
     results::Inputs inputs = input_hashes(contact_case);
     inputs["program"] = results::build_stamp();
     if (cases::point_content(result.case_text) !=

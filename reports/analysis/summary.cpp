@@ -60,10 +60,9 @@ Estimate penetration_of(const Result& result, const MethodRecord& method) {
     const double rms_height = surface->rms_height;
     bool has_map = false;
     for (const results::Fields& fields : method.realizations[r].fields) {
-      if (fields.gap.empty())
+      if (fields.gap_map().empty())
         continue;
-      const double lowest =
-          *std::min_element(fields.gap.begin(), fields.gap.end());
+      const double lowest = results::extremes_of(fields.gap_map()).least;
       estimate.value =
           std::fmax(estimate.value, std::fmax(0.0, -lowest) / rms_height);
       has_map = true;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
 namespace asperity::reports {
@@ -21,9 +20,10 @@ using results::SurfaceRecord;
 // each other.
 constexpr double shell_width = 1e-6; // in ln q
 
-bool has_heights(const SurfaceRecord& surface) {
-  return !surface.heights.empty() &&
-         surface.heights.size() == surface.grid.size();
+/// Whether the spectrum of the heights is found in memory, with those of the
+/// other realisations.
+bool is_in_memory(const SurfaceRecord& surface) {
+  return surface.has_heights() && !surface.height_map().is_stored();
 }
 
 SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
@@ -39,31 +39,34 @@ SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
   return prepared;
 }
 
-SurfaceTheory theory_on(const surfaces::ModeShells& mode_shells,
-                        const SurfaceRecord& surface, double contact_modulus) {
+SurfaceTheory theory_of(const std::vector<surfaces::Shell>& found,
+                        double contact_modulus) {
   std::vector<theory::SpectrumShell> shells;
-  for (const surfaces::Shell& shell :
-       mode_shells.of({surface.grid, surface.heights}))
+  shells.reserve(found.size());
+  for (const surfaces::Shell& shell : found)
     shells.push_back({shell.wavevector, shell.mean_square_height});
   return prepared(theory::HeightSpectrum(std::move(shells)), contact_modulus);
+}
+
+SurfaceTheory theory_on(const surfaces::ModeShells& shells,
+                        const SurfaceRecord& surface, double contact_modulus) {
+  return theory_of(shells.of({surface.grid, surface.heights}), contact_modulus);
 }
 
 } // namespace
 
 void SurfaceTheories::compute_realizations() {
   is_computed_ = true;
-  const auto first = std::ranges::find_if(result_.surfaces, has_heights);
+  const auto first = std::ranges::find_if(result_.surfaces, is_in_memory);
   if (first == result_.surfaces.end())
     return;
   const surfaces::ModeShells shells(first->grid, shell_width);
   std::vector<const SurfaceRecord*> alike;
   for (const SurfaceRecord& surface : result_.surfaces)
-    if (has_heights(surface) && surface.grid == first->grid)
+    if (is_in_memory(surface) && surface.grid == first->grid)
       alike.push_back(&surface);
   std::vector<SurfaceTheory> computed(alike.size());
-  const int threads =
-      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  parallel_rows(static_cast<int>(alike.size()), threads, [&](int i) {
+  parallel_rows(static_cast<int>(alike.size()), report_threads(), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     try {
       computed[at] = theory_on(shells, *alike[at], result_.contact_modulus);
@@ -82,8 +85,13 @@ const SurfaceTheory& SurfaceTheories::of(const SurfaceRecord& surface) {
   const auto known = known_.find(&surface);
   if (known != known_.end())
     return known->second;
-  if (!has_heights(surface))
+  if (!surface.has_heights())
     return known_[&surface] = {};
+  if (surface.height_map().is_stored())
+    return known_[&surface] = theory_of(
+               surfaces::spectral_shells(surface.grid, height_rows(surface),
+                                         report_threads(), shell_width),
+               result_.contact_modulus);
   return known_[&surface] =
              theory_on(surfaces::ModeShells(surface.grid, shell_width), surface,
                        result_.contact_modulus);

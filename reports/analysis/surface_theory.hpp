@@ -1,14 +1,18 @@
 #pragma once
 
 // This file evaluates Persson's theory for the actual surface on which a method
-// ran, for the fit of gamma. Equation numbers are those of Yang and Persson
-// (2008).
+// ran, for the fit of gamma, and passes heights on to the functions of
+// surfaces/. Equation numbers are those of Yang and Persson (2008).
 
 #include "cases/types/case.hpp"
 #include "reports/numbers/fits.hpp"
+#include "results/types/result.hpp"
+#include "surfaces/maps/height_map.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
+#include <thread>
 
 namespace asperity::reports {
 
@@ -48,5 +52,17 @@ private:
 SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,
                                 double contact_modulus,
                                 std::optional<double> highest = {});
+
+/// The heights of a record, which must outlive the result.
+inline surfaces::HeightRows height_rows(const results::SurfaceRecord& surface) {
+  return [&surface](const auto& take) {
+    results::each_piece(surface.height_map(), take);
+  };
+}
+
+/// Threads of a transform: all cores.
+inline int report_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 } // namespace asperity::reports

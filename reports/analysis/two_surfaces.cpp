@@ -34,13 +34,15 @@ sum_of_two_surfaces(const results::Result& result) {
     return std::nullopt;
   const results::SurfaceRecord& first = result.surfaces[0];
   const results::SurfaceRecord& second = result.surfaces[1];
-  if (!(first.grid == second.grid) || first.heights.empty() ||
-      first.heights.size() != first.grid.size() ||
-      second.heights.size() != second.grid.size())
+  if (!(first.grid == second.grid) || !first.has_heights() ||
+      !second.has_heights())
     return std::nullopt;
-  surfaces::HeightMap map{first.grid, first.heights};
-  for (std::size_t i = 0; i < map.heights.size(); ++i)
-    map.heights[i] += second.heights[i];
+  surfaces::HeightMap map{first.grid, first.height_map().whole()};
+  std::size_t at = 0;
+  results::each_piece(second.height_map(), [&](std::span<const double> piece) {
+    for (const double height : piece)
+      map.heights[at++] += height;
+  });
   const surfaces::Statistics numbers = surfaces::statistics(map);
   results::SurfaceRecord sum;
   sum.grid = map.grid;

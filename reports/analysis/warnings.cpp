@@ -1,6 +1,7 @@
 #include "reports/analysis/warnings.hpp"
 
 #include "cases/reader/locking.hpp"
+#include "reports/analysis/surface_theory.hpp"
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
 
@@ -63,7 +64,10 @@ void add_slope(const Result& result, std::vector<Warning>& warnings) {
 void add_resolution(const SurfaceRecord& surface,
                     std::vector<Warning>& warnings) {
   const double share =
-      surfaces::unresolved_slope_share({surface.grid, surface.heights});
+      surface.height_map().is_stored()
+          ? surfaces::unresolved_slope_share(surface.grid, height_rows(surface),
+                                             report_threads())
+          : surfaces::unresolved_slope_share({surface.grid, surface.heights});
   if (!(share > Limits::unresolved_slope))
     return;
   warnings.push_back(
@@ -78,7 +82,7 @@ void add_resolution(const SurfaceRecord& surface,
 
 void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
   const double ratio =
-      surfaces::line_offset_ratio({surface.grid, surface.heights});
+      surfaces::line_offset_ratio(surface.grid, height_rows(surface));
   const double larger = std::max(ratio, 1.0 / ratio);
   if (!(larger > Limits::line_offset))
     return;
@@ -162,7 +166,7 @@ std::vector<Warning> warnings_of(const Result& result,
   if (result.surfaces.empty())
     return warnings;
   const SurfaceRecord& first = result.surfaces.front();
-  if (first.heights.empty() || first.heights.size() != first.grid.size())
+  if (!first.has_heights())
     return warnings;
   add_resolution(first, warnings);
   if (is_measured)

@@ -5,6 +5,7 @@
 
 #include "base/grid.hpp"
 #include "reports/explore/packed.hpp"
+#include "results/types/map_view.hpp"
 
 #include <string>
 #include <vector>
@@ -44,7 +45,12 @@ struct ReducedMap {
 };
 
 /// Averages over blocks so that no side has more than `most` points.
-ReducedMap reduced(const Grid& grid, const std::vector<double>& map, int most);
+/// @param map  grid.size() values
+ReducedMap reduced(const Grid& grid, const results::MapView& map, int most);
+
+/// Averages the difference of two maps in the same way.
+ReducedMap reduced_difference(const Grid& grid, const results::MapView& map,
+                              const results::MapView& other, int most);
 
 /// Returns the largest side of the maps of a stack, such that n_frames of them
 /// have at most 2^20 points together: 512 for up to four loads, then 256.

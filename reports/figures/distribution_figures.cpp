@@ -36,14 +36,13 @@ struct Load {
 Load load_of(const Fields& fields, double theory_variance) {
   Load load;
   load.fields = &fields;
-  load.fit = results::fit_pressure_distribution(fields.pressure);
+  load.fit = results::fit_pressure_distribution(fields.pressure_map());
   const bool is_fitted = load.fit.variance > 0.0;
   load.variance = is_fitted ? load.fit.variance : theory_variance;
   const double bin = std::sqrt(2.0 * load.variance) / 8.0; // as in the fit
-  const double highest =
-      *std::max_element(fields.pressure.begin(), fields.pressure.end());
+  const double highest = results::extremes_of(fields.pressure_map()).largest;
   load.histogram = results::pressure_histogram(
-      fields.pressure,
+      fields.pressure_map(),
       static_cast<int>(std::fmin(std::fmax(std::ceil(highest / bin), 1.0),
                                  static_cast<double>(most_bins))));
   double counted = 0.0;
@@ -165,11 +164,8 @@ Figure pressure_figure(const std::string& method,
 }
 
 Histogram open_gaps(const Fields& fields, double rms_height) {
-  std::vector<double> holding = fields.pressure; // 0 where the gap is open
-  for (std::size_t i = 0; i < holding.size(); ++i)
-    if (fields.gap[i] > closed_gap * rms_height)
-      holding[i] = 0.0;
-  return results::gap_histogram(fields.gap, holding, gap_bins);
+  return results::gap_histogram(fields.gap_map(), fields.pressure_map(),
+                                gap_bins, {}, closed_gap * rms_height);
 }
 
 Figure gap_figure(const std::string& method,
@@ -219,8 +215,7 @@ Figure gap_figure(const std::string& method,
 std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
   std::vector<const Fields*> maps = whole_maps(method);
   std::erase_if(maps, [](const Fields* fields) {
-    return std::none_of(fields->pressure.begin(), fields->pressure.end(),
-                        [](double pressure) { return pressure > 0.0; });
+    return !(results::extremes_of(fields->pressure_map()).largest > 0.0);
   });
   std::vector<const Fields*> chosen;
   for (const std::size_t i : three_of(maps.size()))

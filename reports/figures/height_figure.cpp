@@ -23,11 +23,15 @@ constexpr int gaussian_points = 160;
 std::map<int, double> densities(const results::SurfaceRecord& surface) {
   std::map<int, double> density;
   const double share =
-      1.0 / (bin_width * static_cast<double>(surface.heights.size()));
-  for (const double height : surface.heights)
-    if (const double bin = std::floor(height / surface.rms_height / bin_width);
-        std::abs(bin) <= furthest_bin)
-      density[static_cast<int>(bin)] += share;
+      1.0 / (bin_width * static_cast<double>(surface.height_map().size()));
+  results::each_piece(
+      surface.height_map(), [&](std::span<const double> heights) {
+        for (const double height : heights)
+          if (const double bin =
+                  std::floor(height / surface.rms_height / bin_width);
+              std::abs(bin) <= furthest_bin)
+            density[static_cast<int>(bin)] += share;
+      });
   return density;
 }
 
@@ -50,7 +54,7 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
   std::vector<std::string> plots;
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,
                        const std::string& name) {
-    if (surface.heights.empty() || !(surface.rms_height > 0.0) ||
+    if (surface.height_map().empty() || !(surface.rms_height > 0.0) ||
         plots.size() == most_curves)
       return;
     for (const auto& [bin, density] : densities(surface))

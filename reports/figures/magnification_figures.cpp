@@ -182,8 +182,8 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
     if (map == nullptr)
       continue;
     const std::size_t index = plots.size();
-    const results::Histogram histogram =
-        results::gap_histogram(map->gap, map->pressure, shown_gap_bins);
+    const results::Histogram histogram = results::gap_histogram(
+        map->gap_map(), map->pressure_map(), shown_gap_bins);
     double open = 0.0;
     for (std::size_t i = 0; i < histogram.density.size(); ++i) {
       open += histogram.density[i] * histogram.bin_width();

@@ -60,8 +60,10 @@ Figure map_figure(const std::string& method,
     const double load = fields.nominal_pressure / scales.contact_modulus;
     table.add(fmt::format("{}", i),
               {static_cast<double>(fields.step), fields.nominal_pressure});
-    const MapImage pressure = map_image(fields.grid, fields.pressure, stress);
-    const MapImage gap = map_image(fields.grid, fields.gap, scales.rms_height);
+    const MapImage pressure =
+        map_image(fields.grid, fields.pressure_map(), stress);
+    const MapImage gap =
+        map_image(fields.grid, fields.gap_map(), scales.rms_height);
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     pressures +=
@@ -122,17 +124,18 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   stack.quantities = {{"(p − p_ref) / p₀", "height", false}};
   for (const std::size_t i : chosen) {
     const auto [mine, other] = pairs[i];
-    std::vector<double> difference = mine->pressure;
-    for (std::size_t k = 0; k < difference.size(); ++k)
-      difference[k] -= other->pressure[k];
-    const MapImage picture =
-        map_image(mine->grid, difference, mine->nominal_pressure);
+    const auto difference = [&, one = mine, two = other](int most) {
+      return reduced_difference(one->grid, one->pressure_map(),
+                                two->pressure_map(), most);
+    };
+    const MapImage picture = image_of(mine->grid, difference(most_image_points),
+                                      mine->nominal_pressure);
     if (mine->grid == pairs.front().first->grid)
       stack.frames.push_back(
           {fmt::format("p / E* = {:.3g}",
                        mine->nominal_pressure / contact_modulus),
-           {add_map(stack, mine->grid, difference, mine->nominal_pressure,
-                    stack_side(chosen.size()))}});
+           {add_reduced(stack, difference(stack_side(chosen.size())),
+                        mine->nominal_pressure)}});
     const double span =
         std::max({std::abs(picture.least), picture.largest, 1e-300});
     const std::string suffix = std::to_string(i);
@@ -190,15 +193,15 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   if (entry.result->surfaces.empty())
     return std::nullopt;
   const results::SurfaceRecord& surface = entry.result->surfaces.front();
-  if (surface.heights.empty() || surface.heights.size() != surface.grid.size())
+  if (!surface.has_heights())
     return std::nullopt;
-  const MapImage picture = map_image(surface.grid, surface.heights, 1e-9);
+  const MapImage picture = map_image(surface.grid, surface.height_map(), 1e-9);
   const double span = std::max(std::abs(picture.least), picture.largest);
   Figure figure;
   figure.name = "surface";
   figure.title = "The surface";
   figure.maps.emplace_back("map", map_csv(picture));
-  figure.stack = height_stack(surface.grid, surface.heights);
+  figure.stack = height_stack(surface.grid, surface.height_map());
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
                   "highest [m]"});
@@ -240,7 +243,7 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
                   "kurtosis [1]", "highest [m]"});
   const auto add = [&](const results::SurfaceRecord& face,
                        const std::string& name, const std::string& title) {
-    const MapImage picture = map_image(face.grid, face.heights, 1e-9);
+    const MapImage picture = map_image(face.grid, face.height_map(), 1e-9);
     const double span = std::max(std::abs(picture.least), picture.largest);
     figure.maps.emplace_back(name, map_csv(picture));
     table.add(name, {face.rms_height, face.rms_slope, face.skewness,

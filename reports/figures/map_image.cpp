@@ -1,6 +1,5 @@
 #include "reports/figures/map_image.hpp"
 
-#include "reports/explore/map_stack.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +10,6 @@
 namespace asperity::reports {
 namespace {
 
-constexpr int most_points = 256; // per side
-
 /// Returns the distance of the tics of an axis whose longer neighbour has some
 /// four: at most its length, so that it has two.
 double tic_step(double length, double longest) {
@@ -22,9 +19,11 @@ double tic_step(double length, double longest) {
 
 } // namespace
 
-MapImage map_image(const Grid& grid, const std::vector<double>& map,
-                   double unit) {
-  ReducedMap small = reduced(grid, map, most_points);
+MapImage map_image(const Grid& grid, const results::MapView& map, double unit) {
+  return image_of(grid, reduced(grid, map, most_image_points), unit);
+}
+
+MapImage image_of(const Grid& grid, ReducedMap small, double unit) {
   MapImage image{.length_x = 1e6 * grid.length_x,
                  .length_y = 1e6 * grid.length_y,
                  .columns = small.columns,

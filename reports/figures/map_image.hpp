@@ -4,6 +4,7 @@
 // is averaged over blocks, so that no side has more than 256 points.
 
 #include "base/grid.hpp"
+#include "reports/explore/map_stack.hpp"
 
 #include <string>
 #include <vector>
@@ -24,8 +25,13 @@ struct MapImage {
 
 /// @param map   one value per node of the grid
 /// @param unit  unit of the values of the image; not 0
-MapImage map_image(const Grid& grid, const std::vector<double>& map,
-                   double unit);
+MapImage map_image(const Grid& grid, const results::MapView& map, double unit);
+
+/// Largest number of points of a side of an image.
+inline constexpr int most_image_points = 256;
+
+/// The image of a map that is already reduced to most_image_points.
+MapImage image_of(const Grid& grid, ReducedMap small, double unit);
 
 /// Returns the matrix as text: the first row holds the number of columns and
 /// the x of their centres [um], each other row the y of its centre [um] and its

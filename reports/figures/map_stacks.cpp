@@ -12,8 +12,11 @@ MapStack stack_on(const Grid& grid) {
 }
 
 PackedMap add_map(MapStack& stack, const Grid& grid,
-                  const std::vector<double>& map, double unit, int most) {
-  ReducedMap small = reduced(grid, map, most);
+                  const results::MapView& map, double unit, int most) {
+  return add_reduced(stack, reduced(grid, map, most), unit);
+}
+
+PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit) {
   stack.columns = small.columns;
   stack.rows = small.rows;
   for (double& value : small.values)
@@ -36,13 +39,14 @@ MapStack contact_stack(const std::vector<const results::Fields*>& maps,
     stack.frames.push_back(
         {fmt::format("p / E* = {:.3g}",
                      fields.nominal_pressure / scales.contact_modulus),
-         {add_map(stack, fields.grid, fields.pressure, stress, most),
-          add_map(stack, fields.grid, fields.gap, scales.rms_height, most)}});
+         {add_map(stack, fields.grid, fields.pressure_map(), stress, most),
+          add_map(stack, fields.grid, fields.gap_map(), scales.rms_height,
+                  most)}});
   }
   return stack;
 }
 
-MapStack height_stack(const Grid& grid, const std::vector<double>& heights) {
+MapStack height_stack(const Grid& grid, const results::MapView& heights) {
   MapStack stack = stack_on(grid);
   stack.quantities = {{"height [nm]", "height", false}};
   const PackedMap map = add_map(stack, grid, heights, 1e-9, stack_side(1));

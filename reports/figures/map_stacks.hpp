@@ -17,7 +17,10 @@ MapStack stack_on(const Grid& grid);
 /// Packs a map, divided by `unit`, for the browser.
 /// @param most  largest number of points per side
 PackedMap add_map(MapStack& stack, const Grid& grid,
-                  const std::vector<double>& map, double unit, int most);
+                  const results::MapView& map, double unit, int most);
+
+/// The same of a map that is already reduced.
+PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit);
 
 /// Returns the pressure and gap maps of up to twelve loads.
 /// @param maps  at least one
@@ -25,6 +28,6 @@ MapStack contact_stack(const std::vector<const results::Fields*>& maps,
                        const SurfaceScales& scales);
 
 /// Returns one height map in nm.
-MapStack height_stack(const Grid& grid, const std::vector<double>& heights);
+MapStack height_stack(const Grid& grid, const results::MapView& heights);
 
 } // namespace asperity::reports

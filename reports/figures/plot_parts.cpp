@@ -157,10 +157,11 @@ whole_maps(const results::MethodRecord& method) {
   std::vector<const results::Fields*> whole;
   if (method.realizations.empty())
     return whole; // the run was interrupted before its first step
+  // The reader has seen that the values of maps in a file are finite.
   for (const results::Fields& fields : method.realizations.front().fields)
     if (const std::size_t size = fields.grid.size();
-        size > 0 && fields.pressure.size() == size &&
-        fields.gap.size() == size && fields.grid.length_x > 0.0 &&
+        size > 0 && fields.pressure_map().size() == size &&
+        fields.gap_map().size() == size && fields.grid.length_x > 0.0 &&
         all_finite(fields.pressure) && all_finite(fields.gap))
       whole.push_back(&fields);
   return whole;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity::reports {
@@ -58,16 +59,19 @@ double difference_of_fields(const results::Curve& curve,
     return not_a_number;
   for (const results::Fields& fields : reference.fields) {
     if (!is_equal(fields.nominal_pressure, point.nominal_pressure) ||
-        fields.pressure.size() != mine->pressure.size() ||
+        fields.pressure_map().size() != mine->pressure_map().size() ||
         !(fields.grid == mine->grid))
       continue;
     double difference = 0.0;
     double size = 0.0;
-    for (std::size_t i = 0; i < fields.pressure.size(); ++i) {
-      const double apart = mine->pressure[i] - fields.pressure[i];
-      difference += apart * apart;
-      size += fields.pressure[i] * fields.pressure[i];
-    }
+    results::each_piece(std::array{mine->pressure_map(), fields.pressure_map()},
+                        [&](std::size_t, const auto& values) {
+                          for (std::size_t i = 0; i < values[0].size(); ++i) {
+                            const double apart = values[0][i] - values[1][i];
+                            difference += apart * apart;
+                            size += values[1][i] * values[1][i];
+                          }
+                        });
     return std::sqrt(difference / size);
   }
   return not_a_number;

@@ -44,7 +44,8 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
   try {
     if (!is_trusted)
       results::require_readable(file);
-    const results::Result result = results::read_result(file);
+    const results::Result result =
+        results::read_result(file, results::MapsInFile::large);
     if (result.case_hash != record.points[point].case_hash) {
       swept->problem = "its folder has the result of another case";
       return swept;

@@ -6,41 +6,49 @@
 #include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace asperity::results {
 namespace {
 
-/// Returns the density of `field` over the nodes for which is_counted(i) is
-/// true, normalised by the number of all nodes.
-template <class IsCounted>
-Histogram histogram(std::span<const double> field, int bins,
-                    std::span<const double> weights, IsCounted is_counted) {
+/// Returns the density of the first map over the nodes for which
+/// is_counted(values, node) is true, normalised by the number of all nodes.
+template <std::size_t n, class IsCounted>
+Histogram histogram(const std::array<MapView, n>& maps, int bins,
+                    std::span<const double> weights,
+                    const IsCounted& is_counted) {
   require_between("bins", bins, 1, 1e6, "1");
+  const std::size_t size = maps[0].size();
   if (!weights.empty())
-    require_size("weights", weights.size(), field.size());
+    require_size("weights", weights.size(), size);
   Histogram result;
-  for (std::size_t i = 0; i < field.size(); ++i)
-    if (is_counted(i)) {
-      if (!std::isfinite(field[i]))
-        refuse_argument("field", field[i], "finite");
-      result.highest = std::max(result.highest, field[i]);
-    }
+  each_piece(maps, [&](std::size_t, const auto& values) {
+    for (std::size_t i = 0; i < values[0].size(); ++i)
+      if (const double value = values[0][i]; is_counted(values, i)) {
+        if (!std::isfinite(value))
+          refuse_argument("field", value, "finite");
+        result.highest = std::max(result.highest, value);
+      }
+  });
   if (!(result.highest > 0.0))
     return result;
 
   result.density.assign(static_cast<std::size_t>(bins), 0.0);
   const double weight_unit =
-      1.0 / (static_cast<double>(field.size()) * result.bin_width());
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    if (!is_counted(i))
-      continue;
-    const double position = std::max(0.0, field[i] / result.bin_width());
-    const auto bin =
-        std::min(static_cast<std::size_t>(position), result.density.size() - 1);
-    result.density[bin] += weight_unit * (weights.empty() ? 1.0 : weights[i]);
-  }
+      1.0 / (static_cast<double>(size) * result.bin_width());
+  each_piece(maps, [&](std::size_t first, const auto& values) {
+    for (std::size_t i = 0; i < values[0].size(); ++i) {
+      if (!is_counted(values, i))
+        continue;
+      const double position = std::max(0.0, values[0][i] / result.bin_width());
+      const auto bin = std::min(static_cast<std::size_t>(position),
+                                result.density.size() - 1);
+      result.density[bin] +=
+          weight_unit * (weights.empty() ? 1.0 : weights[first + i]);
+    }
+  });
   return result;
 }
 
@@ -82,20 +90,22 @@ void sort_by_area(ContactPatches& patches) {
 
 } // namespace
 
-Histogram pressure_histogram(std::span<const double> pressure, int bins,
+Histogram pressure_histogram(const MapView& pressure, int bins,
                              std::span<const double> weights) {
   require_size("pressure", pressure.size(), pressure.size());
-  return histogram(pressure, bins, weights,
-                   [&](std::size_t i) { return pressure[i] > 0.0; });
+  return histogram(
+      std::array{pressure}, bins, weights,
+      [](const auto& values, std::size_t i) { return values[0][i] > 0.0; });
 }
 
-Histogram gap_histogram(std::span<const double> gap,
-                        std::span<const double> pressure, int bins,
-                        std::span<const double> weights) {
+Histogram gap_histogram(const MapView& gap, const MapView& pressure, int bins,
+                        std::span<const double> weights, double closed) {
   require_size("gap", gap.size(), gap.size());
   require_size("pressure", pressure.size(), gap.size());
-  return histogram(gap, bins, weights,
-                   [&](std::size_t i) { return !(pressure[i] > 0.0); });
+  return histogram(std::array{gap, pressure}, bins, weights,
+                   [=](const auto& values, std::size_t i) {
+                     return !(values[1][i] > 0.0) || values[0][i] > closed;
+                   });
 }
 
 ContactPatches contact_patches(const Grid& grid,

@@ -5,7 +5,9 @@
 // that its integral is an area fraction.
 
 #include "base/grid.hpp"
+#include "results/types/map_view.hpp"
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,7 +34,7 @@ struct Histogram {
 /// @param weights   relative nodal areas, empty if all are equal
 /// @param bins      >= 1
 /// @throws std::domain_error  an argument is outside its range
-Histogram pressure_histogram(std::span<const double> pressure, int bins,
+Histogram pressure_histogram(const MapView& pressure, int bins,
                              std::span<const double> weights = {});
 
 /// Returns the gap distribution P(u) of the open nodes [1/m]. Its integral is
@@ -42,10 +44,12 @@ Histogram pressure_histogram(std::span<const double> pressure, int bins,
 /// bins.
 /// @param gap       [m]
 /// @param pressure  [Pa], a node is open where it is <= 0
+/// @param closed    a node is also open where the gap exceeds this [m]
 /// @throws std::domain_error  an argument is outside its range
-Histogram gap_histogram(std::span<const double> gap,
-                        std::span<const double> pressure, int bins,
-                        std::span<const double> weights = {});
+Histogram
+gap_histogram(const MapView& gap, const MapView& pressure, int bins,
+              std::span<const double> weights = {},
+              double closed = std::numeric_limits<double>::infinity());
 
 /// The connected patches of the contact. Each node is connected to its four
 /// neighbours, including periodic ones.

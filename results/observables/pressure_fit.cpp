@@ -1,6 +1,7 @@
 #include "results/observables/pressure_fit.hpp"
 
 #include "base/require.hpp"
+#include "results/observables/map_sums.hpp"
 #include "results/observables/observables.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
@@ -41,7 +42,7 @@ constexpr int search_bits = 26; // half of the bits, the attainable accuracy of
 
 /// A map in units of its mean p. All quantities below are dimensionless.
 struct ReducedMap {
-  std::span<const double> pressure;
+  MapView pressure;
   std::span<const double> weights;
   Workers workers;
   double mean = 0.0;               ///< p [Pa]
@@ -68,25 +69,35 @@ struct SpreadSums {
   }
 };
 
-ReducedMap reduced(std::span<const double> pressure,
-                   std::span<const double> weights, const Workers& workers) {
+double weighted_mean_of(const MapView& map, std::span<const double> weights,
+                        const Workers& workers) {
+  if (map.is_stored())
+    return mean_of(map, workers);
+  std::vector<double> none;
+  return weighted_mean(map.values(0, map.size(), none), weights, workers);
+}
+
+ReducedMap reduced(const MapView& pressure, std::span<const double> weights,
+                   const Workers& workers) {
   ReducedMap map{pressure, weights, workers};
-  map.mean = weighted_mean(pressure, weights, workers);
+  map.mean = weighted_mean_of(pressure, weights, workers);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
   // Computes <s^2>/p^2 - 1, where s is the positive part of the pressure,
   // without cancellation. Pressures are divided by p before they are squared,
   // because the square of a pressure may exceed the range of double.
   const auto all = with_weights(weights, [&](const auto weight) {
-    return chunked_sum<SpreadSums>(
-        pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
+    return sum_over<SpreadSums>(
+        pressure, workers,
+        [&](std::size_t first, std::span<const double> values) {
           SpreadSums sums;
-          for (std::size_t i = begin; i < end; ++i) {
-            const double ratio = pressure[i] / map.mean;
+          for (std::size_t i = 0; i < values.size(); ++i) {
+            const double ratio = values[i] / map.mean;
             const double positive = std::max(0.0, ratio);
-            sums.nodes_in_contact += pressure[i] > 0.0 ? 1 : 0;
-            sums.spread += weight[i] * (positive - 1.0) * (positive - 1.0);
-            sums.surplus += weight[i] * (positive - ratio);
+            const double share = weight[first + i];
+            sums.nodes_in_contact += values[i] > 0.0 ? 1 : 0;
+            sums.spread += share * (positive - 1.0) * (positive - 1.0);
+            sums.surplus += share * (positive - ratio);
           }
           return sums;
         });
@@ -140,17 +151,17 @@ Bins histogram(const ReducedMap& map, double variance) {
   const auto n = static_cast<std::size_t>(
       std::ceil((1.0 + reach * spread - bins.start) / bins.width));
   assert(n <= most_bins);
-  const auto sums = chunked_sum<SeveralSums<most_bins>>(
-      map.pressure.size(), map.workers,
-      [&](std::size_t begin, std::size_t end) {
+  const auto sums = sum_over<SeveralSums<most_bins>>(
+      map.pressure, map.workers,
+      [&](std::size_t first, std::span<const double> values) {
         SeveralSums<most_bins> chunk;
-        for (std::size_t i = begin; i < end; ++i) {
-          if (!(map.pressure[i] > 0.0))
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          if (!(values[i] > 0.0))
             continue; // below the first bin
-          const double place =
-              (map.pressure[i] / map.mean - bins.start) / bins.width;
+          const double place = (values[i] / map.mean - bins.start) / bins.width;
           if (place >= 0.0 && place < static_cast<double>(n))
-            chunk.values[static_cast<std::size_t>(place)] += map.weight(i);
+            chunk.values[static_cast<std::size_t>(place)] +=
+                map.weight(first + i);
         }
         return chunk;
       });
@@ -254,7 +265,7 @@ PressureFit fit_moment(const ReducedMap& map) {
 
 } // namespace
 
-PressureFit fit_pressure_distribution(std::span<const double> pressure,
+PressureFit fit_pressure_distribution(const MapView& pressure,
                                       std::span<const double> weights,
                                       const Workers& workers) {
   return fit_histogram(reduced(pressure, weights, workers));

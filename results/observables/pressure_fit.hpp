@@ -5,6 +5,8 @@
 // contact, this area needs no criterion for the onset of contact. It is
 // therefore also defined for atoms, whose pressure never vanishes exactly.
 
+#include "results/types/map_view.hpp"
+
 #include <limits>
 #include <span>
 #include <string>
@@ -48,8 +50,10 @@ struct PressureFit {
 /// second pass.
 ///
 /// @param pressure  [Pa], any sign; contact where > 0
-/// @param weights   relative nodal areas, empty if all are equal
-/// @param workers   as explained in observables.hpp
+/// @param weights   relative nodal areas, empty if all are equal and for a map
+///                  in a file
+/// @param workers   as explained in observables.hpp; without ranks for a map in
+///                  a file
 /// @return  the fit. G is also not determined if the mean is not positive or is
 ///          dominated by roundoff, if fewer than 20 nodes are in contact, or if
 ///          there is no minimum within a factor of 50 of the second moment's G.
@@ -58,7 +62,7 @@ struct PressureFit {
 /// @par Accuracy  For samples of Eq. (20), the statistical error of the
 ///                histogram. How well Eq. (20) describes a contact is a
 ///                property of the model.
-PressureFit fit_pressure_distribution(std::span<const double> pressure,
+PressureFit fit_pressure_distribution(const MapView& pressure,
                                       std::span<const double> weights = {},
                                       const Workers& workers = 1);
 

@@ -153,6 +153,26 @@ Hdf5Group Hdf5Group::open(const std::string& name) const {
           place(name)};
 }
 
+Hdf5Group Hdf5Group::open_path(std::string_view path) const {
+  Hdf5Group group = open(".");
+  group.place_ = place_;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('/'), path.size());
+    if (end > 0)
+      group = group.open(std::string(path.substr(0, end)));
+    path.remove_prefix(std::min(path.size(), end + 1));
+  }
+  return group;
+}
+
+std::string Hdf5Group::path() const {
+  const auto length =
+      checked(H5Iget_name(handle_.id(), nullptr, 0), place_, "find its path");
+  std::string path(static_cast<std::size_t>(length), ' ');
+  H5Iget_name(handle_.id(), path.data(), path.size() + 1);
+  return path;
+}
+
 Hdf5Group Hdf5Group::open_or_create(const std::string& name) {
   if (has(name))
     return open(name);

@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,12 @@ public:
   bool is_group(const std::string& name) const;
   bool is_dataset(const std::string& name) const;
   Hdf5Group open(const std::string& name) const;
+  /// Opens the group of this path "/methods/fem/0", one part after the other,
+  /// without links to other files.
+  /// @param path  below this group
+  Hdf5Group open_path(std::string_view path) const;
+  /// Returns the path of this group in its file.
+  std::string path() const;
   Hdf5Group open_or_create(const std::string& name);
 
   /// Returns the names in the order of creation if the file records it, as ours

@@ -2,7 +2,6 @@
 
 #include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
-#include "results/observables/observables.hpp"
 #include "results/storage/result_layout.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <mutex>
 
 namespace asperity::results {
 namespace {
@@ -90,12 +90,36 @@ Grid grid_of_map(const Hdf5Group& maps) {
   return grid;
 }
 
-double rms_of(std::span<const double> heights) {
-  const double mean = weighted_mean(heights);
-  double sum = 0.0;
-  for (const double height : heights)
-    sum += (height - mean) * (height - mean);
-  return std::sqrt(sum / static_cast<double>(heights.size()));
+/// Reads rows of a map from a file that is not open.
+std::vector<double> rows_in_file(const std::filesystem::path& path,
+                                 const std::string& group,
+                                 const std::string& name, std::size_t first,
+                                 std::size_t count) {
+  const std::lock_guard lock(hdf5_mutex());
+  try {
+    return Hdf5File(path, Hdf5File::Mode::read)
+        .open_path(group)
+        .rows(name, first, count);
+  } catch (const Hdf5Error& error) {
+    throw input::InputError(error.what());
+  }
+}
+
+/// Reads a map, or finds it if it is to stay in its file.
+void read_map(const Hdf5Group& group, const std::string& name,
+              const std::filesystem::path& path, MapsInFile left,
+              std::vector<double>& values, StoredMap& stored) {
+  const std::vector<std::size_t> extents = group.extents(name);
+  if (left == MapsInFile::none || extents.size() != 2 || extents[1] == 0 ||
+      extents[0] < large_map / extents[1]) {
+    values = group.numbers(name);
+    return;
+  }
+  stored = {extents[0], extents[1],
+            [path, name, parent = group.path()](std::size_t first,
+                                                std::size_t count) {
+              return rows_in_file(path, parent, name, first, count);
+            }};
 }
 
 std::vector<SpectrumPoint> read_spectrum(const Hdf5Group& group) {
@@ -164,15 +188,15 @@ void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights) {
   group.write_map("heights", heights, shape_of(grid), Hdf5Number::float64, "m");
 }
 
-SurfaceRecord read_surface(const Hdf5Group& group) {
+SurfaceRecord read_surface(const Hdf5Group& group,
+                           const std::filesystem::path& path, MapsInFile left) {
   SurfaceRecord surface;
   surface.grid = read_grid(group);
   if (group.has("heights"))
-    surface.heights = group.numbers("heights");
+    read_map(group, "heights", path, left, surface.heights,
+             surface.stored_heights);
   for (const auto& [name, unit, number] : surface_numbers)
     surface.*number = number_or(group, name, not_a_number);
-  if (std::isnan(surface.rms_height) && !surface.heights.empty())
-    surface.rms_height = rms_of(surface.heights);
   if (group.has("spectrum"))
     surface.spectrum = read_spectrum(group.open("spectrum"));
   return surface;
@@ -198,7 +222,9 @@ void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields) {
                  "m");
 }
 
-std::vector<Fields> read_fields(const Hdf5Group& group) {
+std::vector<Fields> read_fields(const Hdf5Group& group,
+                                const std::filesystem::path& path,
+                                MapsInFile left) {
   std::vector<Fields> all;
   for (const std::string& name : group.children())
     if (const std::optional<int> step = index_of(name)) {
@@ -208,8 +234,9 @@ std::vector<Fields> read_fields(const Hdf5Group& group) {
       fields.nominal_pressure =
           number_or(maps, "nominal_pressure", not_a_number);
       fields.grid = grid_of_map(maps);
-      fields.pressure = maps.numbers("pressure");
-      fields.gap = maps.numbers("gap");
+      read_map(maps, "pressure", path, left, fields.pressure,
+               fields.stored_pressure);
+      read_map(maps, "gap", path, left, fields.gap, fields.stored_gap);
       all.push_back(std::move(fields));
     }
   std::sort(all.begin(), all.end(),

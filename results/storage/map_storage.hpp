@@ -5,6 +5,7 @@
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/result.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,7 +16,10 @@ namespace asperity::results {
 void write_surface(Hdf5Group& group, const SurfaceRecord& surface);
 /// Adds the heights of a surface that was written without them.
 void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights);
-SurfaceRecord read_surface(const Hdf5Group& group);
+/// @param path  of the file, which is opened again for maps that are left in it
+/// @return  the rms height is NaN if it is missing
+SurfaceRecord read_surface(const Hdf5Group& group,
+                           const std::filesystem::path& path, MapsInFile left);
 
 /// Writes the maps of a step into the group `fields` and replaces those of an
 /// earlier attempt.
@@ -25,7 +29,9 @@ void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields);
 /// the file does not contain them, and so are its numbers of points if the map
 /// is not two-dimensional.
 /// @throws input::InputError  pressure and gap differ in shape
-std::vector<Fields> read_fields(const Hdf5Group& group);
+std::vector<Fields> read_fields(const Hdf5Group& group,
+                                const std::filesystem::path& path,
+                                MapsInFile left);
 
 /// Sets the attributes `name` and `name`_unit.
 void set_with_unit(Hdf5Group& group, const std::string& name, double number,

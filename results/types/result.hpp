@@ -5,6 +5,7 @@
 // on any method.
 
 #include "base/grid.hpp"
+#include "results/types/map_view.hpp"
 
 #include <limits>
 #include <optional>
@@ -62,7 +63,8 @@ struct CurvePoint {
 };
 
 /// Maps of one load step, each of size grid.size(). The grid is that of the
-/// method, which may differ from that of the surface.
+/// method, which may differ from that of the surface. Either the maps are in
+/// memory, or they are in the file of the result.
 struct Fields {
   int step = 0;
   double nominal_pressure = 0.0; ///< [Pa]
@@ -70,6 +72,13 @@ struct Fields {
   std::vector<double> gap; ///< [m], negative where a penalty contact penetrates
                            ///< or atoms are closer than their contact distance
   Grid grid = {};
+  StoredMap stored_pressure = {};
+  StoredMap stored_gap = {};
+
+  /// The maps, wherever they are; the fields must outlive the views.
+  MapView pressure_map() const { return view_of(pressure, stored_pressure); }
+
+  MapView gap_map() const { return view_of(gap, stored_gap); }
 };
 
 /// One bin of the isotropic spectrum of a map.
@@ -89,6 +98,15 @@ struct SurfaceRecord {
   double kurtosis = 0.0;       ///< 3 for a Gaussian [1]
   double highest = 0.0;        ///< max of the heights [m]
   std::vector<SpectrumPoint> spectrum;
+  StoredMap stored_heights = {}; ///< if they are not in memory
+
+  /// The heights, wherever they are, or nothing; this must outlive the view.
+  MapView height_map() const { return view_of(heights, stored_heights); }
+
+  /// Whether the heights were saved, on the grid.
+  bool has_heights() const {
+    return !height_map().empty() && height_map().size() == grid.size();
+  }
 };
 
 /// Results of one method for one realisation.

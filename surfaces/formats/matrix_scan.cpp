@@ -143,21 +143,13 @@ void take_height_unit(std::optional<double>& given,
   given = unit;
 }
 
-/// Calls use(group, name) with the group and the name of a dataset. The parts
-/// of the path are opened one after the other, without links to other files.
+/// Calls use(group, name) with the group and the name of a dataset.
 template <class Use>
 auto with_dataset(const results::Hdf5File& file, const std::string& dataset,
                   const Use& use) {
-  results::Hdf5Group below_root;
-  const results::Hdf5Group* group = &file;
-  std::string_view rest = std::string_view(dataset).substr(1);
-  for (std::size_t end = rest.find('/'); end != std::string_view::npos;
-       end = rest.find('/')) {
-    below_root = group->open(std::string(rest.substr(0, end)));
-    group = &below_root;
-    rest.remove_prefix(end + 1);
-  }
-  return use(*group, std::string(rest));
+  const std::size_t end = dataset.rfind('/');
+  return use(file.open_path(std::string_view(dataset).substr(0, end)),
+             dataset.substr(end + 1));
 }
 
 void take_attributes(const results::Hdf5Group& attributes,

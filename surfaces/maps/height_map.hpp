@@ -5,6 +5,7 @@
 
 #include "base/grid.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,11 @@ struct HeightMap {
   Grid grid;
   std::vector<double> heights; ///< [m], grid.size() values
 };
+
+/// Passes on a map by pieces of whole rows, from the first row to the last; all
+/// pieces but the last have an even number of rows.
+using HeightRows = std::function<void(
+    const std::function<void(std::span<const double> rows)>& take)>;
 
 /// Mean height (1/N) sum_x h(x) [m].
 double mean_height(const HeightMap& map);

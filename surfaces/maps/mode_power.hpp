@@ -46,6 +46,13 @@ void each_column(
     const SharedRows& rows, std::span<const double> heights, int threads,
     const std::function<void(int jx, std::span<const double> power)>& take);
 
+/// The same of a map that is passed on by pieces, with the same bits. Columns
+/// are taken in their order. The pieces are read several times, so that columns
+/// of 64 MB, or an eighth of the map if that is more, are in memory.
+void each_column(
+    const Grid& grid, const HeightRows& heights, int threads,
+    const std::function<void(int jx, std::span<const double> power)>& take);
+
 /// Number of modes, q and -q, that one value of column jx stands for: column 0
 /// and an even Nyquist column hold both modes of a pair.
 inline int modes_in_column(const Grid& grid, int jx) {

@@ -115,6 +115,52 @@ shells_of_ranks(const SharedRows& rows,
   return sorted(std::move(all));
 }
 
+/// The numbers of the shells of a grid, ascending.
+std::vector<std::int64_t> shells_of(const Grid& grid, double relative_width) {
+  const double longest = smallest_wavevector(grid);
+  std::vector<std::int64_t> numbers; // below the logarithmic ones
+  std::vector<bool> is_shell;        // from first_logarithmic on
+  for (int jx = 0; jx <= grid.points_x / 2; ++jx)
+    for (int jy = jx == 0 ? 1 : 0; jy <= grid.points_y / 2; ++jy) {
+      const std::int64_t number =
+          shell_number(mode_wavevector(grid, jx, jy) / longest, relative_width);
+      if (number < first_logarithmic) {
+        numbers.push_back(number);
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(number - first_logarithmic);
+      if (place >= is_shell.size())
+        is_shell.resize(place + place / 2 + 1);
+      is_shell[place] = true;
+    }
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  for (std::size_t place = 0; place < is_shell.size(); ++place)
+    if (is_shell[place])
+      numbers.push_back(first_logarithmic + static_cast<std::int64_t>(place));
+  return numbers;
+}
+
+/// Adds the shells of a column to those of all.
+void add_column(const std::vector<std::int64_t>& numbers,
+                const std::vector<ColumnShell>& column,
+                std::vector<Sums>& sums) {
+  for (const ColumnShell& shell : column) {
+    const auto place = std::ranges::lower_bound(numbers, shell.number);
+    Sums& sum = sums[static_cast<std::size_t>(place - numbers.begin())];
+    sum.power += shell.sums.power;
+    sum.square_slope += shell.sums.square_slope;
+    sum.modes += shell.sums.modes;
+  }
+}
+
+double power_of_all(const std::vector<Sums>& sums) {
+  double total = 0.0;
+  for (const Sums& sum : sums)
+    total += sum.power;
+  return total;
+}
+
 } // namespace
 
 ModeShells::ModeShells(const Grid& grid, double relative_width) : grid_(grid) {
@@ -183,18 +229,22 @@ std::vector<Shell> spectral_shells(const SharedRows& rows,
   std::vector<Sums> sums(numbers.size());
   bytes_in_order(&rows, std::as_writable_bytes(std::span(sums)), [&] {
     for (const std::vector<ColumnShell>& column : columns)
-      for (const ColumnShell& shell : column) {
-        const auto place = std::ranges::lower_bound(numbers, shell.number);
-        Sums& sum = sums[static_cast<std::size_t>(place - numbers.begin())];
-        sum.power += shell.sums.power;
-        sum.square_slope += shell.sums.square_slope;
-        sum.modes += shell.sums.modes;
-      }
+      add_column(numbers, column, sums);
   });
-  double total = 0.0;
-  for (const Sums& sum : sums)
-    total += sum.power;
-  return shells_with_power(sums, total);
+  return shells_with_power(sums, power_of_all(sums));
+}
+
+std::vector<Shell> spectral_shells(const Grid& grid, const HeightRows& heights,
+                                   int threads, double relative_width) {
+  require_width(relative_width);
+  const std::vector<std::int64_t> numbers = shells_of(grid, relative_width);
+  std::vector<Sums> sums(numbers.size());
+  each_column(
+      grid, heights, threads, [&](int jx, std::span<const double> power) {
+        add_column(numbers, column_shells(grid, jx, power, relative_width),
+                   sums);
+      });
+  return shells_with_power(sums, power_of_all(sums));
 }
 
 double shell_density(const Shell& shell, const Grid& grid) {

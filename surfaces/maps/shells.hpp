@@ -64,6 +64,12 @@ std::vector<Shell> spectral_shells(const SharedRows& rows,
                                    int threads = 1,
                                    double relative_width = 0.025);
 
+/// The same of a map that is passed on by pieces (mode_power.hpp), with the
+/// same bits. Memory beside that of the columns: some 40 bytes for each shell.
+std::vector<Shell> spectral_shells(const Grid& grid, const HeightRows& heights,
+                                   int threads = 1,
+                                   double relative_width = 0.025);
+
 /// C(q) [m^4] of the shell, the mean over its modes:
 ///
 ///     C = mean_square_height * L_x L_y / ((2 pi)^2 modes)

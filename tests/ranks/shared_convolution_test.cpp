@@ -223,7 +223,6 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
       EXPECT_EQ(all[i], static_cast<double>(i / 3));
     const bool is_first = rows.first() == 0;
     const std::vector<double> nothing;
-    EXPECT_EQ(rows.gathered_on_rank_0(own), is_first ? all : nothing);
     EXPECT_EQ(rows.scattered(is_first ? all : nothing), own);
     EXPECT_EQ(passed_to_rank_0(rows, own), is_first ? all : nothing);
     EXPECT_EQ(from_rank_0(rows, all), own);
@@ -250,7 +249,6 @@ TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
     ASSERT_EQ(own.size(), rows.size());
     EXPECT_EQ(own.front(), static_cast<double>(grid.index(0, rows.first())));
     EXPECT_EQ(own.back(), own.front() + static_cast<double>(own.size() - 1));
-    EXPECT_TRUE(rows.gathered_on_rank_0(own) == (is_first ? all : nothing));
     EXPECT_TRUE(passed_to_rank_0(rows, own) == (is_first ? all : nothing));
     EXPECT_TRUE(from_rank_0(rows, all) == own);
   });

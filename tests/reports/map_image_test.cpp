@@ -9,8 +9,8 @@ namespace {
 
 TEST(MapImage, PlacesValuesAtTheCentresOfTheirBlocks) {
   const Grid grid{3, 2, 6e-6, 2e-6};
-  const MapImage image =
-      map_image(grid, {1e-9, 2e-9, 3e-9, -4e-9, 5e-9, 60e-9}, 1e-9);
+  const MapImage image = map_image(
+      grid, std::vector<double>{1e-9, 2e-9, 3e-9, -4e-9, 5e-9, 60e-9}, 1e-9);
 
   EXPECT_EQ(image.least, -4.0);
   EXPECT_DOUBLE_EQ(image.largest, 60.0);
@@ -44,7 +44,8 @@ TEST(MapImage, DoesNotStretchBlocksOverPointsThatAreLeftOut) {
 // The shorter side keeps two tics at least.
 TEST(MapImage, ChoosesTicsForTheLongerSide) {
   const auto tics = [](double length_x, double length_y) {
-    return map_tics(map_image({1, 1, length_x, length_y}, {0.0}, 1.0));
+    return map_tics(
+        map_image({1, 1, length_x, length_y}, std::vector<double>{0.0}, 1.0));
   };
   EXPECT_EQ(tics(40e-6, 160e-6), "set xtics 25\nset ytics 50\n");
   EXPECT_EQ(tics(60e-6, 160e-6), "set xtics 50\nset ytics 50\n");

@@ -1,0 +1,55 @@
+#pragma once
+
+// This internal header of results/ adds over the nodes of a map that may be in
+// a file.
+
+#include "results/types/map_view.hpp"
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "ranks/chunked_sum.hpp"
+
+namespace asperity::results {
+
+/// Calls do_nodes(first, values) -> Sums for chunks of adjacent nodes and adds
+/// the results as chunked_sum() does, with the same bits wherever the map is.
+/// @param workers  without ranks if the map is in a file
+template <class Sums, class DoNodes>
+Sums sum_over(const MapView& map, const Workers& workers,
+              const DoNodes& do_nodes) {
+  if (!map.is_stored()) {
+    std::vector<double> none;
+    const std::span<const double> all = map.values(0, map.size(), none);
+    return chunked_sum<Sums>(
+        all.size(), workers, [&](std::size_t begin, std::size_t end) {
+          return do_nodes(begin, all.subspan(begin, end - begin));
+        });
+  }
+  static_assert(MapView::values_at_a_time % chunk_nodes == 0);
+  std::vector<Sums> partial((map.size() + chunk_nodes - 1) / chunk_nodes);
+  each_piece(std::array{map}, MapView::values_at_a_time,
+             [&](std::size_t first, const auto& values) {
+               const std::span<const double> piece = values[0];
+               chunked(piece.size(), workers.threads,
+                       [&](std::size_t begin, std::size_t end) {
+                         partial[(first + begin) / chunk_nodes] = do_nodes(
+                             first + begin, piece.subspan(begin, end - begin));
+                       });
+             });
+  return sum_of_chunks<Sums>(partial, map.size(), workers);
+}
+
+/// The mean of a map, with the bits of weighted_mean().
+inline double mean_of(const MapView& map, const Workers& workers = 1) {
+  const Sum sum = sum_over<Sum>(
+      map, workers, [](std::size_t, std::span<const double> values) {
+        return Sum{std::accumulate(values.begin(), values.end(), 0.0)};
+      });
+  return sum.value / static_cast<double>(map.size());
+}
+
+} // namespace asperity::results
