@@ -66,6 +66,8 @@ public:
   }
 
   std::size_t count_missing() const {
+    if (file_.missing && grid() == file_.grid)
+      return *file_.missing;
     const int at_a_time = static_cast<int>(std::max<std::size_t>(
         1, counted_at_a_time / static_cast<std::size_t>(file_.grid.points_x)));
     std::size_t missing = 0;

@@ -55,8 +55,8 @@ double header_height_unit(const NumberTable& table, const CommentLine& line,
   return *metres;
 }
 
-Scan from_gwyddion(NumberTable table, const Grid& points,
-                   const MapScale& scale) {
+TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
+                           const MapScale& scale) {
   const GwyddionHeader header = gwyddion_header(table);
   Grid grid = points;
   grid.length_x = header_length(table, header.width, "Width");
@@ -70,17 +70,12 @@ Scan from_gwyddion(NumberTable table, const Grid& points,
           "'{}'",
           key, *value, header.width.line, table.name,
           printable(header.width.text)));
-  const double unit = header_height_unit(table, header.value_units, scale);
-  Scan scan{{grid, std::move(table.numbers)},
-            {},
-            header.channel.text,
-            "own reader of Gwyddion text"};
-  multiply_heights(scan, unit);
-  mark_missing(scan, table.name);
-  return scan;
+  return {grid, header_height_unit(table, header.value_units, scale),
+          header.channel.text, "own reader of Gwyddion text"};
 }
 
-Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
+TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
+                        MapScale scale) {
   const MatrixHeader header = matrix_header(table);
   const auto take = [&](std::optional<double>& given, const char* key,
                         const std::optional<double>& found) {
@@ -105,10 +100,8 @@ Scan from_plain(NumberTable table, const Grid& points, MapScale scale) {
         "surface.length_unit = {:.6g} m, but must be left out: {} is a matrix, "
         "and only a list x y z has columns x and y",
         *scale.length_unit, table.name));
-  Scan scan = scan_by_scale(points, std::move(table.numbers), table.name,
-                            "a plain matrix", scale);
-  scan.reader = "own reader of plain matrices";
-  return scan;
+  const Grid grid = grid_by_scale(points, table.name, "a plain matrix", scale);
+  return {grid, *scale.height_unit, "", "own reader of plain matrices"};
 }
 
 HeightMap complete_map(Scan scan, const std::string& name) {
@@ -119,17 +112,33 @@ HeightMap complete_map(Scan scan, const std::string& name) {
   return std::move(scan.map);
 }
 
+bool is_gwyddion(const NumberTable& table, mechanics::MapFormat format) {
+  return format == mechanics::MapFormat::gwyddion ||
+         (format == mechanics::MapFormat::automatic &&
+          gwyddion_header(table).width.line != 0);
+}
+
 Scan from_table(NumberTable table, const ScanRequest& request) {
   using mechanics::MapFormat;
-  const bool is_automatic = request.format == MapFormat::automatic;
-  const bool is_gwyddion =
-      request.format == MapFormat::gwyddion ||
-      (is_automatic && gwyddion_header(table).width.line != 0);
-  const bool has_list = is_automatic && !is_gwyddion && is_regular_list(table);
-  if (request.format == MapFormat::xyz || has_list)
+  const bool is_plain = request.format == MapFormat::automatic &&
+                        !is_gwyddion(table, request.format);
+  if (request.format == MapFormat::xyz || (is_plain && is_regular_list(table)))
     return scan_of_list(table, request.scale);
-  if (is_automatic && !is_gwyddion)
+  if (is_plain)
     refuse_possible_list(table);
+  TextMatrix matrix = text_matrix(table, request);
+  Scan scan{{matrix.grid, std::move(table.numbers)},
+            {},
+            std::move(matrix.channel),
+            std::move(matrix.reader)};
+  multiply_heights(scan, matrix.height_unit);
+  mark_missing(scan, table.name);
+  return scan;
+}
+
+} // namespace
+
+TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
   if (table.columns < 2 || table.rows() < 2)
     throw input::InputError(fmt::format("{}: {} column(s) and {} row(s), but a "
                                         "map must have at least two of each",
@@ -138,11 +147,10 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
   Grid points;
   points.points_x = static_cast<int>(table.columns);
   points.points_y = static_cast<int>(table.rows());
-  return is_gwyddion ? from_gwyddion(std::move(table), points, request.scale)
-                     : from_plain(std::move(table), points, request.scale);
+  return is_gwyddion(table, request.format)
+             ? gwyddion_matrix(table, points, request.scale)
+             : plain_matrix(table, points, request.scale);
 }
-
-} // namespace
 
 Scan read_text_scan(std::string_view bytes, const std::string& name,
                     const ScanRequest& request) {

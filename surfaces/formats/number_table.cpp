@@ -66,97 +66,89 @@ std::vector<std::string_view> words_of(std::string_view line,
   return words;
 }
 
-class TableReader {
-public:
-  TableReader(const std::string& name, NumberStyle style) : style_(style) {
-    table_.name = name;
-  }
-
-  void take(std::string_view line) {
-    ++line_number_;
-    if (line_number_ == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
-      line.remove_prefix(3);
-    line = without_blanks(line);
-    if (line.empty())
-      return;
-    if (line.front() == '#')
-      table_.comments.push_back(
-          {line_number_, std::string(without_blanks(line.substr(1)))});
-    else if (is_header(line))
-      table_.comments.push_back({line_number_, std::string(line)});
-    else
-      take_row(line);
-  }
-
-  NumberTable finish() {
-    if (table_.lines.empty())
-      throw input::InputError(table_.name + ": contains no numbers");
-    return std::move(table_);
-  }
-
-private:
-  bool is_header(std::string_view line) const {
-    if (style_ == NumberStyle::strict || !table_.lines.empty())
-      return false;
-    if (line.find('=') != std::string_view::npos)
-      return true;
-    const auto words = words_of(line, separators);
-    return std::none_of(words.begin(), words.end(), [](std::string_view word) {
-      return !std::isnan(number_of_text(word)) || is_missing_word(word);
-    });
-  }
-
-  void take_row(std::string_view line) {
-    const bool has_decimal_comma = has_ambiguous_comma(line);
-    const bool has_point = line.find('.') != std::string_view::npos;
-    if (has_decimal_comma && style_ == NumberStyle::strict)
-      refuse_line(
-          table_.name, line_number_,
-          "found a comma within a column; use a dot as the decimal separator");
-    has_commas_ = has_commas_ || has_decimal_comma;
-    has_points_ = has_points_ || has_point;
-    if (has_commas_ && has_points_)
-      refuse_line(table_.name, line_number_,
-                  "found decimal commas and decimal points in one file; use a "
-                  "dot as the decimal separator");
-    std::size_t column = 0;
-    for (const std::string_view word :
-         words_of(line, has_decimal_comma ? separators_but_comma : separators))
-      take_word(word, ++column);
-    finish_row(column);
-  }
-
-  void take_word(std::string_view word, std::size_t column) {
-    const bool may_miss = style_ == NumberStyle::instrument;
-    const bool is_cut = word.front() == ',' || word.back() == ',';
-    const double number = is_cut ? std::nan("") : number_of_text(word);
-    if (!std::isfinite(number) && !(may_miss && is_missing_word(word)))
-      refuse_line(table_.name, line_number_,
-                  fmt::format("column {}: found '{}', but must be a finite "
-                              "number",
-                              column, printable(word)));
-    table_.numbers.push_back(number);
-  }
-
-  void finish_row(std::size_t columns) {
-    if (table_.lines.empty())
-      table_.columns = columns;
-    if (columns != table_.columns)
-      refuse_line(table_.name, line_number_,
-                  fmt::format("{} numbers in this row, but {} in line {}; "
-                              "every row must have the same number",
-                              columns, table_.columns, table_.lines.front()));
-    table_.lines.push_back(line_number_);
-  }
-
-  NumberStyle style_;
-  NumberTable table_;
-  bool has_commas_ = false; ///< a decimal comma was found
-  bool has_points_ = false; ///< a decimal point was found
-  int line_number_ = 0;
-};
-
 } // namespace
+
+void NumberTableReader::continue_at(int line, std::size_t columns) {
+  line_number_ = line;
+  table_.columns = columns;
+  table_.lines = {line};
+}
+
+void NumberTableReader::take(std::string_view line) {
+  ++line_number_;
+  if (line_number_ == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
+    line.remove_prefix(3);
+  line = without_blanks(line);
+  if (line.empty())
+    return;
+  if (line.front() == '#')
+    table_.comments.push_back(
+        {line_number_, std::string(without_blanks(line.substr(1)))});
+  else if (is_header(line))
+    table_.comments.push_back({line_number_, std::string(line)});
+  else
+    take_row(line);
+}
+
+NumberTable NumberTableReader::finish() {
+  if (table_.lines.empty())
+    throw input::InputError(table_.name + ": contains no numbers");
+  return std::move(table_);
+}
+
+bool NumberTableReader::is_header(std::string_view line) const {
+  if (style_ == NumberStyle::strict || !table_.lines.empty())
+    return false;
+  if (line.find('=') != std::string_view::npos)
+    return true;
+  const auto words = words_of(line, separators);
+  return std::none_of(words.begin(), words.end(), [](std::string_view word) {
+    return !std::isnan(number_of_text(word)) || is_missing_word(word);
+  });
+}
+
+void NumberTableReader::take_row(std::string_view line) {
+  const bool has_decimal_comma = has_ambiguous_comma(line);
+  const bool has_point = line.find('.') != std::string_view::npos;
+  if (has_decimal_comma && style_ == NumberStyle::strict)
+    refuse_line(
+        table_.name, line_number_,
+        "found a comma within a column; use a dot as the decimal separator");
+  has_commas_ = has_commas_ || has_decimal_comma;
+  has_points_ = has_points_ || has_point;
+  if (has_commas_ && has_points_)
+    refuse_line(table_.name, line_number_,
+                "found decimal commas and decimal points in one file; use a "
+                "dot as the decimal separator");
+  std::size_t column = 0;
+  for (const std::string_view word :
+       words_of(line, has_decimal_comma ? separators_but_comma : separators))
+    take_word(word, ++column);
+  finish_row(column);
+}
+
+void NumberTableReader::take_word(std::string_view word, std::size_t column) {
+  const bool may_miss = style_ == NumberStyle::instrument;
+  const bool is_cut = word.front() == ',' || word.back() == ',';
+  const double number = is_cut ? std::nan("") : number_of_text(word);
+  if (!std::isfinite(number) && !(may_miss && is_missing_word(word)))
+    refuse_line(table_.name, line_number_,
+                fmt::format("column {}: found '{}', but must be a finite "
+                            "number",
+                            column, printable(word)));
+  table_.numbers.push_back(number);
+}
+
+void NumberTableReader::finish_row(std::size_t columns) {
+  if (table_.lines.empty())
+    table_.columns = columns;
+  if (columns != table_.columns)
+    refuse_line(table_.name, line_number_,
+                fmt::format("{} numbers in this row, but {} in line {}; "
+                            "every row must have the same number",
+                            columns, table_.columns, table_.lines.front()));
+  table_.lines.push_back(line_number_);
+}
 
 void refuse_line(const std::string& name, int line, const std::string& what) {
   throw input::InputError(fmt::format("{}:{}: {}", name, line, what));
@@ -164,7 +156,7 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
 
 NumberTable read_number_text(std::string_view text, const std::string& name,
                              NumberStyle style) {
-  TableReader reader(name, style);
+  NumberTableReader reader(name, style);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     reader.take(text.substr(0, end));

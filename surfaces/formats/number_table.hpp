@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -39,6 +40,45 @@ struct NumberTable {
   double number(std::size_t row, std::size_t column) const {
     return numbers[row * columns + column];
   }
+};
+
+/// Reads a text line by line, as read_number_text() does.
+class NumberTableReader {
+public:
+  NumberTableReader(const std::string& name, NumberStyle style)
+      : style_(style) {
+    table_.name = name;
+  }
+
+  /// Continues in the middle of a file, with lines of this number of columns.
+  /// @param line  number of the line before the next one
+  void continue_at(int line, std::size_t columns);
+
+  /// @param line  without its end
+  /// @throws input::InputError  as read_number_text()
+  void take(std::string_view line);
+
+  std::size_t rows() const { return table_.rows(); }
+
+  /// The numbers of the rows since the last call.
+  std::vector<double> numbers_so_far() {
+    return std::exchange(table_.numbers, {});
+  }
+
+  /// @throws input::InputError  the text contains no numbers
+  NumberTable finish();
+
+private:
+  bool is_header(std::string_view line) const;
+  void take_row(std::string_view line);
+  void take_word(std::string_view word, std::size_t column);
+  void finish_row(std::size_t columns);
+
+  NumberStyle style_;
+  NumberTable table_;
+  bool has_commas_ = false; ///< a decimal comma was found
+  bool has_points_ = false; ///< a decimal point was found
+  int line_number_ = 0;
 };
 
 /// Reads a whole text. Numbers are separated by blanks, tabs, commas or

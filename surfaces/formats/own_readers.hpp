@@ -3,6 +3,7 @@
 // This internal header of surfaces/formats declares the readers of the
 // individual formats, which scan.cpp chooses from, and what they share.
 
+#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/row_file.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -31,6 +32,18 @@ enum class Asked { scan, channels };
 /// list x y z.
 Scan read_text_scan(std::string_view bytes, const std::string& name,
                     const ScanRequest& request);
+
+/// What a text matrix says of its map.
+struct TextMatrix {
+  Grid grid;
+  double height_unit = 1.0; ///< [m] per unit of the numbers
+  std::string channel;      ///< may be empty
+  std::string reader;
+};
+
+/// @param table    which is no list; its numbers are not read
+/// @throws input::InputError  as read_text_scan()
+TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request);
 /// The only channel of such a file.
 ChannelInfo text_channel(std::string_view bytes, const std::string& name);
 /// ISO 25178-71 with the header aISO-1.0, bISO-1.0, aBCR-1.0 or bBCR-1.0.

@@ -20,10 +20,12 @@ struct RowFile {
   /// Returns whole rows in the order of the file [m], not finite at missing
   /// points; the heights have the bits of read_scan().
   std::function<std::vector<double>(int first, int count)> rows;
+  /// Points without a height in the whole file, if it was read to its end.
+  std::optional<std::size_t> missing = {};
 };
 
-/// Opens an .npy file whose numbers are stored row by row, or a dataset of an
-/// HDF5 file.
+/// Opens an .npy file whose numbers are stored row by row, a dataset of an HDF5
+/// file, or a matrix of numbers as text.
 /// @return  nothing if the file is of another kind, also if its numbers may be
 ///          a list x y z or if read_scan() would refuse the channel
 /// @throws input::InputError  as read_scan(), if the header is malformed or a

@@ -7,6 +7,7 @@
 #include "surfaces/formats/row_file.hpp"
 #include "surfaces/measured_rows.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "tests/message_of.hpp"
 #include "tests/ranks/thread_ranks.hpp"
@@ -138,7 +141,9 @@ TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
   SurfaceSpec sphere = complete;
   sphere.level = mechanics::Levelling::sphere;
   const std::string list = npy_file("text.txt", heights);
-  std::ofstream(list) << "1 2 3 4\n2 3 4 7\n2 3 4 5\n";
+  std::ofstream(list) << "0 0 4\n1 0 7\n0 1 5\n1 1 6\n";
+  const std::string text = npy_file("missing.txt", heights);
+  std::ofstream(text) << "1 2 nan 4\n2 bad 4 7\n2 3 4 5\n";
 
   EXPECT_EQ(reason_for_whole_map(missing), "2 points are missing");
   EXPECT_EQ(reason_for_whole_map(cropped), "");
@@ -148,7 +153,90 @@ TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
             "surface.level fits a sphere or a cylinder");
   EXPECT_EQ(reason_for_whole_map(measured(list)),
             "the format of the map cannot be read by rows");
+  EXPECT_EQ(reason_for_whole_map(measured(text)), "2 points are missing");
   expect_bits_of_one_process(cropped);
+}
+
+/// Writes heights as text.
+std::string text_file(const std::string& name, const std::string& header,
+                      const std::vector<double>& heights, std::size_t width,
+                      const std::string& line_end, bool has_commas) {
+  std::string text = header;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    std::string number = fmt::format("{:.9f}", heights[i]);
+    if (has_commas)
+      std::ranges::replace(number, '.', ',');
+    text += number + ((i + 1) % width == 0 ? line_end : "\t");
+    if (i == 2 * width - 1)
+      text += "# a comment" + line_end + line_end;
+  }
+  const std::filesystem::path path =
+      std::filesystem::path(testing::TempDir()) / ("measured_rows_" + name);
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
+TEST(MeasuredRows, OfATextHaveTheBitsOfOneProcess) {
+  const std::vector<double> heights = heights_of_file();
+  expect_bits_of_one_process(
+      measured(text_file("plain.txt", "", heights, columns, "\n", false)));
+  SurfaceSpec surface = measured(
+      text_file("windows.txt", "\xEF\xBB\xBFheights of a map\r\nh=24 w=37\r\n",
+                heights, columns, "\r\n", true));
+  surface.crop = mechanics::MapWindow{3e-6, 2e-6, 20e-6, 20e-6};
+  surface.edges = mechanics::Edges::mirror;
+  surface.level = mechanics::Levelling::bow;
+  expect_bits_of_one_process(surface);
+
+  SurfaceSpec gwyddion = measured(text_file(
+      "gwyddion.txt",
+      "# Channel: Topography\n# Width: 37 um\n# Height: 24 um\n# Value units: "
+      "nm\n",
+      heights, columns, "\n", false));
+  gwyddion.length = gwyddion.height_unit = std::nullopt;
+  expect_bits_of_one_process(gwyddion);
+  EXPECT_EQ(described_map(gwyddion).channel, "Topography");
+}
+
+// The text is longer than the pieces that are in memory, and read from lines in
+// the middle.
+TEST(MeasuredRows, OfALongTextHaveTheBitsOfOneProcess) {
+  constexpr std::size_t width = 1600;
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < 100 * width; ++i)
+    heights.push_back(std::sin(1e-3 * static_cast<double>(i * i % 10007)));
+  const std::string path =
+      text_file("long.txt", "", heights, width, "\n", false);
+  ASSERT_GT(std::filesystem::file_size(path), 1500000U);
+  expect_bits_of_one_process(measured(path));
+}
+
+// Its last line has no end, and the file changes between two runs.
+TEST(MeasuredRows, OfATextAreThoseOfTheFileThatIsThere) {
+  const std::string path =
+      (std::filesystem::path(testing::TempDir()) / "measured_rows_changing.txt")
+          .string();
+  const ScanRequest request{mechanics::MapFormat::automatic, {}, {4e-6, 1e-9}};
+  for (const std::string& text :
+       {std::string("1 2 3 4\n4 3 2 1.5"), std::string("1 2 3 4 5\n4 2 2 1 7"),
+        std::string("\n\n1 2 3 4\n4 2 2 8\n1 2 1 3\n")}) {
+    std::ofstream(path) << text;
+    const HeightMap whole = read_scan(path, request).map;
+    const auto file = row_file(path, request);
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->grid, whole.grid);
+    EXPECT_EQ(file->missing, 0U);
+    EXPECT_EQ(file->rows(0, whole.grid.points_y), whole.heights);
+    EXPECT_TRUE(std::ranges::equal(
+        file->rows(1, 1),
+        std::span(whole.heights)
+            .subspan(static_cast<std::size_t>(whole.grid.points_x),
+                     static_cast<std::size_t>(whole.grid.points_x))));
+  }
+  std::ofstream(path) << "1 2 3 4\n4 3 2\n";
+  EXPECT_EQ(
+      tests::message_of<input::InputError>([&] { row_file(path, request); }),
+      tests::message_of<input::InputError>([&] { read_scan(path, request); }));
 }
 
 TEST(MeasuredRows, OfAFlatMapAreRefusedAsInOneProcess) {
