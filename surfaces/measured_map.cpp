@@ -48,23 +48,9 @@ MapRoughness rms_height_and_slope(const HeightMap& map) {
                     mean_square(0, 1, grid.spacing_y()))};
 }
 
-/// Refuses a map with too many points to be filled.
-void require_few_missing(const FlaggedMap& map, const SurfaceSpec& surface) {
-  const auto missing = static_cast<double>(
+std::size_t missing_of(const FlaggedMap& map) {
+  return static_cast<std::size_t>(
       std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
-  const double fraction = missing / static_cast<double>(map.map.grid.size());
-  if (missing > 0.0 && surface.fill == mechanics::Filling::none)
-    throw input::InputError(fmt::format(
-        "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
-        "= \"none\" none must be",
-        surface.file, missing, map.map.grid.size(), 100.0 * fraction));
-  if (fraction > surface.max_missing || fraction == 1.0)
-    throw input::InputError(fmt::format(
-        "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
-        "surface.max_missing = {:.4g} may be filled; crop the map or raise "
-        "that limit",
-        surface.file, missing, map.map.grid.size(), fraction,
-        surface.max_missing));
 }
 
 void level_form(HeightMap& map, const SurfaceSpec& surface) {
@@ -117,21 +103,37 @@ void require_relief(const SurfaceSpec& surface, double before, double left) {
         surface.file, left, largest));
 }
 
+void require_few_missing(const SurfaceSpec& surface, std::size_t count,
+                         std::size_t size) {
+  const auto missing = static_cast<double>(count);
+  const double fraction = missing / static_cast<double>(size);
+  if (missing > 0.0 && surface.fill == mechanics::Filling::none)
+    throw input::InputError(fmt::format(
+        "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
+        "= \"none\" none must be",
+        surface.file, missing, size, 100.0 * fraction));
+  if (fraction > surface.max_missing || fraction == 1.0)
+    throw input::InputError(fmt::format(
+        "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
+        "surface.max_missing = {:.4g} may be filled; crop the map or raise "
+        "that limit",
+        surface.file, missing, size, fraction, surface.max_missing));
+}
+
 MeasuredMap measured_map(const SurfaceSpec& surface) {
   Scan scan = read_scan(surface.file, request_of_map(surface));
   MeasuredMap measured{{}, scan.channel, scan.reader, 0, 0};
   FlaggedMap map{std::move(scan.map), std::move(scan.is_missing)};
   if (surface.crop)
     crop(map, window_of_map(surface, map.map.grid));
-  measured.missing = static_cast<std::size_t>(
-      std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
+  measured.missing = missing_of(map);
   if (measured.missing == map.map.grid.size())
-    require_few_missing(map, surface);
+    require_few_missing(surface, measured.missing, map.map.grid.size());
   if (surface.align_lines == mechanics::LineAlignment::median)
     align_lines(map);
   if (surface.spikes)
     measured.spikes = mark_spikes(map, *surface.spikes);
-  require_few_missing(map, surface);
+  require_few_missing(surface, missing_of(map), map.map.grid.size());
   fill_missing(map.map, map.is_missing);
   level_form(map.map, surface);
   measured.map = std::move(map.map);

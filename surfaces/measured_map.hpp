@@ -39,6 +39,12 @@ ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);
 PixelWindow window_of_map(const mechanics::SurfaceSpec& surface,
                           const Grid& grid);
 
+/// Refuses a map with too many missing points to be filled.
+/// @throws input::InputError  there are more than surface.max_missing, or any
+///                            although surface.fill is none
+void require_few_missing(const mechanics::SurfaceSpec& surface,
+                         std::size_t count, std::size_t size);
+
 /// Refuses a flat map, and heights whose squares are no numbers.
 /// @param before  largest magnitude of the heights before levelling [m]
 /// @param left    the same after it [m]

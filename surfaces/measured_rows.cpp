@@ -6,6 +6,7 @@
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/missing_points.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +25,7 @@ namespace {
 
 using mechanics::SurfaceSpec;
 
-/// Heights in memory while the missing points are counted.
+/// Heights in memory while the missing points are found.
 constexpr std::size_t counted_at_a_time = std::size_t{1} << 19;
 
 /// Reads rows of the part of a map that a case uses.
@@ -56,9 +57,37 @@ public:
     return heights;
   }
 
-  /// The same of a map without missing points.
+  /// Finds the heights of missing points, from the whole map, which is read by
+  /// pieces.
+  void fill(const SurfaceSpec& surface) {
+    MissingPoints points(grid());
+    const auto width = static_cast<std::size_t>(grid().points_x);
+    each_piece([&](std::span<const double> heights) {
+      for (std::size_t at = 0; at < heights.size(); at += width) {
+        const std::span<const double> row = heights.subspan(at, width);
+        points.take_row(row,
+                        [&](std::size_t x) { return !std::isfinite(row[x]); });
+      }
+    });
+    require_few_missing(surface, points.count(), grid().size());
+    filled_ = points.filled();
+  }
+
+  /// Heights of the map, with those of missing points if they were found.
   std::vector<double> complete(int first, int count) const {
     std::vector<double> heights = measured(first, count);
+    const std::size_t begin = grid().index(0, first);
+    for (auto point =
+             std::ranges::lower_bound(filled_, begin, {}, &FilledPoint::index);
+         point != filled_.end() && point->index < begin + heights.size();
+         ++point)
+      heights[point->index - begin] = point->height;
+    return heights;
+  }
+
+  /// The same, without missing points.
+  std::vector<double> all_known(int first, int count) const {
+    std::vector<double> heights = complete(first, count);
     if (!all_finite(heights))
       throw input::InputError(name_ + ": points are missing that were there "
                                       "when the run began");
@@ -68,20 +97,28 @@ public:
   std::size_t count_missing() const {
     if (file_.missing && grid() == file_.grid)
       return *file_.missing;
-    const int at_a_time = static_cast<int>(std::max<std::size_t>(
-        1, counted_at_a_time / static_cast<std::size_t>(file_.grid.points_x)));
     std::size_t missing = 0;
-    for (int row = 0; row < grid().points_y; row += at_a_time)
+    each_piece([&](std::span<const double> heights) {
       missing += static_cast<std::size_t>(std::ranges::count_if(
-          measured(row, std::min(at_a_time, grid().points_y - row)),
-          [](double height) { return !std::isfinite(height); }));
+          heights, [](double height) { return !std::isfinite(height); }));
+    });
     return missing;
   }
 
 private:
+  /// Calls take(heights) for some rows after the other.
+  template <class Take>
+  void each_piece(const Take& take) const {
+    const int at_a_time = static_cast<int>(std::max<std::size_t>(
+        1, counted_at_a_time / static_cast<std::size_t>(file_.grid.points_x)));
+    for (int row = 0; row < grid().points_y; row += at_a_time)
+      take(measured(row, std::min(at_a_time, grid().points_y - row)));
+  }
+
   RowFile file_;
   std::string name_;
   PixelWindow window_;
+  std::vector<FilledPoint> filled_; ///< by their indices
 };
 
 std::optional<WindowReader> reader_of(const SurfaceSpec& surface) {
@@ -113,7 +150,10 @@ std::string reason_of(const SurfaceSpec& surface,
   if (!reader)
     return "the format of the map cannot be read by rows";
   const std::size_t missing = reader->count_missing();
-  return missing == 0 ? "" : fmt::format("{} points are missing", missing);
+  if (missing == reader->grid().size())
+    return "all points are missing";
+  require_few_missing(surface, missing, reader->grid().size());
+  return "";
 }
 
 double largest_of(const SharedRows& rows, std::span<const double> heights) {
@@ -146,7 +186,7 @@ std::vector<double> mirrored_rows(const WindowReader& reader,
   const int first = std::min(image(begin), image(end - 1));
   const int last =
       begin < n && end > n ? n - 1 : std::max(image(begin), image(end - 1));
-  std::vector<double> own = reader.complete(first, last - first + 1);
+  std::vector<double> own = reader.all_known(first, last - first + 1);
   subtract_trend(reader.grid(), trend, first, own);
   const auto width = static_cast<std::size_t>(reader.grid().points_x);
   std::vector<double> heights(rows.size());
@@ -178,17 +218,25 @@ MeasuredMap described_map(const SurfaceSpec& surface) {
   const std::optional<WindowReader> reader = reader_of(surface);
   if (!reason_of(surface, reader).empty())
     return measured_map(surface);
-  return {{reader->grid(), {}}, reader->file().channel, reader->file().reader};
+  return {{reader->grid(), {}},
+          reader->file().channel,
+          reader->file().reader,
+          reader->count_missing()};
 }
 
 std::vector<double> measured_rows(const SurfaceSpec& surface,
                                   const SharedRows& rows) {
-  const std::optional<WindowReader> reader = reader_of(surface);
+  std::optional<WindowReader> reader = reader_of(surface);
   if (!reader)
     throw std::domain_error("the map cannot be read by rows");
   const SharedRows map_rows = rows_of_map(reader->grid(), rows);
   std::vector<double> heights =
       reader->complete(map_rows.first(), map_rows.count());
+  if (rank_max(rows.ranks(), all_finite(heights) ? 0.0 : 1.0) > 0.0) {
+    heights = {};
+    reader->fill(surface);
+    heights = reader->all_known(map_rows.first(), map_rows.count());
+  }
   const double before = largest_of(map_rows, heights);
   const std::vector<TrendTerm> trend =
       remove_trend(map_rows, heights, surface.level);

@@ -13,10 +13,10 @@
 namespace asperity::surfaces {
 
 /// Why one process must hold the whole map before its rows can be used, as the
-/// beginning of a sentence: "12 points are missing"; empty if ranks can read
-/// its rows. They can if the format permits it (row_file.hpp), no point of the
-/// window is missing, and levelling and edges are sums over rows: not with
-/// align_lines, remove_spikes, level sphere or cylinder, or edges window. The
+/// beginning of a sentence: "surface.align_lines compares all lines"; empty if
+/// ranks can read its rows. They can if the format permits it (row_file.hpp)
+/// and levelling and edges are sums over rows: not with align_lines,
+/// remove_spikes, level sphere or cylinder, or edges window. The
 /// file is read once for missing points, by pieces of a few MB.
 /// @throws input::InputError  as measured_map, apart from the flat map
 std::string reason_for_whole_map(const mechanics::SurfaceSpec& surface);
@@ -31,7 +31,9 @@ Grid measured_grid(const mechanics::SurfaceSpec& surface);
 MeasuredMap described_map(const mechanics::SurfaceSpec& surface);
 
 /// The rows of this process of the map after levelling and edge treatment, with
-/// the bits of one process. Each rank reads its rows from the file. Collective.
+/// the bits of one process. Each rank reads its rows from the file. If points
+/// are missing, each reads the whole file by pieces and solves the equations of
+/// the missing points, whose memory is theirs alone. Collective.
 /// @param surface  for which reason_for_whole_map() is empty
 /// @param rows     on measured_grid()
 /// @throws input::InputError  as measured_map

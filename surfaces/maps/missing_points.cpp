@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::surfaces {
 namespace {
@@ -13,17 +14,19 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// The Laplace equation for the missing points.
 class LaplaceProblem {
 public:
-  LaplaceProblem(const HeightMap& map, const std::vector<char>& is_missing)
-      : map_(map), numbers_(is_missing.size(), -1) {
-    int count = 0;
-    for (std::size_t i = 0; i < is_missing.size(); ++i)
-      if (is_missing[i] != 0)
-        numbers_[i] = count++;
-    right_side_ = Eigen::VectorXd::Zero(count);
-    for (int iy = 0; iy < map.grid.points_y; ++iy)
-      for (int ix = 0; ix < map.grid.points_x; ++ix)
-        if (numbers_[map.grid.index(ix, iy)] >= 0)
-          add_row(ix, iy);
+  /// @param missing  indices of the points, ascending
+  /// @param beside   heights of their measured neighbours
+  LaplaceProblem(const Grid& grid, const std::vector<std::size_t>& missing,
+                 const std::unordered_map<std::size_t, double>& beside)
+      : grid_(grid),
+        missing_(missing),
+        beside_(beside),
+        right_side_(
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(missing.size()))) {
+    const auto width = static_cast<std::size_t>(grid.points_x);
+    for (std::size_t i = 0; i < missing.size(); ++i)
+      add_row(static_cast<int>(i), static_cast<int>(missing[i] % width),
+              static_cast<int>(missing[i] / width));
   }
 
   /// Heights of the missing points, in the order of the map.
@@ -38,10 +41,9 @@ public:
   }
 
 private:
-  void add_row(int ix, int iy) {
+  void add_row(int row, int ix, int iy) {
     // Weights relative to that along x: only their ratio matters.
-    const double ratio = map_.grid.spacing_x() / map_.grid.spacing_y();
-    const int row = numbers_[map_.grid.index(ix, iy)];
+    const double ratio = grid_.spacing_x() / grid_.spacing_y();
     double diagonal = 0.0;
     for (const auto& [step_x, step_y] :
          {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)})
@@ -52,41 +54,76 @@ private:
 
   /// Returns the weight of the neighbour, 0 outside the map.
   double add_neighbour(int row, int ix, int iy, double weight) {
-    if (ix < 0 || iy < 0 || ix >= map_.grid.points_x ||
-        iy >= map_.grid.points_y)
+    if (ix < 0 || iy < 0 || ix >= grid_.points_x || iy >= grid_.points_y)
       return 0.0;
-    const std::size_t index = map_.grid.index(ix, iy);
-    if (numbers_[index] >= 0)
-      entries_.emplace_back(row, numbers_[index], -weight);
+    const std::size_t index = grid_.index(ix, iy);
+    const auto place = std::ranges::lower_bound(missing_, index);
+    if (place != missing_.end() && *place == index)
+      entries_.emplace_back(row, static_cast<int>(place - missing_.begin()),
+                            -weight);
     else
-      right_side_[row] += weight * map_.heights[index];
+      right_side_[row] += weight * beside_.at(index);
     return weight;
   }
 
-  const HeightMap& map_;
-  std::vector<int> numbers_; ///< of the unknowns; -1: measured
+  const Grid& grid_;
+  const std::vector<std::size_t>& missing_;
+  const std::unordered_map<std::size_t, double>& beside_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::VectorXd right_side_;
 };
 
 } // namespace
 
+void MissingPoints::take_flagged(std::span<const double> heights,
+                                 std::vector<char> flags) {
+  const std::size_t width = heights.size();
+  const std::size_t begin = rows_++ * width;
+  const auto keep = [&](bool is_beside, std::size_t x) {
+    if (is_beside && flags[x] == 0)
+      beside_[begin + x] = heights[x];
+  };
+  for (std::size_t x = 0; x < width; ++x) {
+    const bool was_missing = !last_flags_.empty() && last_flags_[x] != 0;
+    keep(was_missing, x);
+    if (flags[x] == 0)
+      continue;
+    missing_.push_back(begin + x);
+    keep(x > 0, x - std::min<std::size_t>(x, 1));
+    keep(x + 1 < width, std::min(x + 1, width - 1));
+    if (!last_flags_.empty() && !was_missing)
+      beside_[begin - width + x] = last_heights_[x];
+  }
+  last_heights_.assign(heights.begin(), heights.end());
+  last_flags_ = std::move(flags);
+}
+
+std::vector<FilledPoint> MissingPoints::filled() const {
+  if (missing_.empty())
+    return {};
+  if (missing_.size() == grid_.size())
+    throw std::domain_error("is_missing must leave one measured point");
+  const Eigen::VectorXd heights =
+      LaplaceProblem(grid_, missing_, beside_).solution();
+  std::vector<FilledPoint> filled;
+  filled.reserve(missing_.size());
+  for (std::size_t i = 0; i < missing_.size(); ++i)
+    filled.push_back({missing_[i], heights[static_cast<Eigen::Index>(i)]});
+  return filled;
+}
+
 void fill_missing(HeightMap& map, const std::vector<char>& is_missing) {
   if (is_missing.empty())
     return;
   if (is_missing.size() != map.heights.size())
     throw std::domain_error("is_missing must have one flag per point");
-  const auto count = std::count_if(is_missing.begin(), is_missing.end(),
-                                   [](char flag) { return flag != 0; });
-  if (count == 0)
-    return;
-  if (static_cast<std::size_t>(count) == is_missing.size())
-    throw std::domain_error("is_missing must leave one measured point");
-  const Eigen::VectorXd filled = LaplaceProblem(map, is_missing).solution();
-  Eigen::Index next = 0;
-  for (std::size_t i = 0; i < is_missing.size(); ++i)
-    if (is_missing[i] != 0)
-      map.heights[i] = filled[next++];
+  MissingPoints points(map.grid);
+  const auto width = static_cast<std::size_t>(map.grid.points_x);
+  for (std::size_t at = 0; at < map.heights.size(); at += width)
+    points.take_row(std::span(map.heights).subspan(at, width),
+                    [&](std::size_t x) { return is_missing[at + x] != 0; });
+  for (const FilledPoint& point : points.filled())
+    map.heights[point.index] = point.height;
 }
 
 } // namespace asperity::surfaces

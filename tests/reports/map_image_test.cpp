@@ -52,5 +52,38 @@ TEST(MapImage, ChoosesTicsForTheLongerSide) {
   EXPECT_EQ(tics(160e-6, 160e-6), "set xtics 50\nset ytics 50\n");
 }
 
+// Rows are so long that a piece of a map in a file has two of seven, while a
+// block has three.
+TEST(MapImage, IsThatOfAMapInMemoryIfItIsReadByPieces) {
+  const Grid grid{(1 << 21) + 3, 7, 1.0, 1.0};
+  std::vector<double> map(grid.size());
+  std::vector<double> other(grid.size());
+  for (std::size_t i = 0; i < map.size(); ++i) {
+    map[i] = static_cast<double>(i * i % 10007);
+    other[i] = static_cast<double>(i % 101);
+  }
+  const auto stored = [&](const std::vector<double>& values) {
+    const auto width = static_cast<std::size_t>(grid.points_x);
+    return results::StoredMap{
+        7, width, [&values, width](std::size_t first, std::size_t count) {
+          EXPECT_LE(count, 2U);
+          const auto begin =
+              values.begin() + static_cast<std::ptrdiff_t>(first * width);
+          return std::vector<double>(
+              begin, begin + static_cast<std::ptrdiff_t>(count * width));
+        }};
+  };
+  const results::StoredMap one = stored(map);
+  const results::StoredMap two = stored(other);
+
+  EXPECT_EQ(reduced(grid, one, 3).values, reduced(grid, map, 3).values);
+  const std::vector<double> difference =
+      reduced_difference(grid, one, two, 3).values;
+  for (std::size_t i = 0; i < map.size(); ++i)
+    map[i] -= other[i];
+  EXPECT_EQ(difference, reduced(grid, map, 3).values);
+  EXPECT_EQ(difference.size(), 2U * 2U);
+}
+
 } // namespace
 } // namespace asperity::reports

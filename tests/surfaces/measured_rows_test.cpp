@@ -1,9 +1,7 @@
 // Tests of measured maps and exact shapes whose rows several ranks build: the
 // heights have the bits of one process. Tolerance: none.
 #include "input/input_error.hpp"
-#include "surfaces/build.hpp"
 #include "surfaces/formats/map_writer.hpp"
-#include "surfaces/formats/npy.hpp"
 #include "surfaces/formats/row_file.hpp"
 #include "surfaces/measured_rows.hpp"
 
@@ -19,72 +17,12 @@
 #include <string>
 
 #include "tests/message_of.hpp"
-#include "tests/ranks/thread_ranks.hpp"
+#include "tests/surfaces/measured_files.hpp"
 
 namespace asperity::surfaces {
 namespace {
 
-using mechanics::SurfaceKind;
-using mechanics::SurfaceSpec;
-
-constexpr std::size_t columns = 37;
-constexpr std::size_t rows_of_file = 24;
-
-/// Tilted and bent, with irregular heights.
-std::vector<double> heights_of_file() {
-  std::vector<double> heights;
-  for (std::size_t y = 0; y < rows_of_file; ++y)
-    for (std::size_t x = 0; x < columns; ++x) {
-      const auto i = static_cast<double>(x), j = static_cast<double>(y);
-      heights.push_back(5.0 + 0.3 * i - 0.2 * j + 0.01 * i * i - 0.02 * i * j +
-                        std::sin(7.0 * i + 3.0 * j * j));
-    }
-  return heights;
-}
-
-/// Writes an .npy file to a folder of its own.
-std::string npy_file(const std::string& name,
-                     const std::vector<double>& heights) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / ("measured_rows_" + name);
-  std::ofstream(path, std::ios::binary)
-      << npy_bytes(heights, rows_of_file, columns);
-  return path.string();
-}
-
-SurfaceSpec measured(const std::string& file) {
-  SurfaceSpec surface;
-  surface.kind = SurfaceKind::measured;
-  surface.file = file;
-  surface.length = 37e-6;
-  surface.height_unit = 1e-9;
-  return surface;
-}
-
-/// Unequal shares with even bounds.
-std::vector<int> bounds_of(int points, int n) {
-  std::vector<int> bounds{0};
-  for (int r = 1; r < n; ++r)
-    bounds.push_back(r * (r + 1));
-  bounds.push_back(points);
-  return bounds;
-}
-
-/// Compares the rows of 1 to 4 ranks with the surface of one process.
-void expect_bits_of_one_process(const SurfaceSpec& surface) {
-  const HeightMap whole = build_surface(surface, 0);
-  EXPECT_EQ(reason_for_whole(surface), "");
-  EXPECT_EQ(surface_grid(surface), whole.grid);
-  for (int n = 1; n <= 4; ++n)
-    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-      const SharedRows rows(whole.grid, ranks,
-                            bounds_of(whole.grid.points_y, n));
-      const std::vector<double> own = build_rows(surface, 0, rows);
-      EXPECT_TRUE(std::ranges::equal(
-          own, std::span(whole.heights)
-                   .subspan(whole.grid.index(0, rows.first()), rows.size())));
-    });
-}
+using namespace tests_of_rows;
 
 TEST(MeasuredRows, HaveTheBitsOfOneProcess) {
   SurfaceSpec surface = measured(npy_file("plain.npy", heights_of_file()));
@@ -128,33 +66,22 @@ TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
 }
 
 TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
-  std::vector<double> heights = heights_of_file();
-  heights[5 * columns + 9] = heights[7] =
-      std::numeric_limits<double>::quiet_NaN();
-  const SurfaceSpec missing = measured(npy_file("missing.npy", heights));
-  SurfaceSpec cropped = missing; // the pixels (9, 5) and (7, 0) are outside
-  cropped.crop = mechanics::MapWindow{0.0, 6e-6, 0.0, 0.0};
   const SurfaceSpec complete =
       measured(npy_file("complete.npy", heights_of_file()));
   SurfaceSpec spikes = complete;
   spikes.spikes = 6.0;
   SurfaceSpec sphere = complete;
   sphere.level = mechanics::Levelling::sphere;
-  const std::string list = npy_file("text.txt", heights);
+  const std::string list = npy_file("text.txt", heights_of_file());
   std::ofstream(list) << "0 0 4\n1 0 7\n0 1 5\n1 1 6\n";
-  const std::string text = npy_file("missing.txt", heights);
-  std::ofstream(text) << "1 2 nan 4\n2 bad 4 7\n2 3 4 5\n";
 
-  EXPECT_EQ(reason_for_whole_map(missing), "2 points are missing");
-  EXPECT_EQ(reason_for_whole_map(cropped), "");
+  EXPECT_EQ(reason_for_whole_map(complete), "");
   EXPECT_EQ(reason_for_whole_map(spikes),
             "surface.remove_spikes compares all points");
   EXPECT_EQ(reason_for_whole_map(sphere),
             "surface.level fits a sphere or a cylinder");
   EXPECT_EQ(reason_for_whole_map(measured(list)),
             "the format of the map cannot be read by rows");
-  EXPECT_EQ(reason_for_whole_map(measured(text)), "2 points are missing");
-  expect_bits_of_one_process(cropped);
 }
 
 /// Writes heights as text.
@@ -209,6 +136,12 @@ TEST(MeasuredRows, OfALongTextHaveTheBitsOfOneProcess) {
       text_file("long.txt", "", heights, width, "\n", false);
   ASSERT_GT(std::filesystem::file_size(path), 1500000U);
   expect_bits_of_one_process(measured(path));
+
+  const ScanRequest request{mechanics::MapFormat::automatic, {}, {4e-6, 1e-9}};
+  const HeightMap whole = read_scan(path, request).map;
+  const std::vector<double> late = row_file(path, request)->rows(95, 4);
+  EXPECT_TRUE(std::ranges::equal(
+      late, std::span(whole.heights).subspan(95 * width, 4 * width)));
 }
 
 // Its last line has no end, and the file changes between two runs.
