@@ -112,9 +112,9 @@ def check_other_surfaces(runner):
                 "2 ranks read the rows of the surface"),
         "hdf5": ('"map.h5"\nedges = "mirror"', "2 ranks read the rows of the surface"),
         "spikes": ('"map.h5"\nedges = "mirror"\nremove_spikes = 6',
-                   "rank 0 builds the whole surface, because surface.remove_spikes"),
-        "text": ('"map.txt"\nedges = "periodic"',
-                 "because the format of the map cannot be read by rows, and sends its rows to 2")}
+                   "rank 0 builds the whole surface, because surface.remove_spikes compares all "
+                   "points, and sends its rows to 2"),
+        "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface")}
     cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
     cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'
                      'wavelength = "0.5 um"', "2 ranks generate the rows of the surface")
