@@ -1,10 +1,5 @@
 // Tests of plans: counts and structure. No test asserts a time.
-#include "app/plan/block_cost.hpp"
-#include "app/plan/block_size.hpp"
-#include "app/plan/plan.hpp"
 #include "app/run/run_case.hpp"
-#include "cases/reader/read_case.hpp"
-#include "meshes/layers/graded_layers.hpp"
 #include "results/result_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -17,35 +12,12 @@
 #include <numeric>
 #include <string>
 
-#include "tests/app/folder.hpp"
-#include "tests/app/rough_case.hpp"
+#include "tests/app/planned_run.hpp"
 
 namespace asperity::app {
 namespace {
 
 using results::Skipped;
-
-const std::string planned_case =
-    rough_case("planned", 32, four_loads, R"([halfspace]
-contact = "hard"
-[fem]
-contact = "hard"
-)");
-
-class PlannedRun : public FolderTest {
-protected:
-  static cases::Case read(const std::vector<std::string>& overrides = {}) {
-    return cases::read_case_text(planned_case, "planned.toml", overrides);
-  }
-
-  Plan plan(const std::vector<std::string>& overrides = {},
-            const std::vector<std::string>& methods = {}) {
-    return make_plan(read(overrides),
-                     {folder / "out", methods, false, 2, "", &cache}, 32);
-  }
-
-  Cache cache{folder / "cache", 100'000'000};
-};
 
 /// The first entry whose `what` begins so; null if there is none.
 const Skipped* find(const std::vector<Skipped>& list, const std::string& what) {
@@ -186,99 +158,6 @@ TEST_F(PlannedRun, SkipsWhatIsNotComputedAndNothingElse) {
   EXPECT_FALSE(find(planned.skipped, "fem on"));
 }
 
-// The plan states the size of the block without elimination: three
-// displacements per node, (N + 1)^2 of them on every plane that meshes/ makes.
-TEST_F(PlannedRun, CountsTheDisplacementsOfTheFullBlock) {
-  const cases::Case contact_case = read();
-  auto fem =
-      std::get<mechanics::FemSettings>(contact_case.methods.at(2).settings);
-  fem.block.element = mechanics::Element::q1;
-  const Grid grid = grid_of_case(contact_case, contact_case.methods);
-  MachineRates rates(32);
-  const std::size_t layers =
-      meshes::graded_layers(grid.spacing_x(), fem.block.growth, grid.length_x)
-          .size();
-
-  const MethodCost cost = cost_of_full_block(contact_case, fem, grid, rates);
-
-  EXPECT_EQ(cost.unknowns, 3.0 * 33 * 33 * (static_cast<double>(layers) + 1.0));
-}
-
-// The interface of a coating is a face of the layers, and the additional layers
-// are counted.
-TEST_F(PlannedRun, CountsTheLayersOfACoating) {
-  const cases::Case coated =
-      read({R"(material.layers=[{thickness = "0.1 length", youngs_modulus = )"
-            R"("20 GPa", poisson_ratio = 0.3}])"});
-  const auto& fem =
-      std::get<mechanics::FemSettings>(coated.methods.at(2).settings);
-  const Grid grid = grid_of_case(coated, coated.methods);
-  const mechanics::Scales scales{coated.material.contact_modulus, grid.length_x,
-                                 grid.spacing_x(), 0.0};
-  const std::vector<double> interfaces{0.1 * grid.length_x};
-
-  const std::vector<double> meshed = meshes::graded_layers_with_interfaces(
-      2.0 * grid.spacing_x(), fem.block.growth, interfaces, grid.length_x);
-
-  EXPECT_EQ(n_layers(coated, fem, scales, grid),
-            static_cast<int>(meshed.size()));
-  EXPECT_NE(n_layers(coated, fem, scales, grid),
-            n_layers(read(), fem, scales, grid));
-}
-
-// The linear solver of each block is that of docs/numerics/full-block.md:
-// without a matrix where fem/ has it, depending on the number of processes.
-TEST_F(PlannedRun, KnowsTheLinearSolverOfABlock) {
-  const auto kind = [](const std::vector<std::string>& overrides,
-                       double unknowns, int ranks) {
-    const cases::Case contact_case = read(overrides);
-    return block_cost_kind(
-        contact_case,
-        std::get<mechanics::FemSettings>(contact_case.methods.at(2).settings),
-        unknowns, ranks);
-  };
-  const std::string full = R"(fem.solver="full")";
-  const std::string q1 = R"(fem.element="Q1")";
-  const std::string q2 = R"(fem.element="Q2")";
-  const std::string hanging = R"(mesh.kind="hanging")";
-  const std::string stiff = "material.poisson_ratio=0.499";
-  const std::string gauss = R"(fem.contact_at="gauss")";
-  const std::string springs = R"(fem.contact="augmented")",
-                    stiffness_of_springs = R"(fem.penalty="1e3 E*/h")";
-
-  EXPECT_EQ(kind({full}, 1000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full}, 1000, 2), BlockCostKind::lattice);
-  EXPECT_EQ(kind({full}, 3000, 1), BlockCostKind::lattice);
-  EXPECT_EQ(kind({full, stiff}, 3000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full, stiff}, 13000, 1), BlockCostKind::fourier);
-  EXPECT_EQ(kind({full, stiff}, 3000, 2), BlockCostKind::fourier);
-  EXPECT_EQ(kind({full, hanging, q1}, 1000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full, hanging, q1}, 3000, 1), BlockCostKind::halved);
-  EXPECT_EQ(kind({full, hanging, q2}, 3000, 2), BlockCostKind::halved);
-  EXPECT_EQ(
-      kind({full, hanging, q1, gauss, springs, stiffness_of_springs}, 3000, 2),
-      BlockCostKind::halved);
-}
-
-// A counter-body of finite size is solved without a matrix, a mirror image of
-// the block is not. The shipped case has both bodies.
-TEST_F(PlannedRun, KnowsTheLinearSolverOfTwoBodies) {
-  const cases::Case pair =
-      cases::read_case(ASPERITY_CASES "/elastic-sphere/case.toml");
-  const cases::Case mirrored =
-      cases::read_case(ASPERITY_CASES "/two-blocks/case.toml");
-  const auto kind = [](const cases::Case& contact_case, int ranks) {
-    return block_cost_kind(
-        contact_case,
-        std::get<mechanics::FemSettings>(contact_case.methods.back().settings),
-        5e4, ranks);
-  };
-
-  EXPECT_EQ(kind(pair, 1), BlockCostKind::pair);
-  EXPECT_EQ(kind(pair, 2), BlockCostKind::pair);
-  EXPECT_EQ(kind(mirrored, 1), BlockCostKind::algebraic);
-}
-
 // Each iteration removes the same part of the error, after those that find the
 // contact, which are as many as for three decades: 1e-4 takes 7/11 of the
 // iterations of 1e-8.
@@ -293,16 +172,6 @@ TEST_F(PlannedRun, IterationsFollowTheTolerance) {
 
   EXPECT_NEAR(time("1e-4") / time("1e-8"), 7.0 / 11.0, 1e-14);
   EXPECT_GT(time("1e-9"), time("1e-8"));
-}
-
-// A plan with a full block states its uncertainty.
-TEST_F(PlannedRun, StatesItsUncertainty) {
-  const Plan whole = plan({R"(fem.solver="full")"});
-
-  EXPECT_EQ(plan().factor, 2.0);
-  EXPECT_EQ(whole.factor, block_factor);
-  EXPECT_NE(plan_text(whole, read()).find("within a factor of 3"),
-            std::string::npos);
 }
 
 // The model scales correctly: with the same rates, twice the points per side

@@ -1,7 +1,5 @@
 // Tests of fem/adaptive/adaptive_block.hpp: the mesh follows the contact, and
 // the result stays close to that of uniform blocks and of Hertz.
-#include "fem/adaptive/adaptive_block.hpp"
-#include "meshes/hanging_mesh.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <deal.II/base/multithread_info.h>
@@ -14,54 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/fem/rough_surface.hpp"
+#include "tests/fem/adaptive_blocks.hpp"
 #include "tests/message_of.hpp"
 
 namespace asperity::fem {
 namespace {
-
-using mechanics::ContactLaw;
-using mechanics::Control;
-using mechanics::FarBoundary;
-
-constexpr double length = 1e-6; // m, of a side and of the depth
-const mechanics::BodyModuli body{soft_modulus, 0.3};
-const double contact_modulus = soft_modulus / (1.0 - 0.3 * 0.3);
-
-BlockProblem adaptive_problem(const Grid& grid, int degree, int halvings) {
-  const int step = degree << halvings;
-  return {.grid = grid,
-          .mesh =
-              meshes::equal_boxes({grid.points_x / step, grid.points_y / step,
-                                   grid.length_x, grid.length_y},
-                                  length),
-          .degree = degree,
-          .moduli = ModuliField(moduli(body)),
-          .adaptive = AdaptiveMesh{halvings}};
-}
-
-/// Layers growing by 1.2.
-std::unique_ptr<FullBlock> uniform_block(const Grid& grid, int degree) {
-  return make_full_block(
-      grid, degree,
-      homogeneous_block(
-          meshes::graded_layers(degree * grid.spacing_x(), 1.2, length),
-          body.youngs_modulus, body.poisson_ratio, FarBoundary::clamped));
-}
-
-BlockContact contact_of(const Grid& grid, ContactLaw law = ContactLaw::hard) {
-  return {law, 1e3 * contact_modulus / grid.spacing_x(), 1e-8, 400};
-}
-
-mechanics::LoadTarget pressed(double reduced_pressure) {
-  return {Control::nominal_pressure, reduced_pressure * contact_modulus};
-}
-
-double share(double a, double b) {
-  return std::abs(a / b - 1.0);
-}
 
 // From 1.6 to 7.5 % of contact and back, area and mean gap are those of
 // the uniform block within 1 % (measured: 0.5 and 0.12 %), with at least five
@@ -161,16 +116,6 @@ TEST(AdaptiveBlock, TendsToHertzAtTheOptimalOrder) {
   EXPECT_LT(10.0 * adaptive[1].unknowns, uniform[1].unknowns);
 }
 
-/// A block of 32 points whose mesh has followed a rough contact.
-std::unique_ptr<FullBlock> adapted_block(const BlockProblem& problem) {
-  auto block = make_adaptive_block(problem);
-  const BlockSolution found =
-      block->solve(self_affine_heights(problem.grid), pressed(0.001),
-                   contact_of(problem.grid));
-  EXPECT_TRUE(found.converged) << found.note;
-  return block;
-}
-
 // Patch test: a uniform pressure on a mesh with hanging nodes in the
 // contact surface strains the block uniformly, to roundoff of the displacement
 // p depth / E*.
@@ -200,87 +145,6 @@ TEST(AdaptiveBlock, LeavesAUniformContactAlone) {
   EXPECT_EQ(found.area_by_points, 1.0);
   for (const double pressure : found.pressure)
     EXPECT_NEAR(pressure, 0.001 * contact_modulus, 1e-6 * contact_modulus);
-}
-
-// The mean gap that is found under a load is the load that is found
-// under this mean gap, to 1e-5.
-TEST(AdaptiveBlock, ControlsTheMeanGap) {
-  const Grid grid{32, 32, length, length};
-  const std::vector<double> heights = self_affine_heights(grid);
-  const auto block = adapted_block(adaptive_problem(grid, 2, 2));
-  const BlockSolution by_load =
-      block->solve(heights, pressed(0.001), contact_of(grid));
-
-  const BlockSolution by_gap = block->solve(
-      heights, {Control::mean_gap, by_load.mean_gap}, contact_of(grid));
-
-  ASSERT_TRUE(by_gap.converged) << by_gap.note;
-  EXPECT_LT(share(by_gap.nominal_pressure, by_load.nominal_pressure), 1e-5);
-  EXPECT_LT(share(by_gap.mean_gap, by_load.mean_gap), 1e-8);
-}
-
-// The mean gap, prescribed or found, is that of the grid, although the
-// nodes of the coarsest cells see only the crests of a wave on the sphere. Of
-// its amplitude, samples of the displacement may cost a hundredth.
-TEST(AdaptiveBlock, AveragesAllHeights) {
-  const Grid grid{64, 64, length, length};
-  constexpr double amplitude = 5e-4 * length;
-  const std::vector<double> wave = wave_heights(grid, amplitude, 8);
-  std::vector<double> heights(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      heights[grid.index(ix, iy)] =
-          wave[grid.index(ix, iy)] -
-          0.05 / length *
-              (std::pow(ix * grid.spacing_x() - 0.5 * length, 2) +
-               std::pow(iy * grid.spacing_y() - 0.5 * length, 2));
-  const auto block = make_adaptive_block(adaptive_problem(grid, 2, 3));
-  const BlockSolution by_load =
-      block->solve(heights, pressed(1e-4), contact_of(grid));
-  const BlockSolution by_gap = block->solve(
-      heights, {Control::mean_gap, 1.01 * by_load.mean_gap}, contact_of(grid));
-
-  ASSERT_TRUE(by_load.converged && by_gap.converged) << by_gap.note;
-  EXPECT_LT(share(by_gap.mean_gap, 1.01 * by_load.mean_gap), 1e-8);
-  for (const BlockSolution& found : {by_load, by_gap}) {
-    double mean = 0.0;
-    for (const double gap : found.gap)
-      mean += gap / static_cast<double>(grid.size());
-    EXPECT_NEAR(mean, found.mean_gap, 0.01 * amplitude);
-  }
-}
-
-// A cup almost in full contact at a mean gap of a hundredth of its height. The
-// mean height of the first-order nodes of the coarsest mesh is too large by
-// 0.078 of it, so that no load leads to this mean gap there. The mesh refines
-// until the load is that of the uniform block, whose nodes are those of the
-// finest cells.
-TEST(AdaptiveBlock, ReachesSmallMeanGaps) {
-  const Grid grid{16, 16, length, length};
-  constexpr double height = 1e-3 * length;
-  std::vector<double> heights(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      heights[grid.index(ix, iy)] =
-          height * (std::pow(2.0 * ix / grid.points_x - 1.0, 2) +
-                    std::pow(2.0 * iy / grid.points_y - 1.0, 2));
-  for (const int degree : {1, 2}) {
-    const auto block =
-        make_adaptive_block(adaptive_problem(grid, degree, 3 - degree));
-    const auto uniform = uniform_block(grid, degree);
-    const mechanics::LoadTarget light{Control::mean_gap, height};
-    const mechanics::LoadTarget target{Control::mean_gap, 0.01 * height};
-    ASSERT_TRUE(block->solve(heights, light, contact_of(grid)).converged);
-
-    const BlockSolution found = block->solve(heights, target, contact_of(grid));
-    const BlockSolution expected =
-        uniform->solve(heights, target, contact_of(grid));
-
-    ASSERT_TRUE(found.converged && expected.converged) << found.note;
-    EXPECT_LT(share(found.mean_gap, target.amount), 1e-6);
-    EXPECT_LT(share(found.nominal_pressure, expected.nominal_pressure), 0.05)
-        << degree;
-  }
 }
 
 // Other elements, contact points, contact laws and boundaries: the area agrees

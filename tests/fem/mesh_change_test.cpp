@@ -1,50 +1,24 @@
-// Tests of fem/adaptive/mesh_change.hpp, mesh_plan.hpp and
-// stress_indicator.hpp: a change of the mesh preserves a field, the match of
-// periodic sides and an exact stress, and is the planned one on any number of
+// Tests of fem/adaptive/mesh_change.hpp: a change of the mesh preserves a field
+// and the match of periodic sides, and is the planned one on any number of
 // ranks.
 #include "fem/adaptive/mesh_change.hpp"
-#include "fem/adaptive/stress_indicator.hpp"
-#include "fem/block/block_triangulation.hpp"
-#include "fem/parallel/mpi_session.hpp"
-#include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <set>
 #include <utility>
 
-#include "tests/fem/bent_block.hpp"
+#include "tests/fem/changing_mesh.hpp"
 
 namespace asperity::fem {
 namespace {
 
-constexpr double length = 1e-6; // m
 constexpr int most_levels = 2;
-
-using Mesh = MeshChange::Mesh;
-using Field = std::function<double(const dealii::Point<3>&)>;
-
-BlockProblem problem_of(int degree, mechanics::BlockSides sides) {
-  return {.grid = {16 * degree, 16 * degree, length, length},
-          .mesh = meshes::equal_boxes({4, 4, length, length}, length),
-          .degree = degree,
-          .moduli = ModuliField(moduli({soft_modulus, 0.3})),
-          .sides = sides};
-}
-
-std::shared_ptr<Mesh> mesh_of(const BlockProblem& problem) {
-  start_mpi();
-  std::shared_ptr<dealii::parallel::TriangulationBase<3>> mesh =
-      make_triangulation(problem.mesh, false);
-  return std::dynamic_pointer_cast<Mesh>(mesh);
-}
 
 /// The place of a cell in a mesh of four coarsest cells per side: the layer is
 /// that of its coarsest ancestor, and each halving adds a bit.
@@ -245,131 +219,6 @@ TEST(MeshChange, DoesWhatIsPlanned) {
       {4, 4, length, length},
       {0.01 * length, 0.1 * length, 0.5 * length, 0.39 * length});
   expect_what_is_planned(problem);
-}
-
-using Box = BoxCell;
-
-/// The eight cells of half the edge in a cube, one of them halved `more` times
-/// at the corner that the other seven share; all wish to merge.
-std::vector<MeshPlan::Wish> nested_cubes(int more) {
-  std::vector<MeshPlan::Wish> wishes;
-  Box inner{1, {0, 0, 0}};
-  for (int depth = 0; depth <= more; ++depth) {
-    const auto& [x, y, z] = inner.place;
-    const std::array<int, 3> base{x / 2 * 2, y / 2 * 2, z / 2 * 2};
-    for (int child = 0; child < 8; ++child) {
-      const Box cell{
-          inner.level,
-          {base[0] + child % 2, base[1] + child / 2 % 2, base[2] + child / 4}};
-      if (depth == more || cell.place != inner.place)
-        wishes.push_back({cell, CellChange::coarsen});
-    }
-    inner = {inner.level + 1,
-             {2 * inner.place[0], 2 * inner.place[1], 2 * inner.place[2]}};
-  }
-  return wishes;
-}
-
-// Eight cells merge if all of them are cells, and only these: a cell that is
-// halved once more keeps its seven neighbours.
-TEST(MeshPlan, MergesCompleteFamilies) {
-  const MeshPlan flat({1, 1, 1}, false, nested_cubes(0));
-  const MeshPlan nested({1, 1, 1}, false, nested_cubes(1));
-
-  EXPECT_EQ(flat.count().coarsened, 8U);
-  EXPECT_EQ(flat.cells_after(), 1U);
-  EXPECT_EQ(nested.count().coarsened, 8U);
-  EXPECT_EQ(nested.cells_after(), 8U);
-  EXPECT_EQ(nested.change_of({1, {0, 0, 0}}), CellChange::none);
-  EXPECT_EQ(nested.change_of({1, {1, 0, 0}}), CellChange::none);
-  EXPECT_EQ(nested.change_of({0, {0, 0, 0}}), CellChange::refine);
-}
-
-// A cell that refines takes along a larger cell that touches it at a vertex,
-// and a cell at the opposite periodic side.
-TEST(MeshPlan, RefinesForItsRules) {
-  std::vector<MeshPlan::Wish> wishes;
-  for (int i = 1; i < 8; ++i)
-    wishes.push_back({{0, {i % 2, i / 2 % 2, i / 4}}});
-  for (int i = 0; i < 8; ++i)
-    wishes.push_back({{1, {i % 2, i / 2 % 2, i / 4}},
-                      i == 7 ? CellChange::refine : CellChange::none});
-  const MeshPlan plan({2, 2, 2}, false, wishes);
-  EXPECT_EQ(plan.count().refined, 8U);
-  EXPECT_EQ(plan.change_of({0, {1, 1, 1}}), CellChange::refine);
-
-  const std::vector<MeshPlan::Wish> row{
-      {{0, {0, 0, 0}}, CellChange::refine}, {{0, {1, 0, 0}}}, {{0, {2, 0, 0}}}};
-  EXPECT_EQ(MeshPlan({3, 1, 1}, false, row).count().refined, 1U);
-  const MeshPlan periodic({3, 1, 1}, true, row);
-  EXPECT_EQ(periodic.count().refined, 2U);
-  EXPECT_EQ(periodic.change_of({0, {2, 0, 0}}), CellChange::refine);
-}
-
-// A uniform strain in two materials has a step of the stress between
-// them, which is no error, not even if a solver left the displacement inexact
-// by 1e-6; a strain that varies along a cell has one.
-TEST(StressIndicator, IsZeroForASteppedStress) {
-  BlockProblem problem = problem_of(1, mechanics::BlockSides::free);
-  LayeredBlock layers;
-  for (const double modulus : {3.0 * soft_modulus, soft_modulus})
-    layers.layers.push_back(elastic_layer(0.5 * length, modulus, 0.3));
-  problem.moduli = ModuliField(layers);
-  const BlockSystem system(problem);
-  const auto largest = [&](const Field& field) {
-    const auto indicator =
-        stress_indicator(system, vertical_displacement(system.space(), field));
-    return *std::max_element(indicator.begin(), indicator.end());
-  };
-
-  // Both vanish at the clamped far boundary.
-  const std::vector<double> noise = random_field(1000, 5);
-  EXPECT_EQ(largest([&](const dealii::Point<3>& p) {
-              const std::size_t i = std::hash<double>()(p[0] + 7.0 * p[1]);
-              return (1e-3 + 1e-9 * noise[i % noise.size()]) *
-                     (p[2] < 0.5 * length ? 2.0 * p[2] - 1.5 * length
-                                          : p[2] - length);
-            }),
-            0.0);
-  EXPECT_GT(largest([](const dealii::Point<3>& p) {
-              return 1e-3 * (p[2] * p[2] / length - length);
-            }),
-            0.0);
-}
-
-// Where E varies smoothly, every cell is another material. The indicator must
-// still compare a cell with its neighbours: of one displacement it is that of
-// the uniform block, with the modulus of the cell, to roundoff. Averages of
-// single cells, ratio 1, miss all of it, because first-order cells have no
-// curvature in them.
-TEST(StressIndicator, ComparesCellsWhoseModuliDifferLittle) {
-  const BlockProblem uniform = problem_of(1, mechanics::BlockSides::free);
-  BlockProblem varied = uniform;
-  const auto factor = [](const meshes::Place& place) {
-    return 1.0 + 0.3 * place[2] / length;
-  };
-  varied.moduli.set_factor(factor);
-  const auto indicators = [&](const BlockProblem& problem, double ratio) {
-    const BlockSystem system(problem);
-    const auto displacement =
-        vertical_displacement(system.space(), [](const dealii::Point<3>& p) {
-          return 1e-3 * (p[2] * p[2] * p[2] / (length * length) - length);
-        });
-    return std::pair{mesh_of(problem),
-                     stress_indicator(system, displacement, ratio)};
-  };
-  const auto [mesh, expected] = indicators(uniform, 1.0);
-  const std::vector<double> found = indicators(varied, 1.25).second;
-  const std::vector<double> alone = indicators(varied, 1.0).second;
-  for (const auto& cell : mesh->active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    const auto i = cell->active_cell_index();
-    const dealii::Point<3> centre = cell->center();
-    const double root = std::sqrt(factor({centre[0], centre[1], centre[2]}));
-    EXPECT_NEAR(found[i], root * expected[i], 1e-10 * expected[i]);
-    EXPECT_LT(alone[i], 1e-6 * found[i]);
-  }
 }
 
 } // namespace

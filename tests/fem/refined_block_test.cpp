@@ -147,7 +147,9 @@ struct HalfContact {
 
 // Verifies the solution against the direct solver, with pinned nodes, springs
 // of any stiffness, and nodes that are held and slide or stick. Tolerance: the
-// residual times the condition number.
+// residual times the condition number. Gauss points take 11 iterations (first
+// order) and 21 (second), and on two ranks 13 and 34 if their springs are not
+// added on coarser meshes.
 TEST_P(RefinedCases, HaveTheSolutionOfTheDirectSolver) {
   const bool is_nodal = GetParam().contact_at == ContactPoints::nodes;
   const RefinedMesh own(GetParam(), 4, 2);
@@ -170,7 +172,8 @@ TEST_P(RefinedCases, HaveTheSolutionOfTheDirectSolver) {
     block->prepare(contact.springs, contact.held, contact.is_sticking);
 
     const LinearSolution solution =
-        block->solve(found, contact.force, 1e-12 * contact.force.l2_norm(), 60);
+        block->solve(found, contact.force, 1e-12 * contact.force.l2_norm(),
+                     is_nodal ? 60 : 30);
 
     EXPECT_TRUE(solution.has_converged) << solution.last_residual;
     EXPECT_LT(relative_difference(found, expected), 1e-9);

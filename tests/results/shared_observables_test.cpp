@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -17,7 +18,8 @@
 namespace asperity::results {
 namespace {
 
-/// Patches of contact that cross the border and the rows between ranks.
+/// Patches of contact that cross the border, the rows between ranks and the
+/// ends of chunks, which are multiples of 64 rows.
 struct Maps {
   std::vector<double> pressure, gap, displacement;
 };
@@ -28,8 +30,9 @@ Maps patchy(const Grid& grid) {
   Maps maps;
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix) {
-      const double height = std::sin(0.4 * ix) * std::cos(0.3 * iy + 0.5) +
-                            0.1 * unit(random) - 0.4;
+      const double height =
+          std::sin(0.4 * ix + 1.0) * std::cos(0.3 * iy + 0.5) +
+          0.1 * unit(random) - 0.4;
       maps.pressure.push_back(height > 0.0 ? std::sqrt(height) : 0.0);
       maps.gap.push_back(height > 0.0 ? 0.0 : 1e-3 * std::pow(-height, 1.5));
       maps.displacement.push_back(height + unit(random));
@@ -100,23 +103,29 @@ TEST(SharedObservables, HaveTheBitsOfOneProcess) {
 
 // The sums in chunks differ from those in the order of the nodes by roundoff:
 // 100 eps of sums of positive numbers, of which a chunk adds 8192.
+// Displacements in contact are positive, because their heights are.
 TEST(SharedObservables, AreTheSumsOfAllNodes) {
   const Grid grid{128, 300, 3.0, 7.0};
   const Maps maps = patchy(grid);
   const Numbers chunked = observed(grid, maps, 2);
   std::size_t in_contact = 0, edges_x = 0, edges_y = 0;
   double square = 0.0, moment_x = 0.0, moment_y = 0.0, load = 0.0;
+  double work = 0.0, displacement = 0.0, largest = 0.0;
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix) {
       const auto p = [&](int x, int y) {
         return maps.pressure[grid.index(x % grid.points_x, y % grid.points_y)];
       };
       const double here = p(ix, iy);
+      const double moved = maps.displacement[grid.index(ix, iy)];
       in_contact += here > 0.0 ? 1 : 0;
       edges_x += (here > 0.0) != (p(ix + 1, iy) > 0.0) ? 1 : 0;
       edges_y += (here > 0.0) != (p(ix, iy + 1) > 0.0) ? 1 : 0;
       square += here * here;
       load += here;
+      work += here * moved;
+      displacement += moved;
+      largest = std::max(largest, std::abs(moved));
       moment_x += here * (ix - 64);
       moment_y += here * (iy - 150);
     }
@@ -129,6 +138,8 @@ TEST(SharedObservables, AreTheSumsOfAllNodes) {
                 grid.area());
   const double roundoff = 100.0 * std::numeric_limits<double>::epsilon();
   EXPECT_NEAR(chunked.contact / (0.35 * square / n), 1.0, roundoff);
+  EXPECT_NEAR(chunked.elastic / (0.5 * work / n), 1.0, roundoff);
+  EXPECT_NEAR(chunked.mean, displacement / n, roundoff * largest);
   EXPECT_NEAR(chunked.centre_x, grid.spacing_x() * moment_x / load,
               roundoff * grid.length_x);
   EXPECT_NEAR(chunked.centre_y, grid.spacing_y() * moment_y / load,

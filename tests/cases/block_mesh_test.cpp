@@ -1,0 +1,123 @@
+// Tests of [mesh] in a case: meshes by gmsh, from files, of a counter-body and
+// adaptive ones, and the messages about invalid ones.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cases/block_samples.hpp"
+
+namespace asperity::cases {
+namespace {
+
+TEST(BlockMesh, IsMeshedByGmshAsAFullBlock) {
+  const std::string mesh = "[mesh]\nkind = \"gmsh\"\ngeometry = "
+                           "\"indentation\"\nsize_at_contact = \"0.5 h\"\n";
+
+  const Case read = block(mesh, full);
+
+  EXPECT_TRUE(fem_of(read).full.uses_case_mesh);
+  EXPECT_EQ(read.mesh.geometry, mechanics::MeshGeometry::indentation);
+  EXPECT_EQ(read.mesh.size_at_contact.reference,
+            mechanics::ReferenceUnit::spacing);
+  EXPECT_FALSE(fem_of(block(mesh)).full.uses_case_mesh);
+  EXPECT_FALSE(fem_of(block(mesh, {"fem.solver=full", "fem.mesh=layers"}))
+                   .full.uses_case_mesh);
+}
+
+TEST(BlockMesh, TakesPathsOfMeshesFromTheFolderOfTheCase) {
+  const Case read =
+      block("[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\nfile = "
+            "\"own.msh\"\nfile_unit = \"1 mm\"\n",
+            full);
+
+  EXPECT_EQ(read.mesh.file, "some/own.msh");
+  EXPECT_EQ(read.mesh.file_unit, 1e-3);
+}
+
+const std::string pair =
+    "[fem.pair]\nsolver = \"full\"\nbodies = 2\ncontact = \"penalty\"\n"
+    "penalty = \"10 E*/h\"\n[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+    "poisson_ratio = 0.3\n[mesh]\nkind = \"layers\"\n[mesh.counter]\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    CounterBody, RefusedBlock,
+    testing::Values(
+        Refused{pair, "fem.growth=1.2", "mesh.counter.shape is missing"},
+        Refused{pair + "shape = \"sphere\"\n", "fem.growth=1.2",
+                "needs the radius of the sphere in [surface]"},
+        Refused{pair + "shape = \"sphere\"\nradius = 1e-6\n",
+                "surface.form_radius=\"2 length\"",
+                "does not apply to shape = \"sphere\""},
+        Refused{pair + "shape = \"sphere\"\n",
+                "surface.form_radius=\"2 length\"",
+                "cannot be combined with theory"},
+        Refused{pair + "shape = \"cone\"\n", "fem.growth=1.2",
+                "must be sphere | cylinder | cuboid"},
+        Refused{pair + "shape = \"cylinder\"\n", "fem.growth=1.2",
+                "mesh.counter.radius is missing"},
+        Refused{pair + "shape = \"cuboid\"\nradius = \"0.2 length\"\n",
+                "fem.pair.top=pressure",
+                "mesh.counter cannot be combined with fem.pair.top"},
+        Refused{"[mesh]\nkind = \"layers\"\n[mesh.counter]\nshape = "
+                "\"cuboid\"\nradius = \"0.2 length\"\n",
+                "fem.growth=1.2", "no method has solver = \"full\""}));
+
+TEST(BlockMesh, HasACounterBodyOfItsOwnMesh) {
+  const Case read = block(pair + "shape = \"cylinder\"\nradius = \"0.2 "
+                                 "length\"\noffset_x = \"-0.1 length\"\n");
+
+  ASSERT_TRUE(read.mesh.counter);
+  EXPECT_EQ(read.mesh.counter->shape, mechanics::CounterShape::cylinder);
+  EXPECT_EQ(read.mesh.counter->radius.value, 0.2);
+  EXPECT_EQ(read.mesh.counter->offset_x.value, -0.1);
+  EXPECT_FALSE(read.mesh.counter->height);
+}
+
+const std::string adaptive = "[fem.whole]\nsolver = \"full\"\n[mesh]\nkind = "
+                             "\"adaptive\"\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Adaptive, RefusedBlock,
+    testing::Values(
+        Refused{adaptive + "halvings = 0\n", "fem.growth=1.2",
+                "halvings = 0, but must be between 1 and 12"},
+        Refused{adaptive + "halvings = 12\n", "fem.growth=1.2",
+                "must be a multiple of that"},
+        Refused{adaptive + "[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
+                           "poisson_ratio = 0.3\n",
+                "fem.whole.bodies=2", "mesh.kind = \"adaptive\" cannot be"},
+        Refused{adaptive + "interface_halvings = 4\n", "fem.growth=1.2",
+                "must not exceed mesh.halvings = 3"},
+        Refused{adaptive + "moduli_ratio = 0.9\n", "fem.growth=1.2",
+                "moduli_ratio = 0.9, but must be"},
+        Refused{adaptive,
+                "material.variation={ kind = \"random\", spread = 0.5, seed = "
+                "3 }",
+                "needs material.variation.edge"}));
+
+TEST(BlockMesh, HalvesCellsAtTheContact) {
+  const Case read = block(adaptive + "halvings = 1\n", {"surface.points=32"});
+
+  EXPECT_EQ(read.mesh.kind, mechanics::MeshKind::adaptive);
+  EXPECT_EQ(read.mesh.halvings, 1);
+  EXPECT_EQ(read.mesh.moduli_ratio, 1.25);
+  EXPECT_FALSE(read.mesh.interface_halvings);
+}
+
+TEST(BlockMesh, HalvesCellsForMaterials) {
+  const Case read = block(
+      "[material.inclusion]\nradius = \"0.1 length\"\ndepth = \"0.2 length\"\n"
+      "youngs_modulus = \"9 GPa\"\npoisson_ratio = 0.3\n"
+      "[material.variation]\nkind = \"random\"\nspread = 0.5\nseed = 3\n"
+      "edge = \"4 h\"\n" +
+          adaptive + "halvings = 2\ninterface_halvings = 1\nmoduli_ratio = 2\n",
+      {"surface.points=32", "fem.solver=full"});
+
+  EXPECT_EQ(read.mesh.interface_halvings, 1);
+  EXPECT_EQ(read.mesh.moduli_ratio, 2.0);
+  ASSERT_TRUE(read.material.variation && read.material.variation->edge);
+  EXPECT_EQ(read.material.variation->edge->value, 4.0);
+}
+
+} // namespace
+} // namespace asperity::cases
