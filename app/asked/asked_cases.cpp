@@ -1,6 +1,6 @@
 #include "app/asked/asked_cases.hpp"
 
-#include "app/run/map_case.hpp"
+#include "app/asked/map_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"

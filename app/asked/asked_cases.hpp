@@ -3,7 +3,7 @@
 // Resolves the arguments of the command line to cases. All cases, and the files
 // that belong to them, are read before anything runs.
 
-#include "app/run/case_library.hpp"
+#include "app/asked/case_library.hpp"
 #include "cases/sweeps/sweep.hpp"
 #include "cases/types/case.hpp"
 

@@ -149,6 +149,14 @@ std::string CaseKeys::table(const cases::MethodSpec& theory,
       text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
 }
 
+std::string CaseKeys::text_of_numbers() const {
+  Node table = file_;
+  std::erase_if(table.entries, [](const NodeEntry& entry) {
+    return entry.key == "title" || entry.key == "expect";
+  });
+  return canonical(table);
+}
+
 std::string CaseKeys::operator_text(const cases::MethodSpec& method,
                                     const Grid& grid) const {
   Node table = table_of(method);

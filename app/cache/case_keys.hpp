@@ -41,6 +41,10 @@ public:
   std::string table(const cases::MethodSpec& theory,
                     const std::string& name) const;
 
+  /// Describes the case without what changes words and verdicts only: the
+  /// title, [expect] and comments.
+  std::string text_of_numbers() const;
+
   /// Describes the operator on the contact surface of a method's block: grid,
   /// material and all keys of the method but those of the contact law and the
   /// magnification, which act on the pressure and the heights only. Methods of

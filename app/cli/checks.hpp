@@ -2,8 +2,8 @@
 
 // Prints the verdicts on results and derives the exit code from them.
 
-#include "app/cli/result_outputs.hpp"
 #include "app/run/exit_code.hpp"
+#include "app/run/result_outputs.hpp"
 #include "reports/analysis/summary.hpp"
 
 #include <filesystem>

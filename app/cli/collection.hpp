@@ -3,7 +3,7 @@
 // Writes the report on a collection of cases from the result files of its
 // parts, once these have run.
 
-#include "app/run/case_library.hpp"
+#include "app/asked/case_library.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,22 +1,21 @@
 #include "app/cli/commands.hpp"
 
 #include "app/asked/asked_cases.hpp"
+#include "app/asked/case_library.hpp"
 #include "app/cache/cache.hpp"
+#include "app/cli/case_run.hpp"
 #include "app/cli/checks.hpp"
 #include "app/cli/collection.hpp"
 #include "app/cli/part_commands.hpp"
-#include "app/cli/result_outputs.hpp"
 #include "app/cli/sweep_commands.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/plan/description.hpp"
-#include "app/plan/finished_output.hpp"
 #include "app/plan/plan.hpp"
-#include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
 #include "app/run/mpi_world.hpp"
 #include "app/run/output.hpp"
-#include "app/run/run_case.hpp"
+#include "app/run/result_outputs.hpp"
 #include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
@@ -38,72 +37,6 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct EndedRun {
-  ExitCode exit_code = exit_good;
-  bool is_complete = false; ///< every step converged, every figure is drawn
-};
-
-EndedRun run_one(const cases::Case& contact_case, const RunOptions& options,
-                 bool no_report, bool has_pdf) {
-  fmt::print("{}: {}\n", contact_case.name, contact_case.title);
-  const RunOutcome outcome = run_case(contact_case, options);
-  EndedRun ended{exit_good,
-                 !outcome.is_interrupted && outcome.failed_steps == 0};
-  if (!no_report) {
-    const WrittenOutputs written = write_outputs(options.folder, has_pdf);
-    ended.exit_code = print_findings(written.summary, options.folder);
-    ended.is_complete = ended.is_complete && written.has_all_figures;
-  } else if (outcome.failed_steps > 0)
-    ended.exit_code = exit_not_converged;
-  if (outcome.is_interrupted) {
-    if (!no_report)
-      fmt::print("interrupted; continue with --resume\n");
-    ended.exit_code = exit_interrupted;
-  }
-  return ended;
-}
-
-int n_steps_of(const results::Result& result) {
-  std::size_t steps = 0;
-  for (const results::MethodRecord& method : result.methods)
-    for (const results::Curve& curve : method.realizations)
-      steps += curve.points.size();
-  return static_cast<int>(steps);
-}
-
-/// Runs a case unless its folder or the cache already holds what the run would
-/// write. Without the cache or a report it is run in any case.
-ExitCode run_if_needed(const cases::Case& contact_case,
-                       const RunOptions& options, const RunCommand& command) {
-  if (!options.cache->is_on() || command.no_report)
-    return run_one(contact_case, options, command.no_report, command.has_pdf)
-        .exit_code;
-  const std::string key = output_key(contact_case, options,
-                                     command.has_pdf ? "with report.pdf" : "");
-  if (has_output(options.folder, key)) {
-    fmt::print("{}: {}\n{} is up to date; --no-cache computes it again\n",
-               contact_case.name, contact_case.title, options.folder.string());
-    return print_findings(summary_of(results::read_result(
-                              options.folder, results::MapsInFile::large)),
-                          options.folder);
-  }
-  if (const auto files =
-          options.resume ? std::nullopt : cached_output(key, *options.cache)) {
-    fmt::print("{}: {}\n", contact_case.name, contact_case.title);
-    put_last_run_aside(options.folder);
-    write_output(options.folder, *files);
-    const results::Result result =
-        results::read_result(options.folder, results::MapsInFile::large);
-    fmt::print("{0} steps: 0 computed, {0} from the cache, with the report\n",
-               n_steps_of(result));
-    return print_findings(summary_of(result), options.folder);
-  }
-  const EndedRun ended = run_one(contact_case, options, false, command.has_pdf);
-  if (ended.is_complete)
-    record_output(options.folder, key, *options.cache);
-  return ended.exit_code;
-}
 
 RunOptions options_of(const ReadCase& read, const fs::path& folder,
                       const RunCommand& command, Cache& cache) {
@@ -133,7 +66,7 @@ ExitCode run_to_target(const ReadCase& read, const RunCommand& command,
   ExitCode end = exit_good;
   do {
     const cases::Case chosen = target.chosen_case();
-    end = run_one(chosen, options, true, false).exit_code;
+    end = run_one(chosen, options, {.is_omitted = true});
     if (is_interrupted())
       return end;
     if (target.verify(chosen, options.folder))
@@ -209,7 +142,8 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
     const RunOptions options = options_of(read, folder, command, cache);
     const ExitCode ended =
         command.target_error.empty()
-            ? run_if_needed(read.contact_case, options, command)
+            ? run_if_needed(read.contact_case, options,
+                            {command.no_report, command.has_pdf})
             : run_to_target(read, command, options);
     end = worse(end, ended);
     add_answer(answer, read.found.name, folder, ended);

@@ -3,9 +3,9 @@
 // The commands of the program. Each takes the parsed command line and returns
 // an exit code.
 
-#include "app/cli/result_outputs.hpp"
+#include "app/asked/map_case.hpp"
 #include "app/run/exit_code.hpp"
-#include "app/run/map_case.hpp"
+#include "app/run/result_outputs.hpp"
 #include "reports/pages/report.hpp"
 
 #include <cstddef>

@@ -2,9 +2,9 @@
 
 #include "app/asked/asked_cases.hpp"
 #include "app/cache/case_keys.hpp"
-#include "app/cli/result_outputs.hpp"
 #include "app/run/difference.hpp"
 #include "app/run/output.hpp"
+#include "app/run/result_outputs.hpp"
 #include "input/input_error.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"

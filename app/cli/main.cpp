@@ -1,5 +1,6 @@
 // The command line of the program: maps arguments to commands and failures to
 // exit codes.
+#include "app/asked/installed_files.hpp"
 #include "app/cli/answer_commands.hpp"
 #include "app/cli/check_command.hpp"
 #include "app/cli/command_parts.hpp"
@@ -9,7 +10,6 @@
 #include "app/cli/robustness_command.hpp"
 #include "app/cli/surface_command.hpp"
 #include "app/manual/command_model.hpp"
-#include "app/run/installed_files.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/folder_lock.hpp"
 #include "base/freed_memory.hpp"

@@ -1,6 +1,6 @@
 #include "app/cli/robustness_command.hpp"
 
-#include "app/run/case_library.hpp"
+#include "app/asked/case_library.hpp"
 #include "app/run/output.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"

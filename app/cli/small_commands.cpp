@@ -1,7 +1,7 @@
 // The commands that do not run a case.
+#include "app/asked/case_library.hpp"
 #include "app/cache/cache.hpp"
 #include "app/cli/commands.hpp"
-#include "app/run/case_library.hpp"
 #include "app/run/output.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/case_schema.hpp"

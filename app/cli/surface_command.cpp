@@ -1,7 +1,7 @@
 #include "app/cli/surface_command.hpp"
 
+#include "app/asked/option_quantity.hpp"
 #include "app/cli/surface_input.hpp"
-#include "app/run/option_quantity.hpp"
 #include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
 #include "reports/figures/plot_parts.hpp"

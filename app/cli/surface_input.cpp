@@ -1,7 +1,7 @@
 #include "app/cli/surface_input.hpp"
 
 #include "app/asked/asked_cases.hpp"
-#include "app/run/map_case.hpp"
+#include "app/asked/map_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/units.hpp"
 #include "input/input_error.hpp"

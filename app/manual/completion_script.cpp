@@ -1,6 +1,6 @@
 // Generates the completion scripts of the shells.
+#include "app/asked/case_library.hpp"
 #include "app/manual/command_model.hpp"
-#include "app/run/case_library.hpp"
 #include "cases/reader/vocabulary.hpp"
 
 #include <fmt/format.h>

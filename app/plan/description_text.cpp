@@ -22,7 +22,7 @@ OrderedJson number_json(double number) {
 }
 
 OrderedJson node_json(const Node& node) {
-  OrderedJson json;
+  OrderedJson value;
   switch (node.type) {
   case NodeType::boolean:
     return node.boolean;
@@ -31,15 +31,15 @@ OrderedJson node_json(const Node& node) {
   case NodeType::floating:
     return number_json(node.floating);
   case NodeType::list:
-    json = OrderedJson::array();
+    value = OrderedJson::array();
     for (const Node& one : node.list)
-      json.push_back(node_json(one));
-    return json;
+      value.push_back(node_json(one));
+    return value;
   case NodeType::table:
-    json = OrderedJson::object();
+    value = OrderedJson::object();
     for (const cases::NodeEntry& entry : node.entries)
-      json[entry.key] = node_json(entry.node);
-    return json;
+      value[entry.key] = node_json(entry.node);
+    return value;
   case NodeType::text:
   case NodeType::other:
     break;
@@ -123,19 +123,19 @@ std::string description_text(const CaseDescription& description,
 }
 
 std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
-  OrderedJson json = {{"case", contact_case.name},
-                      {"cpu_time [s]", number_json(plan.cpu_time)},
-                      {"wall_time [s]", number_json(plan.wall_time)},
-                      {"threads", plan.threads},
-                      {"memory [bytes]", number_json(plan.memory)},
-                      {"result [bytes]", number_json(plan.disk)},
-                      {"factor", plan.factor},
-                      {"refusal", refusal_of(plan)},
-                      {"methods", OrderedJson::array()},
-                      {"skipped", OrderedJson::array()},
-                      {"warnings", plan.warnings}};
+  OrderedJson answer = {{"case", contact_case.name},
+                        {"cpu_time [s]", number_json(plan.cpu_time)},
+                        {"wall_time [s]", number_json(plan.wall_time)},
+                        {"threads", plan.threads},
+                        {"memory [bytes]", number_json(plan.memory)},
+                        {"result [bytes]", number_json(plan.disk)},
+                        {"factor", plan.factor},
+                        {"refusal", refusal_of(plan)},
+                        {"methods", OrderedJson::array()},
+                        {"skipped", OrderedJson::array()},
+                        {"warnings", plan.warnings}};
   for (const PlannedMethod& method : plan.methods)
-    json["methods"].push_back(
+    answer["methods"].push_back(
         {{"name", method.name},
          {"realizations", method.realizations},
          {"steps", method.steps},
@@ -147,16 +147,17 @@ std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
          {"step_time [s]", number_json(method.step_time)},
          {"memory [bytes]", number_json(method.memory)}});
   for (const results::Skipped& one : plan.skipped)
-    json["skipped"].push_back({{"what", one.what},
-                               {"why", one.why},
-                               {"cpu_time [s]", number_json(one.cpu_time)},
-                               {"memory [bytes]", number_json(one.bytes)}});
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    answer["skipped"].push_back({{"what", one.what},
+                                 {"why", one.why},
+                                 {"cpu_time [s]", number_json(one.cpu_time)},
+                                 {"memory [bytes]", number_json(one.bytes)}});
+  return answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
+         "\n";
 }
 
 std::string description_json(const CaseDescription& description,
                              const cases::Case& contact_case) {
-  OrderedJson json = {
+  OrderedJson answer = {
       {"format", "asperity-description"},
       {"format_version", 1},
       {"case", description.name},
@@ -172,25 +173,27 @@ std::string description_json(const CaseDescription& description,
       {"loads", OrderedJson::array()},
       {"methods", OrderedJson::array()}};
   for (const ResolvedKey& key : description.keys)
-    json["keys"][key.path] = {{"value", node_json(key.value)},
-                              {"unit", key.unit},
-                              {"written", key.written.empty()
-                                              ? OrderedJson(nullptr)
-                                              : OrderedJson(key.written)}};
+    answer["keys"][key.path] = {{"value", node_json(key.value)},
+                                {"unit", key.unit},
+                                {"written", key.written.empty()
+                                                ? OrderedJson(nullptr)
+                                                : OrderedJson(key.written)}};
   for (const DerivedNumber& number : description.derived)
-    json["derived"][number.name] = {{"value", number_json(number.value)},
-                                    {"unit", number.unit},
-                                    {"meaning", number.meaning}};
+    answer["derived"][number.name] = {{"value", number_json(number.value)},
+                                      {"unit", number.unit},
+                                      {"meaning", number.meaning}};
   for (const DescribedLoad& load : description.loads)
-    json["loads"].push_back({{"target", number_json(load.target)},
-                             {"reduced", number_json(load.reduced)},
-                             {"is_unloading", load.is_unloading}});
+    answer["loads"].push_back({{"target", number_json(load.target)},
+                               {"reduced", number_json(load.reduced)},
+                               {"is_unloading", load.is_unloading}});
   for (const DescribedMethod& method : description.methods)
-    json["methods"].push_back({{"name", method.name},
-                               {"kind", method.kind},
-                               {"description", method.text}});
-  json["plan"] = OrderedJson::parse(plan_json(description.plan, contact_case));
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+    answer["methods"].push_back({{"name", method.name},
+                                 {"kind", method.kind},
+                                 {"description", method.text}});
+  answer["plan"] =
+      OrderedJson::parse(plan_json(description.plan, contact_case));
+  return answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
+         "\n";
 }
 
 } // namespace asperity::app

@@ -57,29 +57,44 @@ bool is_listed(const fs::path& file) {
          name != "result.previous.h5";
 }
 
+/// The files of a list; nothing unless the cache has all of them.
+std::optional<OutputFiles> listed_files(const std::string& list, Cache& cache) {
+  OutputFiles files;
+  const Json parsed = Json::parse(list);
+  for (const auto& [file, hash] : parsed.at("sha256").items()) {
+    std::optional<std::string> bytes =
+        cache.read(hash.get<std::string>(), entry_kind::file);
+    if (!bytes)
+      return std::nullopt;
+    files[file] = std::move(*bytes);
+  }
+  return files;
+}
+
 } // namespace
 
-std::string output_key(const cases::Case& contact_case,
+OutputKeys output_keys(const cases::Case& contact_case,
                        const RunOptions& options, const std::string& extras) {
-  // Cache keys leave out what a report shows: its program, titles, comments and
-  // expectations.
+  const CaseKeys keys(contact_case, program_identity());
+  // Keys of steps leave out what a report shows: its program, the name of the
+  // case, the fields that are saved.
   std::string text = hash_of_file("/proc/self/exe") + "\n" + drawing_program() +
                      "\n" + extras + "\n" + contact_case.name + "\n" +
-                     contact_case.text + "\n" + options.reference + "\n";
-  const CaseKeys keys(contact_case, program_identity());
+                     keys.text_of_numbers() + "\n";
   for (const cases::MethodSpec& method :
        chosen_methods(contact_case, options.methods, options.is_exact)) {
     text += method.name + "\n";
     for (int r = 0; r < n_realizations(contact_case, method); ++r)
       text += keys.steps(method, r).back() + "\n";
   }
-  return content_hash(text);
+  return {content_hash(text + contact_case.text + "\n" + options.reference),
+          content_hash(text)};
 }
 
-void record_output(const fs::path& folder, const std::string& key,
-                   Cache& cache) {
+void record_output(const fs::path& folder, const OutputKeys& keys,
+                   std::string_view figures, Cache& cache) {
   std::map<std::string, std::string> hashes;
-  std::uintmax_t size = 0;
+  std::uintmax_t size = figures.size();
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && is_listed(entry.path())) {
       size += entry.file_size();
@@ -94,12 +109,15 @@ void record_output(const fs::path& folder, const std::string& key,
   }
   const Json list = {{"format", "asperity-output"},
                      {"format_version", 1},
-                     {"key", key},
+                     {"key", keys.output},
                      {"sha256", hashes}};
   const std::string text = list.dump(2) + "\n";
   write_file_atomically(folder / list_name, text);
-  if (fits)
-    cache.write(key, entry_kind::output, text);
+  if (!fits)
+    return;
+  cache.write(keys.output, entry_kind::output, text);
+  cache.write(keys.numbers, entry_kind::numbers, text);
+  cache.write(keys.numbers, entry_kind::figures, figures);
 }
 
 bool has_output(const fs::path& folder, const std::string& key) {
@@ -124,17 +142,22 @@ std::optional<OutputFiles> cached_output(const std::string& key, Cache& cache) {
   const std::optional<std::string> text = cache.read(key, entry_kind::output);
   if (!text)
     return std::nullopt;
-  OutputFiles files;
-  const Json list = Json::parse(*text);
-  for (const auto& [file, hash] : list.at("sha256").items()) {
-    std::optional<std::string> bytes =
-        cache.read(hash.get<std::string>(), entry_kind::file);
-    if (!bytes)
-      return std::nullopt;
-    files[file] = std::move(*bytes);
-  }
-  files[list_name] = *text;
+  std::optional<OutputFiles> files = listed_files(*text, cache);
+  if (files)
+    (*files)[list_name] = *text;
   return files;
+}
+
+std::optional<KeptNumbers> cached_numbers(const std::string& key,
+                                          Cache& cache) {
+  const std::optional<std::string> text = cache.read(key, entry_kind::numbers);
+  std::optional<std::string> figures = cache.read(key, entry_kind::figures);
+  if (!text || !figures)
+    return std::nullopt;
+  std::optional<OutputFiles> files = listed_files(*text, cache);
+  if (!files)
+    return std::nullopt;
+  return KeptNumbers{std::move(*files), std::move(*figures)};
 }
 
 void write_output(const fs::path& folder, const OutputFiles& files) {

@@ -12,23 +12,33 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace asperity::app {
 
-/// A hash of everything that determines the files of a run: the program itself,
-/// gnuplot, the processor, the case with its files, the methods and `extras`.
+/// Hashes of what determines the files of a run.
+struct OutputKeys {
+  /// Everything: the program itself, gnuplot, the processor, the case with its
+  /// files, the methods and options.
+  std::string output;
+  /// The same without the title, comments, [expect] and reference.csv, on which
+  /// neither numbers nor figures depend.
+  std::string numbers;
+};
+
 /// @param extras  options of the command beyond those of the run
 /// @throws input::InputError  a file of the case cannot be read
-std::string output_key(const cases::Case& contact_case,
+OutputKeys output_keys(const cases::Case& contact_case,
                        const RunOptions& options, const std::string& extras);
 
 /// Lists the files in the folder of a completed run with their hashes in
-/// output.json, and saves list and files in the cache unless together they are
-/// larger than a tenth of its size limit. Hidden files and the previous result
-/// are left out.
+/// output.json, and saves list, files and figures in the cache unless together
+/// they are larger than a tenth of its size limit. Hidden files and the
+/// previous result are left out.
+/// @param figures  the bytes of the figures
 /// @throws std::system_error, FileError  a file cannot be read or written
-void record_output(const std::filesystem::path& folder, const std::string& key,
-                   Cache& cache);
+void record_output(const std::filesystem::path& folder, const OutputKeys& keys,
+                   std::string_view figures, Cache& cache);
 
 /// Whether the folder holds every file of a completed run with this key, byte
 /// for byte.
@@ -40,6 +50,16 @@ using OutputFiles = std::map<std::string, std::string>;
 /// Returns the files of a completed run with this key, output.json among them;
 /// nothing unless the cache has all of them.
 std::optional<OutputFiles> cached_output(const std::string& key, Cache& cache);
+
+/// What remains of a completed run if only words and verdicts change.
+struct KeptNumbers {
+  OutputFiles files; ///< without output.json
+  std::string figures;
+};
+
+/// Returns the output of a completed run with this OutputKeys::numbers; nothing
+/// unless the cache has all of it.
+std::optional<KeptNumbers> cached_numbers(const std::string& key, Cache& cache);
 
 /// Writes the files into the folder, without waiting for the disk: after a
 /// power failure has_output() finds those that are incomplete.

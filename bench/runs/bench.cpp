@@ -1,7 +1,7 @@
 #include "bench/runs/bench.hpp"
 
+#include "app/asked/case_library.hpp"
 #include "app/methods/chosen.hpp"
-#include "app/run/case_library.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/folder_lock.hpp"

@@ -4,21 +4,14 @@
 // complete without scripts. It owns the text around the numbers; the layout is
 // report.html.mustache.
 
-#include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"
+#include "reports/pages/drawn_groups.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::reports {
-
-/// Figures that belong together under one heading; an empty heading is not
-/// shown.
-struct DrawnGroup {
-  std::string heading;
-  std::vector<DrawnFigure> figures;
-};
 
 /// Returns the page. Figures are embedded; for one that could not be drawn, its
 /// title, its caption and the reason are shown.

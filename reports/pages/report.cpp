@@ -158,8 +158,11 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
     return {};
   std::filesystem::create_directories(folder);
   std::vector<std::string> problems;
-  const std::vector<DrawnGroup> drawn_groups =
-      draw_all(entries, folder, gnuplot, extras.journal, problems);
+  std::vector<DrawnGroup> own_groups;
+  std::vector<DrawnGroup>& drawn_groups =
+      extras.figures != nullptr ? *extras.figures : own_groups;
+  if (drawn_groups.empty())
+    drawn_groups = draw_all(entries, folder, gnuplot, extras.journal, problems);
   if (entries.size() == 1)
     write_file_atomically(
         folder / "summary.json",

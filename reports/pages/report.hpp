@@ -5,6 +5,7 @@
 
 #include "reports/figures/journal_figures.hpp"
 #include "reports/figures/series.hpp"
+#include "reports/pages/drawn_groups.hpp"
 
 #include <filesystem>
 #include <span>
@@ -17,6 +18,9 @@ namespace asperity::reports {
 struct ReportExtras {
   bool has_pdf = false;       ///< report.pdf, printed by pdf_program()
   JournalFormat journal = {}; ///< figures for a journal, in journal/
+  /// Figures of equal numbers, whose files are in the folder; if there are
+  /// none, they are drawn and put here. Null: draw them.
+  std::vector<DrawnGroup>* figures = nullptr;
 };
 
 /// Writes folder/report.html, folder/figures/* (SVG, CSV and gnuplot script of

@@ -1,4 +1,4 @@
-#include "app/run/installed_files.hpp"
+#include "app/asked/installed_files.hpp"
 
 #include <stdexcept>
 #include <string>

@@ -1,6 +1,6 @@
-#include "app/run/case_library.hpp"
+#include "app/asked/case_library.hpp"
 
-#include "app/run/installed_files.hpp"
+#include "app/asked/installed_files.hpp"
 #include "cases/reader/collection.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"

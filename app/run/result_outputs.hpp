@@ -5,6 +5,7 @@
 
 #include "app/run/exit_code.hpp"
 #include "reports/analysis/summary.hpp"
+#include "reports/pages/drawn_groups.hpp"
 
 #include <filesystem>
 #include <string>
@@ -26,8 +27,10 @@ struct WrittenOutputs {
 /// Writes all output files besides result.h5, tables, summary and report, and
 /// prints the warnings.
 /// @param has_pdf  also print the report to report.pdf
-WrittenOutputs write_outputs(const std::filesystem::path& folder,
-                             bool has_pdf = false);
+/// @param figures  as ReportExtras::figures
+WrittenOutputs
+write_outputs(const std::filesystem::path& folder, bool has_pdf = false,
+              std::vector<reports::DrawnGroup>* figures = nullptr);
 
 /// Collects what `run --json` and `check --json` print.
 class JsonAnswer {

@@ -1,6 +1,6 @@
-#include "app/run/map_case.hpp"
+#include "app/asked/map_case.hpp"
 
-#include "app/run/option_quantity.hpp"
+#include "app/asked/option_quantity.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"

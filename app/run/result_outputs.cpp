@@ -1,4 +1,4 @@
-#include "app/cli/result_outputs.hpp"
+#include "app/run/result_outputs.hpp"
 
 #include "app/run/output.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -16,7 +16,7 @@ namespace asperity::app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 } // namespace
 
@@ -30,7 +30,8 @@ reports::Summary summary_of(const results::Result& result) {
   return reports::summarize(result, contact_case);
 }
 
-WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf) {
+WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf,
+                             std::vector<reports::DrawnGroup>* figures) {
   const results::Result result =
       results::read_result(folder, results::MapsInFile::large);
   const cases::Case contact_case = reports::case_of(result);
@@ -38,7 +39,7 @@ WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf) {
   results::write_curves_csv(result, folder / "curves.csv");
   results::write_times_csv(result, folder / "times.csv");
   const std::vector<std::string> failures = reports::write_report(
-      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf});
+      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf, .figures = figures});
   for (const std::string& failure : failures)
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("{}", reports::warning_lines(result, contact_case));
@@ -48,27 +49,29 @@ WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf) {
 void JsonAnswer::add(const std::string& name, const fs::path& folder,
                      ExitCode exit_code, const reports::Summary* summary,
                      const std::string& problem) {
-  Json entry = {{"case", name},
-                {"folder", folder.string()},
-                {"exit_code", static_cast<int>(exit_code)}};
+  OrderedJson entry = {{"case", name},
+                       {"folder", folder.string()},
+                       {"exit_code", static_cast<int>(exit_code)}};
   entry["summary"] = summary == nullptr
-                         ? Json(nullptr)
-                         : Json::parse(reports::summary_json(*summary));
+                         ? OrderedJson(nullptr)
+                         : OrderedJson::parse(reports::summary_json(*summary));
   if (!problem.empty())
     entry["problem"] = problem;
-  entries_.push_back(entry.dump(2, ' ', false, Json::error_handler_t::replace));
+  entries_.push_back(
+      entry.dump(2, ' ', false, OrderedJson::error_handler_t::replace));
 }
 
 void JsonAnswer::print(ExitCode exit_code) const {
   if (!wants_json())
     return;
-  Json json = {{"format", format_},
-               {"format_version", 1},
-               {"exit_code", static_cast<int>(exit_code)},
-               {"results", Json::array()}};
+  OrderedJson answer = {{"format", format_},
+                        {"format_version", 1},
+                        {"exit_code", static_cast<int>(exit_code)},
+                        {"results", OrderedJson::array()}};
   for (const std::string& entry : entries_)
-    json["results"].push_back(Json::parse(entry));
-  emit_answer(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    answer["results"].push_back(OrderedJson::parse(entry));
+  emit_answer(
+      answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
 }
 
 } // namespace asperity::app

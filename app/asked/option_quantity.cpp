@@ -1,4 +1,4 @@
-#include "app/run/option_quantity.hpp"
+#include "app/asked/option_quantity.hpp"
 
 #include "input/input_error.hpp"
 
