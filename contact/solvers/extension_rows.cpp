@@ -1,6 +1,6 @@
 #include "contact/solvers/extension_rows.hpp"
 
-#include "contact/solvers/on_this_processor.hpp"
+#include "base/on_this_processor.hpp"
 
 #include <bit>
 

@@ -1,7 +1,7 @@
 #include "contact/solvers/node_kernels.hpp"
 
+#include "base/on_this_processor.hpp"
 #include "contact/solvers/node_lanes.hpp"
-#include "contact/solvers/on_this_processor.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "fem/multigrid/cell_kernel.hpp"
 
-#include "base/simd_pack.hpp"
+#include "base/on_this_processor.hpp"
 #include "fem/multigrid/box_stiffness.hpp"
 
 #include <array>
@@ -158,41 +158,19 @@ struct Cells {
   }
 };
 
-template <int degree, class Number, bool has_shear>
-void multiply_on_any(const LayerProduct<Number>& layer) {
-  Cells<degree, Number, has_shear, 16>::all(layer);
-}
-
-#ifdef __x86_64__
-template <int degree, class Number, bool has_shear>
-[[gnu::target("avx2,fma")]] void
-multiply_on_avx2(const LayerProduct<Number>& layer) {
-  Cells<degree, Number, has_shear, 32>::all(layer);
-}
-
-template <int degree, class Number, bool has_shear>
-[[gnu::target("avx512f,avx512dq,avx512vl,avx512bw,fma")]] void
-multiply_on_avx512(const LayerProduct<Number>& layer) {
-  Cells<degree, Number, has_shear, 64>::all(layer);
-}
-#endif
-
-template <int degree, class Number, bool has_shear>
-auto multiply_here() {
-#ifdef __x86_64__
-  if (has_avx512())
-    return multiply_on_avx512<degree, Number, has_shear>;
-  if (has_avx2_and_fma())
-    return multiply_on_avx2<degree, Number, has_shear>;
-#endif
-  return multiply_on_any<degree, Number, has_shear>;
+template <int degree, bool has_shear, class Number>
+void multiply_here(const LayerProduct<Number>& layer) {
+  on_this_processor_with_fma([&](auto bytes) __attribute__((always_inline)) {
+    Cells<degree, Number, has_shear, bytes()>::all(layer);
+  });
 }
 
 template <int degree, class Number>
 void multiply_layer_of(const LayerProduct<Number>& layer) {
-  static const auto by_factor = multiply_here<degree, Number, false>();
-  static const auto by_two = multiply_here<degree, Number, true>();
-  (layer.shear == nullptr ? by_factor : by_two)(layer);
+  if (layer.shear == nullptr)
+    multiply_here<degree, false>(layer);
+  else
+    multiply_here<degree, true>(layer);
 }
 
 } // namespace

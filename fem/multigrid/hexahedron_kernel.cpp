@@ -1,6 +1,6 @@
 #include "fem/multigrid/hexahedron_kernel.hpp"
 
-#include "base/simd_pack.hpp"
+#include "base/on_this_processor.hpp"
 
 #include <array>
 
@@ -310,45 +310,20 @@ struct Hexahedra {
 };
 
 template <class Number>
-void multiply_on_any(const HexahedronProduct<Number>& product) {
-  Hexahedra<Number, 16>::all(product);
-}
-
-#ifdef __x86_64__
-template <class Number>
-[[gnu::target("avx2,fma")]] void
-multiply_on_avx2(const HexahedronProduct<Number>& product) {
-  Hexahedra<Number, 32>::all(product);
-}
-
-template <class Number>
-[[gnu::target("avx512f,avx512dq,avx512vl,avx512bw,fma")]] void
-multiply_on_avx512(const HexahedronProduct<Number>& product) {
-  Hexahedra<Number, 64>::all(product);
-}
-#endif
-
-template <class Number>
-auto multiply_here() {
-#ifdef __x86_64__
-  if (has_avx512())
-    return multiply_on_avx512<Number>;
-  if (has_avx2_and_fma())
-    return multiply_on_avx2<Number>;
-#endif
-  return multiply_on_any<Number>;
+void multiply_here(const HexahedronProduct<Number>& product) {
+  on_this_processor_with_fma([&](auto bytes) __attribute__((always_inline)) {
+    Hexahedra<Number, bytes()>::all(product);
+  });
 }
 
 } // namespace
 
 void multiply_hexahedra(const HexahedronProduct<float>& product) {
-  static const auto fastest = multiply_here<float>();
-  fastest(product);
+  multiply_here(product);
 }
 
 void multiply_hexahedra(const HexahedronProduct<double>& product) {
-  static const auto fastest = multiply_here<double>();
-  fastest(product);
+  multiply_here(product);
 }
 
 } // namespace asperity::fem

@@ -1,6 +1,6 @@
 #include "fem/refined/box_kernel.hpp"
 
-#include "base/simd_pack.hpp"
+#include "base/on_this_processor.hpp"
 
 // The values of a box stay in registers, so loops over its nodes are unrolled.
 #define ASPERITY_UNROLL _Pragma("GCC unroll 8")
@@ -140,45 +140,20 @@ struct Boxes {
 };
 
 template <class Number>
-void multiply_boxes_on_any(const BoxProduct<Number>& product) {
-  Boxes<Number, 16>::all(product);
-}
-
-#ifdef __x86_64__
-template <class Number>
-[[gnu::target("avx2,fma")]] void
-multiply_boxes_on_avx2(const BoxProduct<Number>& product) {
-  Boxes<Number, 32>::all(product);
-}
-
-template <class Number>
-[[gnu::target("avx512f,avx512dq,avx512vl,avx512bw,fma")]] void
-multiply_boxes_on_avx512(const BoxProduct<Number>& product) {
-  Boxes<Number, 64>::all(product);
-}
-#endif
-
-template <class Number>
-auto multiply_boxes_here() {
-#ifdef __x86_64__
-  if (has_avx512())
-    return multiply_boxes_on_avx512<Number>;
-  if (has_avx2_and_fma())
-    return multiply_boxes_on_avx2<Number>;
-#endif
-  return multiply_boxes_on_any<Number>;
+void multiply_boxes_here(const BoxProduct<Number>& product) {
+  on_this_processor_with_fma([&](auto bytes) __attribute__((always_inline)) {
+    Boxes<Number, bytes()>::all(product);
+  });
 }
 
 } // namespace
 
 void multiply_boxes(const BoxProduct<float>& product) {
-  static const auto fastest = multiply_boxes_here<float>();
-  fastest(product);
+  multiply_boxes_here(product);
 }
 
 void multiply_boxes(const BoxProduct<double>& product) {
-  static const auto fastest = multiply_boxes_here<double>();
-  fastest(product);
+  multiply_boxes_here(product);
 }
 
 } // namespace asperity::fem

@@ -1,5 +1,6 @@
 #include "md/interface/interface_kernel.hpp"
 
+#include "base/on_this_processor.hpp"
 #include "md/interface/tile_turns.hpp"
 
 #include <algorithm>
@@ -94,71 +95,10 @@ sum_pair_blocks(const ReducedLaw& reduced, std::span<const Window> windows,
   }
 }
 
-using SumPairs = double (*)(const ReducedLaw&, std::span<const Window>, double,
-                            std::span<AtomForce>);
-using SumBlocks = void (*)(const ReducedLaw&, std::span<const Window>, double,
-                           std::span<SymmetricBlock>);
-
-struct Kernels {
-  SumPairs pairs;
-  SumBlocks blocks;
-};
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]] double pairs_on_avx2(const ReducedLaw& law,
-                                             std::span<const Window> windows,
-                                             double spacing,
-                                             std::span<AtomForce> forces) {
-  return sum_pairs<32>(law, windows, spacing, forces);
-}
-
-[[gnu::target("avx2")]] void blocks_on_avx2(const ReducedLaw& law,
-                                            std::span<const Window> windows,
-                                            double spacing,
-                                            std::span<SymmetricBlock> blocks) {
-  sum_pair_blocks<32>(law, windows, spacing, blocks);
-}
-
-[[gnu::target("avx512f,avx512dq,avx512vl")]] double
-pairs_on_avx512(const ReducedLaw& law, std::span<const Window> windows,
-                double spacing, std::span<AtomForce> forces) {
-  return sum_pairs<64>(law, windows, spacing, forces);
-}
-
-[[gnu::target("avx512f,avx512dq,avx512vl")]] void
-blocks_on_avx512(const ReducedLaw& law, std::span<const Window> windows,
-                 double spacing, std::span<SymmetricBlock> blocks) {
-  sum_pair_blocks<64>(law, windows, spacing, blocks);
-}
-#endif
-
-/// The kernels that this processor has, two lanes first.
-std::vector<Kernels> kernels_here() {
-  std::vector<Kernels> kernels{{sum_pairs<16>, sum_pair_blocks<16>}};
-#ifdef __x86_64__
-  if (has_avx2())
-    kernels.push_back({pairs_on_avx2, blocks_on_avx2});
-  if (has_avx512())
-    kernels.push_back({pairs_on_avx512, blocks_on_avx512});
-#endif
-  return kernels;
-}
-
-const Kernels kernels = kernels_here().back();
-
 bool have_tiles(std::span<const Window> windows) {
   return std::any_of(windows.begin(), windows.end(), [](const Window& window) {
     return !window.tiles.empty();
   });
-}
-
-double sum_with(const SumPairs& sum_pairs, const ReducedLaw& law,
-                std::span<const Window> windows, double spacing,
-                std::span<AtomForce> forces) {
-  if (have_tiles(windows))
-    return sum_pairs(law, windows, spacing, forces);
-  std::fill(forces.begin(), forces.end(), AtomForce{});
-  return 0.0;
 }
 
 } // namespace
@@ -179,28 +119,25 @@ ReducedLaw reduced(const Interaction& interaction) {
 
 double sum_windows(const ReducedLaw& law, std::span<const Window> windows,
                    double spacing, std::span<AtomForce> forces) {
-  return sum_with(kernels.pairs, law, windows, spacing, forces);
+  if (!have_tiles(windows)) {
+    std::fill(forces.begin(), forces.end(), AtomForce{});
+    return 0.0;
+  }
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    return sum_pairs<bytes()>(law, windows, spacing, forces);
+  });
 }
 
 void sum_second_derivatives(const ReducedLaw& law,
                             std::span<const Window> windows, double spacing,
                             std::span<SymmetricBlock> blocks) {
-  if (have_tiles(windows))
-    kernels.blocks(law, windows, spacing, blocks);
-  else
+  if (!have_tiles(windows)) {
     std::fill(blocks.begin(), blocks.end(), SymmetricBlock{});
-}
-
-std::vector<WindowSums> sums_of_all_widths(const ReducedLaw& law,
-                                           std::span<const Window> windows,
-                                           double spacing) {
-  std::vector<WindowSums> sums;
-  for (const Kernels& each : kernels_here()) {
-    std::vector<AtomForce> forces(windows.size());
-    const double energy = sum_with(each.pairs, law, windows, spacing, forces);
-    sums.push_back({energy, forces});
+    return;
   }
-  return sums;
+  on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    sum_pair_blocks<bytes()>(law, windows, spacing, blocks);
+  });
 }
 
 } // namespace asperity::md

@@ -79,15 +79,4 @@ void sum_second_derivatives(const ReducedLaw& law,
                             std::span<const Window> windows, double spacing,
                             std::span<SymmetricBlock> blocks);
 
-/// Energy and forces by vectors of one width.
-struct WindowSums {
-  double energy = 0.0;           ///< [eps]
-  std::vector<AtomForce> forces; ///< [12 eps/r_0]
-};
-
-/// The sums by each width that this processor has, two lanes first.
-std::vector<WindowSums> sums_of_all_widths(const ReducedLaw& law,
-                                           std::span<const Window> windows,
-                                           double spacing);
-
 } // namespace asperity::md

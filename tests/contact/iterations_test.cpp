@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "tests/contact/problems.hpp"
+#include "tests/narrower_vectors.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -52,6 +53,19 @@ TEST(Iterations, ThreadsChangeNoBit) {
     EXPECT_EQ(several.pressure, one.pressure);
     EXPECT_EQ(several.gap, one.gap);
   }
+}
+
+// The loops of the solver add in the same order with all vectors, so that a
+// processor changes no bit either.
+TEST(Iterations, WidthOfVectorsChangesNoBit) {
+  const ContactSolution widest = step_on(128, 0.1, 1);
+  tests::on_narrower_vectors([&] {
+    const ContactSolution narrower = step_on(128, 0.1, 1);
+
+    EXPECT_EQ(narrower.iterations, widest.iterations);
+    EXPECT_EQ(narrower.pressure, widest.pressure);
+    EXPECT_EQ(narrower.gap, widest.gap);
+  });
 }
 
 } // namespace

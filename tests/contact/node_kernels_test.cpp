@@ -11,6 +11,8 @@
 #include <random>
 #include <vector>
 
+#include "tests/narrower_vectors.hpp"
+
 namespace asperity::contact {
 namespace {
 
@@ -228,6 +230,40 @@ TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
   EXPECT_NEAR(found.first, expected.first, roundoff);
   EXPECT_NEAR(found.second, expected.second, roundoff);
   EXPECT_GT(found.second, 0.0);
+}
+
+/// What all loops return and leave in the fields, one after another.
+std::vector<double> all_results(bool is_weighted) {
+  Fields fields(is_weighted);
+  std::vector<std::uint8_t> active{1, 1, 1};
+  std::vector<double> found(3);
+  const auto take = [&](const TwoSums& sums) {
+    found.insert(found.end(), {sums.first, sums.second});
+  };
+  take(change_gap(fields.view(), 0.6, compliance, active.data(), found.data()));
+  const MeasuredNodes measured =
+      measure_nodes(fields.view(), rigid, compliance, active.data());
+  found.insert(found.end(), {measured.error, measured.weight, measured.changed,
+                             sum_free(fields.view())});
+  take(sum_slopes(fields.view(), mean));
+  found.push_back(
+      conjugate_nodes(fields.view(), mean, beta, fields.direction.data()));
+  found.push_back(sum_energy(fields.view(), compliance));
+  take(advance_nodes(fields.view(), 0.4));
+  for (const auto* field : {&fields.pressure, &fields.raw_gap})
+    found.insert(found.end(), field->begin(), field->end());
+  for (const auto* field :
+       {&fields.residual, &fields.direction, &fields.change})
+    found.insert(found.end(), field->begin(), field->end());
+  found.insert(found.end(), fields.freedom.begin(), fields.freedom.end());
+  return found;
+}
+
+TEST_P(NodeKernels, GiveTheSameBitsForEveryWidth) {
+  const std::vector<double> widest = all_results(GetParam());
+
+  tests::on_narrower_vectors(
+      [&] { EXPECT_EQ(all_results(GetParam()), widest); });
 }
 
 INSTANTIATE_TEST_SUITE_P(EqualAndUnequalAreas, NodeKernels, testing::Bool());
