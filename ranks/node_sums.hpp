@@ -3,6 +3,7 @@
 // This file computes weighted sums over all nodes of a field, bitwise the same
 // on any number of threads and ranks.
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -10,6 +11,24 @@
 #include "ranks/node_weights.hpp"
 
 namespace asperity {
+
+/// Sum of term(i) over begin..end-1, in 16 partial sums, which processors add
+/// at the same time, and then these in a fixed order.
+template <class Term>
+double sum_in_lanes(std::size_t begin, std::size_t end, const Term& term) {
+  constexpr std::size_t n_lanes = 16;
+  std::array<double, n_lanes> lanes{};
+  std::size_t i = begin;
+  for (; i + n_lanes <= end; i += n_lanes)
+    for (std::size_t k = 0; k < n_lanes; ++k)
+      lanes[k] += term(i + k);
+  for (std::size_t k = 0; i < end; ++i, ++k)
+    lanes[k] += term(i);
+  for (std::size_t half = n_lanes / 2; half > 0; half /= 2)
+    for (std::size_t k = 0; k < half; ++k)
+      lanes[k] += lanes[k + half];
+  return lanes[0];
+}
 
 /// sum_i weight_i term(i) over the nodes 0..nodes-1 of each rank.
 /// @param weights  nodal areas relative to their mean; empty if all are equal
@@ -19,10 +38,10 @@ double weighted_sum(std::span<const double> weights, std::size_t nodes,
   return with_weights(weights, [&](const auto weight) {
     return chunked_sum<Sum>(nodes, workers,
                             [=](std::size_t begin, std::size_t end) {
-                              double total = 0.0;
-                              for (std::size_t i = begin; i < end; ++i)
-                                total += weight[i] * term(i);
-                              return Sum{total};
+                              return Sum{
+                                  sum_in_lanes(begin, end, [=](std::size_t i) {
+                                    return weight[i] * term(i);
+                                  })};
                             })
         .value;
   });

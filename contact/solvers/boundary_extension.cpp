@@ -1,9 +1,9 @@
 #include "contact/solvers/boundary_extension.hpp"
 
 #include "base/parallel_rows.hpp"
-#include "contact/solvers/extension_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace asperity::contact {
@@ -51,6 +51,22 @@ bool has_even_bounds(const SharedRows& rows) {
       [](int bound) { return bound % 2 == 0; });
 }
 
+/// Calls do_run(begin, end) for each run of active blocks of a row of n nodes,
+/// the first of which is the node `first` of this process.
+template <class DoRun>
+void each_active_run(const BlockFlags& blocks, std::size_t first, std::size_t n,
+                     const DoRun& do_run) {
+  const std::size_t last = blocks_of(first + n);
+  for (std::size_t block = first / block_nodes; block < last; ++block) {
+    if (blocks[block] == 0)
+      continue;
+    const std::size_t begin = std::max(first, block * block_nodes) - first;
+    while (block < last && blocks[block] != 0)
+      ++block;
+    do_run(begin, std::min(n, block * block_nodes - first));
+  }
+}
+
 } // namespace
 
 BoundaryExtension::Level::Level(const SharedRows& own_,
@@ -63,8 +79,7 @@ BoundaryExtension::Level::Level(const SharedRows& own_,
 
 BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers)
     : rows_(workers.rows != nullptr ? *workers.rows : SharedRows(grid)),
-      threads_(workers.threads),
-      outside_(rows_.size() + 2 * rows_.width()) {
+      threads_(workers.threads) {
   SharedRows fine = rows_;
   float variance = variance_ratio;
   for (bool is_coarsest = false; !is_coarsest; variance *= variance_ratio) {
@@ -112,37 +127,36 @@ void BoundaryExtension::complete(const Level& level, std::span<float> rows) {
                                    std::as_writable_bytes(rows));
 }
 
-/// values of a level = sums over its cells, to which finish(shares, sums) is
-/// applied row by row.
+/// Calls sum_row(its two rows of nodes, shares, values) for each row of cells.
 /// @param nodes  or cells of the finer level, from the first of this process
-template <class Value, class Finish>
-void BoundaryExtension::sum_cells(const SharedRows& fine, const Value* nodes,
-                                  Level& level, const Finish& finish) const {
+template <class Value, class SumRow>
+void BoundaryExtension::each_row_of_cells(const SharedRows& fine,
+                                          const Value* nodes, Level& level,
+                                          const SumRow& sum_row) const {
   each_row(level.own, [&](int iy, Scratch&) {
-    float* const sums = level.row(level.offset() + iy);
-    std::fill_n(sums, level.own.width(), 0.0F);
-    const int end = std::min(2 * iy + 2, fine.count());
-    for (int row = 2 * iy; row < end; ++row)
-      add_pairs(fine.width(), nodes + fine.grid().index(0, row), sums);
-    finish(level.shares_row(level.offset() + iy), sums);
+    const Value* const first = nodes + fine.grid().index(0, 2 * iy);
+    const bool has_second = 2 * iy + 1 < fine.count();
+    sum_row(RowPair<Value>{first, has_second ? first + fine.width() : nullptr},
+            level.shares_row(level.offset() + iy),
+            level.row(level.offset() + iy));
   });
   complete(level, level.stored_values());
 }
 
 /// The same on all levels, from the nodes to the coarsest one; calls
-/// finish(level, shares, sums).
-template <class Value, class Finish>
-void BoundaryExtension::sum_levels(const Value* nodes, const Finish& finish) {
+/// sum_row(level, points of the finer rows, these rows, shares, values).
+template <class Value, class SumRow>
+void BoundaryExtension::sum_levels(const Value* nodes, const SumRow& sum_row) {
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     Level& level = levels_[l];
-    const auto finish_row = [&](float* shares, float* sums) {
-      finish(level, shares, sums);
+    const SharedRows& fine = l == 0 ? rows_ : levels_[l - 1].stored;
+    const auto sum = [&](const auto& rows, float* shares, float* values) {
+      sum_row(level, fine.width(), rows, shares, values);
     };
     if (l == 0)
-      sum_cells(rows_, nodes, level, finish_row);
+      each_row_of_cells(fine, nodes, level, sum);
     else
-      sum_cells(levels_[l - 1].stored, levels_[l - 1].row(0), level,
-                finish_row);
+      each_row_of_cells(fine, std::as_const(levels_[l - 1]).row(0), level, sum);
   }
 }
 
@@ -150,9 +164,10 @@ void BoundaryExtension::build(double share,
                               std::span<const std::uint8_t> is_free) {
   share_ = static_cast<float>(share);
   sum_levels(is_free.data(),
-             [this](const Level& level, float* shares, float* precision) {
-               share_precision(level.own.width(), scale_of(level),
-                               level.variance, precision, shares);
+             [this](const Level& level, std::size_t points, const auto& rows,
+                    float* shares, float* precision) {
+               share_precision(points, rows, scale_of(level), level.variance,
+                               precision, shares);
              });
   for (Level& level : levels_)
     complete(level, level.shares);
@@ -171,12 +186,13 @@ void BoundaryExtension::interpolate(Level& level, std::size_t points, int iy,
   widen_row(scratch.data(), points, fine);
 }
 
-void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
+void BoundaryExtension::extend(const Active& active,
                                std::span<const float> residual,
                                std::span<float> extended) {
   sum_levels(residual.data(),
-             [this](const Level& level, const float* shares, float* sums) {
-               scale_row(level.own.width(), scale_of(level), shares, sums);
+             [this](const Level& level, std::size_t points, const auto& rows,
+                    const float* shares, float* sums) {
+               sum_cells(points, rows, scale_of(level), shares, sums);
              });
   for (std::size_t l = levels_.size(); l-- > 0;) {
     Level& level = levels_[l];
@@ -194,68 +210,110 @@ void BoundaryExtension::extend(std::span<const std::uint8_t> is_free,
     const std::size_t first = rows_.grid().index(0, iy);
     float* const own = &extended[first];
     interpolate(levels_[0], rows_.width(), iy, scratch.cells, own);
-    take_active(rows_.width(), &is_free[first], &residual[first], own);
+    each_active_run(active.blocks, first, rows_.width(),
+                    [&](std::size_t begin, std::size_t end) {
+                      take_active(end - begin, &active.is_free[first + begin],
+                                  &residual[first + begin], own + begin);
+                    });
   });
 }
 
 /// values of a level = its shares times the transpose of interpolate().
-/// @param field  values of the nodes, or of the cells of the finer level, with
-///               ghost rows
-void BoundaryExtension::gather(const SharedRows& fine, const float* field,
+/// @param row  row(iy): values of a row of nodes, or of cells of the finer
+///             level, from the row before those of this process to the one
+///             after them
+template <class Row>
+void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
                                Level& level) const {
   const std::size_t width = fine.width();
   const bool has_row_before = // that has a cell of this process as neighbour
       fine.first() > 0 || fine.grid().points_y % 2 == 0;
   each_row(level.own, [&](int iy, Scratch& scratch) {
     scratch.row.resize(width);
-    const auto row = [&](int y) {
-      return field + static_cast<std::size_t>(y + 1) * width;
-    };
     const bool has_second = 2 * iy + 1 < fine.count();
     const bool has_before = iy > 0 || has_row_before;
     sum_rows(width,
-             {row(2 * iy), row(2 * iy + (has_second ? 1 : 0)), row(2 * iy - 1),
-              row(2 * iy + (has_second ? 2 : 1))},
+             std::array{row(2 * iy), row(2 * iy + (has_second ? 1 : 0)),
+                        row(2 * iy - 1), row(2 * iy + (has_second ? 2 : 1))},
              {own_weight, has_second ? own_weight : 0.0F,
               has_before ? other_weight : 0.0F, other_weight},
              scratch.row.data());
-    float* const values = level.row(level.offset() + iy);
-    narrow_row(scratch.row.data(), width, values);
-    scale_row(level.own.width(), 1.0F, level.shares_row(level.offset() + iy),
-              values);
+    narrow_row(scratch.row.data(), width, level.shares_row(level.offset() + iy),
+               level.row(level.offset() + iy));
   });
   complete(level, level.stored_values());
 }
 
-void BoundaryExtension::fold(std::span<const std::uint8_t> is_free,
-                             std::span<float> field) {
-  each_row(rows_, [&](int iy, Scratch&) {
-    const std::size_t first = rows_.grid().index(0, iy);
-    take_inactive(rows_.width(), &is_free[first], &field[first],
-                  outside_.data() + first + rows_.width());
-  });
-  rows_.fill_ghost_rows(std::span(outside_));
-  gather(rows_, outside_.data(), levels_[0]);
+/// Receives the rows of other ranks beside those of this process, 0 at the
+/// active nodes.
+void BoundaryExtension::swap_edges(const Active& active,
+                                   std::span<const float> field) {
+  if (rows_.ranks() == nullptr)
+    return;
+  const std::size_t width = rows_.width();
+  edges_.resize(4 * width);
+  no_freedom_.resize(width, 0);
+  const auto edge = [&](std::size_t i) {
+    return std::span(edges_).subspan(i * width, width);
+  };
+  const std::size_t last = rows_.size() - width;
+  take_inactive(width, {field.data(), active.is_free.data()}, edge(1).data());
+  take_inactive(width, {&field[last], &active.is_free[last]}, edge(2).data());
+  rows_.ranks()->swap_edges({std::as_bytes(edge(1)), std::as_bytes(edge(2)),
+                             std::as_writable_bytes(edge(0)),
+                             std::as_writable_bytes(edge(3))});
+}
+
+/// A row of a field, on the periodic continuation of the grid.
+MaskedRow BoundaryExtension::row_of(const Active& active, const float* field,
+                                    int iy) const {
+  const bool is_outside = iy < 0 || iy >= rows_.count();
+  if (is_outside && rows_.ranks() != nullptr)
+    return {edges_.data() + (iy < 0 ? 0 : 3 * rows_.width()),
+            no_freedom_.data()};
+  const std::size_t first =
+      rows_.grid().index(0, is_outside ? (iy < 0 ? rows_.count() - 1 : 0) : iy);
+  return {field + first, &active.is_free[first]};
+}
+
+void BoundaryExtension::fold(const Active& active, std::span<float> field) {
+  swap_edges(active, field);
+  gather(
+      rows_, [&](int iy) { return row_of(active, field.data(), iy); },
+      levels_[0]);
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
     levels_[l].stored.fill_ghost_rows(std::span(levels_[l].values));
-    gather(levels_[l].stored, levels_[l].values.data(), levels_[l + 1]);
+    gather(
+        levels_[l].stored,
+        [&](int iy) { return std::as_const(levels_[l]).row(iy); },
+        levels_[l + 1]);
   }
-  for (std::size_t l = levels_.size(); l-- > 0;) { // what each cell takes
-    Level& level = levels_[l];
-    each_row(level.stored, [&](int iy, Scratch&) {
-      const float* const above =
-          l + 1 < levels_.size()
-              ? levels_[l + 1].row(levels_[l + 1].offset() + iy / 2)
-              : nullptr;
-      pass_down(level.own.width(), level.variance, level.shares_row(iy), above,
-                level.row(iy));
-    });
-  }
-  each_row(rows_, [&](int iy, Scratch&) {
-    add_above(rows_.width(), share_,
-              levels_[0].row(levels_[0].offset() + iy / 2),
-              &field[rows_.grid().index(0, iy)]);
+  for (std::size_t l = levels_.size(); l-- > 0;) // what each cell takes
+    each_row(levels_[l].stored, [&](int iy, Scratch&) { pass_down_to(l, iy); });
+  each_row(levels_[0].own, [&](int iy, Scratch&) {
+    const float* const above = levels_[0].row(levels_[0].offset() + iy);
+    const int end = std::min(2 * iy + 2, rows_.count());
+    for (int row = 2 * iy; row < end; ++row) {
+      const std::size_t first = rows_.grid().index(0, row);
+      each_active_run(active.blocks, first, rows_.width(),
+                      [&](std::size_t begin, std::size_t run_end) {
+                        add_above(begin / 2 * 2, run_end, share_, above,
+                                  &field[first]);
+                      });
+    }
   });
+}
+
+/// What the cells of a row take, from what their sums give to them and to the
+/// cells above.
+void BoundaryExtension::pass_down_to(std::size_t l, int iy) {
+  Level& level = levels_[l];
+  const float* const above =
+      l + 1 < levels_.size()
+          ? levels_[l + 1].row(levels_[l + 1].offset() + iy / 2)
+          : nullptr;
+  pass_down(level.own.width(), level.variance, level.shares_row(iy), above,
+            level.row(iy));
 }
 
 } // namespace asperity::contact

@@ -4,6 +4,9 @@
 // boundary, and applies the transpose to the result, which makes the masked
 // preconditioner efficient.
 
+#include "contact/solvers/extension_rows.hpp"
+#include "contact/solvers/node_blocks.hpp"
+
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,15 +57,21 @@ public:
   /// @param is_free  > 0 at the active nodes
   void build(double share, std::span<const std::uint8_t> is_free);
 
+  /// The active nodes.
+  struct Active {
+    std::span<const std::uint8_t> is_free; ///< > 0 there
+    const BlockFlags& blocks;              ///< those that contain some
+  };
+
   /// extended = E residual.
   /// @param residual  0 at the inactive nodes
   /// @param extended  overwritten; not `residual`
-  void extend(std::span<const std::uint8_t> is_free,
-              std::span<const float> residual, std::span<float> extended);
+  void extend(const Active& active, std::span<const float> residual,
+              std::span<float> extended);
 
   /// field = E^T field on the active nodes; elsewhere the result has no
   /// meaning.
-  void fold(std::span<const std::uint8_t> is_free, std::span<float> field);
+  void fold(const Active& active, std::span<float> field);
 
 private:
   /// The cells of one level. Ranks share the rows of fine levels; from the
@@ -80,6 +89,10 @@ private:
     int offset() const { return own.first() - stored.first(); }
 
     float* row(int iy) {
+      return values.data() + static_cast<std::size_t>(iy + 1) * stored.width();
+    }
+
+    const float* row(int iy) const {
       return values.data() + static_cast<std::size_t>(iy + 1) * stored.width();
     }
 
@@ -103,20 +116,27 @@ private:
   template <class DoRow>
   void each_row(const SharedRows& rows, const DoRow& do_row) const;
   static void complete(const Level& level, std::span<float> rows);
-  template <class Value, class Finish>
-  void sum_cells(const SharedRows& fine, const Value* nodes, Level& level,
-                 const Finish& finish) const;
-  template <class Value, class Finish>
-  void sum_levels(const Value* nodes, const Finish& finish);
+  template <class Value, class SumRow>
+  void each_row_of_cells(const SharedRows& fine, const Value* nodes,
+                         Level& level, const SumRow& sum_row) const;
+  template <class Value, class SumRow>
+  void sum_levels(const Value* nodes, const SumRow& sum_row);
   static void interpolate(Level& level, std::size_t points, int iy,
                           std::vector<float>& scratch, float* fine);
-  void gather(const SharedRows& fine, const float* field, Level& level) const;
+  template <class Row>
+  void gather(const SharedRows& fine, const Row& row, Level& level) const;
+  void swap_edges(const Active& active, std::span<const float> field);
+  MaskedRow row_of(const Active& active, const float* field, int iy) const;
+  void pass_down_to(std::size_t l, int iy);
 
   SharedRows rows_;
   int threads_;
   float share_ = 1.0F; ///< s
   std::vector<Level> levels_;
-  std::vector<float> outside_; ///< with ghost rows; 0 at the active nodes
+  /// The first and the last row of this process between those of other ranks
+  /// beside them, 0 at the active nodes; empty if there are no ranks.
+  std::vector<float> edges_;
+  std::vector<std::uint8_t> no_freedom_; ///< of such a row
 };
 
 } // namespace asperity::contact

@@ -55,12 +55,17 @@ std::vector<double> row_between(std::span<const double> four_rows) {
 /// The positive part of a row at twice as many points.
 void put_positive(std::span<const double> coarse, std::span<double> fine) {
   const std::size_t n = coarse.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const double middle = between(coarse[(i + n - 1) % n], coarse[i],
-                                  coarse[(i + 1) % n], coarse[(i + 2) % n]);
-    fine[2 * i] = std::max(0.0, coarse[i]);
-    fine[2 * i + 1] = std::max(0.0, middle);
-  }
+  const auto put = [c = coarse.data(),
+                    f = fine.data()](std::size_t before, std::size_t i,
+                                     std::size_t right, std::size_t after) {
+    f[2 * i] = std::max(0.0, c[i]);
+    f[2 * i + 1] = std::max(0.0, between(c[before], c[i], c[right], c[after]));
+  };
+  put(n - 1, 0, 1, 2);
+  for (std::size_t i = 1; i + 2 < n; ++i)
+    put(i - 1, i, i + 1, i + 2);
+  put(n - 3, n - 2, n - 1, 0);
+  put(n - 2, n - 1, 0, 1);
 }
 
 /// The positive part of the cubic interpolation of a field.

@@ -48,14 +48,14 @@ void ContactState::compute_raw_gap() {
   elasticity.displacement(pressure, raw_gap);
   ++transforms;
   is_computed_ = true;
-  double* const w = raw_gap.data();
-  const double* const h = problem.heights.data();
-  chunked(raw_gap.size(), workers.threads,
-          [=](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-              w[i] -= h[i];
-          });
-  add_to_gap(0.0, change_);
+  const NodeFields all = fields();
+  contact_sums_ = chunked_sum<TwoSums>(
+      pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
+        const std::size_t block = begin / block_nodes;
+        return subtract_heights(all.at(begin, end), &problem.heights[begin],
+                                problem.local_compliance, &active[block],
+                                &lowest_[block]);
+      });
 }
 
 void ContactState::add_to_gap(double factor, std::span<const float> field) {

@@ -16,6 +16,29 @@ void each_node(std::size_t n, const DoNode& do_node) {
   });
 }
 
+/// Calls finish(p, sum) for the sum of counted(value) over each cell of 2 by 2
+/// nodes.
+template <class Value, class Counted, class Finish>
+void each_cell(std::size_t points, const RowPair<Value>& rows,
+               const Counted& counted, const Finish& finish) {
+  const Value *const a = rows.first, *const b = rows.second;
+  const std::size_t pairs = points / 2;
+  if (b != nullptr)
+    each_node(
+        pairs, [=](std::size_t p) __attribute__((always_inline)) {
+          finish(p, (counted(a[2 * p]) + counted(a[2 * p + 1])) +
+                        (counted(b[2 * p]) + counted(b[2 * p + 1])));
+        });
+  else
+    each_node(
+        pairs, [=](std::size_t p) __attribute__((always_inline)) {
+          finish(p, counted(a[2 * p]) + counted(a[2 * p + 1]));
+        });
+  if (points % 2 != 0)
+    finish(pairs, b != nullptr ? counted(a[points - 1]) + counted(b[points - 1])
+                               : counted(a[points - 1]));
+}
+
 // A choice between two numbers is one between their bits, because the compiler
 // makes no vectors of branches.
 
@@ -26,45 +49,48 @@ void each_node(std::size_t n, const DoNode& do_node) {
                               (std::bit_cast<std::int32_t>(second) & ~mask));
 }
 
+/// The value of a node, 0 if it is active.
+[[gnu::always_inline]] inline float inactive_value(const MaskedRow& row,
+                                                   std::size_t i) {
+  return chosen(row.freedom[i] > 0, 0.0F, row.field[i]);
+}
+
 } // namespace
 
-void add_pairs(std::size_t points, const float* nodes, float* sums) {
-  const std::size_t pairs = points / 2;
-  each_node(
-      pairs, [=](std::size_t p) __attribute__((always_inline)) {
-        sums[p] += nodes[2 * p] + nodes[2 * p + 1];
-      });
-  if (points % 2 != 0)
-    sums[pairs] += nodes[points - 1];
-}
-
-void add_pairs(std::size_t points, const std::uint8_t* freedom, float* sums) {
-  const auto count = [=](std::size_t i) __attribute__((always_inline)) {
-    return std::int32_t{freedom[i] > 0};
-  };
-  const std::size_t pairs = points / 2;
-  each_node(
-      pairs, [=](std::size_t p) __attribute__((always_inline)) {
-        sums[p] += static_cast<float>(count(2 * p) + count(2 * p + 1));
-      });
-  if (points % 2 != 0)
-    sums[pairs] += static_cast<float>(count(points - 1));
-}
-
-void share_precision(std::size_t n, float scale, float variance,
-                     float* precision, float* shares) {
-  each_node(
-      n, [=](std::size_t i) __attribute__((always_inline)) {
-        const float own = scale * precision[i];
-        shares[i] = 1.0F / (1.0F + variance * own);
-        precision[i] = shares[i] * own;
+void sum_cells(std::size_t points, const RowPair<float>& rows, float scale,
+               const float* shares, float* sums) {
+  each_cell(
+      points, rows,
+      [](float value) __attribute__((always_inline)) { return value; },
+      [=](std::size_t p, float sum) __attribute__((always_inline)) {
+        sums[p] = scale * shares[p] * sum;
       });
 }
 
-void scale_row(std::size_t n, float scale, const float* shares, float* values) {
-  each_node(
-      n, [=](std::size_t i) __attribute__((always_inline)) {
-        values[i] *= scale * shares[i];
+void share_precision(std::size_t points, const RowPair<float>& rows,
+                     float scale, float variance, float* precision,
+                     float* shares) {
+  each_cell(
+      points, rows,
+      [](float value) __attribute__((always_inline)) { return value; },
+      [=](std::size_t p, float sum) __attribute__((always_inline)) {
+        const float own = scale * sum;
+        shares[p] = 1.0F / (1.0F + variance * own);
+        precision[p] = shares[p] * own;
+      });
+}
+
+void share_precision(std::size_t points, const RowPair<std::uint8_t>& rows,
+                     float scale, float variance, float* precision,
+                     float* shares) {
+  each_cell(
+      points, rows, [](std::uint8_t freedom) __attribute__((always_inline)) {
+        return std::int32_t{freedom > 0};
+      },
+      [=](std::size_t p, std::int32_t count) __attribute__((always_inline)) {
+        const float own = scale * static_cast<float>(count);
+        shares[p] = 1.0F / (1.0F + variance * own);
+        precision[p] = shares[p] * own;
       });
 }
 
@@ -96,7 +122,8 @@ void widen_row(const float* cells, std::size_t points, float* fine) {
     put(n - 1, cells[n - 2], cells[0]);
 }
 
-void narrow_row(const float* fine, std::size_t points, float* cells) {
+void narrow_row(const float* fine, std::size_t points, const float* shares,
+                float* cells) {
   const std::size_t n = (points + 1) / 2;
   const auto at_end = [=](std::size_t p) {
     float own = fine[2 * p];
@@ -107,14 +134,15 @@ void narrow_row(const float* fine, std::size_t points, float* cells) {
       other += fine[2 * p - 1];
     else if (points % 2 == 0)
       other += fine[points - 1];
-    cells[p] = own_weight * own + other_weight * other;
+    cells[p] = shares[p] * (own_weight * own + other_weight * other);
   };
   at_end(0);
   if (n > 2)
     each_node(
         n - 2, [=](std::size_t i) __attribute__((always_inline)) {
-          cells[i + 1] = own_weight * (fine[2 * i + 2] + fine[2 * i + 3]) +
-                         other_weight * (fine[2 * i + 1] + fine[2 * i + 4]);
+          cells[i + 1] = shares[i + 1] *
+                         (own_weight * (fine[2 * i + 2] + fine[2 * i + 3]) +
+                          other_weight * (fine[2 * i + 1] + fine[2 * i + 4]));
         });
   if (n > 1)
     at_end(n - 1);
@@ -128,11 +156,10 @@ void take_active(std::size_t n, const std::uint8_t* freedom,
       });
 }
 
-void take_inactive(std::size_t n, const std::uint8_t* freedom,
-                   const float* field, float* outside) {
+void take_inactive(std::size_t n, const MaskedRow& row, float* outside) {
   each_node(
       n, [=](std::size_t i) __attribute__((always_inline)) {
-        outside[i] = chosen(freedom[i] > 0, 0.0F, field[i]);
+        outside[i] = inactive_value(row, i);
       });
 }
 
@@ -145,6 +172,18 @@ void sum_rows(std::size_t n, const std::array<const float*, 4>& rows,
   on_this_processor([=](auto) __attribute__((always_inline)) {
     for (std::size_t i = 0; i < n; ++i)
       sum[i] = of_a * a[i] + of_b * b[i] + of_c * c[i] + of_d * d[i];
+  });
+}
+
+void sum_rows(std::size_t n, const std::array<MaskedRow, 4>& rows,
+              const std::array<float, 4>& weights, float* sum) {
+  const MaskedRow a = rows[0], b = rows[1], c = rows[2], d = rows[3];
+  const float of_a = weights[0], of_b = weights[1], of_c = weights[2],
+              of_d = weights[3];
+  on_this_processor([=](auto) __attribute__((always_inline)) {
+    for (std::size_t i = 0; i < n; ++i)
+      sum[i] = of_a * inactive_value(a, i) + of_b * inactive_value(b, i) +
+               of_c * inactive_value(c, i) + of_d * inactive_value(d, i);
   });
 }
 
@@ -164,23 +203,31 @@ void pass_down(std::size_t n, float variance, const float* shares,
                __attribute__((always_inline)) { values[i] *= variance; });
     return;
   }
+  const auto pass = [=](std::size_t i, float own)
+      __attribute__((always_inline)) {
+    values[i] = variance * values[i] + shares[i] * own;
+  };
   each_node(
-      n, [=](std::size_t i) __attribute__((always_inline)) {
-        values[i] = variance * values[i] + shares[i] * above[i / 2];
+      n / 2, [=](std::size_t p) __attribute__((always_inline)) {
+        pass(2 * p, above[p]);
+        pass(2 * p + 1, above[p]);
       });
+  if (n % 2 != 0)
+    pass(n - 1, above[n / 2]);
 }
 
-void add_above(std::size_t points, float share, const float* above,
-               float* field) {
-  const std::size_t pairs = points / 2;
+void add_above(std::size_t begin, std::size_t end, float share,
+               const float* above, float* field) {
+  const std::size_t first = begin / 2;
   each_node(
-      pairs, [=](std::size_t p) __attribute__((always_inline)) {
+      end / 2 - first, [=](std::size_t i) __attribute__((always_inline)) {
+        const std::size_t p = first + i;
         const float own = share * above[p];
         field[2 * p] += own;
         field[2 * p + 1] += own;
       });
-  if (points % 2 != 0)
-    field[points - 1] += share * above[pairs];
+  if (end % 2 != 0)
+    field[end - 1] += share * above[end / 2];
 }
 
 } // namespace asperity::contact

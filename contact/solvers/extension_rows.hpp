@@ -16,17 +16,27 @@ namespace asperity::contact {
 inline constexpr float own_weight = 0.75F;
 inline constexpr float other_weight = 0.25F;
 
-/// sums[p] += the nodes 2p and 2p + 1, where a freedom counts as 1 or 0.
-void add_pairs(std::size_t points, const float* nodes, float* sums);
-void add_pairs(std::size_t points, const std::uint8_t* freedom, float* sums);
+/// The two rows of nodes, or of finer cells, that a row of cells consists of.
+/// The second one is null where there is none.
+template <class Value>
+struct RowPair {
+  const Value* first;
+  const Value* second;
+};
 
-/// shares = 1 / (1 + variance scale precision), precision = shares scale
-/// precision
-void share_precision(std::size_t n, float scale, float variance,
-                     float* precision, float* shares);
+/// sums[p] = scale shares[p] times the sum of the values 2p and 2p + 1 of both
+/// rows
+void sum_cells(std::size_t points, const RowPair<float>& rows, float scale,
+               const float* shares, float* sums);
 
-/// values = scale shares values
-void scale_row(std::size_t n, float scale, const float* shares, float* values);
+/// shares = 1 / (1 + variance n), precision = shares n, with n[p] = scale times
+/// such a sum, where a freedom counts as 1 or 0
+void share_precision(std::size_t points, const RowPair<float>& rows,
+                     float scale, float variance, float* precision,
+                     float* shares);
+void share_precision(std::size_t points, const RowPair<std::uint8_t>& rows,
+                     float scale, float variance, float* precision,
+                     float* shares);
 
 /// mixed = own_weight own + other_weight other
 void mix_rows(std::size_t n, const float* own, const float* other,
@@ -35,19 +45,29 @@ void mix_rows(std::size_t n, const float* own, const float* other,
 /// fine[x] = interpolation along x of a periodic row of cells.
 void widen_row(const float* cells, std::size_t points, float* fine);
 
-/// The transpose of widen_row().
-void narrow_row(const float* fine, std::size_t points, float* cells);
+/// cells = shares times the transpose of widen_row().
+void narrow_row(const float* fine, std::size_t points, const float* shares,
+                float* cells);
 
 /// field = residual where a node is active.
 void take_active(std::size_t n, const std::uint8_t* freedom,
                  const float* residual, float* field);
 
+/// A row of a field with the freedom of its nodes.
+struct MaskedRow {
+  const float* field;
+  const std::uint8_t* freedom;
+};
+
 /// outside = field where a node is not active, otherwise 0.
-void take_inactive(std::size_t n, const std::uint8_t* freedom,
-                   const float* field, float* outside);
+void take_inactive(std::size_t n, const MaskedRow& row, float* outside);
 
 /// sum = the rows, each times its weight
 void sum_rows(std::size_t n, const std::array<const float*, 4>& rows,
+              const std::array<float, 4>& weights, float* sum);
+
+/// The same for the inactive nodes of each row.
+void sum_rows(std::size_t n, const std::array<MaskedRow, 4>& rows,
               const std::array<float, 4>& weights, float* sum);
 
 /// values = variance values + shares beyond
@@ -59,8 +79,9 @@ void add_beyond(std::size_t n, float variance, const float* shares,
 void pass_down(std::size_t n, float variance, const float* shares,
                const float* above, float* values);
 
-/// field += share times the value of the cell above each node.
-void add_above(std::size_t points, float share, const float* above,
-               float* field);
+/// field[x] += share times the value of the cell above the node x, begin <= x <
+/// end; `begin` is even.
+void add_above(std::size_t begin, std::size_t end, float share,
+               const float* above, float* field);
 
 } // namespace asperity::contact

@@ -92,19 +92,19 @@ measure(const NodeFields& f, double rigid, double compliance,
           f.weight != nullptr ? weight.total() : free, changed.total()};
 }
 
-template <std::size_t bytes>
+/// raw_gap = next(node, raw_gap).
+template <std::size_t bytes, class Next>
 [[gnu::always_inline]] inline TwoSums
-change(const NodeFields& f, double factor, double compliance,
+change(const NodeFields& f, const Next& next, double compliance,
        const std::uint8_t* active, double* lowest) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Lanes<bytes> residual, weight;
   each_node_block(
       f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
-        const float* const u = f.displaced + first;
         double* const w = f.raw_gap + first;
         Terms gaps(n, infinity), zeros(n);
         for (std::size_t i = 0; i < n; ++i) {
-          const double own = w[i] + factor * static_cast<double>(u[i]);
+          const double own = next(first + i, w[i]);
           w[i] = own;
           gaps[i] = own;
           zeros[i] = 0.0 * own;
@@ -271,7 +271,24 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return change<bytes()>(fields, factor, compliance, active, lowest);
+    const auto next =
+        [ factor, u = fields.displaced ](std::size_t i, double own)
+            __attribute__((always_inline)) {
+      return own + factor * static_cast<double>(u[i]);
+    };
+    return change<bytes()>(fields, next, compliance, active, lowest);
+  });
+}
+
+TwoSums subtract_heights(const NodeFields& fields, const double* heights,
+                         double compliance, const std::uint8_t* active,
+                         double* lowest) {
+  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    const auto next = [heights](std::size_t i, double own)
+        __attribute__((always_inline)) {
+      return own - heights[i];
+    };
+    return change<bytes()>(fields, next, compliance, active, lowest);
   });
 }
 

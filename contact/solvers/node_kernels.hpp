@@ -72,6 +72,12 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest);
 
+/// The same with raw_gap = C p - heights, where raw_gap contains C p before.
+/// @param heights  [m] of these nodes
+TwoSums subtract_heights(const NodeFields& fields, const double* heights,
+                         double compliance, const std::uint8_t* active,
+                         double* lowest);
+
 /// Sum of weight z over the active nodes.
 double sum_free(const NodeFields& fields);
 

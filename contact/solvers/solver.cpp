@@ -76,9 +76,10 @@ private:
       freed_at_build_ = state.freed;
     }
     std::vector<float>& extended = compliance_direction_; // free until step()
-    extension_.extend(state.freedom, state.residual, extended);
+    const BoundaryExtension::Active active{state.freedom, state.active};
+    extension_.extend(active, state.residual, extended);
     state.elasticity.pressure_estimate(extended, c, preconditioned_);
-    extension_.fold(state.freedom, preconditioned_);
+    extension_.fold(active, preconditioned_);
     ++state.transforms;
   }
 

@@ -24,6 +24,14 @@ std::vector<std::uint8_t> patches(const Grid& grid) {
   return is_free;
 }
 
+BlockFlags blocks_with(const std::vector<std::uint8_t>& is_free) {
+  BlockFlags flags(blocks_of(is_free.size()));
+  for (std::size_t i = 0; i < is_free.size(); ++i)
+    if (is_free[i] > 0)
+      flags[i / block_nodes] = 1;
+  return flags;
+}
+
 std::vector<float> random_field(std::size_t size, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<float> value(-1.0F, 1.0F);
@@ -39,7 +47,7 @@ std::vector<float> extended(const Grid& grid, double own_share,
   BoundaryExtension extension(grid, 1);
   extension.build(own_share, is_free);
   std::vector<float> field(grid.size(), 7.0F);
-  extension.extend(is_free, residual, field);
+  extension.extend({is_free, blocks_with(is_free)}, residual, field);
   return field;
 }
 
@@ -115,8 +123,9 @@ TEST(BoundaryExtension, FoldIsItsTranspose) {
       const std::vector<float> whole_y = y;
       std::vector<float> field(grid.size());
 
-      extension.extend(is_free, r, field);
-      extension.fold(is_free, y);
+      const BlockFlags blocks = blocks_with(is_free);
+      extension.extend({is_free, blocks}, r, field);
+      extension.fold({is_free, blocks}, y);
 
       double left = 0.0, right = 0.0, size = 0.0;
       for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -170,9 +179,10 @@ struct Preconditioned {
 
   std::vector<float> precondition(const std::vector<float>& r) {
     std::vector<float> field(r.size()), z(r.size());
-    extension.extend(is_free, r, field);
+    const BlockFlags blocks = blocks_with(is_free);
+    extension.extend({is_free, blocks}, r, field);
     elasticity.pressure_estimate(field, local_compliance, z);
-    extension.fold(is_free, z);
+    extension.fold({is_free, blocks}, z);
     project(z);
     return z;
   }

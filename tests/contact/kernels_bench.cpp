@@ -103,8 +103,9 @@ void extension_extend_and_fold(benchmark::State& state) {
   extension.build(1.0, contact.freedom);
   std::vector<float> extended(heights.size());
   for (auto _ : state) {
-    extension.extend(contact.freedom, contact.residual, extended);
-    extension.fold(contact.freedom, extended);
+    const BoundaryExtension::Active active{contact.freedom, contact.active};
+    extension.extend(active, contact.residual, extended);
+    extension.fold(active, extended);
   }
 }
 
