@@ -28,11 +28,14 @@ SharedRows halved(const SharedRows& fine, const Grid& coarse) {
 std::vector<double> every_second(const SharedRows& fine,
                                  const SharedRows& coarse,
                                  std::span<const double> field) {
-  std::vector<double> picked;
-  picked.reserve(coarse.size());
-  for (int iy = 0; iy < coarse.count(); ++iy)
-    for (int ix = 0; ix < coarse.grid().points_x; ++ix)
-      picked.push_back(field[fine.grid().index(2 * ix, 2 * iy)]);
+  std::vector<double> picked(coarse.size());
+  const std::size_t width = coarse.width();
+  for (int iy = 0; iy < coarse.count(); ++iy) {
+    const double* const from = &field[fine.grid().index(0, 2 * iy)];
+    double* const to = &picked[coarse.grid().index(0, iy)];
+    for (std::size_t ix = 0; ix < width; ++ix)
+      to[ix] = from[2 * ix];
+  }
   return picked;
 }
 
@@ -118,9 +121,11 @@ std::vector<double> with_ghost_rows(const SharedRows& rows,
 std::vector<double> signed_pressure(ContactSolution&& solution,
                                     double compliance) {
   std::vector<double> field = std::move(solution.pressure);
-  for (std::size_t i = 0; i < field.size(); ++i)
-    if (!(field[i] > 0.0))
-      field[i] = -std::max(0.0, solution.gap[i]) / compliance;
+  const double stiffness = 1.0 / compliance;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const double open = -stiffness * std::max(0.0, solution.gap[i]);
+    field[i] = field[i] > 0.0 ? field[i] : open;
+  }
   return field;
 }
 

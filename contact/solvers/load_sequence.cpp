@@ -41,9 +41,10 @@ double extrapolation_reach(mechanics::Control control, double before,
 /// because one of them is 0 at every node.
 std::vector<double> signed_state(const ContactSolution& solution) {
   std::vector<double> state = solution.pressure;
-  for (std::size_t i = 0; i < state.size(); ++i)
-    if (!(state[i] > 0.0))
-      state[i] = -std::max(0.0, solution.gap[i]);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double open = -std::max(0.0, solution.gap[i]);
+    state[i] = state[i] > 0.0 ? state[i] : open;
+  }
   return state;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace asperity::contact {
@@ -29,26 +30,50 @@ struct Freedoms {
   std::array<std::int32_t, block_nodes> codes;
 };
 
-/// Returns 1 if any node is active, otherwise 0.
+/// Numbers of nodes of a block.
+struct FreedomCount {
+  std::uint64_t active, changed; ///< became active or inactive
+};
+
+/// Eight freedoms at a time, as the bytes of a number.
+using EightFreedoms = std::uint64_t;
+constexpr EightFreedoms ones = 0x0101010101010101U;
+
+/// 1 in the bytes of the active nodes.
+[[gnu::always_inline]] inline EightFreedoms active_in(EightFreedoms codes) {
+  return (codes | codes >> 1U) & ones;
+}
+
+/// Sets the freedom of n nodes; the other ones of a block have codes of 0.
 template <class Count>
-[[gnu::always_inline]] inline std::uint8_t
+[[gnu::always_inline]] inline FreedomCount
 store_freedom(const Terms& codes, Count n, std::uint8_t* freedom) {
   std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < block_nodes; ++i)
     narrow[i] = static_cast<std::int32_t>(codes.values[i]);
-  unsigned any = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    freedom[i] = static_cast<std::uint8_t>(narrow[i]);
-    any |= freedom[i];
+  std::array<std::uint8_t, block_nodes> before{}, now;
+  for (std::size_t i = 0; i < block_nodes; ++i)
+    now[i] = static_cast<std::uint8_t>(narrow[i]);
+  std::memcpy(before.data(), freedom, n);
+  std::memcpy(freedom, now.data(), n);
+  EightFreedoms active = 0, changed = 0; // at most 8 in a byte
+  for (std::size_t i = 0; i < block_nodes; i += sizeof(EightFreedoms)) {
+    EightFreedoms was, is;
+    std::memcpy(&was, before.data() + i, sizeof(was));
+    std::memcpy(&is, now.data() + i, sizeof(is));
+    active += active_in(is);
+    changed += active_in(is) ^ active_in(was);
   }
-  return any != 0 ? 1 : 0;
+  const auto sum = [](EightFreedoms bytes) { return (bytes * ones) >> 56U; };
+  return {sum(active), sum(changed)};
 }
 
 template <std::size_t bytes>
 [[gnu::always_inline]] inline MeasuredNodes
 measure(const NodeFields& f, double rigid, double compliance,
         std::uint8_t* active) {
-  Lanes<bytes> error, zero, weight, changed, n_free;
+  Lanes<bytes> error, zero, weight;
+  FreedomCount counts{0, 0};
   each_node_block(
       f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
         if (active[first / block_nodes] == 0)
@@ -57,39 +82,35 @@ measure(const NodeFields& f, double rigid, double compliance,
         const double* const w = f.raw_gap + first;
         float* const r = f.residual + first;
         std::uint8_t* const freedom = f.freedom + first;
-        Terms sizes(n), zeros(n), weights(n), changes(n), frees(n), codes(n);
-        const Freedoms before(freedom, n);
+        Terms sizes(n), zeros(n), codes(n);
         for (std::size_t i = 0; i < n; ++i) {
           const double value = w[i] + compliance * p[i] + rigid;
           const std::int64_t pushed = p[i] > 0.0 ? -1 : 0;
           const std::int64_t overlaps = value < 0.0 ? -1 : 0;
           const std::int64_t is_free = pushed | overlaps;
           const double kept = masked(value, is_free);
-          const double free = masked(1.0, is_free);
           r[i] = static_cast<float>(kept);
           sizes[i] = -std::abs(kept);
           zeros[i] = 0.0 * value;
-          frees[i] = free;
-          codes[i] = free + masked(1.0, pushed);
+          codes[i] = masked(1.0, is_free) + masked(1.0, pushed);
         }
-        for (std::size_t i = 0; i < n; ++i) {
-          const double was_free = before.codes[i] > 0 ? 1.0 : 0.0;
-          changes[i] = std::abs(was_free - frees[i]);
-        }
-        active[first / block_nodes] = store_freedom(codes, n, freedom);
+        const FreedomCount count = store_freedom(codes, n, freedom);
+        active[first / block_nodes] = count.active > 0 ? 1 : 0;
+        counts.active += count.active;
+        counts.changed += count.changed;
         if (f.weight != nullptr) {
+          Terms weights(n);
           for (std::size_t i = 0; i < n; ++i)
-            weights[i] = f.weight[first + i] * frees[i];
+            weights[i] = codes[i] > 0.0 ? f.weight[first + i] : 0.0;
           weight.add(weights);
         }
         error.keep_smallest(sizes);
         zero.add(zeros);
-        changed.add(changes);
-        n_free.add(frees);
       });
-  const double free = n_free.total();
   return {zero.total() - error.smallest(),
-          f.weight != nullptr ? weight.total() : free, changed.total()};
+          f.weight != nullptr ? weight.total()
+                              : static_cast<double>(counts.active),
+          static_cast<double>(counts.changed)};
 }
 
 /// raw_gap = next(node, raw_gap).
@@ -98,6 +119,7 @@ template <std::size_t bytes, class Next>
 change(const NodeFields& f, const Next& next, double compliance,
        const std::uint8_t* active, double* lowest) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto lowest_of_all = typename Lanes<bytes>::Vector{} - infinity;
   Lanes<bytes> residual, weight;
   each_node_block(
       f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
@@ -114,7 +136,10 @@ change(const NodeFields& f, const Next& next, double compliance,
           part += infinity;
         least.keep_smallest(gaps);
         zero.add(zeros);
-        lowest[first / block_nodes] = least.smallest() + zero.total();
+        for (std::size_t part = 0; part < least.parts.size(); ++part)
+          least.parts[part] =
+              zero.parts[part] == 0.0 ? least.parts[part] : lowest_of_all;
+        lowest[first / block_nodes] = least.smallest();
         if (active[first / block_nodes] == 0)
           return;
         const double* const p = f.pressure + first;

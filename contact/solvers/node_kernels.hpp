@@ -67,8 +67,9 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 /// raw_gap += factor displaced. Returns the sums of weight (raw_gap + c p) and
 /// of weight where p > 0, in the active blocks.
 /// @param active  one flag per block
-/// @param lowest  lowest raw_gap of each block [m], overwritten; NaN if a value
-///                is not finite
+/// @param lowest  lowest raw_gap of each block [m], overwritten; minus infinity
+/// if
+///                a value is not finite
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest);
 

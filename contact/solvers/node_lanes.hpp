@@ -82,7 +82,9 @@ struct Lanes {
   [[gnu::always_inline]] double folded(const Join& join) const {
     std::array<double, n_lanes> lanes;
     std::memcpy(lanes.data(), parts.data(), sizeof(lanes));
+#pragma GCC unroll 4
     for (std::size_t half = n_lanes / 2; half > 0; half /= 2)
+#pragma GCC unroll 8
       for (std::size_t i = 0; i < half; ++i)
         lanes[i] = join(lanes[i], lanes[i + half]);
     return lanes[0];
