@@ -1,9 +1,9 @@
 #pragma once
 
-// This file lets a test run the kernels of base/on_this_processor.hpp as other
+// This file lets a test run the kernels of base/simd_pack.hpp as other
 // processors do.
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 
 #include <gtest/gtest.h>
 

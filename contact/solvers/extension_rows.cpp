@@ -1,6 +1,6 @@
 #include "contact/solvers/extension_rows.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 
 #include <bit>
 

@@ -1,6 +1,6 @@
 #include "contact/solvers/node_kernels.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 #include "contact/solvers/node_lanes.hpp"
 
 #include <array>

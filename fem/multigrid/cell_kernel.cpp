@@ -1,6 +1,6 @@
 #include "fem/multigrid/cell_kernel.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 #include "fem/multigrid/box_stiffness.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "fem/multigrid/hexahedron_kernel.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #include "fem/refined/box_kernel.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 
 // The values of a box stay in registers, so loops over its nodes are unrolled.
 #define ASPERITY_UNROLL _Pragma("GCC unroll 8")

@@ -1,6 +1,6 @@
 #include "md/interface/interface_kernel.hpp"
 
-#include "base/on_this_processor.hpp"
+#include "base/simd_pack.hpp"
 #include "md/interface/tile_turns.hpp"
 
 #include <algorithm>
