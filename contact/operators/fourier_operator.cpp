@@ -100,8 +100,9 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
           shared_->compliance[static_cast<std::size_t>(row) * fine_columns +
                               static_cast<std::size_t>(jx)]);
   }
-  return std::make_unique<FourierOperator>(coarse, std::move(compliance),
-                                           threads());
+  return std::unique_ptr<SurfaceOperator>(
+      new FourierOperator(std::make_shared<const Shared>(
+          coarse, std::move(compliance), threads())));
 }
 
 void FourierOperator::displacement(std::span<const double> pressure,

@@ -58,7 +58,7 @@ store_freedom(const Terms& codes, Count n, std::uint8_t* freedom) {
   std::memcpy(freedom, now.data(), n);
   EightFreedoms active = 0, changed = 0; // at most 8 in a byte
   for (std::size_t i = 0; i < block_nodes; i += sizeof(EightFreedoms)) {
-    EightFreedoms was, is;
+    EightFreedoms was = 0, is = 0;
     std::memcpy(&was, before.data() + i, sizeof(was));
     std::memcpy(&is, now.data() + i, sizeof(is));
     active += active_in(is);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -41,9 +43,12 @@ class Directions {
 public:
   explicit Directions(const ContactState& state)
       : extension_(state.elasticity.grid(), state.workers),
-        preconditioned_(state.pressure.size()),
+        unset_(
+            std::make_unique_for_overwrite<float[]>(2 * state.pressure.size())),
+        preconditioned_(unset_.get(), state.pressure.size()),
+        compliance_direction_(unset_.get() + state.pressure.size(),
+                              state.pressure.size()),
         direction_(state.pressure.size()),
-        compliance_direction_(state.pressure.size()),
         written_(state.active.size(), 0) {}
 
   /// Makes one iteration. Returns false if there is no descent direction.
@@ -75,7 +80,7 @@ private:
       extension_.build(short_wave / (short_wave + c), state.freedom);
       freed_at_build_ = state.freed;
     }
-    std::vector<float>& extended = compliance_direction_; // free until step()
+    const std::span<float> extended = compliance_direction_; // until step()
     const BoundaryExtension::Active active{state.freedom, state.active};
     extension_.extend(active, state.residual, extended);
     state.elasticity.pressure_estimate(extended, c, preconditioned_);
@@ -93,14 +98,14 @@ private:
     const double n_free = state.free_weight;
     if (n_free < 0.5 * static_cast<double>(state.workers.all_nodes(nodes)))
       return;
-    std::vector<float>& softened = compliance_direction_;
+    const std::span<float> softened = compliance_direction_;
     std::vector<float> uniform(nodes);
     for (std::size_t i = 0; i < nodes; ++i)
       uniform[i] = state.freedom[i] > fixed ? 1.0F : 0.0F;
     state.elasticity.displacement_change(uniform, softened);
     ++state.transforms;
     const double c = state.problem.local_compliance;
-    const auto sum = [&](const std::vector<float>& field) {
+    const auto sum = [&](std::span<const float> field) {
       return weighted_sum(
           state.elasticity.nodal_weights(), nodes, state.workers,
           [u = uniform.data(), f = field.data()](std::size_t i) {
@@ -159,9 +164,10 @@ private:
 
   BoundaryExtension extension_;
   double freed_at_build_ = 0.0; ///< 0: not built
-  std::vector<float> preconditioned_;
+  /// Memory of the next two fields, which are written before they are read.
+  std::unique_ptr<float[]> unset_;
+  std::span<float> preconditioned_, compliance_direction_;
   std::vector<float> direction_;
-  std::vector<float> compliance_direction_;
   BlockFlags written_; ///< blocks where the direction may differ from 0
   double before_ = 0.0;
 };
