@@ -1,6 +1,6 @@
 #pragma once
 
-// This file contains what the loops of node_kernels.cpp consist of: blocks of
+// This file contains what the loops of node_kernels.hpp consist of: blocks of
 // nodes, and sums that round in the same way for every SIMD width.
 //
 // The terms of the sums over a block go to arrays on the stack, which are added
