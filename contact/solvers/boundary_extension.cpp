@@ -219,9 +219,9 @@ void BoundaryExtension::extend(const Active& active,
 }
 
 /// values of a level = its shares times the transpose of interpolate().
-/// @param row  row(iy): values of a row of nodes, or of cells of the finer
-///             level, from the row before those of this process to the one
-///             after them
+/// @param row  row(iy, scratch): values of a row of nodes, or of cells of the
+///             finer level, from the row before those of this process to the
+///             one after them; called for one row after another
 template <class Row>
 void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
                                Level& level) const {
@@ -233,10 +233,11 @@ void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
     const bool has_second = 2 * iy + 1 < fine.count();
     const bool has_before = iy > 0 || has_row_before;
     sum_rows(width,
-             std::array{row(2 * iy), row(2 * iy + (has_second ? 1 : 0)),
-                        row(2 * iy - 1), row(2 * iy + (has_second ? 2 : 1))},
-             {own_weight, has_second ? own_weight : 0.0F,
-              has_before ? other_weight : 0.0F, other_weight},
+             {row(2 * iy - 1, scratch), row(2 * iy, scratch),
+              row(2 * iy + (has_second ? 1 : 0), scratch),
+              row(2 * iy + (has_second ? 2 : 1), scratch)},
+             {has_before ? other_weight : 0.0F, own_weight,
+              has_second ? own_weight : 0.0F, other_weight},
              scratch.row.data());
     narrow_row(scratch.row.data(), width, level.shares_row(level.offset() + iy),
                level.row(level.offset() + iy));
@@ -276,16 +277,35 @@ MaskedRow BoundaryExtension::row_of(const Active& active, const float* field,
   return {field + first, &active.is_free[first]};
 }
 
+/// The same, 0 at the active nodes. The rows of a turn are asked for one after
+/// another, so that each is computed once.
+const float* BoundaryExtension::inactive_row(const Active& active,
+                                             const float* field, int iy,
+                                             Scratch& scratch) const {
+  const std::size_t width = rows_.width();
+  scratch.inactive.resize(4 * width);
+  float* const place =
+      scratch.inactive.data() + static_cast<std::size_t>(iy + 4) % 4 * width;
+  if (iy > scratch.last_inactive) {
+    take_inactive(width, row_of(active, field, iy), place);
+    scratch.last_inactive = iy;
+  }
+  return place;
+}
+
 void BoundaryExtension::fold(const Active& active, std::span<float> field) {
   swap_edges(active, field);
   gather(
-      rows_, [&](int iy) { return row_of(active, field.data(), iy); },
+      rows_,
+      [&](int iy, Scratch& scratch) {
+        return inactive_row(active, field.data(), iy, scratch);
+      },
       levels_[0]);
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
     levels_[l].stored.fill_ghost_rows(std::span(levels_[l].values));
     gather(
         levels_[l].stored,
-        [&](int iy) { return std::as_const(levels_[l]).row(iy); },
+        [&](int iy, Scratch&) { return std::as_const(levels_[l]).row(iy); },
         levels_[l + 1]);
   }
   for (std::size_t l = levels_.size(); l-- > 0;) // what each cell takes

@@ -106,6 +106,8 @@ private:
   /// Memory of a loop over rows.
   struct Scratch {
     std::vector<float> cells, row;
+    std::vector<float> inactive; ///< four rows of nodes, row y at y modulo 4
+    int last_inactive = -2;      ///< the last of them
   };
 
   /// s on the finest level.
@@ -127,6 +129,8 @@ private:
   void gather(const SharedRows& fine, const Row& row, Level& level) const;
   void swap_edges(const Active& active, std::span<const float> field);
   MaskedRow row_of(const Active& active, const float* field, int iy) const;
+  const float* inactive_row(const Active& active, const float* field, int iy,
+                            Scratch& scratch) const;
   void pass_down_to(std::size_t l, int iy);
 
   SharedRows rows_;

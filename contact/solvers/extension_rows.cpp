@@ -49,12 +49,6 @@ void each_cell(std::size_t points, const RowPair<Value>& rows,
                               (std::bit_cast<std::int32_t>(second) & ~mask));
 }
 
-/// The value of a node, 0 if it is active.
-[[gnu::always_inline]] inline float inactive_value(const MaskedRow& row,
-                                                   std::size_t i) {
-  return chosen(row.freedom[i] > 0, 0.0F, row.field[i]);
-}
-
 } // namespace
 
 void sum_cells(std::size_t points, const RowPair<float>& rows, float scale,
@@ -157,9 +151,11 @@ void take_active(std::size_t n, const std::uint8_t* freedom,
 }
 
 void take_inactive(std::size_t n, const MaskedRow& row, float* outside) {
+  const float* const field = row.field;
+  const std::uint8_t* const freedom = row.freedom;
   each_node(
       n, [=](std::size_t i) __attribute__((always_inline)) {
-        outside[i] = inactive_value(row, i);
+        outside[i] = chosen(freedom[i] > 0, 0.0F, field[i]);
       });
 }
 
@@ -172,18 +168,6 @@ void sum_rows(std::size_t n, const std::array<const float*, 4>& rows,
   on_this_processor([=](auto) __attribute__((always_inline)) {
     for (std::size_t i = 0; i < n; ++i)
       sum[i] = of_a * a[i] + of_b * b[i] + of_c * c[i] + of_d * d[i];
-  });
-}
-
-void sum_rows(std::size_t n, const std::array<MaskedRow, 4>& rows,
-              const std::array<float, 4>& weights, float* sum) {
-  const MaskedRow a = rows[0], b = rows[1], c = rows[2], d = rows[3];
-  const float of_a = weights[0], of_b = weights[1], of_c = weights[2],
-              of_d = weights[3];
-  on_this_processor([=](auto) __attribute__((always_inline)) {
-    for (std::size_t i = 0; i < n; ++i)
-      sum[i] = of_a * inactive_value(a, i) + of_b * inactive_value(b, i) +
-               of_c * inactive_value(c, i) + of_d * inactive_value(d, i);
   });
 }
 

@@ -66,10 +66,6 @@ void take_inactive(std::size_t n, const MaskedRow& row, float* outside);
 void sum_rows(std::size_t n, const std::array<const float*, 4>& rows,
               const std::array<float, 4>& weights, float* sum);
 
-/// The same for the inactive nodes of each row.
-void sum_rows(std::size_t n, const std::array<MaskedRow, 4>& rows,
-              const std::array<float, 4>& weights, float* sum);
-
 /// values = variance values + shares beyond
 void add_beyond(std::size_t n, float variance, const float* shares,
                 const float* beyond, float* values);
