@@ -232,12 +232,13 @@ void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
     scratch.row.resize(width);
     const bool has_second = 2 * iy + 1 < fine.count();
     const bool has_before = iy > 0 || has_row_before;
-    sum_rows(width,
-             {row(2 * iy - 1, scratch), row(2 * iy, scratch),
-              row(2 * iy + (has_second ? 1 : 0), scratch),
-              row(2 * iy + (has_second ? 2 : 1), scratch)},
-             {has_before ? other_weight : 0.0F, own_weight,
-              has_second ? own_weight : 0.0F, other_weight},
+    const float* const before = row(2 * iy - 1, scratch);
+    const float* const first = row(2 * iy, scratch);
+    const float* const second = row(2 * iy + (has_second ? 1 : 0), scratch);
+    const float* const after = row(2 * iy + (has_second ? 2 : 1), scratch);
+    sum_rows(width, {first, second, before, after},
+             {own_weight, has_second ? own_weight : 0.0F,
+              has_before ? other_weight : 0.0F, other_weight},
              scratch.row.data());
     narrow_row(scratch.row.data(), width, level.shares_row(level.offset() + iy),
                level.row(level.offset() + iy));
