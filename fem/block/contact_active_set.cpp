@@ -72,6 +72,7 @@ bool ContactNewton::active_set(const mechanics::LoadTarget& load,
   const int last = std::min(contact.max_iterations, most_steps);
   while (answer.iterations < last) {
     ++answer.iterations;
+    is_careful_ = answer.iterations > most_full_steps;
     if (load.control == mechanics::Control::nominal_pressure && !any(active)) {
       rigid_gap_ = touching_gap(load.amount, spring);
       for (std::size_t i = 0; i < active.size(); ++i)

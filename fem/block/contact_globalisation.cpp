@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <optional>
 
 namespace asperity::fem {
 namespace {
@@ -15,10 +17,83 @@ namespace {
 /// Halvings of the interval in which the step length lies.
 constexpr int halvings = 40;
 
+/// The excess of the mean gap over the prescribed one at a nominal pressure
+/// [Pa], in m.
+using Excess = std::function<double(double pressure)>;
+
+struct ExcessAt {
+  ExcessAt(const Excess& function, double at)
+      : pressure(at), excess(function(at)) {}
+
+  double pressure, excess;
+};
+
+/// Positive at the lower pressure, and not at the higher one.
+struct Bracket {
+  ExcessAt low, high;
+};
+
+/// Searches between three pressures, of which the middle has the smallest
+/// excess, for one without an excess.
+std::optional<Bracket> bracket_between(const Excess& function, ExcessAt low,
+                                       ExcessAt middle, ExcessAt high) {
+  constexpr int most_loads = 16;
+  for (int i = 0; i < most_loads; ++i) {
+    const bool is_above =
+        high.pressure * low.pressure > middle.pressure * middle.pressure;
+    ExcessAt& side = is_above ? high : low;
+    const ExcessAt next(function, std::sqrt(middle.pressure * side.pressure));
+    if (next.excess <= 0.0)
+      return Bracket{is_above ? middle : low, next};
+    if (next.excess < middle.excess) {
+      (is_above ? low : high) = middle;
+      middle = next;
+    } else {
+      side = next;
+    }
+  }
+  return {};
+}
+
+/// Brackets the smallest pressure without an excess, beginning at a guess. The
+/// mean gap first falls with the pressure. It may have a least value, beyond
+/// which a heterogeneous block lifts more of the surface than it lowers.
+std::optional<Bracket> first_bracket(const Excess& function, double guess) {
+  constexpr double factor = 2.0;
+  constexpr double most_factor = 1e6;
+  ExcessAt middle(function, guess);
+  ExcessAt low(function, guess / factor);
+  while ((low.excess <= 0.0 || low.excess < middle.excess) &&
+         low.pressure * most_factor > guess) {
+    middle = low;
+    low = ExcessAt(function, low.pressure / factor);
+  }
+  if (middle.excess <= 0.0)
+    return Bracket{low, middle};
+  while (middle.pressure < most_factor * guess) {
+    const ExcessAt high(function, factor * middle.pressure);
+    if (high.excess <= 0.0)
+      return Bracket{middle, high};
+    if (high.excess >= middle.excess)
+      return bracket_between(function, low, middle, high);
+    low = middle;
+    middle = high;
+  }
+  return {};
+}
+
 } // namespace
 
 ContactNewton::State ContactNewton::state() const {
   return {displacement_, elastic_, face_displacement_, rigid_gap_};
+}
+
+void ContactNewton::return_to(const State& state, double penalty) {
+  displacement_ = state.displacement;
+  elastic_ = state.elastic;
+  face_displacement_ = state.face_displacement;
+  rigid_gap_ = state.rigid_gap;
+  update_pressure(penalty);
 }
 
 /// Sums a_c p_c dgap_c/dt [N m] over the points of all ranks, at the share t of
@@ -74,38 +149,39 @@ void ContactNewton::shorten_step(const State& before, double penalty) {
 }
 
 /// Finds the nominal pressure whose solution has the prescribed mean gap [m],
-/// and that solution. Returns whether it was found; if not, the note gives the
-/// reason. A heterogeneous block between flat surfaces may lift some nodes
-/// under any pressure, and the gap then has a least mean.
+/// and that solution, from the last state that was a solution. Returns whether
+/// it was found; if not, the note gives the reason.
 bool ContactNewton::approach_by_load(double mean_gap_target,
                                      const BlockContact& contact,
                                      BlockSolution& answer) {
-  constexpr double first_factor = 2.0;
-  constexpr double largest_factor = 1e6;
   constexpr int bits = 30; // of the pressure
   std::uintmax_t most_loads = 100;
+  return_to(settled_, contact.penalty);
   const double present = borne() / area();
   const double guess =
       present > 0.0 ? present : stiffness_scale_ * std::abs(mean_gap());
   double least = std::numeric_limits<double>::infinity();
   bool has_failed = false;
-  const auto excess_at = [&](double pressure) {
-    if (!has_failed && pressure > largest_factor * guess) {
-      answer.note = fmt::format(
-          "no nominal pressure up to {:.3g} Pa closes the gap to {:.3g} m; its "
-          "mean must be at least {:.3g} m",
-          pressure, mean_gap_target, least);
-      has_failed = true;
-    }
+  const Excess excess_at = [&](double pressure) {
     const mechanics::LoadTarget load{mechanics::Control::nominal_pressure,
                                      pressure};
     has_failed = has_failed || !newton(load, contact, answer, true);
     least = std::min(least, mean_gap());
     return has_failed ? 0.0 : mean_gap() - mean_gap_target;
   };
-  boost::math::tools::bracket_and_solve_root(
-      excess_at, guess, first_factor, false,
-      boost::math::tools::eps_tolerance<double>(bits), most_loads);
+  const std::optional<Bracket> found = first_bracket(excess_at, guess);
+  if (!found && !has_failed) {
+    answer.note = fmt::format(
+        "no nominal pressure closes the gap to {:.3g} m; its mean must be at "
+        "least {:.3g} m",
+        mean_gap_target, least);
+    return false;
+  }
+  if (!has_failed)
+    boost::math::tools::toms748_solve(
+        excess_at, found->low.pressure, found->high.pressure, found->low.excess,
+        found->high.excess, boost::math::tools::eps_tolerance<double>(bits),
+        most_loads);
   return !has_failed;
 }
 

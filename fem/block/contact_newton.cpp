@@ -18,10 +18,6 @@ using dealii::Utilities::MPI::min;
 using dealii::Utilities::MPI::sum;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-/// Number of full steps on changing contact sets before steps are shortened. A
-/// contact set that full steps find is found within some ten.
-constexpr int most_full_steps = 12;
-
 std::vector<bool> contact_set(const std::vector<double>& pressure) {
   std::vector<bool> set(pressure.size());
   std::transform(pressure.begin(), pressure.end(), set.begin(),
@@ -168,7 +164,8 @@ void ContactNewton::update_pressure(double penalty) {
 /// changes. Steps on an unchanged set reduce the error that the linear solver,
 /// or the roundoff of a large step, has left. If full steps do not find the
 /// contact set, steps under a prescribed load are shortened; a prescribed mean
-/// gap, which minimises no energy, is approached by loads first.
+/// gap, which minimises no energy, is approached by loads first. The same if
+/// the linear solver fails, which full steps far from any solution may cause.
 bool ContactNewton::newton(const mechanics::LoadTarget& load,
                            const BlockContact& contact, BlockSolution& answer,
                            bool is_hard_to_find) {
@@ -184,6 +181,7 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
       if (!approach_by_load(load.amount, contact, answer))
         return false;
     }
+    is_careful_ = are_cycling;
     const std::vector<bool> before = contact_set(pressure_);
     ++answer.iterations;
     if (load.control == mechanics::Control::nominal_pressure && !any(before)) {
@@ -198,6 +196,11 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
     if (are_cycling && load.control == mechanics::Control::nominal_pressure)
       start = state();
     if (!step(load, springs, nothing, contact.tolerance, refinements)) {
+      if (changes < most_full_steps) {
+        return_to(settled_, contact.penalty);
+        changes = most_full_steps;
+        continue;
+      }
       answer.note = solver_.failure();
       return false;
     }
@@ -211,8 +214,10 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
       refinements = 0;
       ++changes;
     } else if (residual <= contact.tolerance ||
-               refinements++ == most_refinements)
+               refinements++ == most_refinements) {
+      settled_ = state();
       return true;
+    }
   }
   answer.note = "the contact set did not converge";
   return false;
@@ -255,6 +260,8 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   watch_ = contact.watch;
   progress_ = {.unknowns = system_.n_unknowns()};
   iterations_before_ = iterations;
+  settled_ = state();
+  is_careful_ = false;
   if (load.control == mechanics::Control::mean_gap && load.amount < 0.0 &&
       contact.law != mechanics::ContactLaw::penalty)
     answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "

@@ -19,6 +19,10 @@ namespace asperity::fem {
 /// steps gain no accuracy.
 constexpr int most_refinements = 8;
 
+/// Number of full steps on changing contact sets before steps are taken more
+/// carefully. A contact set that full steps find is found within some ten.
+constexpr int most_full_steps = 12;
+
 /// The larger of two residuals, or infinity if the second is NaN: std::max
 /// would ignore a NaN, and MPI's maximum may.
 double larger_residual(double largest, double residual);
@@ -147,6 +151,7 @@ private:
   void take_wall_pressure(const std::vector<bool>& active);
   bool step(const mechanics::LoadTarget& load, std::span<const double> springs,
             const std::vector<bool>& held, double tolerance, int refinements);
+  double relative_tolerance(bool has_wall) const;
   bool solve_for(dealii::TrilinosWrappers::MPI::Vector& answer,
                  const dealii::TrilinosWrappers::MPI::Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
@@ -154,6 +159,7 @@ private:
                    bool is_sticking, double& reaction);
   double stiffness_of(std::span<const double> springs) const;
   State state() const;
+  void return_to(const State& state, double penalty);
   double contact_work(const State& before, double share, double penalty) const;
   void shorten_step(const State& before, double penalty);
   bool border(const mechanics::LoadTarget& load,
@@ -178,6 +184,12 @@ private:
   std::vector<double> face_displacement_;           ///< B u [m]
   dealii::TrilinosWrappers::MPI::Vector elastic_;   ///< K u [N]
   dealii::TrilinosWrappers::MPI::Vector imbalance_; ///< K u + P g - B^T a p
+  /// The last state that was a solution, or that of the beginning of the load
+  /// step. Full steps on changing contact sets may lead far from it.
+  State settled_;
+  /// Whether full steps have not found the contact set, so that linear systems
+  /// are solved more accurately.
+  bool is_careful_ = false;
   // Responses in the last step, used as initial guesses in the next one.
   dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_,
       by_far_pressure_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -304,6 +305,37 @@ TEST(Slice, RefusesAMeanGapThatNoPressureReaches) {
   EXPECT_EQ(report.outcome, Outcome::refused);
   EXPECT_NE(report.reason.find("mean must be at least"), std::string::npos)
       << report.reason;
+}
+
+/// Second-order cells of a stiff coating with moduli that differ by 38^2, held
+/// at a mean gap by hard contact.
+Instance held_at_mean_gap(double gap) {
+  Instance instance = draw_instance(6001, 2870);
+  instance.points = 8;
+  instance.load = gap;
+  return within_reach(instance);
+}
+
+// The mean gap has a least value, beyond which it increases with the pressure.
+// A gap above it is found, although full steps lead to pressures of 1e10 E*.
+// What is said of one below it agrees with that: the least value lies between.
+TEST(Slice, FindsMeanGapsDownToTheLeast) {
+  const InstanceReport found = run_instance(held_at_mean_gap(0.009));
+  const InstanceReport refused = run_instance(held_at_mean_gap(0.003));
+
+  EXPECT_EQ(found.outcome, Outcome::verified)
+      << found.check << ": " << found.reason;
+  ASSERT_EQ(refused.outcome, Outcome::refused) << refused.reason;
+  const auto value_after = [&](const std::string& words) {
+    const std::size_t at = refused.reason.find(words);
+    return at == std::string::npos
+               ? 0.0
+               : std::stod(refused.reason.substr(at + words.size()));
+  };
+  const double share =
+      value_after("must be at least ") / value_after("closes the gap to ");
+  EXPECT_GT(share, 1.0) << refused.reason;
+  EXPECT_LT(share, 0.009 / 0.003) << refused.reason;
 }
 
 } // namespace
