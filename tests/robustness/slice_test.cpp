@@ -317,7 +317,7 @@ Instance held_at_mean_gap(double gap) {
 }
 
 // The mean gap has a least value, beyond which it increases with the pressure.
-// A gap above it is found, although full steps lead to pressures of 1e10 E*.
+// A gap above it is found, although full steps lead to pressures of 1e9 E*.
 // What is said of one below it agrees with that: the least value lies between.
 TEST(Slice, FindsMeanGapsDownToTheLeast) {
   const InstanceReport found = run_instance(held_at_mean_gap(0.009));
