@@ -52,12 +52,16 @@ bool lock_soon(int file) {
 }
 
 /// The folder and its parents that do not exist yet, the deepest first.
+/// @throws UnusableFolder  one of them is a file
 std::vector<std::filesystem::path>
 missing_folders(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> missing;
-  for (auto at = std::filesystem::absolute(folder);
-       !std::filesystem::exists(at); at = at.parent_path())
+  auto at = std::filesystem::absolute(folder);
+  for (; !std::filesystem::exists(at); at = at.parent_path())
     missing.push_back(at);
+  if (!std::filesystem::is_directory(at))
+    throw UnusableFolder(fmt::format(
+        "{} is a file, not a folder; name another --out", at.string()));
   return missing;
 }
 
@@ -89,7 +93,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder,
     check(file_.get() >= 0, "cannot write ");
     const bool is_ours = lock_soon(file_.get());
     if (!is_ours && errno == EWOULDBLOCK)
-      throw FolderInUse(fmt::format(
+      throw UnusableFolder(fmt::format(
           "{} is in use by {}; wait for its end, or name another --out",
           folder.string(), holder_in(file_.get())));
     check(is_ours, "cannot lock ");

@@ -13,8 +13,8 @@
 namespace asperity {
 
 /// The folder is locked: "out/polymer is in use by run polymer (process 123 on
-/// host, since ...)".
-struct FolderInUse : std::runtime_error {
+/// host, since ...)"; or its path names a file.
+struct UnusableFolder : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -28,7 +28,7 @@ public:
   /// Creates the folder if necessary and waits half a second for a holder to
   /// end.
   /// @param purpose  what the folder is locked for, such as "run polymer"
-  /// @throws FolderInUse        naming the holder
+  /// @throws UnusableFolder     naming the holder, or the file in its place
   /// @throws std::system_error  the folder cannot be created or written to, or
   ///                            its file system does not support locks
   FolderLock(const std::filesystem::path& folder, const std::string& purpose);

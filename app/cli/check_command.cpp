@@ -196,7 +196,7 @@ ExitCode check_targets(const CheckCommand& command) {
   } catch (const std::domain_error& error) {
     end_by(error, exit_bad_input);
     throw;
-  } catch (const FolderInUse& error) {
+  } catch (const UnusableFolder& error) {
     end_by(error, exit_bad_input);
     throw;
   } catch (const std::exception& error) {

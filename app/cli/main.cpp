@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
       throw std::system_error(errno, std::generic_category(),
                               "cannot write standard output");
     return end;
-  } catch (const asperity::FolderInUse& error) {
+  } catch (const asperity::UnusableFolder& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const asperity::input::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());

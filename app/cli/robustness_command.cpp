@@ -4,6 +4,7 @@
 #include "app/run/output.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"
+#include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
 
@@ -88,7 +89,6 @@ void write_table(const fs::path& folder, const Results& results) {
   std::string csv = robustness::csv_header();
   for (const auto& [index, result] : results)
     csv += robustness::csv_line(result);
-  fs::create_directories(folder);
   write_file_atomically(folder / "stress.csv", csv);
 }
 
@@ -144,6 +144,7 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Instance> instances = instances_of(source, command);
   const fs::path folder = fs::path(command.out) / source.name;
+  const FolderLock lock(folder, "robustness");
   const Results results = results_of(instances, command, folder);
   robustness::Matrix matrix;
   for (const auto& [index, result] : results)

@@ -23,7 +23,7 @@ protected:
     try {
       const FolderLock second(folder, "run second");
       return "";
-    } catch (const FolderInUse& error) {
+    } catch (const UnusableFolder& error) {
       return error.what();
     }
   }
@@ -66,9 +66,18 @@ TEST_F(FolderLockTest, AKilledOwnerReleasesTheFolder) {
 
 TEST_F(FolderLockTest, AFolderThatCannotBeMadeIsAnError) {
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "file") << "text";
+  const std::filesystem::path file = folder / "file";
+  std::ofstream(file) << "text";
 
-  EXPECT_THROW(FolderLock(folder / "file", "run"), std::system_error);
+  for (const auto& asked : {file, file / "new"})
+    try {
+      const FolderLock lock(asked, "run");
+      ADD_FAILURE() << asked;
+    } catch (const UnusableFolder& error) {
+      EXPECT_EQ(error.what(),
+                file.string() + " is a file, not a folder; name another --out");
+    }
+  EXPECT_THROW(FolderLock("/proc/new", "run"), std::system_error);
 }
 
 } // namespace
