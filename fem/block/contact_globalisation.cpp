@@ -159,7 +159,9 @@ bool ContactNewton::approach_by_load(double mean_gap_target,
   return_to(settled_, contact.penalty);
   const double present = borne() / area();
   const double guess =
-      present > 0.0 ? present : stiffness_scale_ * std::abs(mean_gap());
+      present > 0.0 ? present
+                    : stiffness_scale_ * std::max(std::abs(mean_gap()),
+                                                  std::abs(mean_gap_target));
   double least = std::numeric_limits<double>::infinity();
   bool has_failed = false;
   const Excess excess_at = [&](double pressure) {
