@@ -61,13 +61,16 @@ std::optional<Bracket> bracket_between(const Excess& function, ExcessAt low,
 std::optional<Bracket> first_bracket(const Excess& function, double guess) {
   constexpr double factor = 2.0;
   constexpr double most_factor = 1e6;
+  constexpr double least_factor = 1e-12; // the guess may be far too high
   ExcessAt middle(function, guess);
   ExcessAt low(function, guess / factor);
   while ((low.excess <= 0.0 || low.excess < middle.excess) &&
-         low.pressure * most_factor > guess) {
+         low.pressure > least_factor * guess) {
     middle = low;
     low = ExcessAt(function, low.pressure / factor);
   }
+  if (low.excess <= 0.0)
+    return {};
   if (middle.excess <= 0.0)
     return Bracket{low, middle};
   while (middle.pressure < most_factor * guess) {
@@ -172,18 +175,25 @@ bool ContactNewton::approach_by_load(double mean_gap_target,
     return has_failed ? 0.0 : mean_gap() - mean_gap_target;
   };
   const std::optional<Bracket> found = first_bracket(excess_at, guess);
-  if (!found && !has_failed) {
+  if (has_failed)
+    return false;
+  if (!found && least <= mean_gap_target) {
+    answer.note = fmt::format("no nominal pressure was found that leaves a "
+                              "mean gap of {:.3g} m",
+                              mean_gap_target);
+    return false;
+  }
+  if (!found) {
     answer.note = fmt::format(
         "no nominal pressure closes the gap to {:.3g} m; its mean must be at "
         "least {:.3g} m",
         mean_gap_target, least);
     return false;
   }
-  if (!has_failed)
-    boost::math::tools::toms748_solve(
-        excess_at, found->low.pressure, found->high.pressure, found->low.excess,
-        found->high.excess, boost::math::tools::eps_tolerance<double>(bits),
-        most_loads);
+  boost::math::tools::toms748_solve(
+      excess_at, found->low.pressure, found->high.pressure, found->low.excess,
+      found->high.excess, boost::math::tools::eps_tolerance<double>(bits),
+      most_loads);
   return !has_failed;
 }
 

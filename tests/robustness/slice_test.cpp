@@ -307,6 +307,14 @@ TEST(Slice, RefusesAMeanGapThatNoPressureReaches) {
       << report.reason;
 }
 
+// The first load that is tried is more than 1e6 times too large.
+TEST(Slice, FindsAMeanGapFarFromTheFirstLoad) {
+  const InstanceReport report = run_instance(draw_instance(12001, 18812));
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << report.check << ": " << report.reason;
+}
+
 /// Second-order cells of a stiff coating with moduli that differ by 38^2, held
 /// at a mean gap by hard contact.
 Instance held_at_mean_gap(double gap) {
