@@ -177,17 +177,12 @@ bool ContactNewton::approach_by_load(double mean_gap_target,
   const std::optional<Bracket> found = first_bracket(excess_at, guess);
   if (has_failed)
     return false;
-  if (!found && least <= mean_gap_target) {
-    answer.note = fmt::format("no nominal pressure was found that leaves a "
-                              "mean gap of {:.3g} m",
-                              mean_gap_target);
-    return false;
-  }
   if (!found) {
     answer.note = fmt::format(
-        "no nominal pressure closes the gap to {:.3g} m; its mean must be at "
-        "least {:.3g} m",
-        mean_gap_target, least);
+        "no nominal pressure was found that closes the gap to {:.3g} m",
+        mean_gap_target);
+    if (least > mean_gap_target)
+      answer.note += fmt::format("; its mean must be at least {:.3g} m", least);
     return false;
   }
   boost::math::tools::toms748_solve(

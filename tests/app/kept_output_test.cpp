@@ -9,6 +9,10 @@
 namespace asperity::app {
 namespace {
 
+// A case with an expectation that is not met.
+const std::string unmet_case =
+    small_case + "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n";
+
 bool is_kept(const Ended& run) {
   return run.output.find(" is up to date") != std::string::npos;
 }
@@ -16,9 +20,7 @@ bool is_kept(const Ended& run) {
 // The second run writes nothing, and answers as the first one did, by text and
 // exit code, also where an expectation is not met.
 TEST_F(CachedProgram, AnUnchangedFolderIsKept) {
-  write("small.toml",
-        small_case +
-            "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n");
+  write("small.toml", unmet_case);
   const Ended first = run("run small.toml --out o");
   ASSERT_EQ(first.exit_code, 1) << first.output;
   const auto written = std::filesystem::last_write_time(folder / "o/result.h5");
@@ -54,9 +56,7 @@ bool is_restored(const Ended& run) {
 // A deleted folder comes back byte for byte, with findings and exit code, and
 // the figures are those that a run without the cache draws.
 TEST_F(CachedProgram, ADeletedFolderIsRestored) {
-  write("small.toml",
-        small_case +
-            "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n");
+  write("small.toml", unmet_case);
   const Ended first = run("run small.toml --out o");
   ASSERT_EQ(first.exit_code, 1) << first.output;
   const auto written = files_in(folder / "o");
@@ -93,8 +93,7 @@ bool has_new_pages(const Ended& run) {
 // to be one of this case.
 TEST_F(CachedProgram, ChangedWordsWriteThePagesAgain) {
   ASSERT_EQ(run("run small.toml --out o").exit_code, 0);
-  std::string changed =
-      small_case + "[expect]\nkappa = { above = 1e9, methods = [\"fem\"] }\n";
+  std::string changed = unmet_case;
   changed.replace(changed.find("title = "), 8, "title = \"Renamed\" # ");
   write("small.toml", changed);
 

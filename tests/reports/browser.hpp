@@ -63,6 +63,26 @@ inline std::string probe_script(const std::string& collect) {
          "</script>";
 }
 
+/// The document after it was loaded, as the browser writes it. The browser may
+/// use nothing but the folder and is killed after a minute.
+inline std::string dom_in_chromium(const fs::path& page,
+                                   const fs::path& folder) {
+  const std::string dom = (folder / "dom.html").string();
+  const std::string command =
+      "cd " + folder.string() + " && HOME=" + folder.string() +
+      " timeout --kill-after=5 60 chromium --headless --no-sandbox "
+      "--disable-gpu --disable-dev-shm-usage --no-first-run "
+      "--disable-background-networking --host-resolver-rules='MAP * "
+      "~NOTFOUND' --user-data-dir=" +
+      (folder / "browser").string() +
+      " --virtual-time-budget=2000000 --window-size=1280,9000 --log-net-log=" +
+      (folder / "net.json").string() + " --dump-dom file://" + page.string() +
+      " < /dev/null > " + dom + " 2> browser.log";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(status, 0) << text_of(folder / "browser.log");
+  return text_of(dom);
+}
+
 class Browser : public ReportFolder {
 protected:
   void SetUp() override {
@@ -71,24 +91,8 @@ protected:
     write(result);
   }
 
-  /// The document after it was loaded, as the browser writes it. The browser
-  /// may use nothing but the folder and is killed after a minute.
   std::string dom_of(const fs::path& page) const {
-    const std::string dom = (folder / "dom.html").string();
-    const std::string command =
-        "cd " + folder.string() + " && HOME=" + folder.string() +
-        " timeout --kill-after=5 60 chromium --headless --no-sandbox "
-        "--disable-gpu --disable-dev-shm-usage --no-first-run "
-        "--disable-background-networking --host-resolver-rules='MAP * "
-        "~NOTFOUND' --user-data-dir=" +
-        (folder / "browser").string() +
-        " --virtual-time-budget=2000000 --window-size=1280,9000 "
-        "--log-net-log=" +
-        (folder / "net.json").string() + " --dump-dom file://" + page.string() +
-        " < /dev/null > " + dom + " 2> browser.log";
-    const int status = std::system(command.c_str());
-    EXPECT_EQ(status, 0) << text_of(folder / "browser.log");
-    return text_of(dom);
+    return dom_in_chromium(page, folder);
   }
 
   /// The result of the script `collect` in the page.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "browser.hpp"
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
@@ -199,21 +200,12 @@ TEST_F(PaperReport, ParsesAReadme) {
 
 // A browser shows every row and makes no request.
 TEST_F(PaperReport, OpensInABrowser) {
-  if (std::system("command -v chromium > /dev/null 2>&1") != 0)
+  if (!has_chromium())
     GTEST_SKIP() << "chromium is not installed; ./asperity test installs it";
   page_of({"size-1", "size-2"});
-  const std::string command =
-      "cd " + folder.string() + " && HOME=" + folder.string() +
-      " timeout --kill-after=5 60 chromium --headless --no-sandbox "
-      "--disable-gpu --disable-dev-shm-usage --no-first-run "
-      "--disable-background-networking --host-resolver-rules='MAP * "
-      "~NOTFOUND' --user-data-dir=browser --dump-dom file://" +
-      (folder / "report.html").string() +
-      " < /dev/null > dom.html 2> browser.log";
 
-  ASSERT_EQ(std::system(command.c_str()), 0) << text_of(folder / "browser.log");
+  const std::string dom = dom_in_chromium(folder / "report.html", folder);
 
-  const std::string dom = text_of(folder / "dom.html");
   EXPECT_EQ(count(dom, "<tr class=\"first\">"), 5);
   EXPECT_EQ(count(dom, "<img "), count(dom, "src=\"data:image/"));
   EXPECT_EQ(dom.find("<script src"), std::string::npos);
