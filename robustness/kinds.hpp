@@ -51,6 +51,13 @@ bool may_lose_contact(const Instance& instance);
 fem::BlockRequest block_request(const Instance& instance, const Grid& grid,
                                 int degree, int threads);
 
+/// Returns the full 3-D model of an instance: the block of a condensed one,
+/// with random moduli and, where the instance has one, a meshed counter-body.
+/// @throws std::domain_error  a refusal by meshes/ or fem/
+std::unique_ptr<fem::FullBlock> full_block_of(const Instance& instance,
+                                              const Grid& grid,
+                                              mechanics::LinearSolver solver);
+
 /// Returns the surface operator of an elastic instance.
 /// @throws std::domain_error  a refusal by contact/, meshes/ or fem/
 std::unique_ptr<contact::SurfaceOperator>
