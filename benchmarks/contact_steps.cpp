@@ -7,9 +7,10 @@
 //     bench_contact_steps [points] [threads] [thickness] [steps]
 //
 // Points per side (512), threads (1), thickness of a slab with a free far
-// boundary in lengths (0: half-space), load steps of the path (16; 0: only
-// steps without an initial guess).
+// boundary in lengths (0: half-space; -1: half-space with free boundaries),
+// load steps of the path (16; 0: only steps without an initial guess).
 #include "base/freed_memory.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
 #include <algorithm>
@@ -86,6 +87,10 @@ public:
 
   int threads() const override { return timed_->threads(); }
 
+  bool is_periodic() const override { return timed_->is_periodic(); }
+
+  const Grid& wide_grid() const override { return timed_->wide_grid(); }
+
   void displacement(std::span<const double> pressure,
                     std::span<double> displacement) override {
     const double begin = cpu_now();
@@ -104,6 +109,14 @@ public:
                          std::span<float> pressure) override {
     const double begin = cpu_now();
     timed_->pressure_estimate(gap, local_compliance, pressure);
+    transform_seconds += cpu_now() - begin;
+  }
+
+  void wide_pressure_estimate(std::span<const float> gap,
+                              double local_compliance,
+                              std::span<float> pressure) override {
+    const double begin = cpu_now();
+    timed_->wide_pressure_estimate(gap, local_compliance, pressure);
     transform_seconds += cpu_now() - begin;
   }
 
@@ -162,18 +175,28 @@ struct Totals {
   }
 };
 
+/// @param thickness  [m]; 0: infinite; < 0: infinite with free boundaries
+std::unique_ptr<SurfaceOperator> elastic_body(const Grid& grid,
+                                              double thickness, int threads) {
+  constexpr double modulus = 1.0, ratio = 0.3;
+  if (thickness < 0.0)
+    return std::make_unique<FreeHalfspace>(
+        grid, modulus / (1.0 - ratio * ratio), threads);
+  const double infinity = std::numeric_limits<double>::infinity();
+  return std::make_unique<FourierOperator>(halfspace_operator(
+      grid,
+      {modulus, ratio, thickness > 0.0 ? thickness : infinity,
+       mechanics::FarBoundary::pressure},
+      threads));
+}
+
 void run(int points, int threads, double thickness, int n_steps) {
   const Grid grid{points, points, 1.0, 1.0};
   RoughProblem problem{grid, problems::rough_heights(grid, {}), 0.0, nullptr};
   problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
-  const double infinity = std::numeric_limits<double>::infinity();
   const Clock clock;
   problem.elasticity =
-      std::make_unique<TimedTransforms>(std::make_unique<FourierOperator>(
-          halfspace_operator(grid,
-                             {1.0, 0.3, thickness > 0.0 ? thickness : infinity,
-                              mechanics::FarBoundary::pressure},
-                             threads)));
+      std::make_unique<TimedTransforms>(elastic_body(grid, thickness, threads));
   std::printf("%d^2, %d threads; set-up CPU %.3f s\n", points, threads,
               clock.cpu_seconds());
   std::printf("%-7s %9s %7s %6s %6s %8s %8s %6s\n", "start", "p0/E*h'", "area",

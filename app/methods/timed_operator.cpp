@@ -51,6 +51,18 @@ void TimedOperator::pressure_estimate(std::span<const float> gap,
   tally_->cpu_time += clock.seconds();
 }
 
+const Grid& TimedOperator::wide_grid() const {
+  return measured_->wide_grid();
+}
+
+void TimedOperator::wide_pressure_estimate(std::span<const float> gap,
+                                           double local_compliance,
+                                           std::span<float> pressure) {
+  const CpuClock clock(n_threads_);
+  measured_->wide_pressure_estimate(gap, local_compliance, pressure);
+  tally_->cpu_time += clock.seconds();
+}
+
 double TimedOperator::short_wave_compliance() const {
   return measured_->short_wave_compliance();
 }

@@ -34,6 +34,10 @@ public:
                            std::span<float> displacement_change) override;
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
+  const Grid& wide_grid() const override;
+  void wide_pressure_estimate(std::span<const float> gap,
+                              double local_compliance,
+                              std::span<float> pressure) override;
   double short_wave_compliance() const override;
   bool is_periodic() const override;
   bool is_shift_invariant() const override;

@@ -11,25 +11,45 @@
 namespace asperity::contact {
 namespace {
 
+/// Points per side of a coarse grid, at least.
+constexpr int least_coarse_points = 32;
+
 /// Twice the points and lengths in both directions.
 Grid padded(const Grid& grid) {
   return {2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
           2.0 * grid.length_y};
 }
 
-/// The symbol of the convolution on the padded grid: the transform of the
+/// The points of the wide grid along a line of n: a quarter more, which was as
+/// good as twice as many, see docs/numerics/solver.md. The wide
+/// grid of a coarse grid is the coarse one of the wide grid.
+int with_margin(int n) {
+  int halvings = 1;
+  while (n % (2 * halvings) == 0 && n / (2 * halvings) >= least_coarse_points)
+    halvings *= 2;
+  return n + (n / halvings + 3) / 4 * halvings;
+}
+
+Grid with_margin(const Grid& grid) {
+  const int x = with_margin(grid.points_x);
+  const int y = with_margin(grid.points_y);
+  return {x, y, x * grid.spacing_x(), y * grid.spacing_y()};
+}
+
+/// The symbol of a convolution on a periodic grid: the transform of the
 /// displacement around one pressed cell, which is real because the displacement
 /// is even in x and y. It is positive: that of the continuum, which is, differs
 /// from it by a few per cent at long and by half at the shortest waves.
-std::vector<double> rectangle_symbol(const Grid& grid, double contact_modulus) {
-  const Grid wide = padded(grid);
+std::vector<double> rectangle_symbol(const Grid& wide, double contact_modulus) {
   std::vector<double> kernel(wide.size());
-  for (int iy = 0; iy < wide.points_y; ++iy)
-    for (int ix = 0; ix < wide.points_x; ++ix) {
-      const double x = signed_wavenumber(ix, wide.points_x) * grid.spacing_x();
-      const double y = signed_wavenumber(iy, wide.points_y) * grid.spacing_y();
-      kernel[wide.index(ix, iy)] = rectangle_displacement(
-          x, y, grid.spacing_x(), grid.spacing_y(), contact_modulus);
+  for (int iy = 0; iy <= wide.points_y / 2; ++iy)
+    for (int ix = 0; ix <= wide.points_x / 2; ++ix) {
+      const double displacement = rectangle_displacement(
+          ix * wide.spacing_x(), iy * wide.spacing_y(), wide.spacing_x(),
+          wide.spacing_y(), contact_modulus);
+      for (const int y : {iy, (wide.points_y - iy) % wide.points_y})
+        for (const int x : {ix, (wide.points_x - ix) % wide.points_x})
+          kernel[wide.index(x, y)] = displacement;
     }
   const RealFourier fourier(wide); // the same bits on any number of threads
   std::vector<std::complex<double>> spectrum(wide.half_spectrum_size());
@@ -64,29 +84,53 @@ double rectangle_displacement(double x, double y, double side_x, double side_y,
          (std::numbers::pi * contact_modulus);
 }
 
+namespace {
+
+/// The part of a half spectrum that a grid of half the points resolves.
+std::vector<double> coarse_spectrum(const Grid& fine, const Grid& coarse,
+                                    std::span<const double> spectrum) {
+  std::vector<double> kept;
+  kept.reserve(coarse.half_spectrum_size());
+  for (int jy = 0; jy < coarse.points_y; ++jy) {
+    const int wavenumber = signed_wavenumber(jy, coarse.points_y);
+    const int row = wavenumber < 0 ? wavenumber + fine.points_y : wavenumber;
+    const auto from = spectrum.subspan(static_cast<std::size_t>(row) *
+                                           fine.half_spectrum_columns(),
+                                       coarse.half_spectrum_columns());
+    kept.insert(kept.end(), from.begin(), from.end());
+  }
+  return kept;
+}
+
+} // namespace
+
 struct FreeHalfspace::Shared {
   Grid grid;
-  double contact_modulus;
-  std::vector<double> compliance; ///< symbol on the padded grid [m/Pa] > 0
+  std::vector<double> compliance;      ///< symbol on the padded grid [m/Pa] > 0
+  std::vector<double> wide_compliance; ///< the same on the wide grid
   Convolution<double> exact;
   Convolution<float> convolution;
+  Convolution<float> wide_convolution;
   Convolution<double>::Symbol exact_symbol;
   Convolution<float>::Symbol symbol;
 
-  Shared(const Grid& grid_, double contact_modulus_, int threads)
+  Shared(const Grid& grid_, std::vector<double> compliance_,
+         std::vector<double> wide_compliance_, int threads)
       : grid(grid_),
-        contact_modulus(contact_modulus_),
-        compliance(rectangle_symbol(grid_, contact_modulus_)),
+        compliance(std::move(compliance_)),
+        wide_compliance(std::move(wide_compliance_)),
         exact(padded(grid_), grid_, threads),
         convolution(padded(grid_), grid_, threads),
+        wide_convolution(with_margin(grid_), threads),
         exact_symbol(exact.arranged(compliance)),
         symbol(convolution.arranged(compliance)) {}
 };
 
 FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
                              int threads)
-    : FreeHalfspace(
-          std::make_shared<const Shared>(grid, contact_modulus, threads)) {}
+    : FreeHalfspace(std::make_shared<const Shared>(
+          grid, rectangle_symbol(padded(grid), contact_modulus),
+          rectangle_symbol(with_margin(grid), contact_modulus), threads)) {}
 
 FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
     : shared_(std::move(shared)) {}
@@ -120,28 +164,54 @@ void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
                              displacement_change);
 }
 
+void FreeHalfspace::Inverse::apply(std::span<const float> gap,
+                                   double local_compliance,
+                                   const Convolution<float>& convolution,
+                                   std::span<const double> compliance,
+                                   std::span<float> pressure) {
+  require_not_negative("local_compliance", local_compliance, "m/Pa");
+  if (local_compliance_ != local_compliance) {
+    std::vector<double> inverse(compliance.begin(), compliance.end());
+    for (double& value : inverse)
+      value = 1.0 / (value + local_compliance);
+    symbol_ = convolution.arranged(inverse);
+    local_compliance_ = local_compliance;
+  }
+  convolution.apply(gap, symbol_, scratch_, pressure);
+}
+
 void FreeHalfspace::pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
                                       std::span<float> pressure) {
-  require_not_negative("local_compliance", local_compliance, "m/Pa");
-  if (inverted_compliance_ != local_compliance) {
-    std::vector<double> inverse = shared_->compliance;
-    for (double& value : inverse)
-      value = 1.0 / (value + local_compliance);
-    inverse_ = shared_->convolution.arranged(inverse);
-    inverted_compliance_ = local_compliance;
-  }
-  shared_->convolution.apply(gap, inverse_, scratch_, pressure);
+  inverse_.apply(gap, local_compliance, shared_->convolution,
+                 shared_->compliance, pressure);
+}
+
+const Grid& FreeHalfspace::wide_grid() const {
+  return shared_->wide_convolution.grid();
+}
+
+void FreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
+                                           double local_compliance,
+                                           std::span<float> pressure) {
+  wide_inverse_.apply(gap, local_compliance, shared_->wide_convolution,
+                      shared_->wide_compliance, pressure);
 }
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
   const Grid& fine = grid();
-  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 || fine.points_x < 64 ||
-      fine.points_y < 64)
+  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 ||
+      std::min(fine.points_x, fine.points_y) < 2 * least_coarse_points)
     return nullptr;
-  return std::make_unique<FreeHalfspace>(
-      Grid{fine.points_x / 2, fine.points_y / 2, fine.length_x, fine.length_y},
-      shared_->contact_modulus, threads());
+  const Grid coarse{fine.points_x / 2, fine.points_y / 2, fine.length_x,
+                    fine.length_y};
+  return std::unique_ptr<SurfaceOperator>(
+      new FreeHalfspace(std::make_shared<const Shared>(
+          coarse,
+          coarse_spectrum(padded(fine), padded(coarse), shared_->compliance),
+          coarse_spectrum(with_margin(fine), with_margin(coarse),
+                          shared_->wide_compliance),
+          threads())));
 }
 
 } // namespace asperity::contact

@@ -51,22 +51,43 @@ public:
   /// that this needs there.
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
+  /// A quarter more points in both directions: the displacements of pressures
+  /// at distances up to 5/8 of the lengths are those of grid().
+  const Grid& wide_grid() const override;
+  void wide_pressure_estimate(std::span<const float> gap,
+                              double local_compliance,
+                              std::span<float> pressure) override;
   double short_wave_compliance() const override;
   int threads() const override;
 
-  /// The operator on half the points per side; null if the number of points is
-  /// odd or the coarse grid would have fewer than 32 points per side.
+  /// The operator with the same C of the wavevectors that it resolves, on half
+  /// the points per side; null if the number of points is odd or the coarse
+  /// grid would have fewer than 32 points per side.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FreeHalfspace(std::shared_ptr<const Shared> shared);
 
+  /// The inverse of a convolution and a local compliance.
+  class Inverse {
+  public:
+    /// pressure = (compliance + local_compliance)^-1 gap
+    /// @param compliance  [m/Pa] > 0 of each wavevector of the convolution
+    void apply(std::span<const float> gap, double local_compliance,
+               const Convolution<float>& convolution,
+               std::span<const double> compliance, std::span<float> pressure);
+
+  private:
+    Convolution<float>::Scratch scratch_;
+    double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
+    Convolution<float>::Symbol symbol_;
+  };
+
   std::shared_ptr<const Shared> shared_;
   Convolution<double>::Scratch exact_scratch_;
   Convolution<float>::Scratch scratch_;
-  double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
-  Convolution<float>::Symbol inverse_;
+  Inverse inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact

@@ -83,6 +83,19 @@ public:
                                  double local_compliance,
                                  std::span<float> pressure) = 0;
 
+  /// The grid of a periodic surface that contains this one, for the
+  /// preconditioner: grid() if it is periodic itself, otherwise a grid of more
+  /// points, whose first columns and rows are the nodes of grid().
+  virtual const Grid& wide_grid() const { return grid(); }
+
+  /// As pressure_estimate(), on the surface of wide_grid(), whose C is about
+  /// the same between the nodes of grid().
+  virtual void wide_pressure_estimate(std::span<const float> gap,
+                                      double local_compliance,
+                                      std::span<float> pressure) {
+    pressure_estimate(gap, local_compliance, pressure);
+  }
+
   /// C at half the Nyquist wavevector [m/Pa]: the local compliance of a node
   /// for pressures that vary on the scale of the grid.
   virtual double short_wave_compliance() const = 0;

@@ -45,30 +45,37 @@ double between(double before, double left, double right, double after) {
   return 0.5625 * (left + right) - 0.0625 * (before + after);
 }
 
-/// The row half-way between the second and third of four rows.
-std::vector<double> row_between(std::span<const double> four_rows) {
-  const std::size_t width = four_rows.size() / 4;
-  std::vector<double> middle(width);
-  for (std::size_t i = 0; i < width; ++i)
-    middle[i] = between(four_rows[i], four_rows[width + i],
-                        four_rows[2 * width + i], four_rows[3 * width + i]);
-  return middle;
+/// Number of values that the interpolation needs beyond the ends of a line.
+constexpr std::size_t ghosts_before = 1, ghosts_after = 2;
+constexpr std::size_t n_ghosts = ghosts_before + ghosts_after;
+
+/// Sets the values beyond the ends of a line of coarse values: those at the
+/// other end of a periodic surface, otherwise by linear extrapolation.
+/// @param value  value(i), i from 0: the i-th of the line with its ghosts
+template <class Value>
+void set_ghosts(std::size_t n, bool is_periodic, const Value& value) {
+  const std::size_t first = ghosts_before, last = ghosts_before + n - 1;
+  if (is_periodic) {
+    value(0) = value(last);
+    value(last + 1) = value(first);
+    value(last + 2) = value(first + 1);
+  } else {
+    value(0) = 2.0 * value(first) - value(first + 1);
+    value(last + 1) = 2.0 * value(last) - value(last - 1);
+    value(last + 2) = 3.0 * value(last) - 2.0 * value(last - 1);
+  }
 }
 
 /// The positive part of a row at twice as many points.
+/// @param coarse  n values after one and before two ghosts
+/// @param fine    2 n values
 void put_positive(std::span<const double> coarse, std::span<double> fine) {
-  const std::size_t n = coarse.size();
-  const auto put = [c = coarse.data(),
-                    f = fine.data()](std::size_t before, std::size_t i,
-                                     std::size_t right, std::size_t after) {
-    f[2 * i] = std::max(0.0, c[i]);
-    f[2 * i + 1] = std::max(0.0, between(c[before], c[i], c[right], c[after]));
-  };
-  put(n - 1, 0, 1, 2);
-  for (std::size_t i = 1; i + 2 < n; ++i)
-    put(i - 1, i, i + 1, i + 2);
-  put(n - 3, n - 2, n - 1, 0);
-  put(n - 2, n - 1, 0, 1);
+  const double* const c = coarse.data();
+  double* const f = fine.data();
+  for (std::size_t i = 0; i < coarse.size() - n_ghosts; ++i) {
+    f[2 * i] = std::max(0.0, c[i + 1]);
+    f[2 * i + 1] = std::max(0.0, between(c[i], c[i + 1], c[i + 2], c[i + 3]));
+  }
 }
 
 /// The positive part of the cubic interpolation of a field.
@@ -76,16 +83,27 @@ void put_positive(std::span<const double> coarse, std::span<double> fine) {
 ///               before the two rows after them
 std::vector<double> interpolated(const SharedRows& coarse_rows,
                                  const SharedRows& fine_rows,
-                                 std::span<const double> field, int threads) {
+                                 std::span<const double> field,
+                                 const SurfaceOperator& elasticity) {
   const std::size_t width = coarse_rows.width();
   std::vector<double> result(fine_rows.size());
-  parallel_rows(coarse_rows.count(), threads, [&](int iy) {
-    const auto rows =
-        field.subspan(static_cast<std::size_t>(iy) * width, 4 * width);
+  parallel_rows(coarse_rows.count(), elasticity.threads(), [&](int iy) {
+    const double* const rows = &field[static_cast<std::size_t>(iy) * width];
     const auto fine =
         std::span(result).subspan(fine_rows.grid().index(0, 2 * iy), 4 * width);
-    put_positive(rows.subspan(width, width), fine.first(2 * width));
-    put_positive(row_between(rows), fine.last(2 * width));
+    std::vector<double> line(width + n_ghosts);
+    double* const own = line.data() + ghosts_before;
+    const auto put = [&](std::span<double> to) {
+      set_ghosts(width, elasticity.is_periodic(),
+                 [&](std::size_t i) -> double& { return line[i]; });
+      put_positive(line, to);
+    };
+    std::copy_n(rows + width, width, own);
+    put(fine.first(2 * width));
+    for (std::size_t i = 0; i < width; ++i)
+      own[i] = between(rows[i], rows[width + i], rows[2 * width + i],
+                       rows[3 * width + i]);
+    put(fine.last(2 * width));
   });
   return result;
 }
@@ -94,7 +112,8 @@ std::vector<double> interpolated(const SharedRows& coarse_rows,
 /// them.
 /// @param field  these rows, or all rows
 std::vector<double> with_ghost_rows(const SharedRows& rows,
-                                    std::span<const double> field) {
+                                    std::span<const double> field,
+                                    bool is_periodic) {
   const std::size_t width = rows.width();
   if (field.size() != rows.size())
     field = field.subspan(static_cast<std::size_t>(rows.first()) * width,
@@ -102,15 +121,19 @@ std::vector<double> with_ghost_rows(const SharedRows& rows,
   std::vector<double> padded(rows.size() + 3 * width);
   std::ranges::copy(field, padded.begin() + static_cast<std::ptrdiff_t>(width));
   const std::span<double> all(padded);
+  if (rows.ranks() == nullptr) {
+    for (std::size_t ix = 0; ix < width; ++ix)
+      set_ghosts(
+          static_cast<std::size_t>(rows.count()), is_periodic,
+          [&](std::size_t iy) -> double& { return all[iy * width + ix]; });
+    return padded;
+  }
   rows.fill_ghost_rows(all.first(rows.size() + 2 * width));
   // The second row of the next rank, or the row after its only one.
   const std::span<double> second = all.subspan(2 * width, width);
   const std::span<double> last = all.last(width);
-  if (rows.ranks() == nullptr)
-    std::ranges::copy(second, last.begin());
-  else
-    rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
-                       std::as_writable_bytes(last));
+  rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
+                     std::as_writable_bytes(last));
   return padded;
 }
 
@@ -127,6 +150,37 @@ std::vector<double> signed_pressure(ContactSolution&& solution,
     field[i] = field[i] > 0.0 ? field[i] : open;
   }
   return field;
+}
+
+/// Mean over the cell of each node in a line of n nodes of the pressure of a
+/// rigid punch that ends at the borders, up to a factor that does not depend on
+/// the node. It is singular there: the mean over the i-th cell of 1/sqrt(x) is
+/// proportional to sqrt(i + 1) - sqrt(i).
+std::vector<double> punch_pressure(int n) {
+  const auto from_border = [](int i) {
+    return std::sqrt(i + 1.0) - std::sqrt(static_cast<double>(i));
+  };
+  std::vector<double> line;
+  for (int i = 0; i < n; ++i)
+    line.push_back(n * from_border(i) * from_border(n - 1 - i));
+  return line;
+}
+
+/// Multiplies a field by the pressure of a punch at the borders of the grid, or
+/// divides it, so that what is interpolated is smooth there.
+void multiply_by_punch(const Grid& grid, bool divides, int threads,
+                       std::span<double> field) {
+  std::vector<double> along_x = punch_pressure(grid.points_x);
+  std::vector<double> along_y = punch_pressure(grid.points_y);
+  for (std::vector<double>* line : {&along_x, &along_y})
+    for (double& value : *line)
+      value = divides ? 1.0 / value : value;
+  parallel_rows(grid.points_y, threads, [&](int iy) {
+    double* const row = &field[grid.index(0, iy)];
+    const double of_row = along_y[static_cast<std::size_t>(iy)];
+    for (std::size_t ix = 0; ix < along_x.size(); ++ix)
+      row[ix] *= of_row * along_x[ix];
+  });
 }
 
 } // namespace
@@ -152,12 +206,18 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
       coarse_problem, target);
   if (!std::isfinite(solution.gap_error))
     return {};
-  const std::vector<double> field =
+  std::vector<double> field =
       signed_pressure(std::move(solution), elasticity.short_wave_compliance() +
                                                problem.local_compliance);
-  return interpolated(coarse_rows, fine_rows,
-                      with_ghost_rows(coarse_rows, field),
-                      elasticity.threads());
+  const bool is_periodic = elasticity.is_periodic();
+  if (!is_periodic)
+    multiply_by_punch(coarse_rows.grid(), true, elasticity.threads(), field);
+  std::vector<double> start = interpolated(
+      coarse_rows, fine_rows, with_ghost_rows(coarse_rows, field, is_periodic),
+      elasticity);
+  if (!is_periodic)
+    multiply_by_punch(fine_rows.grid(), false, elasticity.threads(), start);
+  return start;
 }
 
 } // namespace asperity::contact

@@ -1,8 +1,8 @@
 #include "contact/solvers/solver.hpp"
 
 #include "contact/solvers/active_set.hpp"
-#include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
+#include "contact/solvers/preconditioner.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ private:
 class Directions {
 public:
   explicit Directions(const ContactState& state)
-      : extension_(state.elasticity.grid(), state.workers),
+      : preconditioner_(state.elasticity),
         unset_(
             std::make_unique_for_overwrite<float[]>(2 * state.pressure.size())),
         preconditioned_(unset_.get(), state.pressure.size()),
@@ -75,16 +75,14 @@ private:
   /// z = E^T (C + c)^-1 E r on the active nodes.
   void precondition(ContactState& state) {
     const double c = state.problem.local_compliance;
+    const BoundaryExtension::Active active{state.freedom, state.active};
     if (state.freed != freed_at_build_) {
-      const double short_wave = state.elasticity.short_wave_compliance();
-      extension_.build(short_wave / (short_wave + c), state.freedom);
+      preconditioner_.build(state.elasticity, c, active);
       freed_at_build_ = state.freed;
     }
-    const std::span<float> extended = compliance_direction_; // until step()
-    const BoundaryExtension::Active active{state.freedom, state.active};
-    extension_.extend(active, state.residual, extended);
-    state.elasticity.pressure_estimate(extended, c, preconditioned_);
-    extension_.fold(active, preconditioned_);
+    const std::span<float> scratch = compliance_direction_; // until step()
+    preconditioner_.apply(state.elasticity, c, active, state.residual, scratch,
+                          preconditioned_);
     ++state.transforms;
   }
 
@@ -162,7 +160,7 @@ private:
         .value;
   }
 
-  BoundaryExtension extension_;
+  Preconditioner preconditioner_;
   double freed_at_build_ = 0.0; ///< 0: not built
   /// Memory of the next two fields, which are written before they are read.
   std::unique_ptr<float[]> unset_;

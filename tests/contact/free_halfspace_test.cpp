@@ -108,6 +108,32 @@ TEST(FreeHalfspaceOperator, HasAPositivePreconditioner) {
   }
 }
 
+// Verifies the same on the wide grid, also for numbers of points that are not
+// halved, and that the grid is that of the fine operator, halved.
+TEST(FreeHalfspaceOperator, HasAPositivePreconditionerOnTheWideGrid) {
+  for (const Grid& grid : {Grid{40, 24, 1.0, 6.0}, Grid{33, 7, 1.0, 1.0},
+                           Grid{64, 128, 1.0, 2.0}}) {
+    FreeHalfspace elasticity(grid, modulus);
+    const Grid wide = elasticity.wide_grid();
+    EXPECT_GE(4 * wide.points_x, 5 * grid.points_x);
+    EXPECT_GE(4 * wide.points_y, 5 * grid.points_y);
+    EXPECT_NEAR(wide.spacing_x(), grid.spacing_x(), 1e-15);
+    EXPECT_NEAR(wide.spacing_y(), grid.spacing_y(), 1e-15);
+    std::vector<float> gap(wide.size()), pressure(wide.size());
+    for (std::size_t node = 0; node < wide.size(); node += 37) {
+      std::ranges::fill(gap, 0.0F);
+      gap[node] = 1.0F;
+      gap[(node + 1) % wide.size()] = -1.0F;
+      elasticity.wide_pressure_estimate(gap, 0.0, pressure);
+      EXPECT_GT(pressure[node] - pressure[(node + 1) % wide.size()], 0.0F);
+    }
+    if (const auto coarse = elasticity.coarsened()) {
+      EXPECT_EQ(2 * coarse->wide_grid().points_x, wide.points_x);
+      EXPECT_EQ(2 * coarse->wide_grid().points_y, wide.points_y);
+    }
+  }
+}
+
 TEST(FreeHalfspaceOperator, HasTheSameBitsOnAnyNumberOfThreads) {
   const Grid grid{50, 38, 1.0, 1.0};
   const std::vector<double> pressure = random_field(grid.size());

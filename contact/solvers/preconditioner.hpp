@@ -1,0 +1,56 @@
+#pragma once
+
+// This file contains the preconditioner of the contact iteration.
+
+#include "contact/operators/surface_operator.hpp"
+#include "contact/solvers/boundary_extension.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asperity::contact {
+
+/// The map z = E^T (C + c)^-1 E r from a residual to a change of pressure on
+/// the active nodes, with the extension E of boundary_extension.hpp. The
+/// inverse is that on the periodic surface wide_grid(). Where this is larger
+/// than the grid, the added nodes are inactive ones: E estimates the residual
+/// there too, so that there is no jump of it at the border of the grid.
+///
+/// The calls are collective; fields have the nodes of this process.
+class Preconditioner {
+public:
+  explicit Preconditioner(const SurfaceOperator& elasticity);
+
+  /// Determines the extension E. Required before apply() and after every change
+  /// of the active nodes.
+  /// @param local_compliance  c [m/Pa] >= 0
+  void build(const SurfaceOperator& elasticity, double local_compliance,
+             const BoundaryExtension::Active& active);
+
+  /// @param active    as in build()
+  /// @param residual  r [m], 0 at the inactive nodes
+  /// @param extended  scratch memory of as many nodes
+  /// @param estimate  z [Pa], overwritten; without meaning at inactive nodes
+  void apply(SurfaceOperator& elasticity, double local_compliance,
+             const BoundaryExtension::Active& active,
+             std::span<const float> residual, std::span<float> extended,
+             std::span<float> estimate);
+
+private:
+  /// The fields of a wide grid that is larger than the grid.
+  struct Wide {
+    std::vector<std::uint8_t> freedom; ///< 0 at the added nodes
+    BlockFlags blocks;
+    std::vector<float> residual, extended, estimate;
+  };
+
+  bool is_wide() const { return !wide_.freedom.empty(); }
+
+  Grid grid_, wide_grid_;
+  int threads_;
+  BoundaryExtension extension_;
+  Wide wide_;
+};
+
+} // namespace asperity::contact
