@@ -71,15 +71,16 @@ public:
         multigrid_(mesh),
         correction_(std::move(correction)) {
     unknowns_->forget_cells();
+    vectors_.ranks = mesh.ranks();
     multigrid_.set_correction([this](const auto& residual, auto& displacement) {
       correction_->add(residual, displacement, multigrid_.unit());
     });
   }
 
   void vmult(Vector& to, const Vector& from) const override {
-    copy_owned(from, from_);
-    multigrid_.apply(from_, to_);
-    std::copy_n(to_.begin(), unknowns_->owned(), to.begin());
+    copy_owned(from, vectors_.direction);
+    multigrid_.apply(vectors_.direction, vectors_.product);
+    std::copy_n(vectors_.product.begin(), unknowns_->owned(), to.begin());
   }
 
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
@@ -93,14 +94,15 @@ public:
 
   LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
                        int most_iterations) override {
-    copy_owned(forces, to_);
-    copy_owned(unknowns, from_);
+    copy_owned(forces, vectors_.residual);
+    copy_owned(unknowns, displacement_);
     // A correction of another contact state may be useless for this one.
     constexpr int most_with_old = 50;
     const bool is_old = !correction_->is_current();
     LinearSolution solution = multigrid_.solve(
-        to_, from_, tolerance,
-        is_old ? std::min(most_with_old, most_iterations) : most_iterations);
+        displacement_, tolerance,
+        is_old ? std::min(most_with_old, most_iterations) : most_iterations,
+        vectors_);
     if (solution.has_converged || !is_old) {
       correction_->judge(
           solution.iterations,
@@ -108,11 +110,13 @@ public:
     } else {
       const int before = solution.iterations;
       correction_->renew();
-      solution = multigrid_.solve(to_, from_, tolerance, most_iterations);
+      copy_owned(forces, vectors_.residual);
+      solution =
+          multigrid_.solve(displacement_, tolerance, most_iterations, vectors_);
       solution.iterations += before;
     }
-    multigrid_.clear_held(from_);
-    std::copy_n(from_.begin(), unknowns_->owned(), unknowns.begin());
+    multigrid_.clear_held(displacement_);
+    std::copy_n(displacement_.begin(), unknowns_->owned(), unknowns.begin());
     return solution;
   }
 
@@ -124,7 +128,7 @@ public:
 
   std::size_t bytes() const override {
     return unknowns_->bytes() + multigrid_.bytes() + correction_->bytes() +
-           (from_.size() + to_.size()) * sizeof(double);
+           (displacement_.size() + vectors_.size()) * sizeof(double);
   }
 
 protected:
@@ -167,7 +171,8 @@ private:
   std::shared_ptr<LocalUnknowns> unknowns_;
   MeshMultigrid<Operator> multigrid_;
   std::unique_ptr<MeshCorrection> correction_;
-  mutable std::vector<double> from_, to_;
+  std::vector<double> displacement_;
+  mutable GradientVectors vectors_; ///< also of products
 };
 
 } // namespace asperity::fem

@@ -3,6 +3,7 @@
 // The smoother of the multigrid cycles: Chebyshev's polynomial of the fourth
 // kind with the diagonal of the matrix.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <random>
@@ -13,37 +14,79 @@
 
 namespace asperity::fem {
 
-/// The largest eigenvalue of D^-1 K by the power method, made larger by its
-/// possible error.
+/// The largest eigenvalue of the symmetric tridiagonal matrix of which these
+/// are the diagonal and the squares of the entries beside it, by bisection.
+inline double largest_eigenvalue(const std::vector<double>& diagonal,
+                                 const std::vector<double>& squares) {
+  double above = 0.0;
+  for (std::size_t i = 0; i < diagonal.size(); ++i)
+    above = std::max(above,
+                     diagonal[i] + (i > 0 ? std::sqrt(squares[i - 1]) : 0.0) +
+                         (i < squares.size() ? std::sqrt(squares[i]) : 0.0));
+  // The pivots of x - T are positive above the largest eigenvalue.
+  const auto is_above = [&](double x) {
+    double pivot = 1.0;
+    for (std::size_t i = 0; i < diagonal.size() && pivot > 0.0; ++i)
+      pivot = x - diagonal[i] - (i > 0 ? squares[i - 1] / pivot : 0.0);
+    return pivot > 0.0;
+  };
+  double below = 0.0;
+  constexpr int halvings = 30;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (below + above);
+    (is_above(middle) ? above : below) = middle;
+  }
+  return above;
+}
+
+/// The largest eigenvalue of D^-1 K by the method of Lanczos in the product of
+/// D, made larger by its possible error.
 /// @param vector    random; zero at unknowns that are not solved for
 /// @param diagonal  D; zero at unknowns that are not solved for
-/// @param apply     computes a vector K x from a vector x, both of float
+/// @param apply     computes a vector K x from a vector x, both of float; it
+///                  may overwrite entries of x where D is zero
 /// @param ranks     share the unknowns; null for this process alone
 template <class Apply>
 double eigenvalue_from(std::vector<float> vector,
                        const std::vector<float>& diagonal, const Apply& apply,
                        RankGroup* ranks = nullptr) {
-  constexpr int steps = 25;
-  constexpr double margin = 1.15;
-  std::vector<float> image(diagonal.size());
-  double estimate = 0.0;
-  for (int step = 0; step < steps; ++step) {
+  constexpr int steps = 12;
+  constexpr double margin = 1.1;
+  const std::size_t size = diagonal.size();
+  std::vector<float> before(size, 0.0F), image(size);
+  std::vector<double> alphas, squares; // of the tridiagonal matrix
+  double square = 0.0;
+  for (std::size_t i = 0; i < size; ++i)
+    square += static_cast<double>(diagonal[i] * vector[i] * vector[i]);
+  square = rank_sum(ranks, square);
+  for (int step = 0; step < steps && square > 0.0; ++step) {
+    const auto scale = static_cast<float>(1.0 / std::sqrt(square));
+    for (std::size_t i = 0; i < size; ++i)
+      vector[i] *= scale;
     apply(vector.data(), image.data());
-    double above = 0.0, below = 0.0;
-    for (std::size_t i = 0; i < vector.size(); ++i)
+    double product = 0.0;
+    for (std::size_t i = 0; i < size; ++i)
+      if (diagonal[i] > 0.0F)
+        product += static_cast<double>(vector[i] * image[i]);
+    alphas.push_back(rank_sum(ranks, product));
+    const auto alpha = static_cast<float>(alphas.back());
+    const auto beta =
+        static_cast<float>(step > 0 ? std::sqrt(squares.back()) : 0.0);
+    square = 0.0;
+    for (std::size_t i = 0; i < size; ++i)
       if (diagonal[i] > 0.0F) {
-        const float before = vector[i];
-        vector[i] = image[i] / diagonal[i];
-        above += static_cast<double>(image[i] * vector[i]);
-        below += static_cast<double>(before * image[i]);
+        const float next =
+            image[i] / diagonal[i] - alpha * vector[i] - beta * before[i];
+        before[i] = vector[i];
+        vector[i] = next;
+        square += static_cast<double>(diagonal[i] * next * next);
       }
-    above = rank_sum(ranks, above);
-    estimate = above / rank_sum(ranks, below);
-    const auto scale = static_cast<float>(1.0 / std::sqrt(above));
-    for (float& value : vector)
-      value *= scale;
+    square = rank_sum(ranks, square);
+    squares.push_back(square);
   }
-  return margin * estimate;
+  if (!squares.empty())
+    squares.pop_back();
+  return margin * largest_eigenvalue(alphas, squares);
 }
 
 /// The same from a vector of its own.

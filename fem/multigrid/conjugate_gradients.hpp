@@ -19,15 +19,21 @@ struct LinearSolution {
   double first_residual = 0.0, last_residual = 0.0; ///< l2 norms [N]
 };
 
-/// The vectors of the iteration, kept between solutions.
+/// The vectors of the iteration, kept between solutions, which take their
+/// initial values but for the residual.
 struct GradientVectors {
   std::vector<double> residual, direction, product;
   /// The ranks that share the unknowns, or null. Each has its own unknowns and
   /// copies of others, at which the residual is zero.
   RankGroup* ranks = nullptr;
+
+  std::size_t size() const { ///< of all vectors
+    return residual.size() + direction.size() + product.size();
+  }
 };
 
-/// Solves for `displacement`, starting from its values.
+/// Solves for `displacement`, starting from its values. The residual of `own`
+/// is the force before and that of the solution afterwards.
 /// @tparam Problem  has apply_all(displacement, force), which may overwrite
 ///                  dependent entries of the displacement; clear_held(vector),
 ///                  which sets unknowns to zero that are not solved for;
@@ -35,19 +41,19 @@ struct GradientVectors {
 ///                  and run_cycle(), which computes the second from the first
 /// @param tolerance  of the l2 norm of the residual
 template <class Problem>
-LinearSolution
-conjugate_gradients(Problem& problem, const std::vector<double>& force,
-                    std::vector<double>& displacement, double tolerance,
-                    int most_iterations, GradientVectors& own) {
+LinearSolution conjugate_gradients(Problem& problem,
+                                   std::vector<double>& displacement,
+                                   double tolerance, int most_iterations,
+                                   GradientVectors& own) {
   const auto inner = [&own](const auto& a, const auto& b) {
     return rank_sum(own.ranks,
                     std::inner_product(a.begin(), a.end(), b.begin(), 0.0));
   };
   LinearSolution solution;
-  own.direction.assign(force.size(), 0.0);
-  problem.apply_all(displacement, own.residual);
-  for (std::size_t i = 0; i < force.size(); ++i)
-    own.residual[i] = force[i] - own.residual[i];
+  own.direction.assign(own.residual.size(), 0.0);
+  problem.apply_all(displacement, own.product);
+  for (std::size_t i = 0; i < own.residual.size(); ++i)
+    own.residual[i] -= own.product[i];
   problem.clear_held(own.residual);
   double norm = std::sqrt(inner(own.residual, own.residual));
   solution.first_residual = norm;

@@ -24,7 +24,7 @@ void FaceSprings::add_force(std::size_t first, std::size_t end,
     for (std::size_t i = matrix->start[row]; i < matrix->start[row + 1]; ++i)
       sum += matrix->weight[i] *
              static_cast<double>(displacement[(*places)[matrix->column[i]]]);
-    force[(*places)[row]] += static_cast<Number>(sum);
+    force[(*places)[row]] += static_cast<Number>(factor * sum);
   }
 }
 

@@ -35,6 +35,7 @@ struct FaceSprings {
   const SparseRows* matrix = nullptr; ///< null or without rows if there are no
                                       ///< springs
   const std::vector<std::size_t>* places = nullptr;
+  double factor = 1.0; ///< of the forces
 
   std::size_t nodes() const { return matrix == nullptr ? 0 : matrix->rows(); }
 
@@ -45,13 +46,14 @@ struct FaceSprings {
                  Number* force) const;
 };
 
-/// Adds the forces of the springs to `force`.
+/// Adds `factor` times the forces of the springs to `force`.
 template <class Number>
 void add_spring_force(const SparseRows& springs,
                       const std::vector<std::size_t>& places,
-                      const Number* displacement, Number* force) {
-  FaceSprings{&springs, &places}.add_force(0, springs.rows(), displacement,
-                                           force);
+                      const Number* displacement, Number* force,
+                      double factor = 1.0) {
+  FaceSprings{&springs, &places, factor}.add_force(0, springs.rows(),
+                                                   displacement, force);
 }
 
 /// How contact is transferred to the next coarser lattice: springs by the

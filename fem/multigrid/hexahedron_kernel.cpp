@@ -113,6 +113,7 @@ struct Hexahedra {
     std::array<Three, 7> c; ///< of (F.5)
     Pack lame, shear;
     const Number* tangents; ///< of the first cell, or null
+    Number factor;          ///< of the product
   };
 
   /// Reads one number of each cell of a pack.
@@ -227,8 +228,9 @@ struct Hexahedra {
       for (std::size_t y = 0; y < 3; ++y)
         for (std::size_t x = 0; x < 3; ++x, ++point)
           respond(shape, {places[x], places[y], places[z]},
-                  static_cast<Number>(gauss_weight[x] * gauss_weight[y] *
-                                      gauss_weight[z]),
+                  shape.factor *
+                      static_cast<Number>(gauss_weight[x] * gauss_weight[y] *
+                                          gauss_weight[z]),
                   u, point);
   }
 
@@ -267,13 +269,13 @@ struct Hexahedra {
   }
 
   /// The cells of one pack.
-  [[gnu::always_inline]] static void some(const Number* from, Number* to,
-                                          const std::uint32_t* first,
-                                          const Number* shapes,
-                                          const Number* tangents) {
+  [[gnu::always_inline]] static void
+  some(const Number* from, Number* to, const std::uint32_t* first,
+       const Number* shapes, const Number* tangents, Number factor) {
     Shape shape;
     read(shapes, shape);
     shape.tangents = tangents;
+    shape.factor = factor;
     Pack values[3 * nodes];
     auto* const numbers = reinterpret_cast<Number*>(values);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -304,7 +306,8 @@ struct Hexahedra {
              product.nodes + (group * cells_in_group + cell) * nodes,
              product.shapes + group * cells_in_group * numbers_in_shape + cell,
              place == no_tangents ? nullptr
-                                  : product.tangents + place * numbers + cell);
+                                  : product.tangents + place * numbers + cell,
+             product.factor);
     }
   }
 };

@@ -48,11 +48,12 @@ struct HexahedronProduct {
   /// For each place and Gauss point, x fastest, numbers_in_tangent times
   /// cells_in_group numbers.
   const Number* tangents = nullptr;
+  Number factor = Number(1);
 };
 
-/// Adds K `from` to `to` with 3^3 Gauss points for each cell. The fastest
-/// instructions of this processor are used; the result depends on them only by
-/// rounding.
+/// Adds `factor` K `from` to `to` with 3^3 Gauss points for each cell. The
+/// fastest instructions of this processor are used; the result depends on them
+/// only by rounding.
 void multiply_hexahedra(const HexahedronProduct<float>& product);
 void multiply_hexahedra(const HexahedronProduct<double>& product);
 

@@ -62,6 +62,10 @@ public:
 
   const std::array<double, 3 * nodes_in_hexahedron>&
   of(const Shape& shape, const CellModuli& moduli) {
+    if (is_last(shape, moduli))
+      return diagonal_;
+    shape_ = shape;
+    moduli_ = moduli;
     diagonal_.fill(0.0);
     for (std::size_t z = 0; z < 3; ++z)
       for (std::size_t y = 0; y < 3; ++y)
@@ -71,6 +75,20 @@ public:
   }
 
 private:
+  /// Whether the last cell was the same but for rounding.
+  bool is_last(const Shape& shape, const CellModuli& moduli) const {
+    constexpr double rounding = 1e-12;
+    double size = 0.0, difference = 0.0;
+    for (std::size_t term = 0; term < shape.size(); ++term)
+      for (std::size_t i = 0; i < 3; ++i) {
+        size = std::max(size, std::abs(shape[term][i]));
+        difference =
+            std::max(difference, std::abs(shape[term][i] - shape_[term][i]));
+      }
+    return difference <= rounding * size && moduli.lame == moduli_.lame &&
+           moduli.shear == moduli_.shear;
+  }
+
   void add_point(const Shape& c, const CellModuli& moduli,
                  const std::array<std::size_t, 3>& point) {
     const double xi = places_[point[0]], eta = places_[point[1]],
@@ -118,6 +136,8 @@ private:
   std::array<double, 3> places_{};
   std::array<LineFunctions, 3> lines_{LineFunctions(0.0), LineFunctions(0.0),
                                       LineFunctions(0.0)};
+  Shape shape_{};       ///< of the last cell
+  CellModuli moduli_{}; ///< of the last cell
   std::array<double, 3 * nodes_in_hexahedron> diagonal_{};
 };
 
@@ -198,7 +218,6 @@ HexahedronOperator<Number>::HexahedronOperator(const HexahedronMesh& mesh)
   shapes_.resize(groups * cells_in_group * numbers_in_shape);
   for (std::size_t cell = 0; cell < groups * cells_in_group; ++cell)
     take_shape(mesh, cell);
-  take_diagonal(mesh);
 }
 
 /// Stores the numbers of a cell. Those that fill up the last group have a
@@ -257,7 +276,8 @@ void HexahedronOperator<Number>::set_tangents(
 }
 
 template <class Number>
-void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
+std::vector<Number>
+HexahedronOperator<Number>::diagonal(const HexahedronMesh& mesh) const {
   std::vector<double> sum(size_, 0.0);
   CellDiagonal of_cell;
   for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
@@ -269,16 +289,15 @@ void HexahedronOperator<Number>::take_diagonal(const HexahedronMesh& mesh) {
   }
   constraints_->condense_diagonal(sum);
   collect(sum.data());
-  diagonal_.assign(sum.begin(), sum.end());
+  return {sum.begin(), sum.end()};
 }
 
 template <class Number>
-void HexahedronOperator<Number>::apply_own(Number* displacement,
-                                           Number* force) const {
+void HexahedronOperator<Number>::add_own(Number* displacement, Number* force,
+                                         Number factor) const {
   if (ghosts_ != nullptr)
     ghosts_->fill_ghosts(displacement);
   constraints_->distribute(displacement);
-  std::fill_n(force, size_, Number(0));
   HexahedronProduct<Number> product;
   product.from = displacement;
   product.to = force;
@@ -288,6 +307,7 @@ void HexahedronOperator<Number>::apply_own(Number* displacement,
   product.tangent_places =
       tangent_places_.empty() ? nullptr : tangent_places_.data();
   product.tangents = tangents_.data();
+  product.factor = factor;
   multiply_hexahedra(product);
   constraints_->condense(force);
 }
@@ -295,8 +315,7 @@ void HexahedronOperator<Number>::apply_own(Number* displacement,
 template <class Number>
 std::size_t HexahedronOperator<Number>::bytes() const {
   return nodes_.size() * sizeof(std::uint32_t) +
-         (shapes_.size() + tangents_.size() + diagonal_.size()) *
-             sizeof(Number) +
+         (shapes_.size() + tangents_.size()) * sizeof(Number) +
          tangent_places_.size() * sizeof(std::uint32_t);
 }
 

@@ -8,6 +8,7 @@
 #include "fem/multigrid/hexahedron_kernel.hpp"
 #include "fem/multigrid/sparse_rows.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -109,7 +110,14 @@ public:
   }
 
   /// The share of the cells of this rank, before collect().
-  void apply_own(Number* displacement, Number* force) const;
+  void apply_own(Number* displacement, Number* force) const {
+    std::fill_n(force, size(), Number(0));
+    add_own(displacement, force, Number(1));
+  }
+
+  /// Adds `factor` times this share to a force, which must be zero at
+  /// constrained unknowns and those of other ranks.
+  void add_own(Number* displacement, Number* force, Number factor) const;
 
   /// Moves forces on unknowns of other ranks to these.
   template <class Other>
@@ -119,13 +127,15 @@ public:
   }
 
   /// Gives some cells tangents in place of their moduli; all others have their
-  /// moduli again. The diagonal stays that of the moduli.
+  /// moduli again.
   /// @param cells  each cell once
   void set_tangents(std::span<const CellTangents> cells);
 
   /// Diagonal of K without the terms that couple two masters of one unknown;
-  /// positive, and zero at constrained unknowns.
-  const std::vector<Number>& diagonal() const { return diagonal_; }
+  /// positive, and zero at constrained unknowns. It is that of the moduli also
+  /// where cells have tangents.
+  /// @param mesh  of this operator
+  std::vector<Number> diagonal(const HexahedronMesh& mesh) const;
 
   std::size_t bytes() const;
 
@@ -135,7 +145,6 @@ private:
   }
 
   void take_shape(const HexahedronMesh& mesh, std::size_t cell);
-  void take_diagonal(const HexahedronMesh& mesh);
 
   std::size_t size_;
   const GhostValues* ghosts_;
@@ -144,7 +153,6 @@ private:
   std::vector<Number> shapes_;
   std::vector<Number> tangents_;
   std::vector<std::uint32_t> tangent_places_; ///< as HexahedronProduct has them
-  std::vector<Number> diagonal_;
 };
 
 extern template class HexahedronOperator<float>;

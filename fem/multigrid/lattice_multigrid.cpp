@@ -65,8 +65,9 @@ void LatticeMultigrid::set_contact(FaceContact contact) {
 LinearSolution LatticeMultigrid::solve(const std::vector<double>& force,
                                        std::vector<double>& displacement,
                                        double tolerance, int most_iterations) {
-  return conjugate_gradients(*this, force, displacement, tolerance,
-                             most_iterations, gradients_);
+  gradients_.residual = force;
+  return conjugate_gradients(*this, displacement, tolerance, most_iterations,
+                             gradients_);
 }
 
 std::size_t LatticeMultigrid::bytes() const {

@@ -27,9 +27,7 @@ public:
                                         std::vector<float>& displacement)>;
 
   explicit MeshMultigrid(const Mesh& mesh)
-      : stiffness_(mesh), level_(normalised(mesh, unit_)) {
-    gradients_.ranks = mesh.ranks();
-  }
+      : stiffness_(mesh), level_(normalised(mesh, unit_)) {}
 
   double unit() const { return unit_; } ///< of the cycle's stiffness [N/m]
 
@@ -67,16 +65,15 @@ public:
   /// Solves (K + S) displacement = force, starting from `displacement`, which
   /// must be zero at held unknowns.
   /// @param tolerance  of the l2 norm of the residual [N]
-  LinearSolution solve(const std::vector<double>& force,
-                       std::vector<double>& displacement, double tolerance,
-                       int most_iterations) {
-    return conjugate_gradients(*this, force, displacement, tolerance,
-                               most_iterations, gradients_);
+  /// @param vectors    their residual is the force, and is overwritten
+  LinearSolution solve(std::vector<double>& displacement, double tolerance,
+                       int most_iterations, GradientVectors& vectors) {
+    return conjugate_gradients(*this, displacement, tolerance, most_iterations,
+                               vectors);
   }
 
   std::size_t bytes() const {
-    return stiffness_.bytes() + level_.bytes() +
-           3 * stiffness_.size() * sizeof(double) + springs_.bytes() +
+    return stiffness_.bytes() + level_.bytes() + springs_.bytes() +
            pairs_.bytes();
   }
 
@@ -116,7 +113,6 @@ private:
   SmoothedLevel<Operator> level_; ///< in units
   SparseRows springs_;            ///< [N/m]
   ContactPairs pairs_;            ///< [N/m]
-  GradientVectors gradients_;
   Correction correction_;
 };
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct MeshContact {
 };
 
 /// A level with the stiffness of Operator<float>, which has apply(),
-/// apply_own(), collect() and diagonal() as HexahedronOperator.
+/// add_own(), collect() and diagonal() as HexahedronOperator.
 ///
 /// Between smooth_before() and smooth_after(), vectors are those of the
 /// relative variables of contact pairs. Coarser functions have no relative
@@ -41,33 +42,36 @@ public:
   /// @param mesh  in units in which its stiffness fits into a float
   explicit SmoothedLevel(const Mesh& mesh)
       : stiffness_(mesh), constraints_(mesh.constraints) {
-    eigenvalue_ = static_cast<float>(eigenvalue_estimate(
-        stiffness_.diagonal(),
-        [&](float* from, float* to) { stiffness_.apply(from, to); },
+    inverse_ = stiffness_.diagonal(mesh);
+    const auto eigenvalue = static_cast<float>(eigenvalue_estimate(
+        inverse_, [&](float* from, float* to) { stiffness_.apply(from, to); },
         mesh.ranks()));
+    for (float& value : inverse_)
+      value = value > 0.0F ? 1.0F / (eigenvalue * value) : 0.0F;
     displacement.assign(mesh.unknowns, 0.0F);
-    residual = direction = product_ = displacement;
-    set_contact({});
+    residual = direction = displacement;
   }
 
   /// @param contact  springs in the unit of the stiffness
   void set_contact(MeshContact contact) {
+    for (const auto& [unknown, value] : without_contact_)
+      inverse_[unknown] = value;
+    without_contact_.clear();
     contact_ = std::move(contact);
-    const std::vector<float>& diagonal = stiffness_.diagonal();
-    inverse_.resize(diagonal.size());
-    for (std::size_t i = 0; i < inverse_.size(); ++i)
-      inverse_[i] =
-          diagonal[i] > 0.0F ? 1.0F / (eigenvalue_ * diagonal[i]) : 0.0F;
     if (contact_.has_springs || contact_.pairs.exist)
       soften();
     for (const std::size_t unknown : contact_.held)
-      inverse_[unknown] = 0.0F;
+      set_inverse(unknown, 0.0F);
     relative_.resize(contact_.pairs.nodes.size());
+    product_.resize(contact_.pairs.exist ? inverse_.size() : 0);
   }
 
   /// An upper bound on the stiffness of an unknown against any displacement.
   double stiffness_bound(std::size_t unknown) const {
-    return static_cast<double>(eigenvalue_ * stiffness_.diagonal()[unknown]);
+    const auto changed = without_contact_.find(unknown);
+    const float inverse =
+        changed == without_contact_.end() ? inverse_[unknown] : changed->second;
+    return inverse > 0.0F ? 1.0 / static_cast<double>(inverse) : 0.0;
   }
 
   const MeshContact& contact() const { return contact_; }
@@ -96,7 +100,7 @@ public:
       direction[nodes[pair]] = 0.0F;
     }
     clear_held(direction);
-    for (std::size_t i = 0; i < product_.size(); ++i)
+    for (std::size_t i = 0; i < displacement.size(); ++i)
       displacement[i] += direction[i];
     subtract();
   }
@@ -117,9 +121,11 @@ public:
   }
 
   std::size_t bytes() const {
-    return stiffness_.bytes() + 5 * product_.size() * sizeof(float) +
+    return stiffness_.bytes() +
+           (4 * inverse_.size() + product_.size() + relative_.size()) *
+               sizeof(float) +
            contact_.springs.bytes() + contact_.pairs.bytes() +
-           relative_.size() * sizeof(float) +
+           without_contact_.size() * sizeof(*without_contact_.begin()) +
            (contact_.unknowns.size() + contact_.held.size()) *
                sizeof(std::size_t);
   }
@@ -130,8 +136,7 @@ private:
 
   /// Adds the sum of the magnitudes in each row of the springs to the diagonal.
   void soften() {
-    const std::vector<float>& diagonal = stiffness_.diagonal();
-    std::vector<double> sums(diagonal.size(), 0.0);
+    std::vector<double> sums(inverse_.size(), 0.0);
     const SparseRows& springs = contact_.springs;
     for (std::size_t row = 0; row < springs.rows(); ++row)
       for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
@@ -140,8 +145,13 @@ private:
     stiffness_.collect(sums.data());
     for (std::size_t i = 0; i < sums.size(); ++i)
       if (sums[i] > 0.0)
-        inverse_[i] = static_cast<float>(
-            1.0 / (static_cast<double>(eigenvalue_ * diagonal[i]) + sums[i]));
+        set_inverse(i,
+                    static_cast<float>(1.0 / (stiffness_bound(i) + sums[i])));
+  }
+
+  void set_inverse(std::size_t unknown, float value) {
+    without_contact_.emplace(unknown, inverse_[unknown]);
+    inverse_[unknown] = value;
   }
 
   /// Adds what makes the diagonal an upper bound on K in relative variables
@@ -168,6 +178,19 @@ private:
 
   /// Subtracts (K + S) direction from the residual.
   void subtract() {
+    if (contact_.pairs.exist) {
+      subtract_with_pairs();
+      return;
+    }
+    stiffness_.add_own(direction.data(), residual.data(), -1.0F);
+    if (!contact_.springs.is_empty())
+      add_spring_force(contact_.springs, contact_.unknowns, direction.data(),
+                       residual.data(), -1.0);
+    stiffness_.collect(residual.data());
+  }
+
+  /// The same in relative variables, of which the residual has the forces.
+  void subtract_with_pairs() {
     const ContactPairs& pairs = contact_.pairs;
     for (std::size_t pair = 0; pair < pairs.nodes.size(); ++pair)
       relative_[pair] = direction[pairs.nodes[pair]];
@@ -189,10 +212,12 @@ private:
 
   Operator<float> stiffness_;
   SharedConstraints constraints_;
-  float eigenvalue_ = 0.0F;
-  std::vector<float> inverse_; ///< of the diagonal times eigenvalue_
+  /// Of the diagonal times its largest eigenvalue and of what contact adds.
+  std::vector<float> inverse_;
+  /// The values without contact, by unknown, where they differ.
+  std::unordered_map<std::size_t, float> without_contact_;
   MeshContact contact_;
-  std::vector<float> product_;
+  std::vector<float> product_;  ///< only with pairs
   std::vector<float> relative_; ///< values of the pairs' nodes, set aside
 };
 

@@ -43,7 +43,7 @@ struct Boxes {
     Pack lame[3];    ///< lambda a / 16 and so on
     Pack turn[3];    ///< mu a / 16 and so on
 
-    [[gnu::always_inline]] explicit Coefficients(const Number* box) {
+    [[gnu::always_inline]] Coefficients(const Number* box, Number factor) {
       Pack edge[3];
       ASPERITY_UNROLL
       for (std::size_t i = 0; i < 3; ++i)
@@ -51,8 +51,8 @@ struct Boxes {
       Pack lambda, mu;
       take(box + 3 * boxes_in_group, lambda);
       take(box + 4 * boxes_in_group, mu);
-      lambda *= Number(0.0625);
-      mu *= Number(0.0625);
+      lambda *= Number(0.0625) * factor;
+      mu *= Number(0.0625) * factor;
       ASPERITY_UNROLL
       for (std::size_t i = 0; i < 3; ++i) {
         const Pack shape = edge[(i + 1) % 3] * edge[(i + 2) % 3] / edge[i];
@@ -108,7 +108,7 @@ struct Boxes {
   /// The cells of one pack.
   [[gnu::always_inline]] static void some(const Number* from, Number* to,
                                           const std::uint32_t* first,
-                                          const Number* box) {
+                                          const Number* box, Number factor) {
     Pack values[3 * nodes];
     auto* const numbers = reinterpret_cast<Number*>(values);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -119,7 +119,7 @@ struct Boxes {
       }
     for (std::size_t c = 0; c < 3; ++c)
       transform<false>(values + c * nodes);
-    respond(Coefficients(box), values);
+    respond(Coefficients(box, factor), values);
     for (std::size_t c = 0; c < 3; ++c)
       transform<true>(values + c * nodes);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -135,7 +135,9 @@ struct Boxes {
       for (std::size_t cell = 0; cell < boxes_in_group; cell += lanes)
         some(product.from, product.to,
              product.nodes + (group * boxes_in_group + cell) * nodes,
-             product.boxes + group * boxes_in_group * numbers_in_box + cell);
+             product.boxes +
+                 product.kinds[group] * boxes_in_group * numbers_in_box + cell,
+             product.factor);
   }
 };
 

@@ -26,15 +26,17 @@ struct BoxProduct {
   std::size_t groups = 0;
   /// The first unknown of each node of each cell, x fastest.
   const std::uint32_t* nodes = nullptr;
-  /// For each group numbers_in_box times boxes_in_group numbers.
+  /// For each kind of group numbers_in_box times boxes_in_group numbers.
   const Number* boxes = nullptr;
+  const std::uint32_t* kinds = nullptr; ///< of each group
+  Number factor = Number(1);
 };
 
-/// Adds K `from` to `to`. The displacement of a box is a sum of eight products
-/// of 1 or xi, 1 or eta, and 1 or zeta with -1 <= xi, eta, zeta <= 1. The three
-/// reflections of the box leave the energy as it is, so that of its 24 terms
-/// only three at a time are coupled: u_x = xi, u_y = eta and u_z = zeta by
-/// lambda, and others in pairs by mu. The fastest instructions of this
+/// Adds `factor` K `from` to `to`. The displacement of a box is a sum of eight
+/// products of 1 or xi, 1 or eta, and 1 or zeta with -1 <= xi, eta, zeta <= 1.
+/// The three reflections of the box leave the energy as it is, so that of its
+/// 24 terms only three at a time are coupled: u_x = xi, u_y = eta and u_z =
+/// zeta by lambda, and others in pairs by mu. The fastest instructions of this
 /// processor are used; the result depends on them only by rounding.
 void multiply_boxes(const BoxProduct<float>& product);
 void multiply_boxes(const BoxProduct<double>& product);

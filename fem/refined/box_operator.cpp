@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <type_traits>
 #include <utility>
 
@@ -21,6 +22,28 @@ std::array<double, 3> box_diagonal(const std::array<double, 3>& edge,
     diagonal[i] = (moduli.lame + moduli.shear) * shape[i] +
                   moduli.shear * (shape[0] + shape[1] + shape[2]);
   return diagonal;
+}
+
+/// The numbers of the cells of a group as a BoxProduct has them. The cells that
+/// fill up the last group have edges but no stiffness.
+template <class Number>
+std::array<Number, boxes_in_group * numbers_in_box>
+numbers_of_group(const BoxMesh& mesh, std::size_t group) {
+  std::array<Number, boxes_in_group * numbers_in_box> numbers{};
+  for (std::size_t lane = 0; lane < boxes_in_group; ++lane) {
+    const std::size_t cell = group * boxes_in_group + lane;
+    const bool is_real = cell < mesh.edges.size();
+    const CellModuli moduli = is_real ? mesh.moduli[cell] : CellModuli{};
+    const std::array<double, 3> edge =
+        is_real ? mesh.edges[cell] : std::array<double, 3>{1.0, 1.0, 1.0};
+    std::size_t place = lane;
+    for (const double number :
+         {edge[0], edge[1], edge[2], moduli.lame, moduli.shear}) {
+      numbers[place] = static_cast<Number>(number);
+      place += boxes_in_group;
+    }
+  }
+  return numbers;
 }
 
 } // namespace
@@ -62,30 +85,21 @@ BoxOperator<Number>::BoxOperator(const BoxMesh& mesh)
       ghosts_(mesh.ghosts),
       constraints_(mesh.constraints),
       nodes_(mesh.nodes) {
-  const std::size_t cells = mesh.edges.size();
-  const std::size_t stored = nodes_->size() / nodes_in_box;
-  boxes_.resize(stored * numbers_in_box);
-  for (std::size_t cell = 0; cell < stored; ++cell) {
-    // The cells that fill up the last group have edges but no stiffness.
-    const bool is_real = cell < cells;
-    const CellModuli moduli = is_real ? mesh.moduli[cell] : CellModuli{};
-    const std::array<double, 3> edge =
-        is_real ? mesh.edges[cell] : std::array<double, 3>{1.0, 1.0, 1.0};
-    Number* to = boxes_.data() +
-                 cell / boxes_in_group * boxes_in_group * numbers_in_box +
-                 cell % boxes_in_group;
-    for (const double number :
-         {edge[0], edge[1], edge[2], moduli.lame, moduli.shear}) {
-      *to = static_cast<Number>(number);
-      to += boxes_in_group;
-    }
+  constexpr std::size_t in_group = boxes_in_group * numbers_in_box;
+  std::map<std::array<Number, in_group>, std::uint32_t> known;
+  const std::size_t groups = nodes_->size() / (nodes_in_box * boxes_in_group);
+  for (std::size_t group = 0; group < groups; ++group) {
+    const auto own = numbers_of_group<Number>(mesh, group);
+    const auto next = static_cast<std::uint32_t>(known.size());
+    const auto [kind, is_new] = known.emplace(own, next);
+    if (is_new)
+      boxes_.insert(boxes_.end(), own.begin(), own.end());
+    kinds_.push_back(kind->second);
   }
-  if constexpr (std::is_same_v<Number, float>)
-    take_diagonal(mesh);
 }
 
 template <class Number>
-void BoxOperator<Number>::take_diagonal(const BoxMesh& mesh) {
+std::vector<Number> BoxOperator<Number>::diagonal(const BoxMesh& mesh) const {
   std::vector<double> sum(mesh.unknowns, 0.0);
   for (std::size_t cell = 0; cell < mesh.edges.size(); ++cell) {
     const auto own = box_diagonal(mesh.edges[cell], mesh.moduli[cell]);
@@ -95,21 +109,23 @@ void BoxOperator<Number>::take_diagonal(const BoxMesh& mesh) {
   }
   constraints_->condense_diagonal(sum);
   collect(sum.data());
-  diagonal_.assign(sum.begin(), sum.end());
+  return {sum.begin(), sum.end()};
 }
 
 template <class Number>
-void BoxOperator<Number>::apply_own(Number* displacement, Number* force) const {
+void BoxOperator<Number>::add_own(Number* displacement, Number* force,
+                                  Number factor) const {
   if (ghosts_ != nullptr)
     ghosts_->fill_ghosts(displacement);
   constraints_->distribute(displacement);
-  std::fill_n(force, size(), Number(0));
   BoxProduct<Number> product;
   product.from = displacement;
   product.to = force;
-  product.groups = boxes_.size() / (boxes_in_group * numbers_in_box);
+  product.groups = kinds_.size();
   product.nodes = nodes_->data();
   product.boxes = boxes_.data();
+  product.kinds = kinds_.data();
+  product.factor = factor;
   multiply_boxes(product);
   constraints_->condense(force);
 }
@@ -117,8 +133,8 @@ void BoxOperator<Number>::apply_own(Number* displacement, Number* force) const {
 template <class Number>
 std::size_t BoxOperator<Number>::bytes() const {
   const std::size_t nodes = std::is_same_v<Number, float> ? nodes_->size() : 0;
-  return nodes * sizeof(std::uint32_t) +
-         (boxes_.size() + diagonal_.size()) * sizeof(Number);
+  return (nodes + kinds_.size()) * sizeof(std::uint32_t) +
+         boxes_.size() * sizeof(Number);
 }
 
 template class BoxOperator<float>;

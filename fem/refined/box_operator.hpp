@@ -6,6 +6,7 @@
 #include "fem/multigrid/hexahedron_operator.hpp"
 #include "fem/refined/box_kernel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -74,7 +75,14 @@ public:
   }
 
   /// The share of the cells of this rank, before collect().
-  void apply_own(Number* displacement, Number* force) const;
+  void apply_own(Number* displacement, Number* force) const {
+    std::fill_n(force, size(), Number(0));
+    add_own(displacement, force, Number(1));
+  }
+
+  /// Adds `factor` times this share to a force, which must be zero at
+  /// constrained unknowns and those of other ranks.
+  void add_own(Number* displacement, Number* force, Number factor) const;
 
   /// Moves forces on unknowns of other ranks to these.
   template <class Other>
@@ -84,23 +92,21 @@ public:
   }
 
   /// Diagonal of K without the terms that couple two masters of one unknown;
-  /// positive, and zero at constrained unknowns. In single precision only, for
-  /// a smoother; otherwise empty.
-  const std::vector<Number>& diagonal() const { return diagonal_; }
+  /// positive, and zero at constrained unknowns.
+  /// @param mesh  of this operator
+  std::vector<Number> diagonal(const BoxMesh& mesh) const;
 
   /// The nodes are counted in single precision only, because the operator in
   /// double precision shares them.
   std::size_t bytes() const;
 
 private:
-  void take_diagonal(const BoxMesh& mesh);
-
   std::size_t size_;
   const GhostValues* ghosts_;
   SharedConstraints constraints_;
   SharedNodes nodes_;
-  std::vector<Number> boxes_;
-  std::vector<Number> diagonal_;
+  std::vector<Number> boxes_;        ///< of the groups that differ
+  std::vector<std::uint32_t> kinds_; ///< of each group, its place in boxes_
 };
 
 extern template class BoxOperator<float>;
