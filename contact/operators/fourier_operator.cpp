@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,8 @@ struct FourierOperator::Shared {
   Convolution<float> convolution;
   Convolution<double>::Symbol exact_symbol;
   Convolution<float>::Symbol symbol;
+  mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
+  mutable std::shared_ptr<const Shared> coarse;
 
   Shared(const Grid& grid, std::vector<double> values, int threads);
 };
@@ -83,26 +86,15 @@ std::span<const double> FourierOperator::compliance() const {
 }
 
 std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
-  const Grid& fine = grid();
-  const std::optional<Grid> every_second = coarse_grid(grid());
-  if (!every_second)
+  const std::optional<Grid> coarse = coarse_grid(grid());
+  if (!coarse)
     return nullptr;
-  const Grid& coarse = *every_second;
-  const std::size_t fine_columns = fine.half_spectrum_columns();
-  const int coarse_columns = coarse.points_x / 2 + 1;
-  std::vector<double> compliance;
-  compliance.reserve(coarse.half_spectrum_size());
-  for (int jy = 0; jy < coarse.points_y; ++jy) {
-    const int wavenumber = signed_wavenumber(jy, coarse.points_y);
-    const int row = wavenumber < 0 ? wavenumber + fine.points_y : wavenumber;
-    for (int jx = 0; jx < coarse_columns; ++jx)
-      compliance.push_back(
-          shared_->compliance[static_cast<std::size_t>(row) * fine_columns +
-                              static_cast<std::size_t>(jx)]);
-  }
-  return std::unique_ptr<SurfaceOperator>(
-      new FourierOperator(std::make_shared<const Shared>(
-          coarse, std::move(compliance), threads())));
+  std::call_once(shared_->coarse_is_made, [&] {
+    shared_->coarse = std::make_shared<const Shared>(
+        *coarse, coarse_spectrum(grid(), *coarse, shared_->compliance),
+        threads());
+  });
+  return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_->coarse));
 }
 
 void FourierOperator::displacement(std::span<const double> pressure,

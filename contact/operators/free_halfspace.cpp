@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <utility>
 
@@ -84,26 +85,6 @@ double rectangle_displacement(double x, double y, double side_x, double side_y,
          (std::numbers::pi * contact_modulus);
 }
 
-namespace {
-
-/// The part of a half spectrum that a grid of half the points resolves.
-std::vector<double> coarse_spectrum(const Grid& fine, const Grid& coarse,
-                                    std::span<const double> spectrum) {
-  std::vector<double> kept;
-  kept.reserve(coarse.half_spectrum_size());
-  for (int jy = 0; jy < coarse.points_y; ++jy) {
-    const int wavenumber = signed_wavenumber(jy, coarse.points_y);
-    const int row = wavenumber < 0 ? wavenumber + fine.points_y : wavenumber;
-    const auto from = spectrum.subspan(static_cast<std::size_t>(row) *
-                                           fine.half_spectrum_columns(),
-                                       coarse.half_spectrum_columns());
-    kept.insert(kept.end(), from.begin(), from.end());
-  }
-  return kept;
-}
-
-} // namespace
-
 struct FreeHalfspace::Shared {
   Grid grid;
   std::vector<double> compliance;      ///< symbol on the padded grid [m/Pa] > 0
@@ -113,6 +94,8 @@ struct FreeHalfspace::Shared {
   Convolution<float> wide_convolution;
   Convolution<double>::Symbol exact_symbol;
   Convolution<float>::Symbol symbol;
+  mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
+  mutable std::shared_ptr<const Shared> coarse;
 
   Shared(const Grid& grid_, std::vector<double> compliance_,
          std::vector<double> wide_compliance_, int threads)
@@ -200,18 +183,18 @@ void FreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
   const Grid& fine = grid();
-  if (fine.points_x % 2 != 0 || fine.points_y % 2 != 0 ||
-      std::min(fine.points_x, fine.points_y) < 2 * least_coarse_points)
+  const std::optional<Grid> coarse = coarse_grid(fine);
+  if (!coarse)
     return nullptr;
-  const Grid coarse{fine.points_x / 2, fine.points_y / 2, fine.length_x,
-                    fine.length_y};
-  return std::unique_ptr<SurfaceOperator>(
-      new FreeHalfspace(std::make_shared<const Shared>(
-          coarse,
-          coarse_spectrum(padded(fine), padded(coarse), shared_->compliance),
-          coarse_spectrum(with_margin(fine), with_margin(coarse),
-                          shared_->wide_compliance),
-          threads())));
+  std::call_once(shared_->coarse_is_made, [&] {
+    shared_->coarse = std::make_shared<const Shared>(
+        *coarse,
+        coarse_spectrum(padded(fine), padded(*coarse), shared_->compliance),
+        coarse_spectrum(with_margin(fine), with_margin(*coarse),
+                        shared_->wide_compliance),
+        threads());
+  });
+  return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
 }
 
 } // namespace asperity::contact

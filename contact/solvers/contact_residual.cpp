@@ -40,7 +40,7 @@ void ContactState::measure_residual() {
   for (std::size_t block = 0; block < active.size(); ++block)
     if (!(lowest_[block] + rigid >= 0.0))
       active[block] = 1;
-  clear_inactive(active, written_, std::span(residual));
+  clear_inactive(active, written_, residual);
   const NodeFields all = fields();
   const auto sums = chunked_sum<MeasuredNodes>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {

@@ -14,20 +14,27 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
                            std::vector<double> initial_pressure)
     : Iteration(elasticity_, problem_, target_, std::move(initial_pressure)),
       raw_gap(pressure.size()),
-      residual(pressure.size()),
       freedom(pressure.size()),
       workers(elasticity_.workers()),
       active(blocks_of(pressure.size()), 1),
-      written_(active.size(), 0),
-      previous_written_(active.size(), 0),
+      unset_(std::make_unique_for_overwrite<float[]>(3 * pressure.size())),
+      written_(active.size(), 1),
+      previous_written_(active.size(), 1),
       lowest_(active.size()),
-      change_(pressure.size()),
-      change_written_(active.size(), 0),
-      previous_residual_(pressure.size()) {
-  mean_height_ =
-      weighted_sum(elasticity.nodal_weights(), problem.heights, workers) /
-      static_cast<double>(workers.all_nodes(pressure.size()));
+      change_written_(active.size(), 1) {
+  residual = unset_part(0);
+  previous_residual_ = unset_part(1);
+  change_ = unset_part(2);
+  if (!by_pressure())
+    mean_height_ =
+        weighted_sum(elasticity.nodal_weights(), problem.heights, workers) /
+        static_cast<double>(workers.all_nodes(pressure.size()));
   compute_raw_gap();
+}
+
+/// One of the three fields.
+std::span<float> ContactState::unset_part(std::size_t i) {
+  return {unset_.get() + i * pressure.size(), pressure.size()};
 }
 
 NodeFields ContactState::fields() {
@@ -38,7 +45,9 @@ NodeFields ContactState::fields() {
   fields.pressure = pressure.data();
   fields.raw_gap = raw_gap.data();
   fields.residual = residual.data();
-  fields.previous_residual = previous_residual_.data();
+  // Before the first iteration there is no previous one.
+  fields.previous_residual =
+      iterations > 0 ? previous_residual_.data() : residual.data();
   fields.freedom = freedom.data();
   fields.change = change_.data();
   return fields;
@@ -92,7 +101,7 @@ TwoSums ContactState::slopes(std::span<const float> field, float mean) {
 
 void ContactState::advance(float step, std::span<const float> direction,
                            std::span<float> compliance_direction) {
-  clear_inactive(active, change_written_, std::span(change_));
+  clear_inactive(active, change_written_, change_);
   is_computed_ = false;
   NodeFields all = fields();
   all.direction = direction.data();
@@ -132,7 +141,8 @@ ContactSolution ContactState::solution() && {
     scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
     compute_raw_gap();
   }
-  residual = change_ = previous_residual_ = std::vector<float>();
+  residual = change_ = previous_residual_ = {};
+  unset_.reset();
   freedom = std::vector<std::uint8_t>();
   std::vector<double> all_displacements(pressure.size());
   double* const displacement = all_displacements.data();

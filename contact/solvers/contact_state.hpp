@@ -9,6 +9,7 @@
 #include "contact/solvers/node_kernels.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -67,7 +68,7 @@ public:
   ContactSolution solution() &&;
 
   std::vector<double> raw_gap;       ///< C p - h [m]
-  std::vector<float> residual;       ///< gap + c p [m] on active nodes, else 0
+  std::span<float> residual;         ///< gap + c p [m] on active nodes, else 0
   std::vector<std::uint8_t> freedom; ///< Freedom of each node
   double free_weight = 0.0;          ///< total weight of the active nodes
   Workers workers;
@@ -76,13 +77,17 @@ public:
   double freed = 0.0; ///< cumulative number of changes of the active set
 
 private:
+  std::span<float> unset_part(std::size_t i);
   void compute_raw_gap();
   /// raw_gap += factor * field
   void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
   void measure_residual();
 
-  double mean_height_ = 0.0;
+  /// Memory of three fields of floats, which are written before they are read;
+  /// their inactive blocks are set to 0 then.
+  std::unique_ptr<float[]> unset_;
+  double mean_height_ = 0.0;    ///< under gap control [m]
   double rigid_distance_ = 0.0; ///< u [m]
   double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
   bool is_computed_ = false;    ///< C p was recomputed, not updated
@@ -90,9 +95,9 @@ private:
   BlockFlags written_;          ///< blocks where `residual` may differ from 0
   BlockFlags previous_written_;
   std::vector<double> lowest_; ///< lowest raw_gap of each block [m]
-  std::vector<float> change_;  ///< of the pressure in the last iteration [Pa]
+  std::span<float> change_;    ///< of the pressure in the last iteration [Pa]
   BlockFlags change_written_;  ///< blocks where `change_` may differ from 0
-  std::vector<float> previous_residual_;
+  std::span<float> previous_residual_;
 };
 
 } // namespace asperity::contact

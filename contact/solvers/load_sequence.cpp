@@ -173,6 +173,12 @@ void LoadSequence::recall(std::span<const double> memory) {
           : mechanics::Control::mean_gap;
 }
 
+double LoadSequence::rms_height() {
+  if (!rms_height_)
+    rms_height_ = rms_height_of(heights_, elasticity_->workers());
+  return *rms_height_;
+}
+
 std::vector<double>
 LoadSequence::start_for(const mechanics::LoadTarget& target) {
   if (history_.size() == 2) {
@@ -197,11 +203,9 @@ LoadSequence::start_for(const mechanics::LoadTarget& target) {
   }
   const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
                                max_iterations_};
-  std::vector<double> start = coarse_start(
-      *elasticity_, problem, target,
-      std::max(gap_tolerance_,
-               coarse_accuracy *
-                   rms_height_of(heights_, elasticity_->workers())));
+  std::vector<double> start =
+      coarse_start(*elasticity_, problem, target,
+                   std::max(gap_tolerance_, coarse_accuracy * rms_height()));
   if (start.empty() && !history_.empty())
     for (const double value : history_.back().state)
       start.push_back(std::max(0.0, value));

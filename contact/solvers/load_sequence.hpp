@@ -8,6 +8,7 @@
 #include "mechanics/contact_law.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace asperity::contact {
@@ -66,6 +67,7 @@ private:
   };
 
   std::vector<double> start_for(const mechanics::LoadTarget& target);
+  double rms_height();
   void remember(const mechanics::LoadTarget& target,
                 const ContactSolution& solution);
   /// Whether a pressure is positive at some node of any rank.
@@ -73,6 +75,7 @@ private:
 
   std::unique_ptr<SurfaceOperator> elasticity_;
   std::vector<double> heights_;
+  std::optional<double> rms_height_; ///< [m], once it was needed
   mechanics::ContactInterface interface_;
   double gap_tolerance_;
   int max_iterations_;
