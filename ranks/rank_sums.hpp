@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ranks/rank_group.hpp"
+#include "ranks/value_exchange.hpp"
 
 namespace asperity {
 
@@ -23,6 +24,15 @@ inline std::vector<double> of_ranks(RankGroup* ranks, double own) {
   ranks->gather_to_all(std::as_bytes(std::span(&own, 1)), bytes,
                        std::as_writable_bytes(std::span(all)));
   return all;
+}
+
+/// The values of all ranks on each of them, those of rank 0 first. Collective.
+/// @param ranks  null for this process alone
+template <class Value>
+std::vector<Value> values_of_ranks(RankGroup* ranks,
+                                   std::span<const Value> own) {
+  return ranks == nullptr ? std::vector<Value>(own.begin(), own.end())
+                          : ValueExchange(*ranks, own.size()).sent(own);
 }
 
 /// The sum over the ranks, with the same bits on each of them. Collective.

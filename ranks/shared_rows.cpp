@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {
@@ -24,6 +27,19 @@ struct Round {
     return std::min(held, end) - first(held);
   }
 };
+
+/// Values from begin to end - 1 of the whole field.
+struct Part {
+  std::size_t begin = 0, end = 0;
+
+  std::size_t count() const { return end - begin; }
+};
+
+/// What two parts have in common; empty if that is nothing.
+Part common(const Part& a, const Part& b) {
+  const std::size_t begin = std::max(a.begin, b.begin);
+  return {begin, std::max(begin, std::min(a.end, b.end))};
+}
 
 /// The rounds in which rank 0 exchanges a whole field with all ranks.
 std::vector<Round> rounds_of(const SharedRows& rows) {
@@ -76,16 +92,65 @@ std::vector<std::size_t> SharedRows::bytes_of_rank_0(std::size_t bytes) const {
   return all;
 }
 
-std::vector<double> SharedRows::row_after(std::span<const double> own) const {
+SharedRows::RowsBeside
+SharedRows::rows_beside(std::span<const double> own) const {
   const std::span<const double> first = own.first(width());
-  std::vector<double> after(first.begin(), first.end());
-  if (ranks_ != nullptr) {
-    std::vector<double> before(width());
-    ranks_->swap_edges({std::as_bytes(first), std::as_bytes(own.last(width())),
-                        std::as_writable_bytes(std::span(before)),
-                        std::as_writable_bytes(std::span(after))});
+  const std::span<const double> last = own.last(width());
+  RowsBeside beside{{last.begin(), last.end()}, {first.begin(), first.end()}};
+  if (ranks_ != nullptr)
+    ranks_->swap_edges({std::as_bytes(first), std::as_bytes(last),
+                        std::as_writable_bytes(std::span(beside.before)),
+                        std::as_writable_bytes(std::span(beside.after))});
+  return beside;
+}
+
+std::vector<double> SharedRows::row_after(std::span<const double> own) const {
+  return rows_beside(own).after;
+}
+
+std::vector<double> SharedRows::rows_at(std::span<const double> own, int first,
+                                        int count) const {
+  const auto begin = static_cast<std::size_t>(first) * width();
+  const Part wanted{begin, begin + static_cast<std::size_t>(count) * width()};
+  if (ranks_ == nullptr) {
+    const auto rows = own.subspan(begin, wanted.count());
+    return {rows.begin(), rows.end()};
   }
-  return after;
+  const std::vector<Part> all =
+      values_of_ranks<Part>(ranks_, std::span(&wanted, 1));
+  std::vector<double> result(wanted.count());
+  std::vector<double> sent, received;
+  for (const Round& round : rounds_of(*this)) {
+    const auto part_of = [&](std::size_t r) {
+      const std::size_t start = first_of(r) + round.first(size_of(r));
+      return Part{start, start + round.count(size_of(r))};
+    };
+    std::vector<std::size_t> to, from;
+    sent.clear();
+    for (std::size_t r = 0; r < all.size(); ++r) {
+      const Part part = common(all[r], part_of(own_));
+      const auto values = own.subspan(
+          part.count() > 0 ? part.begin - first_of(own_) : 0, part.count());
+      sent.insert(sent.end(), values.begin(), values.end());
+      to.push_back(values.size_bytes());
+      from.push_back(common(wanted, part_of(r)).count() * sizeof(double));
+    }
+    received.resize(std::accumulate(from.begin(), from.end(), std::size_t{0}) /
+                    sizeof(double));
+    ranks_->exchange(std::as_bytes(std::span(sent)), to,
+                     std::as_writable_bytes(std::span(received)), from);
+    auto next = received.begin();
+    for (std::size_t r = 0; r < all.size(); ++r) {
+      const Part part = common(wanted, part_of(r));
+      const auto n = static_cast<std::ptrdiff_t>(part.count());
+      if (n > 0)
+        std::copy_n(next, n,
+                    result.begin() +
+                        static_cast<std::ptrdiff_t>(part.begin - begin));
+      next += n;
+    }
+  }
+  return result;
 }
 
 std::vector<double> SharedRows::gathered(std::span<const double> own) const {

@@ -73,6 +73,23 @@ public:
   /// @param own  size() values
   std::vector<double> row_after(std::span<const double> own) const;
 
+  /// The rows before and after those of this process.
+  struct RowsBeside {
+    std::vector<double> before, after;
+  };
+
+  /// The same on the periodic continuation of the grid. Collective.
+  /// @param own  size() values
+  RowsBeside rows_beside(std::span<const double> own) const;
+
+  /// Some rows of a field, which other ranks may hold. Collective; each rank
+  /// asks for its own rows.
+  /// @param own    size() values
+  /// @param first  of the rows
+  /// @param count  of the rows, >= 0, inside the grid
+  std::vector<double> rows_at(std::span<const double> own, int first,
+                              int count) const;
+
   /// All rows of a field, on every rank. Collective.
   /// @param own  size() values
   std::vector<double> gathered(std::span<const double> own) const;

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <string>
 
+#include "ranks/rank_sums.hpp"
+
 namespace asperity {
 namespace {
 
@@ -88,11 +90,8 @@ std::vector<std::byte> gathered_sums(const SharedRows& rows,
 std::size_t total_count(const Workers& workers, std::size_t own) {
   if (workers.rows == nullptr)
     return own;
-  RankGroup& ranks = *workers.rows->ranks();
-  std::vector<std::size_t> all(static_cast<std::size_t>(ranks.size()));
-  const std::vector<std::size_t> counts(all.size(), sizeof(std::size_t));
-  ranks.gather_to_all(std::as_bytes(std::span(&own, 1)), counts,
-                      std::as_writable_bytes(std::span(all)));
+  const std::vector<std::size_t> all = values_of_ranks<std::size_t>(
+      workers.rows->ranks(), std::span<const std::size_t>(&own, 1));
   return std::accumulate(all.begin(), all.end(), std::size_t{0});
 }
 

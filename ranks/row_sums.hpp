@@ -1,0 +1,31 @@
+#pragma once
+
+// This file adds up the rows of a field in their order, while all ranks work at
+// the same time.
+
+#include <type_traits>
+#include <vector>
+
+#include "ranks/rank_sums.hpp"
+#include "ranks/shared_rows.hpp"
+
+namespace asperity {
+
+/// Calls of_row(row) -> Sums for each row of this process, 0..rows.count()-1,
+/// and adds the results of all rows of the grid in their order: the bits do not
+/// depend on the number of ranks. Each rank receives the sums of all rows.
+/// Collective. Sums needs operator+=.
+template <class Sums, class OfRow>
+Sums sum_over_rows(const SharedRows& rows, const OfRow& of_row) {
+  static_assert(std::is_trivially_copyable_v<Sums>);
+  std::vector<Sums> own;
+  for (int row = 0; row < rows.count(); ++row)
+    own.push_back(of_row(row));
+  Sums total{};
+  for (const Sums& sums :
+       values_of_ranks<Sums>(rows.ranks(), std::span<const Sums>(own)))
+    total += sums;
+  return total;
+}
+
+} // namespace asperity
