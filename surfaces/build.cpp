@@ -338,13 +338,13 @@ std::string reason_for_whole(const SurfaceSpec& surface,
 std::vector<double> build_rows(const SurfaceSpec& surface, int realization,
                                const SharedRows& rows,
                                std::optional<double> highest_wavevector,
-                               int threads) {
+                               int threads, MapFacts* facts) {
   if (rows.grid() != surface_grid(surface) ||
       (highest_wavevector && !is_random(surface.kind)))
     throw std::domain_error("rows are built on the grid of a surface, and with "
                             "a highest_wavevector of a random one");
   if (surface.kind == SurfaceKind::measured)
-    return on_form(measured_rows(surface, rows), rows, surface);
+    return on_form(measured_rows(surface, rows, facts), rows, surface);
   if (!is_random(surface.kind))
     return shape_rows(surface, rows);
   return on_form(highest_wavevector

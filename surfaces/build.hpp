@@ -6,6 +6,7 @@
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <optional>
 #include <string>
@@ -68,12 +69,13 @@ std::string reason_for_whole(const mechanics::SurfaceSpec& surface,
 
 /// The rows of this process of that surface; the bits are those of the whole
 /// one on any number of ranks. Collective.
-/// @param rows  of a group of ranks, with even bounds, on surface_grid()
+/// @param rows   of a group of ranks, with even bounds, on surface_grid()
+/// @param facts  receives what was found of a measured map
 /// @throws  as these functions; std::domain_error also if reason_for_whole()
 ///          is not empty
 std::vector<double> build_rows(const mechanics::SurfaceSpec& surface,
                                int realization, const SharedRows& rows,
                                std::optional<double> highest_wavevector = {},
-                               int threads = 1);
+                               int threads = 1, MapFacts* facts = nullptr);
 
 } // namespace asperity::surfaces

@@ -16,52 +16,87 @@
 #include <limits>
 #include <stdexcept>
 #include <utility>
+#include <vector>
+
+#include "ranks/chunked_sum.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/row_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {
 
 using mechanics::SurfaceSpec;
 
-double largest_magnitude(const HeightMap& map) {
+double largest_magnitude(const SharedRows& rows,
+                         std::span<const double> heights) {
   double largest = 0.0;
-  for (const double height : map.heights)
+  for (const double height : heights)
     largest = std::max(largest, std::abs(height));
-  return largest;
+  return rank_max(rows.ranks(), largest);
 }
 
-/// Uses differences of neighbours inside the map, which need not be periodic.
-MapRoughness rms_height_and_slope(const HeightMap& map) {
-  const Grid& grid = map.grid;
-  const auto mean_square = [&](int step_x, int step_y, double distance) {
-    double sum = 0.0;
-    for (int iy = 0; iy + step_y < grid.points_y; ++iy)
-      for (int ix = 0; ix + step_x < grid.points_x; ++ix)
-        sum += std::pow((map.heights[grid.index(ix + step_x, iy + step_y)] -
-                         map.heights[grid.index(ix, iy)]) /
-                            distance,
-                        2);
-    return sum / (static_cast<double>(grid.points_x - step_x) *
-                  (grid.points_y - step_y));
-  };
-  return {statistics(map).rms_height,
-          std::sqrt(mean_square(1, 0, grid.spacing_x()) +
-                    mean_square(0, 1, grid.spacing_y()))};
+/// Mean square slope along y, between the rows of the map.
+double mean_square_along_y(const SharedRows& rows,
+                           std::span<const double> heights) {
+  const Grid& grid = rows.grid();
+  const std::vector<double> after = rows.row_after(heights);
+  const Sum sum = sum_over_rows<Sum>(rows, [&](int row) {
+    Sum of_row;
+    const std::size_t first = grid.index(0, row);
+    if (rows.first() + row + 1 < grid.points_y)
+      for (std::size_t x = 0; x < rows.width(); ++x) {
+        const std::size_t i = first + x + rows.width();
+        of_row.value += std::pow(((i < heights.size() ? heights[i] : after[x]) -
+                                  heights[first + x]) /
+                                     grid.spacing_y(),
+                                 2);
+      }
+    return of_row;
+  });
+  return sum.value / (static_cast<double>(grid.points_x) * (grid.points_y - 1));
 }
 
-std::size_t missing_of(const FlaggedMap& map) {
-  return static_cast<std::size_t>(
-      std::count(map.is_missing.begin(), map.is_missing.end(), char{1}));
+double mean_square_along_x(const SharedRows& rows,
+                           std::span<const double> heights) {
+  const Grid& grid = rows.grid();
+  const Sum sum = sum_over_rows<Sum>(rows, [&](int row) {
+    Sum of_row;
+    const auto line = heights.subspan(grid.index(0, row), rows.width());
+    for (std::size_t x = 0; x + 1 < line.size(); ++x)
+      of_row.value += std::pow((line[x + 1] - line[x]) / grid.spacing_x(), 2);
+    return of_row;
+  });
+  return sum.value / (static_cast<double>(grid.points_x - 1) * grid.points_y);
 }
 
-void level_form(HeightMap& map, const SurfaceSpec& surface) {
-  const double before = largest_magnitude(map);
+/// Refuses a flat map, and heights whose squares are no numbers.
+/// @param before  largest magnitude of the heights before levelling [m]
+/// @param left    the same after it [m]
+void require_relief(const SurfaceSpec& surface, double before, double left) {
+  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+  if (left <= rounding * before)
+    throw input::InputError(fmt::format(
+        "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
+        "remain, the roundoff of the original {:.3g} m; there is no roughness",
+        surface.file, left, before));
+  constexpr double largest = 1e100; // [m]; spectra contain squares
+  if (!(left < largest))
+    throw input::InputError(fmt::format(
+        "{}: heights of up to {:.3g} m, but they must be below {:.0e} m; check "
+        "their unit",
+        surface.file, left, largest));
+}
+
+void level_form(const SurfaceSpec& surface, const SharedRows& rows,
+                std::span<double> heights) {
+  const double before = largest_magnitude(rows, heights);
   try {
-    remove_trend(map, surface.level);
+    remove_trend(rows, heights, surface.level);
   } catch (const std::domain_error& error) {
     throw input::InputError(
         fmt::format("{}: surface.level: {}", surface.file, error.what()));
   }
-  require_relief(surface, before, largest_magnitude(map));
+  require_relief(surface, before, largest_magnitude(rows, heights));
 }
 
 } // namespace
@@ -88,21 +123,6 @@ PixelWindow window_of_map(const SurfaceSpec& surface, const Grid& grid) {
   }
 }
 
-void require_relief(const SurfaceSpec& surface, double before, double left) {
-  constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
-  if (left <= rounding * before)
-    throw input::InputError(fmt::format(
-        "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
-        "remain, the roundoff of the original {:.3g} m; there is no roughness",
-        surface.file, left, before));
-  constexpr double largest = 1e100; // [m]; spectra contain squares
-  if (!(left < largest))
-    throw input::InputError(fmt::format(
-        "{}: heights of up to {:.3g} m, but they must be below {:.0e} m; check "
-        "their unit",
-        surface.file, left, largest));
-}
-
 void require_few_missing(const SurfaceSpec& surface, std::size_t count,
                          std::size_t size) {
   const auto missing = static_cast<double>(count);
@@ -120,24 +140,41 @@ void require_few_missing(const SurfaceSpec& surface, std::size_t count,
         surface.file, missing, size, fraction, surface.max_missing));
 }
 
+MapFacts prepare_rows(const SurfaceSpec& surface, const SharedRows& rows,
+                      std::span<double> heights) {
+  MapFacts facts;
+  facts.missing = count_missing(rows, heights);
+  if (facts.missing == rows.grid().size())
+    require_few_missing(surface, facts.missing, rows.grid().size());
+  if (surface.align_lines == mechanics::LineAlignment::median)
+    align_lines(rows, heights);
+  if (surface.spikes)
+    facts.spikes = mark_spikes(rows, heights, *surface.spikes);
+  require_few_missing(surface, facts.missing + facts.spikes,
+                      rows.grid().size());
+  fill_missing(rows, heights);
+  level_form(surface, rows, heights);
+  return facts;
+}
+
 MeasuredMap measured_map(const SurfaceSpec& surface) {
   Scan scan = read_scan(surface.file, request_of_map(surface));
-  MeasuredMap measured{{}, scan.channel, scan.reader, 0, 0};
-  FlaggedMap map{std::move(scan.map), std::move(scan.is_missing)};
+  for (std::size_t i = 0; i < scan.is_missing.size(); ++i)
+    if (scan.is_missing[i] != 0)
+      scan.map.heights[i] = std::numeric_limits<double>::quiet_NaN();
   if (surface.crop)
-    crop(map, window_of_map(surface, map.map.grid));
-  measured.missing = missing_of(map);
-  if (measured.missing == map.map.grid.size())
-    require_few_missing(surface, measured.missing, map.map.grid.size());
-  if (surface.align_lines == mechanics::LineAlignment::median)
-    align_lines(map);
-  if (surface.spikes)
-    measured.spikes = mark_spikes(map, *surface.spikes);
-  require_few_missing(surface, missing_of(map), map.map.grid.size());
-  fill_missing(map.map, map.is_missing);
-  level_form(map.map, surface);
-  measured.map = std::move(map.map);
-  return measured;
+    crop(scan.map, window_of_map(surface, scan.map.grid));
+  const MapFacts facts =
+      prepare_rows(surface, SharedRows(scan.map.grid), scan.map.heights);
+  return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
+          facts.spikes};
+}
+
+MapRoughness roughness_of(const SharedRows& rows,
+                          std::span<const double> heights) {
+  return {rms_height(rows, heights),
+          std::sqrt(mean_square_along_x(rows, heights) +
+                    mean_square_along_y(rows, heights))};
 }
 
 std::string description_of(const MeasuredMap& measured) {
@@ -162,7 +199,8 @@ HeightMap levelled_map(const SurfaceSpec& surface) {
 EdgeEffect edge_effect(const SurfaceSpec& surface) {
   const HeightMap before = levelled_map(surface);
   const HeightMap after = with_edges(before, surface.edges);
-  return {rms_height_and_slope(before), rms_height_and_slope(after)};
+  return {roughness_of(SharedRows(before.grid), before.heights),
+          roughness_of(SharedRows(after.grid), after.heights)};
 }
 
 } // namespace asperity::surfaces

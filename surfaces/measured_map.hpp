@@ -9,6 +9,8 @@
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/height_map.hpp"
 
+#include <optional>
+#include <span>
 #include <string>
 
 namespace asperity::surfaces {
@@ -30,6 +32,39 @@ struct MeasuredMap {
 ///                            the map is flat
 MeasuredMap measured_map(const mechanics::SurfaceSpec& surface);
 
+/// Roughness of a map that need not be periodic: the slope is computed from
+/// differences of neighbours inside the map, in both directions.
+struct MapRoughness {
+  double rms_height = 0.0; ///< [m]
+  double rms_slope = 0.0;  ///< [1]
+};
+
+/// Effect of [surface] edges on a measured map.
+struct EdgeEffect {
+  MapRoughness measured; ///< levelled map, before the edge treatment
+  MapRoughness pressed;  ///< map used in the contact problem, after it
+};
+
+/// Computes the roughness of a map of which this process has some rows.
+/// Collective.
+MapRoughness roughness_of(const SharedRows& rows,
+                          std::span<const double> heights);
+
+/// What was found while the rows of a map were prepared.
+struct MapFacts {
+  std::size_t missing = 0; ///< points without a height in the file
+  std::size_t spikes = 0;  ///< points that were removed as spikes
+  std::optional<EdgeEffect> effect = {}; ///< of the edge treatment, if asked
+};
+
+/// Prepares the rows of this process of a cropped map, as measured_map() does,
+/// with the bits of one process. Collective.
+/// @param heights  rows.size() values [m], not finite at missing points
+/// @return  numbers of missing points and spikes
+/// @throws input::InputError  on every rank, as measured_map()
+MapFacts prepare_rows(const mechanics::SurfaceSpec& surface,
+                      const SharedRows& rows, std::span<double> heights);
+
 /// What a case says about its map file.
 ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);
 
@@ -45,13 +80,6 @@ PixelWindow window_of_map(const mechanics::SurfaceSpec& surface,
 void require_few_missing(const mechanics::SurfaceSpec& surface,
                          std::size_t count, std::size_t size);
 
-/// Refuses a flat map, and heights whose squares are no numbers.
-/// @param before  largest magnitude of the heights before levelling [m]
-/// @param left    the same after it [m]
-/// @throws input::InputError  what is left is roundoff, or not below 1e100 m
-void require_relief(const mechanics::SurfaceSpec& surface, double before,
-                    double left);
-
 /// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
 /// missing point(s) (0.04 %) filled".
 std::string description_of(const MeasuredMap& measured);
@@ -61,19 +89,6 @@ std::string description_of(const MeasuredMap& measured);
 /// eps of the largest.
 /// @throws input::InputError  as measured_map
 HeightMap levelled_map(const mechanics::SurfaceSpec& surface);
-
-/// Roughness of a map that need not be periodic: the slope is computed from
-/// differences of neighbours inside the map, in both directions.
-struct MapRoughness {
-  double rms_height = 0.0; ///< [m]
-  double rms_slope = 0.0;  ///< [1]
-};
-
-/// Effect of [surface] edges on a measured map.
-struct EdgeEffect {
-  MapRoughness measured; ///< levelled map, before the edge treatment
-  MapRoughness pressed;  ///< map used in the contact problem, after it
-};
 
 /// Computes the roughness before and after the edge treatment.
 /// @throws input::InputError  as levelled_map

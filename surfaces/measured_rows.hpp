@@ -13,12 +13,11 @@
 namespace asperity::surfaces {
 
 /// Why one process must hold the whole map before its rows can be used, as the
-/// beginning of a sentence: "surface.align_lines compares all lines"; empty if
-/// ranks can read its rows. They can if the format permits it (row_file.hpp)
-/// and levelling and edges are sums over rows: not with align_lines,
-/// remove_spikes, level sphere or cylinder, or edges window. The
-/// file is read once for missing points, by pieces of a few MB.
-/// @throws input::InputError  as measured_map, apart from the flat map
+/// beginning of a sentence; empty if ranks can read its rows, which depends on
+/// the format (row_file.hpp). The file is read once for missing points, by
+/// pieces of a few MB.
+/// @throws input::InputError  as measured_map, apart from the flat map and the
+///                            spikes
 std::string reason_for_whole_map(const mechanics::SurfaceSpec& surface);
 
 /// The grid of the surface after its edge treatment, without its heights if the
@@ -26,18 +25,21 @@ std::string reason_for_whole_map(const mechanics::SurfaceSpec& surface);
 /// @throws input::InputError  as measured_map
 Grid measured_grid(const mechanics::SurfaceSpec& surface);
 
-/// As measured_map(), without the heights if ranks can read its rows.
+/// As measured_map(), without the heights if ranks can read its rows and
+/// surface.remove_spikes is not given.
 /// @throws input::InputError  as measured_map
 MeasuredMap described_map(const mechanics::SurfaceSpec& surface);
 
 /// The rows of this process of the map after levelling and edge treatment, with
 /// the bits of one process. Each rank reads its rows from the file. If points
-/// are missing, each reads the whole file by pieces and solves the equations of
-/// the missing points, whose memory is theirs alone. Collective.
+/// are missing, each solves the equations of all missing points, whose memory
+/// is theirs alone. Collective.
 /// @param surface  for which reason_for_whole_map() is empty
 /// @param rows     on measured_grid()
+/// @param facts    receives what was found, also the effect of edges = "window"
 /// @throws input::InputError  as measured_map
 std::vector<double> measured_rows(const mechanics::SurfaceSpec& surface,
-                                  const SharedRows& rows);
+                                  const SharedRows& rows,
+                                  MapFacts* facts = nullptr);
 
 } // namespace asperity::surfaces

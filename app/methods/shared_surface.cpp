@@ -29,8 +29,7 @@ std::optional<double> number_in(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
-/// The members that are read from a case, in the order of SurfaceSpec; those of
-/// corrections that need the whole map are left out.
+/// The members that are read from a case, in the order of SurfaceSpec.
 json json_of(const mechanics::SurfaceSpec& surface) {
   json text = {{"kind", static_cast<int>(surface.kind)},
                {"length", or_null(surface.length)},
@@ -50,6 +49,10 @@ json json_of(const mechanics::SurfaceSpec& surface) {
                {"height_unit", or_null(surface.height_unit)},
                {"length_y", or_null(surface.length_y)},
                {"length_unit", or_null(surface.length_unit)},
+               {"align_lines", static_cast<int>(surface.align_lines)},
+               {"spikes", or_null(surface.spikes)},
+               {"fill", static_cast<int>(surface.fill)},
+               {"max_missing", surface.max_missing},
                {"form_radius", or_null(surface.form_radius)},
                {"radius", surface.radius},
                {"recess", surface.recess},
@@ -91,6 +94,11 @@ mechanics::SurfaceSpec surface_in(const json& text) {
   surface.height_unit = number_in(text.at("height_unit"));
   surface.length_y = number_in(text.at("length_y"));
   surface.length_unit = number_in(text.at("length_unit"));
+  surface.align_lines =
+      enumerator_in<mechanics::LineAlignment>(text.at("align_lines"));
+  surface.spikes = number_in(text.at("spikes"));
+  surface.fill = enumerator_in<mechanics::Filling>(text.at("fill"));
+  surface.max_missing = text.at("max_missing");
   surface.form_radius = number_in(text.at("form_radius"));
   surface.radius = text.at("radius");
   surface.recess = text.at("recess");
@@ -119,6 +127,7 @@ SharedRows rows_in(const json& text) {
 struct KeptHeights {
   std::string source;
   std::vector<double> heights;
+  surfaces::MapFacts facts; ///< if each rank has built its own rows
 };
 
 KeptHeights& kept_heights() {
@@ -143,45 +152,53 @@ std::vector<double> built_whole(const SurfaceSource& source) {
 }
 
 /// Builds the rows of this rank, or receives them from rank 0.
-std::vector<double> build_heights(const json& text, const SharedRows& rows,
-                                  int threads) {
+KeptHeights build_heights(const json& text, const SharedRows& rows,
+                          int threads) {
   const SurfaceSource source{surface_in(text.at("surface")),
                              text.at("realization"),
                              number_in(text.at("highest"))};
-  if (!text.at("is_whole"))
-    return surfaces::build_rows(source.surface, source.realization, rows,
-                                source.highest_wavevector, threads);
-  return rows.scattered(std::exchange(whole_surface(), {}));
+  KeptHeights built{text.dump(), {}, {}};
+  built.heights = text.at("is_whole")
+                      ? rows.scattered(std::exchange(whole_surface(), {}))
+                      : surfaces::build_rows(source.surface, source.realization,
+                                             rows, source.highest_wavevector,
+                                             threads, &built.facts);
+  return built;
 }
 
-const std::vector<double>& own_heights(const json& text, const SharedRows& rows,
-                                       int threads) {
+const KeptHeights& kept_heights(const json& text, const SharedRows& rows,
+                                int threads) {
   KeptHeights& kept = kept_heights();
-  const std::string key = text.dump();
-  if (kept.source != key || kept.heights.size() != rows.size()) {
+  if (kept.source != text.dump() || kept.heights.size() != rows.size()) {
     kept = {};
-    kept.heights = build_heights(text, rows, threads);
-    kept.source = key;
+    kept = build_heights(text, rows, threads);
   }
-  return kept.heights;
+  return kept;
 }
+
+/// What all ranks find for surface_by_rows().
+struct Description {
+  surfaces::Statistics numbers;
+  std::vector<surfaces::Shell> shells;
+  surfaces::MapFacts facts;
+};
 
 /// What all ranks do for surface_by_rows().
-std::pair<surfaces::Statistics, std::vector<surfaces::Shell>>
-describe_part(const json& command) {
+Description describe_part(const json& command) {
   const json& source = command.at("source");
   const int threads = command.at("threads");
   const SharedRows rows = rows_in(source);
-  const std::vector<double>& heights = own_heights(source, rows, threads);
-  return {surfaces::statistics(rows, heights, threads),
-          surfaces::spectral_shells(rows, heights, threads)};
+  const KeptHeights& kept = kept_heights(source, rows, threads);
+  return {surfaces::statistics(rows, kept.heights, threads),
+          surfaces::spectral_shells(rows, kept.heights, threads), kept.facts};
 }
 
 /// What all ranks do for heights_by_rows(); only rank 0 takes values.
 void send_heights(const json& command, const results::TakeValues& take) {
   const json& source = command.at("source");
   const SharedRows rows = rows_in(source);
-  rows.pass_to_rank_0(own_heights(source, rows, command.at("threads")), take);
+  rows.pass_to_rank_0(kept_heights(source, rows, command.at("threads")).heights,
+                      take);
 }
 
 json command_of(const char* what, const SurfaceSource& source, int threads) {
@@ -233,9 +250,12 @@ SurfaceOfCase surface_by_rows(const SurfaceSource& asked,
   SurfaceOfCase surface;
   fem::load_fem_module().on_all_ranks(
       command.dump(), [&](const std::string&, int) {
-        auto [numbers, shells] = describe_part(command);
-        surface = described_surface(source.grid, numbers, std::move(shells),
-                                    contact_modulus);
+        Description found = describe_part(command);
+        surface = described_surface(source.grid, found.numbers,
+                                    std::move(found.shells), contact_modulus);
+        if (source.whole_because.empty() &&
+            source.surface.kind == mechanics::SurfaceKind::measured)
+          surface.map_facts = found.facts;
       });
   surface.source = source;
   return surface;
@@ -275,7 +295,7 @@ json json_of(const SurfaceSource& source) {
 
 std::vector<double> take_heights(const json& source, const SharedRows& rows,
                                  int threads) {
-  static_cast<void>(own_heights(source, rows, threads));
+  static_cast<void>(kept_heights(source, rows, threads));
   return std::exchange(kept_heights(), {}).heights;
 }
 

@@ -5,7 +5,6 @@
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
-#include "surfaces/measured_map.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -144,6 +143,10 @@ SurfaceOfCase CaseSurfaces::magnified(int realization, double highest,
 
 const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
   return whole_;
+}
+
+std::optional<surfaces::MapFacts> CaseSurfaces::map_facts() const {
+  return whole_.empty() ? std::nullopt : whole_.front().map_facts;
 }
 
 const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,

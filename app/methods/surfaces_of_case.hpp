@@ -8,6 +8,7 @@
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
 #include <functional>
@@ -41,6 +42,8 @@ struct SurfaceOfCase {
   /// Set if ranks build the rows of the surface when they need them; the record
   /// then has no heights.
   std::optional<SurfaceSource> source = {};
+  /// What the ranks found of a map whose rows they have read.
+  std::optional<surfaces::MapFacts> map_facts = {};
 };
 
 /// Returns the surface of these numbers without heights.
@@ -92,6 +95,9 @@ public:
 
   /// Returns the surfaces with full roughness, one per realisation.
   const std::vector<SurfaceOfCase>& whole() const;
+
+  /// Returns what the ranks found of a map whose rows they have read.
+  std::optional<surfaces::MapFacts> map_facts() const;
 
   const SurfaceOfCase& of(const cases::MethodSpec& method,
                           int realization) const;

@@ -1,7 +1,6 @@
 #include "app/run/provenance_of_run.hpp"
 
 #include "fem/plugin.hpp"
-#include "surfaces/measured_map.hpp"
 #include "surfaces/measured_rows.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +11,8 @@ namespace asperity::app {
 namespace {
 
 /// Describes for the report how the window function changes a measured map.
-std::string effect_of_window(const mechanics::SurfaceSpec& surface) {
-  const auto [measured, pressed] = surfaces::edge_effect(surface);
+std::string words_of(const surfaces::EdgeEffect& effect) {
+  const auto& [measured, pressed] = effect;
   return fmt::format("the window changes the rms height of the measured map "
                      "from {:.3g} nm to {:.3g} nm (factor {:.2f}) and the rms "
                      "slope from {:.3g} to {:.3g} (factor {:.2f})",
@@ -23,22 +22,39 @@ std::string effect_of_window(const mechanics::SurfaceSpec& surface) {
                      pressed.rms_slope / measured.rms_slope);
 }
 
+surfaces::MeasuredMap
+description(const mechanics::SurfaceSpec& surface,
+            const std::optional<surfaces::MapFacts>& found) {
+  if (!found)
+    return surfaces::described_map(surface);
+  mechanics::SurfaceSpec without_spikes = surface;
+  without_spikes.spikes.reset(); // they were counted
+  surfaces::MeasuredMap map = surfaces::described_map(without_spikes);
+  map.missing = found->missing;
+  map.spikes = found->spikes;
+  return map;
+}
+
 } // namespace
 
-results::Provenance provenance_at_start(const cases::Case& contact_case,
-                                        int threads) {
+results::Provenance
+provenance_at_start(const cases::Case& contact_case, int threads,
+                    const std::optional<surfaces::MapFacts>& found) {
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   results::Provenance facts = results::program_facts();
   facts.emplace_back("threads", std::to_string(threads));
-  facts.emplace_back("seed", std::to_string(contact_case.surface.seed));
-  facts.emplace_back("realizations",
-                     std::to_string(contact_case.surface.realizations));
+  facts.emplace_back("seed", std::to_string(surface.seed));
+  facts.emplace_back("realizations", std::to_string(surface.realizations));
   facts.emplace_back("started", results::utc_now());
-  if (contact_case.surface.kind == mechanics::SurfaceKind::measured)
-    facts.emplace_back("map", surfaces::description_of(surfaces::described_map(
-                                  contact_case.surface)));
-  if (contact_case.surface.kind == mechanics::SurfaceKind::measured &&
-      contact_case.surface.edges == mechanics::Edges::window)
-    facts.emplace_back("window", effect_of_window(contact_case.surface));
+  if (surface.kind != mechanics::SurfaceKind::measured)
+    return facts;
+  facts.emplace_back("map",
+                     surfaces::description_of(description(surface, found)));
+  if (surface.edges == mechanics::Edges::window)
+    facts.emplace_back("window",
+                       words_of(found && found->effect
+                                    ? *found->effect
+                                    : surfaces::edge_effect(surface)));
   return facts;
 }
 

@@ -250,7 +250,8 @@ std::vector<results::Skipped> Run::skipped() const {
 
 RunOutcome Run::execute() {
   RunClock clock;
-  writer_.record_provenance(provenance_at_start(case_, pool_.threads()));
+  writer_.record_provenance(
+      provenance_at_start(case_, pool_.threads(), surfaces_.map_facts()));
   begin();
   run_jobs();
   const bool was_interrupted = is_interrupted();

@@ -6,9 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "ranks/in_order.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/selection.hpp"
+#include "ranks/workers.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -55,50 +63,109 @@ PixelRange pixels_within(double begin, double length, double spacing,
   return {first, count};
 }
 
+/// The rows of this process, and the rows beside them that are inside the map.
+class RowsInMap {
+public:
+  RowsInMap(const SharedRows& rows, std::span<const double> heights)
+      : rows_(rows), heights_(heights), beside_(rows.rows_beside(heights)) {}
+
+  /// A row, numbered from the first of this process; empty outside the map.
+  std::span<const double> operator[](int row) const {
+    const int in_map = rows_.first() + row;
+    if (in_map < 0 || in_map >= rows_.grid().points_y)
+      return {};
+    if (row < 0)
+      return beside_.before;
+    if (row == rows_.count())
+      return beside_.after;
+    return heights_.subspan(static_cast<std::size_t>(row) * rows_.width(),
+                            rows_.width());
+  }
+
+private:
+  const SharedRows& rows_;
+  std::span<const double> heights_;
+  SharedRows::RowsBeside beside_;
+};
+
 /// The measured heights among the up to 8 neighbours.
-void take_neighbours(const FlaggedMap& map, int ix, int iy,
-                     std::vector<double>& heights) {
-  const Grid& grid = map.map.grid;
-  heights.clear();
-  for (int y = std::max(iy - 1, 0); y <= std::min(iy + 1, grid.points_y - 1);
-       ++y)
-    for (int x = std::max(ix - 1, 0); x <= std::min(ix + 1, grid.points_x - 1);
-         ++x)
-      if ((x != ix || y != iy) && map.is_measured(grid.index(x, y)))
-        heights.push_back(map.map.heights[grid.index(x, y)]);
+void take_neighbours(const RowsInMap& map, int row, std::size_t x,
+                     std::vector<double>& neighbours) {
+  neighbours.clear();
+  for (int y = row - 1; y <= row + 1; ++y) {
+    const std::span<const double> heights = map[y];
+    const std::size_t end = std::min(x + 2, heights.size());
+    for (std::size_t at = x - std::min<std::size_t>(x, 1); at < end; ++at)
+      if ((at != x || y != row) && std::isfinite(heights[at]))
+        neighbours.push_back(heights[at]);
+  }
 }
 
-/// |h - m| of each point; 0 where there is nothing to compare.
-std::vector<double> deviations_of(const FlaggedMap& map) {
-  const Grid& grid = map.map.grid;
-  std::vector<double> deviations(grid.size(), 0.0);
+/// |h - m| of each point; 0 where there is nothing to compare, and NaN at
+/// missing points.
+std::vector<double> deviations_of(const SharedRows& rows,
+                                  std::span<const double> heights) {
+  const RowsInMap map(rows, heights);
+  std::vector<double> deviations;
+  deviations.reserve(heights.size());
   std::vector<double> neighbours;
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix) {
-      const std::size_t index = grid.index(ix, iy);
-      take_neighbours(map, ix, iy, neighbours);
-      if (map.is_measured(index) && !neighbours.empty())
-        deviations[index] =
-            std::abs(map.map.heights[index] - median_of(neighbours));
+  for (int row = 0; row < rows.count(); ++row)
+    for (std::size_t x = 0; x < rows.width(); ++x) {
+      const double height = map[row][x];
+      take_neighbours(map, row, x, neighbours);
+      if (std::isfinite(height) && neighbours.empty())
+        deviations.push_back(0.0);
+      else
+        deviations.push_back(std::isfinite(height)
+                                 ? std::abs(height - median_of(neighbours))
+                                 : std::numeric_limits<double>::quiet_NaN());
     }
   return deviations;
 }
 
-/// Robust standard deviation of the measured points.
-double robust_scale(const FlaggedMap& map,
+/// The deviations of measured points, their sum and number.
+struct DeviationSum {
+  double sum = 0.0;
+  std::size_t count = 0;
+};
+
+/// Robust standard deviation of the measured points of all ranks.
+double robust_scale(const SharedRows& rows,
                     const std::vector<double>& deviations) {
   std::vector<double> measured;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < deviations.size(); ++i)
-    if (map.is_measured(i)) {
-      measured.push_back(deviations[i]);
-      sum += deviations[i];
-    }
+  std::ranges::copy_if(deviations, std::back_inserter(measured),
+                       [](double deviation) { return !std::isnan(deviation); });
   constexpr double gaussian = 1.4826; // of the median absolute deviation
-  const double mean = sum / static_cast<double>(measured.size());
-  const double median = median_of(measured);
-  return median > 0.0 ? gaussian * median
-                      : std::sqrt(std::numbers::pi / 2.0) * mean;
+  const double median = asperity::median(rows.ranks(), measured);
+  if (median > 0.0)
+    return gaussian * median;
+  const DeviationSum all =
+      in_order(&rows, DeviationSum{}, [&](DeviationSum& state) {
+        for (const double deviation : measured)
+          state.sum += deviation;
+        state.count += measured.size();
+      });
+  return std::sqrt(std::numbers::pi / 2.0) * all.sum /
+         static_cast<double>(all.count);
+}
+
+/// Median difference of each row of this process from the row before it; NaN if
+/// they have no point in common or if there is none.
+std::vector<double> steps_of_lines(const SharedRows& rows,
+                                   std::span<const double> heights) {
+  const RowsInMap map(rows, heights);
+  std::vector<double> steps;
+  std::vector<double> differences;
+  for (int row = 0; row < rows.count(); ++row) {
+    const std::span<const double> before = map[row - 1];
+    const std::span<const double> line = map[row];
+    differences.clear();
+    for (std::size_t x = 0; x < before.size(); ++x)
+      if (std::isfinite(before[x]) && std::isfinite(line[x]))
+        differences.push_back(line[x] - before[x]);
+    steps.push_back(median_of(differences));
+  }
+  return steps;
 }
 
 } // namespace
@@ -114,60 +181,44 @@ PixelWindow pixels_of(const Grid& grid, const mechanics::MapWindow& window) {
            y.count * grid.spacing_y()}};
 }
 
-void crop(FlaggedMap& map, const PixelWindow& pixels) {
-  const Grid old = map.map.grid;
-  FlaggedMap kept;
-  kept.map.grid = pixels.grid;
+void crop(HeightMap& map, const PixelWindow& pixels) {
+  HeightMap kept{pixels.grid, {}};
   for (int iy = 0; iy < pixels.grid.points_y; ++iy)
-    for (int ix = 0; ix < pixels.grid.points_x; ++ix) {
-      const std::size_t index =
-          old.index(pixels.first_x + ix, pixels.first_y + iy);
-      kept.map.heights.push_back(map.map.heights[index]);
-      if (!map.is_missing.empty())
-        kept.is_missing.push_back(map.is_missing[index]);
-    }
+    for (int ix = 0; ix < pixels.grid.points_x; ++ix)
+      kept.heights.push_back(map.heights[map.grid.index(pixels.first_x + ix,
+                                                        pixels.first_y + iy)]);
   map = std::move(kept);
 }
 
-void align_lines(FlaggedMap& map) {
-  const Grid& grid = map.map.grid;
-  std::vector<double> before(map.map.heights.begin(),
-                             map.map.heights.begin() + grid.points_x);
-  std::vector<double> differences;
+void align_lines(const SharedRows& rows, std::span<double> heights) {
+  const std::vector<double> steps =
+      values_of_ranks<double>(rows.ranks(), steps_of_lines(rows, heights));
   double offset = 0.0;
-  for (int iy = 1; iy < grid.points_y; ++iy) {
-    differences.clear();
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      if (map.is_measured(grid.index(ix, iy)) &&
-          map.is_measured(grid.index(ix, iy - 1)))
-        differences.push_back(map.map.heights[grid.index(ix, iy)] -
-                              before[static_cast<std::size_t>(ix)]);
-    if (!differences.empty())
-      offset += median_of(differences);
-    for (int ix = 0; ix < grid.points_x; ++ix) {
-      double& height = map.map.heights[grid.index(ix, iy)];
-      before[static_cast<std::size_t>(ix)] = height;
-      height -= offset;
-    }
+  for (int row = 0; row < rows.first() + rows.count(); ++row) {
+    const double step = steps[static_cast<std::size_t>(row)];
+    if (!std::isnan(step))
+      offset += step;
+    if (row >= rows.first())
+      for (double& height : heights.subspan(
+               static_cast<std::size_t>(row - rows.first()) * rows.width(),
+               rows.width()))
+        height -= offset;
   }
 }
 
-std::size_t mark_spikes(FlaggedMap& map, double threshold) {
+std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
+                        double threshold) {
   if (!(threshold >= 3.0))
     refuse_argument("threshold", threshold, ">= 3");
-  const std::vector<double> deviations = deviations_of(map);
-  const double limit = threshold * robust_scale(map, deviations);
+  const std::vector<double> deviations = deviations_of(rows, heights);
+  const double limit = threshold * robust_scale(rows, deviations);
   std::size_t count = 0;
-  std::vector<char> flags = map.is_missing;
-  flags.resize(deviations.size(), 0);
-  for (std::size_t i = 0; i < deviations.size(); ++i)
+  for (std::size_t i = 0; i < heights.size(); ++i)
     if (deviations[i] > limit) {
-      flags[i] = 1;
+      heights[i] = std::numeric_limits<double>::quiet_NaN();
       ++count;
     }
-  if (count > 0)
-    map.is_missing = std::move(flags);
-  return count;
+  return total_count({1, &rows}, count);
 }
 
 } // namespace asperity::surfaces

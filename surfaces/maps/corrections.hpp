@@ -6,19 +6,10 @@
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
-#include <vector>
+#include <cstddef>
+#include <span>
 
 namespace asperity::surfaces {
-
-/// A measured map with flags of its missing points, 1 or 0; empty: none.
-struct FlaggedMap {
-  HeightMap map;
-  std::vector<char> is_missing;
-
-  bool is_measured(std::size_t index) const {
-    return is_missing.empty() || is_missing[index] == 0;
-  }
-};
 
 /// A rectangle of pixels, and its grid.
 struct PixelWindow {
@@ -35,7 +26,7 @@ struct PixelWindow {
 PixelWindow pixels_of(const Grid& grid, const mechanics::MapWindow& window);
 
 /// Keeps these pixels.
-void crop(FlaggedMap& map, const PixelWindow& pixels);
+void crop(HeightMap& map, const PixelWindow& pixels);
 
 /// Removes offsets between scan lines, which are rows along x, by the median of
 /// differences:
@@ -45,17 +36,26 @@ void crop(FlaggedMap& map, const PixelWindow& pixels);
 ///
 /// over the points that are measured in both rows; without any, o_j = o_(j-1).
 /// This also removes the tilt in y, and form that depends on y only.
-void align_lines(FlaggedMap& map);
+///
+/// Each rank finds the medians of its rows, and adds up those of all ranks; the
+/// bits are those of one process. Collective.
+/// @param heights  of the rows of this process [m], NaN at missing points
+void align_lines(const SharedRows& rows, std::span<double> heights);
 
-/// Marks spikes as missing. A spike deviates from the median m of its measured
-/// neighbours (up to 8) by more than `threshold` robust standard deviations s,
+/// Marks spikes as missing by NaN. A spike deviates from the median m of its
+/// measured neighbours (up to 8) by more than `threshold` robust standard
+/// deviations s,
 ///
 ///     |h - m| > threshold s,   s = 1.4826 median |h - m| over all points
 ///
-/// or s = sqrt(pi/2) <|h - m|> if that median is 0.
+/// or s = sqrt(pi/2) <|h - m|> if that median is 0. The median is selected
+/// from the deviations of all ranks; the bits are those of one process.
+/// Collective.
+/// @param heights    of the rows of this process [m], NaN at missing points
 /// @param threshold  [1] >= 3
-/// @return  number of spikes
+/// @return  number of spikes in all rows
 /// @throws std::domain_error  a smaller threshold
-std::size_t mark_spikes(FlaggedMap& map, double threshold);
+std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
+                        double threshold);
 
 } // namespace asperity::surfaces

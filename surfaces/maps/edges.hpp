@@ -6,6 +6,8 @@
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
+#include <vector>
+
 namespace asperity::surfaces {
 
 /// Makes the map periodic; the mean of the result is 0. `free` is the mirror,
@@ -20,6 +22,15 @@ namespace asperity::surfaces {
 ///               lengths: no step and no lost power, but a discontinuous slope
 ///               at the seam, and four copies of every asperity
 HeightMap with_edges(HeightMap map, mechanics::Edges edges);
+
+/// The same for the rows of this process, with the bits of one process.
+/// Collective.
+/// @param map_rows  of the map
+/// @param heights   map_rows.size() values [m]
+/// @param rows      of the result, on grid_with_edges(), of the same ranks
+std::vector<double> with_edges(const SharedRows& map_rows,
+                               std::vector<double> heights,
+                               mechanics::Edges edges, const SharedRows& rows);
 
 /// The grid of the result.
 Grid grid_with_edges(const Grid& grid, mechanics::Edges edges);

@@ -3,7 +3,6 @@
 #include "surfaces/maps/round_form.hpp"
 
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
 #include "ranks/in_order.hpp"
@@ -46,18 +45,6 @@ double sum_of_squares(const std::vector<double>& side) {
   return std::inner_product(side.begin(), side.end(), side.begin(), 0.0);
 }
 
-void subtract(const Polynomials& polynomials, const TrendTerm& term, int first,
-              std::span<double> heights) {
-  const std::vector<double>& along_x = of_degree(polynomials.x, term.degree_x);
-  const std::vector<double>& along_y = of_degree(polynomials.y, term.degree_y);
-  const std::size_t columns = along_x.size();
-  for (std::size_t row = 0; row < heights.size() / columns; ++row)
-    for (std::size_t x = 0; x < columns; ++x)
-      heights[row * columns + x] -=
-          term.factor * along_x[x] *
-          along_y[row + static_cast<std::size_t>(first)];
-}
-
 /// Projects the heights and subtracts the projections, one after another.
 class TrendRemoval {
 public:
@@ -79,53 +66,34 @@ public:
                std::inner_product(along_x.begin(), along_x.end(),
                                   &heights_[row * along_x.size()], 0.0);
     });
-    remove({projection / norm, degree_x, degree_y});
+    for (std::size_t row = 0; row < heights_.size() / along_x.size(); ++row)
+      for (std::size_t x = 0; x < along_x.size(); ++x)
+        heights_[row * along_x.size() + x] -=
+            projection / norm * along_x[x] * along_y[first + row];
   }
-
-  /// The second pass removes the roundoff of a large first mean.
-  void remove_twice_the_mean() {
-    for (int pass = 0; pass < 2; ++pass)
-      remove({mean_height(rows_, heights_), 0, 0});
-  }
-
-  std::vector<TrendTerm> removed() const { return terms_; }
 
 private:
-  void remove(const TrendTerm& term) {
-    subtract(polynomials_, term, rows_.first(), heights_);
-    terms_.push_back(term);
-  }
-
   const SharedRows& rows_;
   std::span<double> heights_;
   Polynomials polynomials_;
-  std::vector<TrendTerm> terms_;
 };
 
 } // namespace
 
 void remove_trend(HeightMap& map, mechanics::Levelling levelling) {
-  if (levelling == mechanics::Levelling::sphere) {
-    remove_mean(map);
-    return remove_sphere(map);
-  }
-  if (levelling == mechanics::Levelling::cylinder) {
-    remove_mean(map);
-    return remove_cylinder(map);
-  }
   remove_trend(SharedRows(map.grid), map.heights, levelling);
 }
 
-std::vector<TrendTerm> remove_trend(const SharedRows& rows,
-                                    std::span<double> heights,
-                                    mechanics::Levelling levelling) {
-  if (levelling == mechanics::Levelling::sphere ||
-      levelling == mechanics::Levelling::cylinder)
-    throw std::domain_error("a sphere or a cylinder is fitted to a whole map");
-  TrendRemoval trend(rows, heights);
-  trend.remove_twice_the_mean();
+void remove_trend(const SharedRows& rows, std::span<double> heights,
+                  mechanics::Levelling levelling) {
+  remove_mean(rows, heights);
   if (levelling == mechanics::Levelling::none)
-    return trend.removed();
+    return;
+  if (levelling == mechanics::Levelling::sphere)
+    return remove_sphere(rows, heights);
+  if (levelling == mechanics::Levelling::cylinder)
+    return remove_cylinder(rows, heights);
+  TrendRemoval trend(rows, heights);
   trend.remove_product(1, 0);
   trend.remove_product(0, 1);
   if (levelling == mechanics::Levelling::bow) {
@@ -133,15 +101,7 @@ std::vector<TrendTerm> remove_trend(const SharedRows& rows,
     trend.remove_product(0, 2);
     trend.remove_product(1, 1);
   }
-  trend.remove_twice_the_mean(); // roundoff that remains of a steep trend
-  return trend.removed();
-}
-
-void subtract_trend(const Grid& grid, std::span<const TrendTerm> terms,
-                    int first, std::span<double> heights) {
-  const Polynomials polynomials(grid);
-  for (const TrendTerm& term : terms)
-    subtract(polynomials, term, first, heights);
+  remove_mean(rows, heights); // roundoff that remains of a steep trend
 }
 
 } // namespace asperity::surfaces

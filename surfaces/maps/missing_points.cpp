@@ -3,8 +3,14 @@
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <unordered_map>
 #include <utility>
+#include <vector>
+
+#include "ranks/rank_sums.hpp"
+#include "ranks/workers.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -73,57 +79,75 @@ private:
   Eigen::VectorXd right_side_;
 };
 
+/// A measured point.
+struct KnownPoint {
+  std::size_t index = 0; ///< on the grid
+  double height = 0.0;   ///< [m]
+};
+
+/// The missing points of the rows of this process, in their order, and the
+/// measured points of these rows and of the rows beside them that are
+/// neighbours of missing points of this process.
+struct MissingPoints {
+  std::vector<std::size_t> indices;
+  std::vector<KnownPoint> beside;
+};
+
+MissingPoints missing_points(const SharedRows& rows,
+                             std::span<const double> heights) {
+  MissingPoints points;
+  const SharedRows::RowsBeside beside = rows.rows_beside(heights);
+  const std::size_t width = rows.width();
+  const std::size_t first = rows.grid().index(0, rows.first());
+  const auto take = [&](std::size_t index, double height) {
+    if (std::isfinite(height))
+      points.beside.push_back({index, height});
+  };
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isfinite(heights[i]))
+      continue;
+    const std::size_t index = first + i;
+    const std::size_t x = i % width;
+    points.indices.push_back(index);
+    if (x > 0)
+      take(index - 1, heights[i - 1]);
+    if (x + 1 < width)
+      take(index + 1, heights[i + 1]);
+    if (index >= width)
+      take(index - width, i >= width ? heights[i - width] : beside.before[x]);
+    if (index + width < rows.grid().size())
+      take(index + width,
+           i + width < heights.size() ? heights[i + width] : beside.after[x]);
+  }
+  return points;
+}
+
 } // namespace
 
-void MissingPoints::take_flagged(std::span<const double> heights,
-                                 std::vector<char> flags) {
-  const std::size_t width = heights.size();
-  const std::size_t begin = rows_++ * width;
-  const auto keep = [&](bool is_beside, std::size_t x) {
-    if (is_beside && flags[x] == 0)
-      beside_[begin + x] = heights[x];
-  };
-  for (std::size_t x = 0; x < width; ++x) {
-    const bool was_missing = !last_flags_.empty() && last_flags_[x] != 0;
-    keep(was_missing, x);
-    if (flags[x] == 0)
-      continue;
-    missing_.push_back(begin + x);
-    keep(x > 0, x - std::min<std::size_t>(x, 1));
-    keep(x + 1 < width, std::min(x + 1, width - 1));
-    if (!last_flags_.empty() && !was_missing)
-      beside_[begin - width + x] = last_heights_[x];
-  }
-  last_heights_.assign(heights.begin(), heights.end());
-  last_flags_ = std::move(flags);
+std::size_t count_missing(const SharedRows& rows,
+                          std::span<const double> heights) {
+  return total_count({1, &rows},
+                     static_cast<std::size_t>(std::ranges::count_if(
+                         heights, [](double h) { return !std::isfinite(h); })));
 }
 
-std::vector<FilledPoint> MissingPoints::filled() const {
-  if (missing_.empty())
-    return {};
-  if (missing_.size() == grid_.size())
-    throw std::domain_error("is_missing must leave one measured point");
-  const Eigen::VectorXd heights =
-      LaplaceProblem(grid_, missing_, beside_).solution();
-  std::vector<FilledPoint> filled;
-  filled.reserve(missing_.size());
-  for (std::size_t i = 0; i < missing_.size(); ++i)
-    filled.push_back({missing_[i], heights[static_cast<Eigen::Index>(i)]});
-  return filled;
-}
-
-void fill_missing(HeightMap& map, const std::vector<char>& is_missing) {
-  if (is_missing.empty())
+void fill_missing(const SharedRows& rows, std::span<double> heights) {
+  const MissingPoints own = missing_points(rows, heights);
+  const auto indices = values_of_ranks<std::size_t>(rows.ranks(), own.indices);
+  if (indices.empty())
     return;
-  if (is_missing.size() != map.heights.size())
-    throw std::domain_error("is_missing must have one flag per point");
-  MissingPoints points(map.grid);
-  const auto width = static_cast<std::size_t>(map.grid.points_x);
-  for (std::size_t at = 0; at < map.heights.size(); at += width)
-    points.take_row(std::span(map.heights).subspan(at, width),
-                    [&](std::size_t x) { return is_missing[at + x] != 0; });
-  for (const FilledPoint& point : points.filled())
-    map.heights[point.index] = point.height;
+  if (indices.size() == rows.grid().size())
+    throw std::domain_error("one point of a map must be measured");
+  std::unordered_map<std::size_t, double> beside;
+  for (const auto& [index, height] :
+       values_of_ranks<KnownPoint>(rows.ranks(), own.beside))
+    beside[index] = height;
+  const Eigen::VectorXd solution =
+      LaplaceProblem(rows.grid(), indices, beside).solution();
+  const std::size_t first = rows.grid().index(0, rows.first());
+  auto place = std::ranges::lower_bound(indices, first) - indices.begin();
+  for (const std::size_t index : own.indices)
+    heights[index - first] = solution[place++];
 }
 
 } // namespace asperity::surfaces

@@ -7,22 +7,26 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "ranks/chunked_sum.hpp"
+#include "ranks/row_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {
 
-/// Height and its derivatives by the parameters, at a point.
+/// Height and its derivatives by the n parameters, at a point.
+template <int n>
 struct FormValue {
   double height = 0.0;
-  std::array<double, 5> by_parameter{}; ///< the first n_parameters are used
+  std::array<double, n> by_parameter{};
 };
 
 /// A surface over the plane, with lengths in units of the map's larger half
 /// side. A value that is not finite is outside the form.
-struct RoundForm {
-  int n_parameters = 0;
-  FormValue (*value)(const Eigen::VectorXd& parameters, double x, double y);
-};
+template <int n>
+using RoundForm = FormValue<n> (*)(const Eigen::VectorXd& parameters, double x,
+                                   double y);
 
 /// The circle z = 2 C / (1 + sqrt(1 - 2 k C)) and 1/(1 - k z) = dz/dC.
 struct CircleValue {
@@ -36,7 +40,7 @@ CircleValue circle(double curvature, double offset) {
 }
 
 /// Parameters k, p, q, d.
-FormValue sphere_value(const Eigen::VectorXd& at, double x, double y) {
+FormValue<4> sphere_value(const Eigen::VectorXd& at, double x, double y) {
   const double square = x * x + y * y;
   const auto [z, slope] =
       circle(at[0], 0.5 * at[0] * square - at[1] * x - at[2] * y + at[3]);
@@ -44,7 +48,7 @@ FormValue sphere_value(const Eigen::VectorXd& at, double x, double y) {
 }
 
 /// Parameters k, p, d, b, phi.
-FormValue cylinder_value(const Eigen::VectorXd& at, double x, double y) {
+FormValue<5> cylinder_value(const Eigen::VectorXd& at, double x, double y) {
   const double along = x * std::cos(at[4]) + y * std::sin(at[4]);
   const double across = y * std::cos(at[4]) - x * std::sin(at[4]);
   const auto [z, slope] =
@@ -55,25 +59,26 @@ FormValue cylinder_value(const Eigen::VectorXd& at, double x, double y) {
            along, at[3] * across - by_across * along}};
 }
 
-/// Heights and positions of a map, in units of its larger half side.
+/// Heights and positions of the rows of this process, in units of the larger
+/// half side of the map. All sums are over the rows in their order.
+template <int n>
 class RoundFit {
 public:
-  RoundFit(HeightMap& map, const RoundForm& form)
-      : map_(map),
+  RoundFit(const SharedRows& rows, std::span<double> heights, RoundForm<n> form)
+      : rows_(rows),
+        heights_(heights),
         form_(form),
-        unit_(0.5 * std::max(map.grid.length_x, map.grid.length_y)) {}
+        unit_(0.5 * std::max(rows.grid().length_x, rows.grid().length_y)) {
+    remove_mean(rows_, heights_);
+    for (double& height : heights_)
+      height /= unit_;
+  }
 
   /// Coefficients of 1, x, y, x^2, x y, y^2 of the least-squares form.
   Eigen::VectorXd second_order() const {
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(6, 6);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(6);
-    for_each([&](double x, double y, double& height) {
-      Eigen::Matrix<double, 6, 1> basis;
-      basis << 1.0, x, y, x * x, x * y, y * y;
-      normal += basis * basis.transpose();
-      right += basis * height;
+    return least_squares<6>([](double x, double y, double height) {
+      return std::pair(std::array{1.0, x, y, x * x, x * y, y * y}, height);
     });
-    return normal.completeOrthogonalDecomposition().solve(right);
   }
 
   /// Improves the parameters and subtracts the form. A step that leaves the
@@ -105,74 +110,94 @@ public:
     if (!std::isfinite(deviation))
       throw std::domain_error(std::string("no ") + name +
                               " reaches over the whole map");
-    for_each([&](double x, double y, double& height) {
-      height -= form_.value(parameters, x, y).height;
-    });
-    for (double& height : map_.heights)
-      height *= unit_;
-    remove_mean(map_);
-  }
-
-  /// Divides the heights by the unit, in which the fit works.
-  void scale() {
-    remove_mean(map_);
-    for (double& height : map_.heights)
-      height /= unit_;
+    for (int row = 0; row < rows_.count(); ++row)
+      for_each(row, [&](double x, double y, double& height) {
+        height = (height - form_(parameters, x, y).height) * unit_;
+      });
+    remove_mean(rows_, heights_);
   }
 
 private:
+  /// Calls work(x, y, height) for the points of a row of this process.
   template <class Work>
-  void for_each(Work work) const {
-    const Grid& grid = map_.grid;
-    for (int iy = 0; iy < grid.points_y; ++iy)
-      for (int ix = 0; ix < grid.points_x; ++ix)
-        work((ix - 0.5 * (grid.points_x - 1)) * grid.spacing_x() / unit_,
-             (iy - 0.5 * (grid.points_y - 1)) * grid.spacing_y() / unit_,
-             map_.heights[grid.index(ix, iy)]);
+  void for_each(int row, Work work) const {
+    const Grid& grid = rows_.grid();
+    const double y = (rows_.first() + row - 0.5 * (grid.points_y - 1)) *
+                     grid.spacing_y() / unit_;
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      work((ix - 0.5 * (grid.points_x - 1)) * grid.spacing_x() / unit_, y,
+           heights_[grid.index(ix, row)]);
   }
 
   double mean_square(const Eigen::VectorXd& parameters) const {
-    double sum = 0.0;
-    for_each([&](double x, double y, double& height) {
-      const double left = height - form_.value(parameters, x, y).height;
-      sum += left * left;
+    const Sum sum = sum_over_rows<Sum>(rows_, [&](int row) {
+      Sum of_row;
+      for_each(row, [&](double x, double y, double height) {
+        const double left = height - form_(parameters, x, y).height;
+        of_row.value += left * left;
+      });
+      return of_row;
     });
-    return sum / static_cast<double>(map_.heights.size());
+    return sum.value / static_cast<double>(rows_.grid().size());
   }
 
   Eigen::VectorXd gauss_newton_step(const Eigen::VectorXd& parameters) const {
-    const int n = form_.n_parameters;
-    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
-    Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
-    for_each([&](double x, double y, double& height) {
-      const FormValue value = form_.value(parameters, x, y);
-      const Eigen::Map<const Eigen::VectorXd> slope(value.by_parameter.data(),
-                                                    n);
-      normal.noalias() += slope * slope.transpose();
-      right.noalias() += slope * (height - value.height);
+    return least_squares<n>([&](double x, double y, double height) {
+      const FormValue<n> value = form_(parameters, x, y);
+      return std::pair(value.by_parameter, height - value.height);
     });
-    return normal.completeOrthogonalDecomposition().solve(right);
   }
 
-  HeightMap& map_;
-  RoundForm form_;
+  /// Solves the normal equations of m functions.
+  /// @param at  at(x, y, height) returns the functions and what they fit
+  template <int m, class At>
+  Eigen::VectorXd least_squares(const At& at) const {
+    using Sums = SeveralSums<static_cast<std::size_t>(m) * (m + 1)>;
+    const Sums sums = sum_over_rows<Sums>(rows_, [&](int row) {
+      Sums of_row;
+      for_each(row, [&](double x, double y, double height) {
+        const auto [functions, fitted] = at(x, y, height);
+        auto sum = of_row.values.begin();
+        for (const double function : functions) {
+          for (const double other : functions)
+            *sum++ += function * other;
+          *sum++ += function * fitted;
+        }
+      });
+      return of_row;
+    });
+    using Equations = Eigen::Matrix<double, m, m + 1, Eigen::RowMajor>;
+    const Eigen::Map<const Equations> equations(sums.values.data());
+    const Eigen::MatrixXd normal = equations.template leftCols<m>();
+    return normal.completeOrthogonalDecomposition().solve(equations.col(m));
+  }
+
+  const SharedRows& rows_;
+  std::span<double> heights_;
+  RoundForm<n> form_;
   double unit_; ///< [m]
 };
 
 } // namespace
 
 void remove_sphere(HeightMap& map) {
-  RoundFit fit(map, {4, sphere_value});
-  fit.scale();
+  remove_sphere(SharedRows(map.grid), map.heights);
+}
+
+void remove_cylinder(HeightMap& map) {
+  remove_cylinder(SharedRows(map.grid), map.heights);
+}
+
+void remove_sphere(const SharedRows& rows, std::span<double> heights) {
+  RoundFit<4> fit(rows, heights, sphere_value);
   const Eigen::VectorXd start = fit.second_order();
   Eigen::VectorXd parameters(4);
   parameters << start[3] + start[5], -start[1], -start[2], start[0];
   fit.subtract(parameters, "sphere");
 }
 
-void remove_cylinder(HeightMap& map) {
-  RoundFit fit(map, {5, cylinder_value});
-  fit.scale();
+void remove_cylinder(const SharedRows& rows, std::span<double> heights) {
+  RoundFit<5> fit(rows, heights, cylinder_value);
   const Eigen::VectorXd start = fit.second_order();
   // The axis is the direction of the smaller curvature.
   Eigen::Matrix2d curvature;

@@ -23,12 +23,9 @@ struct ColumnSums {
   double square_slope = 0.0, square_laplacian = 0.0;
 };
 
-/// Adds moments and extreme values, which need no transform.
-void add_heights(const SharedRows& rows, std::span<const double> heights,
-                 Statistics& result) {
-  const auto count = static_cast<double>(rows.grid().size());
-  const double mean = mean_height(rows, heights);
-  const Powers sums = in_order(&rows, Powers{}, [&](Powers& sum) {
+Powers powers_of(const SharedRows& rows, std::span<const double> heights,
+                 double mean) {
+  return in_order(&rows, Powers{}, [&](Powers& sum) {
     for (const double node : heights) {
       const double height = node - mean;
       sum.square += height * height;
@@ -36,6 +33,14 @@ void add_heights(const SharedRows& rows, std::span<const double> heights,
       sum.fourth += height * height * height * height;
     }
   });
+}
+
+/// Adds moments and extreme values, which need no transform.
+void add_heights(const SharedRows& rows, std::span<const double> heights,
+                 Statistics& result) {
+  const auto count = static_cast<double>(rows.grid().size());
+  const double mean = mean_height(rows, heights);
+  const Powers sums = powers_of(rows, heights, mean);
   const double square = sums.square / count;
   result.rms_height = std::sqrt(square);
   result.skewness = sums.cube / count / (square * result.rms_height);
@@ -77,6 +82,11 @@ Statistics statistics(const SharedRows& rows, std::span<const double> heights,
   result.rms_slope = std::sqrt(sums.square_slope);
   result.rms_curvature = 0.5 * std::sqrt(sums.square_laplacian);
   return result;
+}
+
+double rms_height(const SharedRows& rows, std::span<const double> heights) {
+  const Powers sums = powers_of(rows, heights, mean_height(rows, heights));
+  return std::sqrt(sums.square / static_cast<double>(rows.grid().size()));
 }
 
 std::vector<HeightBin> height_distribution(const HeightMap& map, int bins) {

@@ -40,6 +40,10 @@ Statistics statistics(const HeightMap& map);
 Statistics statistics(const SharedRows& rows, std::span<const double> heights,
                       int threads = 1);
 
+/// sqrt <h^2> above the mean [m], with the bits of statistics(). Collective.
+/// @param rows  of any kind
+double rms_height(const SharedRows& rows, std::span<const double> heights);
+
 /// One bin of the height distribution.
 struct HeightBin {
   double height = 0.0;  ///< centre of the bin, above the mean [m]

@@ -102,18 +102,28 @@ def case_with(surface):
 def check_other_surfaces(runner):
     """Ranks read the rows of a map file that permits it, also of mirror images,
     and compute those of an exact shape; of other maps rank 0 sends the rows."""
-    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512}
+    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512, "map.x3p": 512}
     for name, points in maps.items():
         runner.run("surface", "shared.toml", "--no-report", "--write", name, "--set",
                    f"surface.points={points}", "--set", 'surface.wavelength_short="16 nm"')
+    # More points are missing than without max_missing are filled.
+    text = (runner.folder / "map.txt").read_text()
+    holes = re.sub(r"(?m)^[^#\n].*$", lambda line: re.sub(
+        r"((?:\S+\t){11})\S+", r"\1bad", line.group()), text)
+    (runner.folder / "holes.txt").write_text(holes)
     measured = 'kind = "measured"\nlevel = "bow"\nfile = '
     cases = {
         "npy": ('"map.npy"\nlength = "1 um"\nheight_unit = "1 m"\nedges = "periodic"',
                 "2 ranks read the rows of the surface"),
         "hdf5": ('"map.h5"\nedges = "mirror"', "2 ranks read the rows of the surface"),
-        "spikes": ('"map.h5"\nedges = "mirror"\nremove_spikes = 6',
-                   "rank 0 builds the whole surface, because surface.remove_spikes compares all "
-                   "points, and sends its rows to 2"),
+        "spikes": ('"map.h5"\nedges = "mirror"\nremove_spikes = 3\nalign_lines = "median"',
+                   "2 ranks read the rows of the surface"),
+        "window": ('"holes.txt"\nedges = "window"\nremove_spikes = 3\nmax_missing = 0.2\n'
+                   "press_windowed_map = true",
+                   "2 ranks read the rows of the surface"),
+        "sent": ('"map.x3p"\nedges = "periodic"',
+                 "rank 0 builds the whole surface, because the format of the map cannot be read "
+                 "by rows, and sends its rows to 2"),
         "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface")}
     cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
     cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'

@@ -68,18 +68,10 @@ TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
 TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
   const SurfaceSpec complete =
       measured(npy_file("complete.npy", heights_of_file()));
-  SurfaceSpec spikes = complete;
-  spikes.spikes = 6.0;
-  SurfaceSpec sphere = complete;
-  sphere.level = mechanics::Levelling::sphere;
   const std::string list = npy_file("text.txt", heights_of_file());
   std::ofstream(list) << "0 0 4\n1 0 7\n0 1 5\n1 1 6\n";
 
   EXPECT_EQ(reason_for_whole_map(complete), "");
-  EXPECT_EQ(reason_for_whole_map(spikes),
-            "surface.remove_spikes compares all points");
-  EXPECT_EQ(reason_for_whole_map(sphere),
-            "surface.level fits a sphere or a cylinder");
   EXPECT_EQ(reason_for_whole_map(measured(list)),
             "the format of the map cannot be read by rows");
 }
