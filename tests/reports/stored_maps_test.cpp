@@ -23,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A result with maps of 1024^2 nodes, read in both ways.
+/// A result whose maps have two pieces, read in both ways.
 class StoredMaps : public ::testing::Test {
 protected:
-  void SetUp() override {
-    case_.surface.points = 1024;
+  static void SetUpTestSuite() {
+    case_.surface.points = 2080;
     const results::Result made = synthetic::rough_result(case_, 1);
     results::ResultWriter writer(folder_, {made.case_name,
                                            made.case_title,
@@ -55,16 +55,20 @@ protected:
     in_file_ = results::read_result(folder_, results::MapsInFile::large);
   }
 
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() {
+    fs::remove_all(folder_);
+    in_memory_ = in_file_ = {};
+  }
 
-  ReportEntry entry_of(const results::Result& result) const {
+  static ReportEntry entry_of(const results::Result& result) {
     return {&result, &case_, summarize(result, case_)};
   }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) /
-                     ("asperity_stored_maps_" + std::to_string(::getpid()));
-  cases::Case case_ = synthetic::contact_case();
-  results::Result in_memory_, in_file_;
+  inline static const fs::path folder_ =
+      fs::path(::testing::TempDir()) /
+      ("asperity_stored_maps_" + std::to_string(::getpid()));
+  inline static cases::Case case_ = synthetic::contact_case();
+  inline static results::Result in_memory_, in_file_;
 };
 
 void expect_same(const Figure& left, const Figure& held) {
@@ -85,6 +89,7 @@ TEST_F(StoredMaps, GiveTheFiguresOfMapsInMemory) {
   const results::Fields& left =
       in_file_.methods.at(1).realizations.at(0).fields.at(0);
   ASSERT_TRUE(left.pressure_map().is_stored());
+  ASSERT_GT(left.pressure_map().size(), left.pressure_map().piece());
   const ReportEntry held = entry_of(in_memory_);
   const ReportEntry stored = entry_of(in_file_);
   const auto all = [](const ReportEntry& entry) {
