@@ -42,20 +42,26 @@ std::string text_matrix(const Problem& problem) {
 
 std::string hdf5_bytes(const Problem& problem, const fs::path& folder) {
   const fs::path path = temporary_beside(folder / "heights.h5");
-  {
-    const std::lock_guard lock(results::hdf5_mutex());
-    results::Hdf5File file(path, results::Hdf5File::Mode::create);
-    file.set_attribute("length_x", problem.grid.length_x);
-    file.set_attribute("length_y", problem.grid.length_y);
-    file.write_map("heights", problem.heights,
-                   {static_cast<std::size_t>(problem.grid.points_y),
-                    static_cast<std::size_t>(problem.grid.points_x)},
-                   results::Hdf5Number::float64, "m");
-    file.close();
+  try {
+    {
+      const std::lock_guard lock(results::hdf5_mutex());
+      results::Hdf5File file(path, results::Hdf5File::Mode::create);
+      file.set_attribute("length_x", problem.grid.length_x);
+      file.set_attribute("length_y", problem.grid.length_y);
+      file.write_map("heights", problem.heights,
+                     {static_cast<std::size_t>(problem.grid.points_y),
+                      static_cast<std::size_t>(problem.grid.points_x)},
+                     results::Hdf5Number::float64, "m");
+      file.close();
+    }
+    std::string bytes = read_file(path, fs::file_size(path));
+    fs::remove(path);
+    return bytes;
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    throw;
   }
-  std::string bytes = read_file(path, fs::file_size(path));
-  fs::remove(path);
-  return bytes;
 }
 
 Json number_json(double number) {

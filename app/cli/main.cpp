@@ -22,6 +22,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 
@@ -287,6 +288,14 @@ int run(int argc, char** argv) {
   return action();
 }
 
+/// A name that no file can have is a mistake of the user.
+ExitCode exit_of(const std::error_code& error) {
+  return error == std::errc::filename_too_long ||
+                 error == std::errc::too_many_symbolic_link_levels
+             ? exit_bad_input
+             : exit_internal;
+}
+
 } // namespace
 } // namespace asperity::app
 
@@ -308,6 +317,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::domain_error& error) {
     fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "asperity: {}: {}\n", error.path1().string(),
+               error.code().message());
+    return asperity::app::exit_of(error.code());
   } catch (const std::exception& error) {
     fmt::print(stderr, "asperity: {}\n", error.what());
     return asperity::app::exit_internal;

@@ -12,6 +12,7 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -165,13 +166,18 @@ void write_output(const fs::path& folder, const OutputFiles& files) {
     const fs::path path = folder / file;
     fs::create_directories(path.parent_path());
     const fs::path part = temporary_beside(path);
+    // Not synced to disk: output.json, with which the folder is compared,
+    // reveals a file that a power failure truncates.
     std::ofstream stream(part, std::ios::binary);
     stream << bytes;
     stream.close();
-    if (!stream)
-      throw std::system_error(errno, std::generic_category(),
-                              "cannot write " + part.string());
-    fs::rename(part, path);
+    if (stream && std::rename(part.c_str(), path.c_str()) == 0)
+      continue;
+    const int error = errno;
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw std::system_error(error, std::generic_category(),
+                            "cannot write " + path.string());
   }
 }
 

@@ -83,6 +83,31 @@ TEST_F(CachedProgram, ADeletedFolderIsRestored) {
   EXPECT_GT(figures, 0);
 }
 
+// A disk that is full, here a limit on the size of a file, leaves whole files
+// only, and the message names the file that the user expects.
+TEST_F(CachedProgram, AFullDiskLeavesNoPartOfAFile) {
+  ASSERT_EQ(run("run small.toml --out o").exit_code, 0);
+  const auto written = files_in(folder / "o");
+  std::filesystem::remove_all(folder / "o");
+
+  const Ended full =
+      run("run small.toml --out o", "bash -c 'ulimit -f 32; exec \"$@\"' -");
+
+  EXPECT_EQ(full.exit_code, 4);
+  const std::string names = "cannot write o/";
+  const std::size_t name = full.output.find(names);
+  ASSERT_NE(name, std::string::npos) << full.output;
+  const std::size_t start = name + names.size();
+  const std::string file =
+      full.output.substr(start, full.output.find(": File too large") - start);
+  EXPECT_TRUE(written.contains(file)) << full.output;
+  for (const auto& [path, bytes] : files_in(folder / "o")) {
+    ASSERT_TRUE(written.contains(path)) << path;
+    EXPECT_TRUE(bytes == written.at(path)) << path;
+  }
+  EXPECT_TRUE(is_restored(run("run small.toml --out o")));
+}
+
 bool has_new_pages(const Ended& run) {
   return run.output.find(" from the cache, with the figures") !=
          std::string::npos;

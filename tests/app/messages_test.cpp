@@ -22,6 +22,18 @@ TEST_F(Messages, NameTheNearestShippedCase) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST_F(Messages, NamesThatNoFileCanHaveAreMistakes) {
+  std::filesystem::create_symlink("loop", folder / "loop");
+  const std::string longest(300, 'a');
+  for (const std::string command :
+       {"run ", "report ", "check ", "diff loop "}) {
+    EXPECT_EQ(run(command + "loop").exit_code, 2) << command;
+    EXPECT_EQ(run(command + longest).exit_code, 2) << command;
+  }
+
+  EXPECT_TRUE(says(run("run " + longest), longest + ": File name too long"));
+}
+
 TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   std::string text = small_case;
   text.replace(text.find("poisson_ratio = 0.3"), 19, "poisson_ratio = 0.7");
