@@ -11,46 +11,6 @@ namespace {
 
 constexpr int rows_a_turn = 16;
 
-/// Cells per side of the coarsest level, at most.
-constexpr int coarsest_cells = 4;
-
-/// Variance of the difference of cells of a level from those of the next one,
-/// over that of the preceding level: C(q) is proportional to 1/q.
-constexpr float variance_ratio = 0.5F;
-
-/// Variance of the cells of the coarsest level, over that of their difference
-/// from cells of twice the side. It is nearly without effect.
-constexpr float coarsest_variance = 4.0F;
-
-int halved(int points) {
-  return (points + 1) / 2;
-}
-
-/// The cells of two nodes per side. The last one of an odd number of points is
-/// half as wide.
-Grid cells_of(const Grid& fine) {
-  return {halved(fine.points_x), halved(fine.points_y), fine.length_x,
-          fine.length_y};
-}
-
-/// The rows of cells of each rank; fine.bounds() are even, except for the last.
-SharedRows cells_of(const SharedRows& fine) {
-  const Grid coarse = cells_of(fine.grid());
-  if (fine.ranks() == nullptr)
-    return SharedRows(coarse);
-  std::vector<int> bounds = fine.bounds();
-  for (int& bound : bounds)
-    bound = halved(bound);
-  return {coarse, *fine.ranks(), std::move(bounds)};
-}
-
-/// Whether no cell of two rows belongs to two ranks.
-bool has_even_bounds(const SharedRows& rows) {
-  return std::ranges::all_of(
-      std::span(rows.bounds()).first(rows.bounds().size() - 1),
-      [](int bound) { return bound % 2 == 0; });
-}
-
 /// Calls do_run(begin, end) for each run of active blocks of a row of n nodes,
 /// the first of which is the node `first` of this process.
 template <class DoRun>
@@ -69,30 +29,10 @@ void each_active_run(const BlockFlags& blocks, std::size_t first, std::size_t n,
 
 } // namespace
 
-BoundaryExtension::Level::Level(const SharedRows& own_,
-                                const SharedRows& stored_, float variance_)
-    : own(own_),
-      stored(stored_),
-      variance(variance_),
-      shares(stored.size()),
-      values(stored.size() + 2 * stored.width()) {}
-
 BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers)
     : rows_(workers.rows != nullptr ? *workers.rows : SharedRows(grid)),
-      threads_(workers.threads) {
-  SharedRows fine = rows_;
-  float variance = variance_ratio;
-  for (bool is_coarsest = false; !is_coarsest; variance *= variance_ratio) {
-    const SharedRows cells = cells_of(fine);
-    is_coarsest = std::max(cells.grid().points_x, cells.grid().points_y) <=
-                  coarsest_cells;
-    const bool is_shared =
-        cells.ranks() != nullptr && !is_coarsest && has_even_bounds(cells);
-    levels_.emplace_back(cells, is_shared ? cells : SharedRows(cells.grid()),
-                         is_coarsest ? coarsest_variance * variance : variance);
-    fine = levels_.back().stored;
-  }
-}
+      threads_(workers.threads),
+      levels_(extension_levels(rows_)) {}
 
 /// Calls do_row(iy, scratch) for each row of this process; the arrays of
 /// `scratch` keep their sizes from row to row.
@@ -108,30 +48,12 @@ void BoundaryExtension::each_row(const SharedRows& rows,
   });
 }
 
-/// Gathers the rows of all ranks, where every rank stores all and computes its
-/// own. Collective.
-/// @param rows  the stored rows
-void BoundaryExtension::complete(const Level& level, std::span<float> rows) {
-  if (level.own.ranks() == level.stored.ranks())
-    return;
-  const std::size_t width = level.own.width();
-  const std::vector<int>& bounds = level.own.bounds();
-  std::vector<std::size_t> bytes;
-  for (std::size_t r = 0; r + 1 < bounds.size(); ++r)
-    bytes.push_back(static_cast<std::size_t>(bounds[r + 1] - bounds[r]) *
-                    width * sizeof(float));
-  const std::span<const float> own = rows.subspan(
-      static_cast<std::size_t>(level.offset()) * width, level.own.size());
-  const std::vector<float> sent(own.begin(), own.end());
-  level.own.ranks()->gather_to_all(std::as_bytes(std::span(sent)), bytes,
-                                   std::as_writable_bytes(rows));
-}
-
 /// Calls sum_row(its two rows of nodes, shares, values) for each row of cells.
 /// @param nodes  or cells of the finer level, from the first of this process
 template <class Value, class SumRow>
 void BoundaryExtension::each_row_of_cells(const SharedRows& fine,
-                                          const Value* nodes, Level& level,
+                                          const Value* nodes,
+                                          ExtensionLevel& level,
                                           const SumRow& sum_row) const {
   each_row(level.own, [&](int iy, Scratch&) {
     const Value* const first = nodes + fine.grid().index(0, 2 * iy);
@@ -140,7 +62,7 @@ void BoundaryExtension::each_row_of_cells(const SharedRows& fine,
             level.shares_row(level.offset() + iy),
             level.row(level.offset() + iy));
   });
-  complete(level, level.stored_values());
+  level.complete(level.stored_values());
 }
 
 /// The same on all levels, from the nodes to the coarsest one; calls
@@ -148,7 +70,7 @@ void BoundaryExtension::each_row_of_cells(const SharedRows& fine,
 template <class Value, class SumRow>
 void BoundaryExtension::sum_levels(const Value* nodes, const SumRow& sum_row) {
   for (std::size_t l = 0; l < levels_.size(); ++l) {
-    Level& level = levels_[l];
+    ExtensionLevel& level = levels_[l];
     const SharedRows& fine = l == 0 ? rows_ : levels_[l - 1].stored;
     const auto sum = [&](const auto& rows, float* shares, float* values) {
       sum_row(level, fine.width(), rows, shares, values);
@@ -164,19 +86,20 @@ void BoundaryExtension::build(double share,
                               std::span<const std::uint8_t> is_free) {
   share_ = static_cast<float>(share);
   sum_levels(is_free.data(),
-             [this](const Level& level, std::size_t points, const auto& rows,
-                    float* shares, float* precision) {
+             [this](const ExtensionLevel& level, std::size_t points,
+                    const auto& rows, float* shares, float* precision) {
                share_precision(points, rows, scale_of(level), level.variance,
                                precision, shares);
              });
-  for (Level& level : levels_)
-    complete(level, level.shares);
+  for (ExtensionLevel& level : levels_)
+    level.complete(level.shares);
 }
 
 /// fine = interpolation of the values of a level on a row of the finer one.
 /// @param scratch  for a row of the level
-void BoundaryExtension::interpolate(Level& level, std::size_t points, int iy,
-                                    std::vector<float>& scratch, float* fine) {
+void BoundaryExtension::interpolate(ExtensionLevel& level, std::size_t points,
+                                    int iy, std::vector<float>& scratch,
+                                    float* fine) {
   const std::size_t n = level.own.width();
   scratch.resize(n);
   const int cells = level.offset() + iy / 2;
@@ -190,12 +113,12 @@ void BoundaryExtension::extend(const Active& active,
                                std::span<const float> residual,
                                std::span<float> extended) {
   sum_levels(residual.data(),
-             [this](const Level& level, std::size_t points, const auto& rows,
-                    const float* shares, float* sums) {
+             [this](const ExtensionLevel& level, std::size_t points,
+                    const auto& rows, const float* shares, float* sums) {
                sum_cells(points, rows, scale_of(level), shares, sums);
              });
   for (std::size_t l = levels_.size(); l-- > 0;) {
-    Level& level = levels_[l];
+    ExtensionLevel& level = levels_[l];
     const std::size_t n = level.own.width();
     each_row(level.stored, [&](int iy, Scratch& scratch) {
       scratch.row.resize(n, 0.0F);
@@ -224,7 +147,7 @@ void BoundaryExtension::extend(const Active& active,
 ///             one after them; called for one row after another
 template <class Row>
 void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
-                               Level& level) const {
+                               ExtensionLevel& level) const {
   const std::size_t width = fine.width();
   const bool has_row_before = // that has a cell of this process as neighbour
       fine.first() > 0 || fine.grid().points_y % 2 == 0;
@@ -243,7 +166,7 @@ void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
     narrow_row(scratch.row.data(), width, level.shares_row(level.offset() + iy),
                level.row(level.offset() + iy));
   });
-  complete(level, level.stored_values());
+  level.complete(level.stored_values());
 }
 
 /// Receives the rows of other ranks beside those of this process, 0 at the
@@ -328,7 +251,7 @@ void BoundaryExtension::fold(const Active& active, std::span<float> field) {
 /// What the cells of a row take, from what their sums give to them and to the
 /// cells above.
 void BoundaryExtension::pass_down_to(std::size_t l, int iy) {
-  Level& level = levels_[l];
+  ExtensionLevel& level = levels_[l];
   const float* const above =
       l + 1 < levels_.size()
           ? levels_[l + 1].row(levels_[l + 1].offset() + iy / 2)

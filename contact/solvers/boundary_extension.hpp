@@ -4,6 +4,7 @@
 // boundary, and applies the transpose to the result, which makes the masked
 // preconditioner efficient.
 
+#include "contact/solvers/extension_levels.hpp"
 #include "contact/solvers/extension_rows.hpp"
 #include "contact/solvers/node_blocks.hpp"
 
@@ -74,35 +75,6 @@ public:
   void fold(const Active& active, std::span<float> field);
 
 private:
-  /// The cells of one level. Ranks share the rows of fine levels; from the
-  /// first level on whose rows cannot be shared any more, each rank stores all.
-  struct Level {
-    Level(const SharedRows& own_, const SharedRows& stored_, float variance_);
-
-    SharedRows own;    ///< rows that this rank computes from the finer level
-    SharedRows stored; ///< rows that it stores: its own, or all
-    float variance;    ///< v_l
-    std::vector<float> shares; ///< k_l
-    std::vector<float> values; ///< with ghost rows
-
-    /// The first of its own rows among those it stores.
-    int offset() const { return own.first() - stored.first(); }
-
-    float* row(int iy) {
-      return values.data() + static_cast<std::size_t>(iy + 1) * stored.width();
-    }
-
-    const float* row(int iy) const {
-      return values.data() + static_cast<std::size_t>(iy + 1) * stored.width();
-    }
-
-    float* shares_row(int iy) {
-      return shares.data() + static_cast<std::size_t>(iy) * stored.width();
-    }
-
-    std::span<float> stored_values() { return {row(0), stored.size()}; }
-  };
-
   /// Memory of a loop over rows.
   struct Scratch {
     std::vector<float> cells, row;
@@ -111,22 +83,22 @@ private:
   };
 
   /// s on the finest level.
-  float scale_of(const Level& level) const {
+  float scale_of(const ExtensionLevel& level) const {
     return &level == &levels_[0] ? share_ : 1.0F;
   }
 
   template <class DoRow>
   void each_row(const SharedRows& rows, const DoRow& do_row) const;
-  static void complete(const Level& level, std::span<float> rows);
   template <class Value, class SumRow>
   void each_row_of_cells(const SharedRows& fine, const Value* nodes,
-                         Level& level, const SumRow& sum_row) const;
+                         ExtensionLevel& level, const SumRow& sum_row) const;
   template <class Value, class SumRow>
   void sum_levels(const Value* nodes, const SumRow& sum_row);
-  static void interpolate(Level& level, std::size_t points, int iy,
+  static void interpolate(ExtensionLevel& level, std::size_t points, int iy,
                           std::vector<float>& scratch, float* fine);
   template <class Row>
-  void gather(const SharedRows& fine, const Row& row, Level& level) const;
+  void gather(const SharedRows& fine, const Row& row,
+              ExtensionLevel& level) const;
   void swap_edges(const Active& active, std::span<const float> field);
   MaskedRow row_of(const Active& active, const float* field, int iy) const;
   const float* inactive_row(const Active& active, const float* field, int iy,
@@ -136,7 +108,7 @@ private:
   SharedRows rows_;
   int threads_;
   float share_ = 1.0F; ///< s
-  std::vector<Level> levels_;
+  std::vector<ExtensionLevel> levels_;
   /// The first and the last row of this process between those of other ranks
   /// beside them, 0 at the active nodes; empty if there are no ranks.
   std::vector<float> edges_;
