@@ -22,10 +22,14 @@ namespace asperity::fem {
 
 /// Homogeneous linear constraints of unknowns by unconstrained ones: hanging
 /// nodes, images at periodic sides, and unknowns that are held (no entries).
+/// The three unknowns of a node that have the same masters but for the
+/// component are one row.
 struct UnknownConstraints {
-  std::vector<std::uint32_t> unknowns; ///< which are constrained
-  /// The masters of unknowns[i] are start[i]..start[i+1]-1. The weights of the
-  /// pin against rotation need double precision.
+  std::vector<std::uint32_t> unknowns; ///< the first of each row, increasing
+  std::vector<bool> is_node;           ///< whether each row has three
+  /// The masters of row i are start[i]..start[i+1]-1, for the second and third
+  /// unknown those that follow them. The weights of the pin against rotation
+  /// need double precision.
   std::vector<std::uint32_t> start{0};
   std::vector<std::uint32_t> masters;
   std::vector<double> weights;
@@ -36,10 +40,25 @@ struct UnknownConstraints {
     weights.push_back(weight);
   }
 
-  /// Adds the unknown of the masters since the last one.
-  void add(std::size_t unknown) {
-    unknowns.push_back(static_cast<std::uint32_t>(unknown));
-    start.push_back(static_cast<std::uint32_t>(masters.size()));
+  /// Adds the unknown of the masters since the last one, which must be larger
+  /// than all before.
+  void add(std::size_t unknown);
+
+  std::size_t rows() const { return unknowns.size(); }
+
+  /// The row of an unknown; rows() if it is not constrained.
+  std::size_t row_of(std::size_t unknown) const;
+
+  /// Calls a function of each constrained unknown.
+  template <class Visit>
+  void visit(const Visit& visit_unknown) const {
+    for (std::size_t row = 0; row < rows(); ++row)
+      for (std::size_t c = 0; c < width(row); ++c)
+        visit_unknown(unknowns[row] + c);
+  }
+
+  std::size_t width(std::size_t row) const { ///< number of unknowns
+    return is_node[row] ? 3 : 1;
   }
 
   /// Writes the constrained values of a displacement.
@@ -57,8 +76,11 @@ struct UnknownConstraints {
   std::size_t bytes() const {
     return (unknowns.size() + start.size() + masters.size()) *
                sizeof(std::uint32_t) +
-           weights.size() * sizeof(double);
+           weights.size() * sizeof(double) + is_node.size() / 8;
   }
+
+private:
+  bool is_shifted(std::size_t row, std::uint32_t shift) const;
 };
 
 /// Constraints that operators of one mesh share. None of these counts them in

@@ -114,8 +114,8 @@ public:
   /// Sets unknowns to zero that constraints or contact determine.
   template <class Number>
   void clear_held(std::vector<Number>& vector) const {
-    for (const std::size_t unknown : constraints_->unknowns)
-      vector[unknown] = Number(0);
+    constraints_->visit(
+        [&](std::size_t unknown) { vector[unknown] = Number(0); });
     for (const std::size_t unknown : contact_.held)
       vector[unknown] = Number(0);
   }

@@ -229,7 +229,7 @@ BoxLevel::BoxLevel(const BoxLattice& lattice, HalvedBoxes own)
 }
 
 bool BoxLevel::is_constrained(std::size_t unknown) const {
-  return std::ranges::binary_search(mesh.constraints->unknowns, unknown);
+  return mesh.constraints->row_of(unknown) < mesh.constraints->rows();
 }
 
 void BoxLevel::release_cells() {

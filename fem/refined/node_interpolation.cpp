@@ -16,16 +16,16 @@ public:
 
   /// Adds an unknown of the level to the present row.
   void add(std::size_t unknown, double weight) {
-    const std::vector<std::uint32_t>& slaves = constraints_.unknowns;
-    const auto slave = std::ranges::lower_bound(slaves, unknown);
-    if (slave == slaves.end() || *slave != unknown) {
+    const std::size_t own = constraints_.row_of(unknown);
+    if (own == constraints_.rows()) {
       add_free(unknown, weight);
       return;
     }
-    const auto own = static_cast<std::size_t>(slave - slaves.begin());
+    const std::size_t component = unknown - constraints_.unknowns[own];
     for (std::uint32_t i = constraints_.start[own];
          i < constraints_.start[own + 1]; ++i)
-      add_free(constraints_.masters[i], weight * constraints_.weights[i]);
+      add_free(constraints_.masters[i] + component,
+               weight * constraints_.weights[i]);
   }
 
   void end_row() { rows_.start.push_back(rows_.column.size()); }

@@ -104,8 +104,8 @@ MeshContact of_all(RankGroup& ranks, const MeshContact& own) {
 /// The own nodes with an unknown that is not constrained.
 std::vector<bool> free_nodes(const LocalUnknowns& unknowns) {
   std::vector<unsigned int> constrained(unknowns.size() / 3, 0);
-  for (const std::size_t unknown : unknowns.constraints()->unknowns)
-    ++constrained[unknown / 3];
+  unknowns.constraints()->visit(
+      [&](std::size_t unknown) { ++constrained[unknown / 3]; });
   std::vector<bool> is_free(constrained.size(), false);
   for (std::size_t node = 0; node < unknowns.owned() / 3; ++node)
     is_free[node] = constrained[node] < 3;

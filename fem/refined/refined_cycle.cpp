@@ -96,8 +96,8 @@ void RefinedCycle::Coarsest::set_contact(const MeshContact& contact,
 }
 
 void RefinedCycle::Coarsest::run() {
-  for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
-    force[unknown] = 0.0F;
+  const UnknownConstraints& constraints = *mesh->mesh.constraints;
+  constraints.visit([&](std::size_t unknown) { force[unknown] = 0.0F; });
   for (const std::size_t unknown : held)
     force[unknown] = 0.0F;
   std::vector<float>& to = cycle.force();
@@ -107,8 +107,7 @@ void RefinedCycle::Coarsest::run() {
   cycle.run();
   for (std::size_t i = 0; i < places.size(); ++i)
     displacement[i] = cycle.displacement()[places[i]];
-  for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
-    displacement[unknown] = 0.0F;
+  constraints.visit([&](std::size_t unknown) { displacement[unknown] = 0.0F; });
   for (const std::size_t unknown : held)
     displacement[unknown] = 0.0F;
 }
@@ -134,9 +133,10 @@ RefinedCycle::RefinedCycle(const BoxLattice& lattice, HalvedBoxes boxes,
     auto coarser = std::make_unique<BoxLevel>(
         lattice, merged(lattice, mesh->boxes, coarse_of));
     std::vector<bool> is_free(mesh->mesh.unknowns / 3, true);
-    for (const std::size_t unknown : mesh->mesh.constraints->unknowns)
+    mesh->mesh.constraints->visit([&](std::size_t unknown) {
       if (unknown % 3 == 2 && mesh->is_constrained(unknown - 1))
         is_free[unknown / 3] = false;
+    });
     interpolations_.emplace_back(
         NodesOfCells{*mesh->mesh.nodes, 2, mesh->boxes.cells}, *coarser,
         coarse_of, std::move(is_free));

@@ -1,12 +1,15 @@
 // Tests of the convergence rate of conjugate gradients with the multigrid of
 // fem/multigrid, for any grid of boxes, moduli and contact. The stiffness
 // itself is compared with deal.II's in lattice_block_test.cpp.
+#include "fem/multigrid/chebyshev.hpp"
 #include "fem/multigrid/lattice_levels.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/fem/blocks.hpp"
 
@@ -253,6 +256,22 @@ TEST(BoxLattice, IsRefusedOutsideOfItsRange) {
   lattice = graded_lattice(1, 4, 1.2);
   lattice.is_periodic = lattice.holds_normal = false;
   EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+}
+
+// Verifies the estimate by a few steps of Lanczos' method.
+TEST(Smoother, EigenvalueEstimateIsAnUpperBound) {
+  // The string of n + 1 springs has the eigenvalues 2 - 2 cos(pi k/(n + 1)).
+  constexpr std::size_t size = 300;
+  const std::vector<float> diagonal(size, 2.0F);
+  const double estimate =
+      eigenvalue_estimate(diagonal, [](const float* from, float* to) {
+        for (std::size_t i = 0; i < size; ++i)
+          to[i] = 2.0F * from[i] - (i > 0 ? from[i - 1] : 0.0F) -
+                  (i + 1 < size ? from[i + 1] : 0.0F);
+      });
+  const double exact = 1.0 + std::cos(std::numbers::pi / (size + 1));
+  EXPECT_GE(estimate, exact);
+  EXPECT_LE(estimate, 1.1 * exact * (1.0 + 1e-5));
 }
 
 } // namespace
