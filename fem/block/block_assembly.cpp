@@ -151,4 +151,93 @@ void assemble_low_order(const BlockSystem& system,
   assemble(system, matrices, neighbours(element), matrix);
 }
 
+void JoinedNodes::find(const BlockSystem& system, const Matrix& stiffness,
+                       std::span<const double> springs) {
+  // Springs that exceed the stiffness of their node by this factor join it.
+  constexpr double stiff = 2.0;
+  const ContactPoints& points = system.contact();
+  const dealii::IndexSet& owned = system.space().owned();
+  points_.clear();
+  places_.clear();
+  if (system.has_counter() && points.is_nodal())
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      const Unknown node = points[i].row.front().first;
+      if (owned.is_element(node) &&
+          springs[i] > stiff * stiffness.diag_element(node)) {
+        points_.push_back(i);
+        places_.push_back(owned.index_within_set(node));
+      }
+    }
+  exist_ =
+      dealii::Utilities::MPI::max(points_.empty() ? 0 : 1, MPI_COMM_WORLD) == 1;
+}
+
+/// Sets T. Returns the share of each joined spring that is left on the
+/// diagonal, K_r / (K_r + k).
+std::vector<double> JoinedNodes::set_change(const BlockSystem& system,
+                                            const Matrix& stiffness,
+                                            std::span<const double> springs) {
+  const ContactPoints& points = system.contact();
+  const dealii::IndexSet& owned = system.space().owned();
+  dealii::TrilinosWrappers::SparsityPattern pattern(owned, MPI_COMM_WORLD);
+  for (const Unknown unknown : owned)
+    pattern.add(unknown, unknown);
+  for (const std::size_t point : points_)
+    for (const auto& [unknown, value] : points[point].row)
+      pattern.add(points[point].row.front().first, unknown);
+  pattern.compress();
+  change_.reinit(pattern);
+  for (const Unknown unknown : owned)
+    change_.set(unknown, unknown, 1.0);
+  std::vector<double> kept;
+  for (const std::size_t point : points_) {
+    const FaceRow& row = points[point].row;
+    const Unknown node = row.front().first;
+    const double own = stiffness.diag_element(node);
+    kept.push_back(own / (own + springs[point]));
+    change_.set(node, node, std::sqrt(kept.back()));
+    for (std::size_t entry = 1; entry < row.size(); ++entry)
+      change_.set(node, row[entry].first, -row[entry].second);
+  }
+  change_.compress(dealii::VectorOperation::insert);
+  return kept;
+}
+
+void JoinedNodes::write(const BlockSystem& system, const Matrix& stiffness,
+                        std::span<const double> springs, Matrix& matrix) {
+  find(system, stiffness, springs);
+  const ContactPoints& points = system.contact();
+  std::vector<double> others(springs.begin(), springs.end());
+  for (const std::size_t point : points_)
+    others[point] = 0.0;
+  matrix.copy_from(stiffness);
+  points.add_springs(others, matrix);
+  if (!exist_)
+    return;
+
+  const std::vector<double> kept = set_change(system, stiffness, springs);
+  Matrix product;
+  matrix.mmult(product, change_);
+  change_.Tmmult(matrix, product);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Unknown node = points[points_[i]].row.front().first;
+    matrix.add(node, node, kept[i] * springs[points_[i]]);
+  }
+  matrix.compress(dealii::VectorOperation::add);
+}
+
+void JoinedNodes::clear_in(std::vector<std::vector<bool>>& modes) const {
+  for (auto& mode : modes)
+    for (const std::size_t place : places_)
+      mode[place] = false;
+}
+
+void JoinedNodes::multiply(Vector& to, const Vector& from,
+                           bool is_transposed) const {
+  if (is_transposed)
+    change_.Tvmult(to, from);
+  else
+    change_.vmult(to, from);
+}
+
 } // namespace asperity::fem

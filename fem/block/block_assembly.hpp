@@ -10,8 +10,10 @@
 
 #include <deal.II/base/table.h>
 #include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <span>
+#include <vector>
 
 namespace asperity::fem {
 
@@ -49,5 +51,52 @@ bool has_low_order(const BlockSpace& space);
 /// @see  S. A. Orszag, J. Comput. Phys. 37, 70 (1980)
 void assemble_low_order(const BlockSystem& system,
                         dealii::TrilinosWrappers::SparseMatrix& matrix);
+
+/// Nodes that stiff springs join to faces of another body, for algebraic
+/// multigrid: the change of variables of contact_pairs.hpp for an assembled
+/// matrix. With the relative displacement r of such a node, of stiffness K_r
+/// without its spring k, in place of its u_z,
+///
+///     u = T (r, m),    u_z = sqrt(K_r / (K_r + k)) r + N m,          (F.7)
+///
+/// the matrix T^T (K + B^T diag(k) B) T has the diagonal of K at r and nearly
+/// no coupling of r with m, the displacement of the face: a common motion of
+/// both sides strains no spring, and the aggregates of multigrid represent it.
+class JoinedNodes {
+public:
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /// Writes T^T (K + B^T diag(springs) B) T into `matrix`, or K with the
+  /// springs if none is stiff. Collective.
+  /// @param stiffness  K
+  /// @param springs    of the contact points of this rank [N/m]
+  void write(const BlockSystem& system, const Matrix& stiffness,
+             std::span<const double> springs, Matrix& matrix);
+
+  /// Removes the joined unknowns from the constant modes: a translation leaves
+  /// r = 0.
+  void clear_in(std::vector<std::vector<bool>>& modes) const;
+
+  bool exist() const { return exist_; } ///< on any rank
+
+  /// Computes to = T from, or with `is_transposed` to = T^T from.
+  void multiply(Vector& to, const Vector& from, bool is_transposed) const;
+
+  std::size_t bytes() const { return change_.memory_consumption(); }
+
+private:
+  using Unknown = dealii::types::global_dof_index;
+  void find(const BlockSystem& system, const Matrix& stiffness,
+            std::span<const double> springs);
+  std::vector<double> set_change(const BlockSystem& system,
+                                 const Matrix& stiffness,
+                                 std::span<const double> springs);
+
+  bool exist_ = false;
+  std::vector<std::size_t> points_; ///< joined contact points of this rank
+  std::vector<std::size_t> places_; ///< their unknowns among those of this rank
+  Matrix change_;                   ///< T
+};
 
 } // namespace asperity::fem

@@ -1,7 +1,5 @@
 #include "fem/block/block_solver.hpp"
 
-#include "fem/block/block_assembly.hpp"
-
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
@@ -58,10 +56,17 @@ public:
   explicit Masked(const BlockSolver& solver) : solver_(solver) {}
 
   void vmult(Vector& to, const Vector& from) const {
-    if (solver_.own_)
+    if (solver_.own_) {
       solver_.own_->vmult(to, from);
-    else
+    } else if (solver_.joined_.exist()) {
+      Vector force(from);
+      Vector displacement(from);
+      solver_.joined_.multiply(force, from, true);
+      solver_.factors_->multigrid.vmult(displacement, force);
+      solver_.joined_.multiply(to, displacement, false);
+    } else {
       solver_.factors_->multigrid.vmult(to, from);
+    }
     solver_.clear_held(to);
   }
 
@@ -145,7 +150,8 @@ double BlockSolver::memory() const {
   if (own_) {
     bytes += own_->bytes();
   } else {
-    bytes += low_order_.memory_consumption() + matrix_.memory_consumption();
+    bytes += low_order_.memory_consumption() + matrix_.memory_consumption() +
+             joined_.bytes();
     if (!is_direct_ && !is_stale_)
       bytes += hierarchy_bytes(factors_->multigrid);
   }
@@ -213,9 +219,14 @@ void BlockSolver::refresh_multigrid() {
   if (!is_stale_)
     return;
   factors_->multigrid.clear();
-  write_matrix(has_low_order(system_.space()) ? low_order_
-                                              : system_.stiffness());
-  factors_->multigrid.initialize(matrix_, factors_->settings);
+  joined_.write(system_,
+                has_low_order(system_.space()) ? low_order_
+                                               : system_.stiffness(),
+                springs_, matrix_);
+  hold(matrix_, system_.space(), held_);
+  PreconditionAMG::AdditionalData settings = factors_->settings;
+  joined_.clear_in(settings.constant_modes);
+  factors_->multigrid.initialize(matrix_, settings);
   is_stale_ = false;
   is_new_ = true;
   steps_per_decade_ = 0.0;

@@ -5,7 +5,7 @@
 // larger ones.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_system.hpp"
+#include "fem/block/block_assembly.hpp"
 #include "fem/multigrid/conjugate_gradients.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -116,7 +116,9 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// of first-order cells on the same nodes (block_assembly.hpp), for which setup
 /// and smoothing take half the time. The hierarchy is reused for later contact
 /// states until the iterations in excess of those with the new hierarchy would
-/// pay for another setup. Held unknowns are masked outside of the hierarchy, so
+/// pay for another setup. Nodes of one body that stiff springs join to another
+/// have their relative displacement as the unknown of the hierarchy
+/// (JoinedNodes). Held unknowns are masked outside of the hierarchy, so
 /// a hierarchy that was set up without them remains symmetric and contains no
 /// large penalty numbers.
 ///
@@ -202,6 +204,7 @@ private:
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
   dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_
                                                      ///< belong to
+  JoinedNodes joined_;                               ///< of matrix_
   std::unique_ptr<Factors> factors_; ///< declared after matrix_, so destroyed
                                      ///< first
   // The contact state.

@@ -232,6 +232,37 @@ TEST(HexahedronBlockIterations, AreBoundedBetweenBodies) {
   }
 }
 
+// First-order bodies with an assembled matrix, whose joined nodes have their
+// relative displacement as the unknown: springs of any stiffness cost no more
+// iterations than none, up to a quarter. Measured: 33 to 39, and 39 without.
+TEST(JoinedNodesIterations, DoNotGrowWithTheSpringsBetweenBodies) {
+  for (const auto shape :
+       {mechanics::CounterShape::sphere, mechanics::CounterShape::cuboid}) {
+    BlockProblem problem = problem_of(shaken, 16);
+    problem.degree = 1;
+    problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
+    problem.counter_mesh = body(shape, length / 16.0);
+    const BlockSystem system(problem);
+    const auto iterations_with = [&](double spring) {
+      BlockSolver solver(system, LinearSolver::multigrid);
+      const HalfContact contact(system, spring * soft_modulus * length / 16.0,
+                                false, 1.0);
+      solver.set_contact(contact.springs, contact.held);
+      Vector found(contact.force);
+      found = 0.0;
+      EXPECT_TRUE(
+          solver.solve(found, contact.force, 1e-8 * contact.force.l2_norm()));
+      return solver.iterations();
+    };
+
+    const int without = iterations_with(0.0);
+
+    for (const double spring : {1.0, 1e2, 1e4, 1e6})
+      EXPECT_LE(iterations_with(spring), 1.25 * without)
+          << static_cast<int>(shape) << ", spring " << spring;
+  }
+}
+
 // Verifies that a hierarchy is reused while only the set of nodes in hard
 // contact changes, and built again for other springs.
 TEST(HexahedronBlockHierarchy, IsKeptForSimilarContact) {
