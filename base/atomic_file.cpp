@@ -24,20 +24,25 @@ bool write_all(int file, std::string_view text) {
     if (written > 0)
       text.remove_prefix(static_cast<std::size_t>(written));
   }
-  return ::fsync(file) == 0;
+  return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS; // a device
 }
 
-} // namespace
-
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  static std::atomic<int> count = 0;
-  return path.parent_path() /
-         ("." + path.filename().string() + "." + std::to_string(::getpid()) +
-          "-" + std::to_string(count++) + ".part");
+/// Writes to what is no file, such as a terminal, a pipe or /dev/null, which a
+/// rename would replace.
+void write_to_device(const std::filesystem::path& path, std::string_view text) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (file < 0)
+    refuse(path);
+  const bool is_written = write_all(file, text);
+  const int write_error = errno;
+  ::close(file);
+  errno = write_error;
+  if (!is_written)
+    refuse(path);
 }
 
-void write_file_atomically(const std::filesystem::path& path,
-                           std::string_view text) {
+/// Renames a temporary file that holds the text.
+void replace_file(const std::filesystem::path& path, std::string_view text) {
   const std::filesystem::path temporary = temporary_beside(path);
   const int file =
       ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -56,6 +61,29 @@ void write_file_atomically(const std::filesystem::path& path,
     errno = error;
     refuse(path);
   }
+}
+
+} // namespace
+
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  static std::atomic<int> count = 0;
+  return path.parent_path() /
+         ("." + path.filename().string() + "." + std::to_string(::getpid()) +
+          "-" + std::to_string(count++) + ".part");
+}
+
+void write_file_atomically(const std::filesystem::path& path,
+                           std::string_view text) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_other(status))
+    write_to_device(path, text);
+  else if (fs::is_symlink(fs::symlink_status(path, error)) &&
+           fs::exists(status))
+    replace_file(fs::canonical(path), text);
+  else
+    replace_file(path, text);
 }
 
 } // namespace asperity

@@ -161,6 +161,7 @@ std::vector<double> punch_pressure(int n) {
     return std::sqrt(i + 1.0) - std::sqrt(static_cast<double>(i));
   };
   std::vector<double> line;
+  line.reserve(static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i)
     line.push_back(n * from_border(i) * from_border(n - 1 - i));
   return line;

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -53,6 +56,31 @@ TEST_F(AtomicFile, MayHoldOneByteOrNone) {
 
     EXPECT_EQ(content(folder_ / "out.txt"), text);
   }
+}
+
+TEST_F(AtomicFile, ReplacesTheFileThatALinkNames) {
+  write_file_atomically(folder_ / "out.txt", "old");
+  fs::create_symlink("out.txt", folder_ / "link.txt");
+
+  write_file_atomically(folder_ / "link.txt", "new");
+
+  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
+  EXPECT_EQ(content(folder_ / "out.txt"), "new");
+}
+
+TEST_F(AtomicFile, WritesToAPipeAndLeavesIt) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+
+  write_file_atomically(pipe, "text");
+
+  std::string read(10, ' ');
+  read.resize(static_cast<std::size_t>(
+      std::max<ssize_t>(0, ::read(reader, read.data(), read.size()))));
+  ::close(reader);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_EQ(read, "text");
 }
 
 // A process without standard input can write, although the system opens the
