@@ -158,13 +158,13 @@ TEST(CorrectedRows, AreRefusedAsInOneProcess) {
   SurfaceSpec spikes = measured(npy_file("many.npy", faulty_heights()));
   spikes.spikes = 3.0;
   spikes.max_missing = 0.085;
-  for (const auto& [surface, words] :
-       {std::pair(flat, "the surface is flat"),
-        std::pair(flat_sphere, "the surface is flat"),
-        std::pair(spikes, "points are missing")}) {
+  for (const auto& refused : {std::pair(flat, "the surface is flat"),
+                              std::pair(flat_sphere, "the surface is flat"),
+                              std::pair(spikes, "points are missing")}) {
+    const auto& surface = refused.first;
     const std::string expected =
         tests::message_of<input::InputError>([&] { measured_map(surface); });
-    ASSERT_NE(expected.find(words), std::string::npos) << expected;
+    ASSERT_NE(expected.find(refused.second), std::string::npos) << expected;
     EXPECT_EQ(reason_for_whole_map(surface), "");
     EXPECT_EQ(message_on_ranks(surface, 4), expected);
   }

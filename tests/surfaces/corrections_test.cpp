@@ -78,7 +78,7 @@ TEST(MarkSpikes, FindsThemAndNothingElse) {
   std::normal_distribution<double> noise(0.0, 1.0);
   HeightMap map =
       map_of({40, 30, 1.0, 1.0}, [&](int, int) { return noise(random); });
-  for (const std::size_t at : {0, 555, 1199})
+  for (const std::size_t at : {0U, 555U, 1199U})
     map.heights[at] += 30.0;
   EXPECT_EQ(mark_spikes(SharedRows(map.grid), map.heights, 8.0), 3U);
   for (std::size_t i = 0; i < 1200; ++i)
