@@ -71,7 +71,7 @@ StepAnswer answer_of(contact::SurfaceOperator& elasticity,
               {{},
                0.0,
                results::halfspace_area_coefficients,
-               rim_modulus(problem.body, problem.grid.spacing_x())},
+               boundary_modulus(problem.body, problem.grid.spacing_x())},
               surface);
   answer.row.step = static_cast<int>(load.load);
   answer.row.certified_gap_error = field.error_of_field();

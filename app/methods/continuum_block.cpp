@@ -44,7 +44,7 @@ mechanics::ElasticBlock continuum_of(const cases::MethodSpec& method,
   return block;
 }
 
-double rim_modulus(const mechanics::ElasticBlock& block, double spacing) {
+double boundary_modulus(const mechanics::ElasticBlock& block, double spacing) {
   if (block.layers.empty())
     return block.contact_modulus;
   const double wavevector = 0.5 * std::numbers::pi / spacing;

@@ -21,6 +21,6 @@ mechanics::ElasticBlock continuum_of(const cases::MethodSpec& method,
 /// layers it is that of the block. With layers it is 2/(C q) at a wavelength of
 /// four grid spacings, which is the modulus of the coating if the coating is
 /// thicker than one or two spacings.
-double rim_modulus(const mechanics::ElasticBlock& block, double spacing);
+double boundary_modulus(const mechanics::ElasticBlock& block, double spacing);
 
 } // namespace asperity::app

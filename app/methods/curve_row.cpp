@@ -40,7 +40,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                       workers);
   });
   row.area_fraction_corrected = results::Observed::none;
-  if (observation.has_rim)
+  if (observation.resolves_boundary)
     observe("area_fraction_corrected", [&] {
       return results::corrected_area_fraction(grid, pressure, solution.gap,
                                               {observation.contact_modulus,

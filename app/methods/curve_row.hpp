@@ -19,8 +19,8 @@ struct Observation {
   double local_compliance = 0.0; ///< 1/k [m/Pa] for a penalty law, 0 for hard
                                  ///< or augmented contact
   results::AreaCoefficients area_coefficients; ///< of the operator
-  double contact_modulus = 0.0; ///< effective E* at the contact boundary [Pa]
-  bool has_rim = true;          ///< false: the caller sets the corrected area
+  double contact_modulus = 0.0;  ///< effective E* at the contact boundary [Pa]
+  bool resolves_boundary = true; ///< false: the caller sets the corrected area
   results::Border border = results::Border::periodic;
   /// Whether the surface has a middle and thus the load a lever: a single
   /// shape.

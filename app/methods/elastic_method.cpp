@@ -77,7 +77,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.area_coefficients = block != nullptr
                                       ? area_coefficients(*block)
                                       : results::halfspace_area_coefficients;
-  observation.contact_modulus = rim_modulus(continuum, surface.scales.spacing);
+  observation.contact_modulus =
+      boundary_modulus(continuum, surface.scales.spacing);
   observation.has_middle = surface.has_middle;
   const Grid& grid = surface.record.grid;
   if (is_shared_by_ranks(method, grid, workforce.ranks)) {

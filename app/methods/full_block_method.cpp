@@ -62,7 +62,7 @@ public:
         settings_(std::get<mechanics::FemSettings>(method.settings)),
         surface_(surface),
         continuum_(std::move(continuum)),
-        rim_modulus_(rim_modulus(continuum_, surface.scales.spacing)),
+        boundary_modulus_(boundary_modulus(continuum_, surface.scales.spacing)),
         block_(std::move(block)),
         contact_(fem::block_contact(settings_.contact, surface.scales)),
         extras_(std::move(extras)) {
@@ -73,7 +73,7 @@ public:
     fem::BlockSolution solution =
         block_->solve(surface_.record.heights, target.load, contact_);
     const double area = solution.area_by_points;
-    const bool has_rim = solution.is_contact_on_grid;
+    const bool resolves_boundary = solution.is_contact_on_grid;
     results::CurvePoint costs;
     costs.linear_iterations = solution.linear_iterations;
     costs.preconditioner_setups = solution.preconditioner_setups;
@@ -81,15 +81,15 @@ public:
     const double penalty_compliance =
         contact_.law == mechanics::ContactLaw::penalty ? 1.0 / contact_.penalty
                                                        : 0.0;
-    StepAnswer answer =
-        observe(as_contact(std::move(solution), surface_),
-                {block_->nodal_weights(), penalty_compliance,
-                 area_coefficients(settings_), rim_modulus_, has_rim,
-                 results::Border::periodic, surface_.has_middle},
-                surface_);
+    StepAnswer answer = observe(
+        as_contact(std::move(solution), surface_),
+        {block_->nodal_weights(), penalty_compliance,
+         area_coefficients(settings_), boundary_modulus_, resolves_boundary,
+         results::Border::periodic, surface_.has_middle},
+        surface_);
     answer.row.area_fraction = area;
-    if (!has_rim) // quadrature points between the nodes do not resolve the
-                  // contact boundary
+    if (!resolves_boundary) // quadrature points between the nodes do not
+                            // resolve the contact boundary
       answer.row.area_fraction_corrected = area;
     answer.row.linear_iterations = costs.linear_iterations;
     answer.row.preconditioner_setups = costs.preconditioner_setups;
@@ -141,7 +141,7 @@ private:
   const mechanics::FemSettings& settings_;
   const SurfaceOfCase& surface_;
   mechanics::ElasticBlock continuum_; ///< provides thickness and layers
-  double rim_modulus_; ///< E* at the length scale of a grid spacing [Pa]
+  double boundary_modulus_; ///< E* at the length scale of a grid spacing [Pa]
   std::unique_ptr<fem::FullBlock> block_;
   fem::BlockContact contact_;
   StepExtras extras_;

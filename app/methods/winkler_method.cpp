@@ -15,7 +15,7 @@ public:
 
   StepAnswer solve(const StepTarget& target) override {
     Observation observation;
-    observation.has_rim = false; // each node has its part of the area
+    observation.resolves_boundary = false; // each node has its part of the area
     StepAnswer answer =
         observe(contact::winkler_contact(surface_.record.heights, stiffness_,
                                          target.load),

@@ -42,7 +42,7 @@ constexpr double hierarchy_time[] = {10e-6, 36e-6};
 /// that are uniform within each layer (2 iterations) and with moduli that are
 /// not (12 iterations) [s].
 constexpr double fourier_time[] = {2.0e-6, 3.7e-6};
-constexpr double uneven_fourier_time[] = {2.2e-6, 6.0e-6};
+constexpr double heterogeneous_fourier_time[] = {2.2e-6, 6.0e-6};
 /// CPU time of a factorisation per unknown squared [s]: 2.6 s for 12138.
 constexpr double direct_time = 1.75e-8;
 constexpr double assembly_time = 20e-6; ///< mesh and matrix assembly, per
@@ -194,8 +194,8 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
   const BlockSize size = block_size(contact_case, settings, scales, grid);
   const std::size_t order =
       settings.block.element == mechanics::Element::q1 ? 0 : 1;
-  const bool is_uneven = contact_case.material.inclusion.has_value() ||
-                         contact_case.material.variation.has_value();
+  const bool is_heterogeneous = contact_case.material.inclusion.has_value() ||
+                                contact_case.material.variation.has_value();
   double unknown_time = 0.0; // per Newton step
   double unknown_setup = assembly_time;
   double unknown_memory = multigrid_memory[order];
@@ -205,7 +205,8 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
     unknown_memory += direct_memory;
     break;
   case BlockCostKind::fourier:
-    unknown_time = (is_uneven ? uneven_fourier_time : fourier_time)[order];
+    unknown_time =
+        (is_heterogeneous ? heterogeneous_fourier_time : fourier_time)[order];
     unknown_memory = fourier_memory[order];
     break;
   case BlockCostKind::lattice:
@@ -235,11 +236,11 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
   }
   MethodCost cost;
   cost.unknowns = size.unknowns;
-  cost.step_time = rates.slowness() * size.unknowns * unknown_time *
+  cost.step_time = rates.relative_time() * size.unknowns * unknown_time *
                    (is_rough(contact_case.surface) ? rough_newton_steps
                                                    : smooth_newton_steps);
   cost.setup_time =
-      rates.slowness() * (fem_load_time + unknown_setup * size.unknowns);
+      rates.relative_time() * (fem_load_time + unknown_setup * size.unknowns);
   cost.memory = unknown_memory * size.unknowns;
   return cost;
 }

@@ -14,7 +14,7 @@ namespace {
 using mechanics::Element;
 
 // The constants are measured in the release build on a 2-core AMD EPYC;
-// MachineRates::slowness() scales the times to other machines.
+// MachineRates::relative_time() scales the times to other machines.
 
 /// Iterations per load step that starts from the previous solution, at 512^2
 /// and a tolerance of 1e-8, on the rough surface of `bench_contact_steps`: 8.2
@@ -113,8 +113,9 @@ MethodCost cost_on_face(const mechanics::ContactSettings& contact,
 
 MethodCost cost_of_settings(const mechanics::TheorySettings&,
                             const CostInput& input) {
-  const double slowness = input.rates.slowness();
-  return {1.0, slowness * theory_setup_time, slowness * theory_step_time, 0.0};
+  const double relative_time = input.rates.relative_time();
+  return {1.0, relative_time * theory_setup_time,
+          relative_time * theory_step_time, 0.0};
 }
 
 MethodCost cost_of_settings(const mechanics::HalfspaceSettings& settings,
@@ -155,7 +156,7 @@ MethodCost cost_of_settings(const mechanics::FemSettings& settings,
     cost.setup_time = layers * nodes(grid) / 4.0 / symmetry * q2_layer_time;
     cost.step_time *= q2_factor;
   }
-  cost.setup_time = rates.slowness() * (cost.setup_time + fem_load_time);
+  cost.setup_time = rates.relative_time() * (cost.setup_time + fem_load_time);
   return cost;
 }
 
@@ -167,7 +168,7 @@ MethodCost cost_of_settings(const mechanics::MdSettings& settings,
   cost.unknowns = 3.0 * side * side;
   if (settings.bulk == mechanics::AtomBulk::green) {
     const double evaluation =
-        rates.slowness() * atom_evaluation_time * side * side;
+        rates.relative_time() * atom_evaluation_time * side * side;
     cost.step_time = evaluations_at_100 *
                      std::pow(side / 100.0, evaluations_exponent) * evaluation;
     cost.setup_time = 0.2 * evaluation;
@@ -177,7 +178,7 @@ MethodCost cost_of_settings(const mechanics::MdSettings& settings,
       atoms += settings.layers * side * side / std::pow(4.0, level);
     cost.unknowns = 3.0 * atoms;
     cost.step_time =
-        rates.slowness() * explicit_evaluations *
+        rates.relative_time() * explicit_evaluations *
         (inner_atom_time * atoms + 0.5 * atom_evaluation_time * side * side);
     cost.setup_time = cost.step_time / explicit_evaluations;
   }
@@ -220,7 +221,7 @@ double study_time(const cases::Case& contact_case, MachineRates& rates) {
             study->points;
   if (const auto& study = contact_case.adhesion_study)
     time += adhesion_time * study->points * study->steps * study->steps;
-  return rates.slowness() * time;
+  return rates.relative_time() * time;
 }
 
 double stress_time(int n_maps, const Grid& grid, MachineRates& rates) {
@@ -231,7 +232,7 @@ double stress_time(int n_maps, const Grid& grid, MachineRates& rates) {
 }
 
 double base_time(MachineRates& rates) {
-  return rates.slowness() * program_time;
+  return rates.relative_time() * program_time;
 }
 
 double base_memory(bool uses_fem) {

@@ -78,7 +78,7 @@ double MachineRates::iteration_time(const Grid& grid) {
   return times(grid).iteration;
 }
 
-double MachineRates::slowness() {
+double MachineRates::relative_time() {
   const Grid reference{reference_points, reference_points, 1.0, 1.0};
   return transform_time(reference) / reference_transform_time;
 }

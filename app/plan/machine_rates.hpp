@@ -29,7 +29,7 @@ public:
   /// Returns the relative run time: the time of a 256 x 256 transform on this
   /// machine over that on the reference machine, on which the constants of
   /// cost_model.cpp were measured [1].
-  double slowness();
+  double relative_time();
 
 private:
   struct Times {

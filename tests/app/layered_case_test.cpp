@@ -80,10 +80,11 @@ TEST(LayeredBlock, HasTheModulusOfItsCoatingAtContactBoundaries) {
                                 std::numeric_limits<double>::infinity(),
                                 {},
                                 {{0.05, 2e10, 0.2}}};
-  EXPECT_NEAR(rim_modulus(block, 0.002) / (2e10 / (1.0 - 0.04)), 1.0, 1e-9);
-  EXPECT_NEAR(rim_modulus(block, 500.0) / 2e9, 1.0, 0.003);
+  EXPECT_NEAR(boundary_modulus(block, 0.002) / (2e10 / (1.0 - 0.04)), 1.0,
+              1e-9);
+  EXPECT_NEAR(boundary_modulus(block, 500.0) / 2e9, 1.0, 0.003);
   block.layers.clear();
-  EXPECT_EQ(rim_modulus(block, 0.002), 2e9);
+  EXPECT_EQ(boundary_modulus(block, 0.002), 2e9);
 }
 
 } // namespace

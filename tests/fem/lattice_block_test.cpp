@@ -19,7 +19,7 @@ using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double length = 1e-6; // m
 
-enum class Material { layers, uneven_cells, sphere };
+enum class Material { layers, heterogeneous_cells, sphere };
 
 struct LatticeCase {
   int degree;
@@ -45,7 +45,7 @@ BlockProblem problem_of(const LatticeCase& own) {
                        ModuliField(layers)};
   problem.far_boundary = own.far_boundary;
   problem.sides = own.sides;
-  if (own.material == Material::uneven_cells)
+  if (own.material == Material::heterogeneous_cells)
     problem.moduli.set_factor(random_factor(0.9, 3, grid.spacing_x()));
   if (own.material == Material::sphere)
     problem.moduli.set_sphere({0.5 * length, 0.3 * length, 0.3 * length},
@@ -61,7 +61,8 @@ std::vector<LatticeCase> all_cases() {
          {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure})
       for (const BlockSides sides : {BlockSides::periodic, BlockSides::free})
         for (const Material material :
-             {Material::layers, Material::uneven_cells, Material::sphere})
+             {Material::layers, Material::heterogeneous_cells,
+              Material::sphere})
           if (far_boundary != FarBoundary::pressure ||
               sides != BlockSides::free)
             found.push_back({degree, far_boundary, sides, material});
@@ -137,7 +138,8 @@ TEST_P(LatticeCases, HaveTheSolutionOfTheDirectSolver) {
 
 std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
   const LatticeCase& own = info.param;
-  const std::array<const char*, 3> materials{"layers", "uneven", "sphere"};
+  const std::array<const char*, 3> materials{"layers", "heterogeneous",
+                                             "sphere"};
   return "q" + std::to_string(own.degree) + "_top" +
          std::to_string(static_cast<int>(own.far_boundary)) +
          (own.sides == BlockSides::free ? "_free_" : "_periodic_") +

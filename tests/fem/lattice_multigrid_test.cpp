@@ -28,7 +28,7 @@ BoxLattice graded_lattice(int degree, int cells, double growth) {
 }
 
 /// Moduli from 10^-decades to 10^decades, evenly distributed in the exponent.
-void make_uneven(BoxLattice& lattice, double decades) {
+void make_heterogeneous(BoxLattice& lattice, double decades) {
   const std::size_t cells = lattice.thickness.size() *
                             static_cast<std::size_t>(lattice.cells_x) *
                             static_cast<std::size_t>(lattice.cells_y);
@@ -155,15 +155,15 @@ TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
 
 // Verifies that heterogeneous moduli need a few more iterations, and contrasts
 // of six decades between neighbours some tens.
-TEST_P(LatticeDegrees, NeedMoreIterationsForUnevenModuli) {
+TEST_P(LatticeDegrees, NeedMoreIterationsForHeterogeneousModuli) {
   BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
   const NodeLayout layout(lattice);
 
-  make_uneven(lattice, 0.2); // a factor of 2.5
+  make_heterogeneous(lattice, 0.2); // a factor of 2.5
   EXPECT_LE(iterations(lattice, held_nodes(layout), 1e-12), 15);
-  make_uneven(lattice, 1.0);
+  make_heterogeneous(lattice, 1.0);
   EXPECT_LE(iterations(lattice, held_nodes(layout)), 24);
-  make_uneven(lattice, 3.0);
+  make_heterogeneous(lattice, 3.0);
   EXPECT_LE(iterations(lattice, held_nodes(layout)), 100);
 }
 

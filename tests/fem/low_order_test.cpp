@@ -127,12 +127,13 @@ TEST(LowOrderMatrix, IsEquivalentToTheSecondOrderOne) {
     BlockProblem shaken = boxes;
     shaken.sides = mechanics::BlockSides::free;
     shake(shaken.mesh, 0.3 * length / points);
-    BlockProblem uneven = boxes;
-    uneven.moduli.set_factor(random_factor(0.5, 1, 2.0 * length / points));
+    BlockProblem heterogeneous = boxes;
+    heterogeneous.moduli.set_factor(
+        random_factor(0.5, 1, 2.0 * length / points));
 
     EXPECT_LT(steps_of(boxes), 36U);
     EXPECT_LT(steps_of(shaken), 36U);
-    EXPECT_LT(steps_of(uneven), 36U);
+    EXPECT_LT(steps_of(heterogeneous), 36U);
   }
   BlockProblem hanging =
       boxes_problem({16, 16, length, length}, 2, body, length);

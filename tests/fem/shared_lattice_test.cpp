@@ -16,7 +16,7 @@
 namespace asperity::fem {
 namespace {
 
-enum class Moduli { layers, uneven, uneven_ratios };
+enum class Moduli { layers, heterogeneous, heterogeneous_ratios };
 enum class Contact { none, held, sticking, springs };
 
 struct SharedCase {
@@ -45,7 +45,8 @@ BoxLattice lattice_of(const SharedCase& own) {
       8U * static_cast<std::size_t>(own.rows) * lattice.thickness.size();
   lattice.moduli.clear();
   for (const double chance : random_field(cells, 4)) {
-    const double ratio = own.moduli == Moduli::uneven ? 1.5 : 1.0 + chance;
+    const double ratio =
+        own.moduli == Moduli::heterogeneous ? 1.5 : 1.0 + chance;
     lattice.moduli.push_back({ratio * (0.5 + chance), 0.5 + chance});
   }
   return lattice;
@@ -149,8 +150,8 @@ std::vector<SharedCase> all_cases() {
   for (const int degree : {1, 2})
     for (const bool is_periodic : {true, false}) {
       found.push_back({degree, 16, is_periodic, Moduli::layers});
-      found.push_back({degree, 16, is_periodic, Moduli::uneven_ratios});
-      found.push_back({degree, 17, is_periodic, Moduli::uneven});
+      found.push_back({degree, 16, is_periodic, Moduli::heterogeneous_ratios});
+      found.push_back({degree, 17, is_periodic, Moduli::heterogeneous});
     }
   return found;
 }
@@ -248,8 +249,9 @@ TEST_P(SharedLattices, HaveTheSolutionOfOneProcess) {
 TEST(SharedLatticeMotions, AreThoseOfOneProcess) {
   for (const int degree : {1, 2})
     for (const bool is_periodic : {true, false}) {
-      const BoxLattice lattice = lattice_of(
-          {degree, 16, is_periodic, Moduli::uneven, false, !is_periodic});
+      const BoxLattice lattice =
+          lattice_of({degree, 16, is_periodic, Moduli::heterogeneous, false,
+                      !is_periodic});
       const auto modes = rigid_modes(lattice, LatticeSlab(lattice), false);
       tests::on_thread_ranks(3, [&](RankGroup& ranks) {
         const LatticeSlab slab = divided(lattice, &ranks);

@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     print_areas(kernel, samples, limits);
     print_gaps(kernel, samples, limits);
     const Cost& cost = costs[{kernel.name, kernel_cost_r}];
-    fmt::print("\nprocessor time at r = {}: set-up {:.2f} s, a load program "
+    fmt::print("\nprocessor time at r = {}: set-up {:.2f} s, a loading path "
                "{:.2f} s\n",
                kernel_cost_r, cost.set_up, cost.load_programs / n_surfaces);
   }

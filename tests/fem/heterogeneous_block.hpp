@@ -46,13 +46,13 @@ void each_cell(const NodeLattice& lattice, std::size_t layers,
 }
 
 /// Stiffness plus springs; the clamped far boundary has unit rows.
-class UnevenBlock {
+class HeterogeneousBlock {
 public:
   /// @param spread  cell moduli lie evenly in 1 -+ spread times their layer's
   /// @param springs of the nodes of the contact surface [N/m], or empty
-  UnevenBlock(const Grid& grid, int degree, const LayeredBlock& block,
-              double spread, unsigned int seed,
-              const std::vector<double>& springs)
+  HeterogeneousBlock(const Grid& grid, int degree, const LayeredBlock& block,
+                     double spread, unsigned int seed,
+                     const std::vector<double>& springs)
       : lattice_{grid, degree,
                  block.layers.size() * static_cast<std::size_t>(degree) + 1} {
     const auto size = static_cast<unsigned int>(lattice_.size());

@@ -6,13 +6,13 @@
 // clamped; loads on every node; residual to 1e-12 of the load, as in
 // fem/block/block_solver.cpp.
 //
-//     bench_uneven_block [degree] [points] [multigrid] [k h/E*]
+//     bench_heterogeneous_block [degree] [points] [multigrid] [k h/E*]
 //
 // Degree (1), nodes per side (32), whether multigrid is run too (1), stiffness
 // of springs under a fifth of the contact surface (0 for none; otherwise none,
 // 0.1, 10, 1e4). The memory of multigrid is the growth of the process, which is
 // meaningful in its first row only.
-#include "tests/fem/uneven_block.hpp"
+#include "tests/fem/heterogeneous_block.hpp"
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"
@@ -40,7 +40,8 @@ double resident_megabytes() {
 
 /// One preconditioned solve, printed.
 template <class Preconditioner>
-void solve(const char* name, const char* springs, const UnevenBlock& block,
+void solve(const char* name, const char* springs,
+           const HeterogeneousBlock& block,
            const Preconditioner& preconditioner, double set_up,
            double megabytes, double& seconds) {
   const Vector<double> force = block.loads(5);
@@ -75,7 +76,7 @@ void run(int degree, int points, bool with_multigrid,
     const std::vector<double> springs =
         springs_under_peaks(grid, stiffness > 0.0 ? 0.2 : 1.0,
                             stiffness * contact_modulus * grid.spacing_x());
-    const UnevenBlock block(grid, degree, uniform, 0.5, 3, springs);
+    const HeterogeneousBlock block(grid, degree, uniform, 0.5, 3, springs);
     char label[16];
     std::snprintf(label, sizeof label, stiffness > 0.0 ? "%g" : "none",
                   stiffness);

@@ -6,7 +6,7 @@
 
 #include <tuple>
 
-#include "tests/fem/uneven_block.hpp"
+#include "tests/fem/heterogeneous_block.hpp"
 
 namespace asperity::fem {
 namespace {
@@ -20,7 +20,7 @@ unsigned int iterations(int degree, int points, double stiffness) {
       soft_modulus, 0.3, mechanics::FarBoundary::clamped);
   const std::vector<double> springs = springs_under_peaks(
       grid, 0.2, stiffness * soft_modulus * grid.spacing_x());
-  const UnevenBlock block(grid, degree, uniform, 0.5, 3, springs);
+  const HeterogeneousBlock block(grid, degree, uniform, 0.5, 3, springs);
   LatticeSolver solver(grid, degree, uniform);
   solver.set_springs(springs);
   const dealii::Vector<double> force = block.loads(5);
@@ -38,7 +38,7 @@ unsigned int iterations(int degree, int points, double stiffness) {
   return control.last_step();
 }
 
-class UnevenCells : public ::testing::TestWithParam<double> {};
+class HeterogeneousCells : public ::testing::TestWithParam<double> {};
 
 // Verifies that neither the grid nor the springs change the number of
 // iterations. The preconditioned spectrum lies within 0.5..1.5, the range of
@@ -48,7 +48,7 @@ class UnevenCells : public ::testing::TestWithParam<double> {};
 // (0.268)^n, 19 steps to 1e-10 and three more for the square root of the
 // condition number between energy and residual, about 1e2. The two grids may
 // differ by the one step at which the same residual crosses the tolerance.
-TEST_P(UnevenCells, TakeTheSameIterationsOnAnyGrid) {
+TEST_P(HeterogeneousCells, TakeTheSameIterationsOnAnyGrid) {
   const unsigned int coarse = iterations(1, 16, GetParam());
   const unsigned int fine = iterations(1, 32, GetParam());
 
@@ -56,10 +56,10 @@ TEST_P(UnevenCells, TakeTheSameIterationsOnAnyGrid) {
   EXPECT_LE(fine, 22u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Springs, UnevenCells,
+INSTANTIATE_TEST_SUITE_P(Springs, HeterogeneousCells,
                          ::testing::Values(0.0, 0.1, 10.0, 1e4));
 
-TEST(UnevenQuadraticCells, TakeNoMore) {
+TEST(HeterogeneousQuadraticCells, TakeNoMore) {
   EXPECT_LE(iterations(2, 16, 0.0), 22u);
   EXPECT_LE(iterations(2, 16, 10.0), 22u);
 }
