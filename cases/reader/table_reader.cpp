@@ -6,17 +6,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace asperity::cases {
 namespace {
 
-std::string table_of_key(const std::string& key) {
-  for (const Table& table : vocabulary())
-    for (const Key& candidate : table.keys)
-      if (candidate.name == key && !table.is_part && !table.name.empty())
-        return table.name;
-  return "";
+/// Returns where a key belongs that is unknown in a table: inside a value of
+/// this table, or in other tables; empty if there is no such key.
+std::string home_of_key(const std::string& key, const std::string& path) {
+  std::string homes;
+  for (const Table& table : vocabulary()) {
+    const bool is_known =
+        std::any_of(table.keys.begin(), table.keys.end(),
+                    [&](const Key& known) { return known.name == key; });
+    if (!is_known || table.name.empty())
+      continue;
+    if (!table.is_part)
+      homes += (homes.empty() ? "[" : " or [") + table.name + "]";
+    else if (table.name.rfind(path + ".", 0) == 0) {
+      std::string place = table.when.substr(0, table.when.find('.'));
+      place.front() = static_cast<char>(std::tolower(place.front()));
+      return place;
+    }
+  }
+  return homes;
 }
 
 } // namespace
@@ -199,14 +213,14 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
   for (const NodeEntry& candidate : node_.entries) {
     if (std::find(known.begin(), known.end(), candidate.key) != known.end())
       continue;
-    const std::string home = table_of_key(candidate.key);
+    const std::string home = home_of_key(candidate.key, node_.path);
     std::string what = "is not a key of this table; ";
     if (node_.path.empty())
       what = candidate.node.is_table()
                  ? "is not a table of a case file; "
                  : "is not a key at the top of a case file; ";
-    what += home.empty() ? "nearest: " : "it belongs to [";
-    what += home.empty() ? input::nearest(candidate.key, known) : home + "]";
+    what += home.empty() ? "nearest: " + input::nearest(candidate.key, known)
+                         : "it belongs to " + home;
     complain(candidate.node, what);
   }
 }

@@ -69,6 +69,15 @@ TEST(Mistakes, NameTheTableOfAKey) {
   EXPECT_EQ(mistakes_in({"fem.gamma=0.4"}),
             "  --set: fem.gamma is not a key of this table; it belongs to "
             "[theory]\n");
+  EXPECT_EQ(mistakes_in({"theory.seed=1"}),
+            "  --set: theory.seed is not a key of this table; it belongs to "
+            "[surface] or [material.variation] or [md]\n");
+}
+
+TEST(Mistakes, NameTheValueOfAKey) {
+  EXPECT_EQ(mistakes_in({"load.steps=3"}),
+            "  --set: load.steps is not a key of this table; it belongs to "
+            "the value of nominal_pressure or mean_gap\n");
 }
 
 TEST(Mistakes, OfAnInheritedKeyAreSaidOnce) {
