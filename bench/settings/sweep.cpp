@@ -77,7 +77,7 @@ public:
   Sweep plan() &&;
 
 private:
-  void add_truth();
+  void add_reference();
   void add_points(const MethodSpec& method);
   void add_points(const AddedMethod& method);
   /// the overrides of other points than the case's
@@ -138,7 +138,7 @@ int Planner::axis_points() const {
              : own_points_;
 }
 
-void Planner::add_truth() {
+void Planner::add_reference() {
   if (own_points_ == 0)
     return;
   const auto kind = case_.surface.kind;
@@ -149,7 +149,7 @@ void Planner::add_truth() {
   BenchSeries series{.method = "halfspace",
                      .axis = points_axis,
                      .title = "points of the reference series"};
-  const std::vector<std::string> overrides = truth_overrides(case_);
+  const std::vector<std::string> overrides = reference_overrides(case_);
   std::vector<int> carried = grids();
   carried.push_back(2 * own_points_);
   for (const int points : carried) {
@@ -252,7 +252,7 @@ Sweep Planner::plan() && {
     sweep_.remarks.push_back(fmt::format(
         "Grids below {} points per side do not resolve all of the roughness.",
         least_carrying_points(case_.surface)));
-  add_truth();
+  add_reference();
   for (const MethodSpec& method : case_.methods)
     if (is_chosen(method, options_.methods))
       add_points(method);

@@ -60,6 +60,6 @@ std::vector<std::string> common_overrides(const cases::Case& contact_case,
 /// Returns the overrides that define a method "halfspace" as the elastic
 /// half-space or slab, with hard contact, that corresponds to the case's block;
 /// empty if the case already has this method.
-std::vector<std::string> truth_overrides(const cases::Case& contact_case);
+std::vector<std::string> reference_overrides(const cases::Case& contact_case);
 
 } // namespace asperity::app

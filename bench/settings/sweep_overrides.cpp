@@ -60,7 +60,7 @@ std::vector<std::string> common_overrides(const cases::Case& contact_case,
   return overrides;
 }
 
-std::vector<std::string> truth_overrides(const cases::Case& contact_case) {
+std::vector<std::string> reference_overrides(const cases::Case& contact_case) {
   const CaseValues values(contact_case);
   const bool has_halfspace = std::any_of(
       contact_case.methods.begin(), contact_case.methods.end(),

@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Time that a failed rank waits for the other ranks to fail as well, and time
 /// that a rank without a failure waits to be terminated.
-constexpr std::chrono::seconds patience{5};
+constexpr std::chrono::seconds failure_timeout{5};
 
 /// A second communicator over all ranks, for reaching agreement on failures:
 /// messages on it never match operations that a failed rank left incomplete in
@@ -99,7 +99,7 @@ int count_failed(bool has_failed) {
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Iallreduce(&failed, &all, 1, MPI_INT, MPI_SUM, agreement(), &request);
   const auto end =
-      has_failed ? Clock::now() + patience : Clock::time_point::max();
+      has_failed ? Clock::now() + failure_timeout : Clock::time_point::max();
   return is_done_by(request, end) ? all : -1;
 }
 
@@ -152,7 +152,7 @@ void do_share(const std::function<void()>& share) {
     return;
   }
   if (!failure) { // another rank terminates this one
-    std::this_thread::sleep_for(patience);
+    std::this_thread::sleep_for(failure_timeout);
     failure =
         std::make_exception_ptr(std::runtime_error("another rank failed"));
   }

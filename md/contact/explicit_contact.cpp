@@ -43,7 +43,9 @@ public:
 
   std::string description() const override;
 
-  double effective_contact_modulus() const override { return shown_modulus_; }
+  double effective_contact_modulus() const override {
+    return effective_modulus_;
+  }
 
 private:
   System& system() override { return system_; }
@@ -61,7 +63,7 @@ private:
 
   ExplicitSystem system_;
   std::string label_;
-  double shown_modulus_;
+  double effective_modulus_;
 };
 
 std::string label_of(const AtomRequest& request) {
@@ -89,9 +91,9 @@ ExplicitContact::ExplicitContact(AtomRequest given)
                         request().threads),
               mass_of(request().settings), request().threads),
       label_(label_of(request())),
-      shown_modulus_(md::effective_contact_modulus(crystal_of(request()),
-                                                   request().settings.levels,
-                                                   request().settings.layers)) {
+      effective_modulus_(md::effective_contact_modulus(
+          crystal_of(request()), request().settings.levels,
+          request().settings.layers)) {
   start();
 }
 
@@ -155,7 +157,7 @@ std::string ExplicitContact::description() const {
       lattices[static_cast<std::size_t>(request().settings.lattice)],
       shape.layer.points_x, shape.layer.points_y, shape.levels,
       shape.levels == 1 ? "level" : "levels", shape.layers,
-      system_.block().depth(), system_.size() / 3, shown_modulus_);
+      system_.block().depth(), system_.size() / 3, effective_modulus_);
 }
 
 } // namespace

@@ -47,8 +47,8 @@ const char* reproduction_word(Reproduction reproduction) {
   return "missing";
 }
 
-Judgement judge_published(const cases::ReferenceValue& reference,
-                          const Estimate& ours) {
+Judgement compare_with_published(const cases::ReferenceValue& reference,
+                                 const Estimate& ours) {
   const std::string refusal = "not reproducible: " + reference.why;
   if (ours.is_input)
     return {Reproduction::input, "set in the case"};

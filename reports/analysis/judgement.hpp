@@ -37,7 +37,7 @@ struct Judgement {
 /// Compares a published value with an estimate. A missing half-width counts as
 /// 0. "Differs by x %" is relative to the published value and rounded up to two
 /// digits; for a published value of 0 the absolute difference is stated.
-Judgement judge_published(const cases::ReferenceValue& reference,
-                          const Estimate& ours);
+Judgement compare_with_published(const cases::ReferenceValue& reference,
+                                 const Estimate& ours);
 
 } // namespace asperity::reports

@@ -35,9 +35,9 @@ std::string why_missing(const MethodSummary& method) {
              : fmt::format("{}", fmt::join(method.problems, "; "));
 }
 
-Verdict judge_one(const cases::Expectation& expectation,
-                  const std::string& method_name,
-                  std::span<const MethodSummary> methods, bool is_complete) {
+Verdict verdict_on(const cases::Expectation& expectation,
+                   const std::string& method_name,
+                   std::span<const MethodSummary> methods, bool is_complete) {
   Verdict verdict;
   verdict.quantity = expectation.quantity;
   verdict.method = method_name;
@@ -89,7 +89,7 @@ std::vector<Verdict> judge(std::span<const cases::Expectation> expectations,
   std::vector<Verdict> verdicts;
   for (const cases::Expectation& expectation : expectations)
     for (const std::string& method : expectation.methods)
-      verdicts.push_back(judge_one(expectation, method, methods, is_complete));
+      verdicts.push_back(verdict_on(expectation, method, methods, is_complete));
   return verdicts;
 }
 

@@ -38,12 +38,13 @@ PaperTable paper_table(std::span<const PaperPart> parts) {
       if (published.ours.empty()) {
         Estimate none;
         none.remark = "no method of the case computes this";
-        row.judgement = judge_published(published.reference, none);
+        row.judgement = compare_with_published(published.reference, none);
         table.rows.push_back(row);
       }
       for (const OurValue& ours : published.ours) {
         row.ours = ours;
-        row.judgement = judge_published(published.reference, ours.estimate);
+        row.judgement =
+            compare_with_published(published.reference, ours.estimate);
         table.rows.push_back(row);
         row.is_first = false;
       }

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 Reproduction best_of(const PublishedValue& published,
                      const std::vector<Judgement>& judgements) {
   if (judgements.empty())
-    return judge_published(published.reference, {}).reproduction;
+    return compare_with_published(published.reference, {}).reproduction;
   return std::min_element(judgements.begin(), judgements.end(),
                           [](const Judgement& a, const Judgement& b) {
                             return a.reproduction < b.reproduction;
@@ -44,7 +44,7 @@ Json published_json(const PublishedValue& published) {
   const cases::ReferenceValue& reference = published.reference;
   std::vector<Judgement> judgements;
   for (const OurValue& ours : published.ours)
-    judgements.push_back(judge_published(reference, ours.estimate));
+    judgements.push_back(compare_with_published(reference, ours.estimate));
   Json json = {{"quantity", reference.quantity},
                {"value", json_number(reference.value)},
                {"unit", reference.unit},

@@ -15,7 +15,7 @@ Estimate ours(double value, double half_width = not_a_number) {
 
 std::string words(const cases::ReferenceValue& reference,
                   const Estimate& estimate) {
-  return judge_published(reference, estimate).words;
+  return compare_with_published(reference, estimate).words;
 }
 
 const cases::ReferenceValue printed{"gamma", 0.4, "1", 0.05, "paper", ""};
@@ -48,12 +48,12 @@ TEST(Judgement, IsInconclusiveWithinAWideInterval) {
   EXPECT_EQ(words(printed, ours(0.5, 0.081)),
             "inconclusive: our interval, +- 0.081, is so wide that many other "
             "values would agree");
-  EXPECT_EQ(judge_published(printed, ours(0.4, 0.3)).reproduction,
+  EXPECT_EQ(compare_with_published(printed, ours(0.4, 0.3)).reproduction,
             Reproduction::inconclusive);
-  EXPECT_EQ(judge_published(printed, ours(0.9, 0.3)).reproduction,
+  EXPECT_EQ(compare_with_published(printed, ours(0.9, 0.3)).reproduction,
             Reproduction::differs);
   EXPECT_EQ(words(nothing, ours(0.015, 0.009)), "reproduced");
-  EXPECT_EQ(judge_published(nothing, ours(0.015, 0.011)).reproduction,
+  EXPECT_EQ(compare_with_published(nothing, ours(0.015, 0.011)).reproduction,
             Reproduction::inconclusive);
 }
 
@@ -61,7 +61,7 @@ TEST(Judgement, StatesTheReasonOnlyIfNotMet) {
   EXPECT_EQ(words(excused, ours(0.42)), "reproduced");
   EXPECT_EQ(words(excused, ours(0.5)), "not reproducible: secret");
   EXPECT_EQ(words(excused, ours(not_a_number)), "not reproducible: secret");
-  EXPECT_EQ(judge_published(excused, ours(0.5)).reproduction,
+  EXPECT_EQ(compare_with_published(excused, ours(0.5)).reproduction,
             Reproduction::not_reproducible);
 }
 
@@ -70,7 +70,8 @@ TEST(Judgement, TakesNoCreditForAnInput) {
   Estimate set = ours(0.4);
   set.is_input = true;
 
-  EXPECT_EQ(judge_published(printed, set).reproduction, Reproduction::input);
+  EXPECT_EQ(compare_with_published(printed, set).reproduction,
+            Reproduction::input);
 }
 
 // Neither is a number to which the case was fitted; if it is missed, it is
@@ -79,10 +80,10 @@ TEST(Judgement, TakesNoCreditForWhatTheCaseWasFittedTo) {
   cases::ReferenceValue fitted = printed;
   fitted.input = "q_0 of [surface]";
 
-  EXPECT_EQ(judge_published(fitted, ours(0.41)).reproduction,
+  EXPECT_EQ(compare_with_published(fitted, ours(0.41)).reproduction,
             Reproduction::input);
   EXPECT_EQ(words(fitted, ours(0.41)), "set in the case: q_0 of [surface]");
-  EXPECT_EQ(judge_published(fitted, ours(0.5)).reproduction,
+  EXPECT_EQ(compare_with_published(fitted, ours(0.5)).reproduction,
             Reproduction::differs);
 }
 
@@ -90,7 +91,7 @@ TEST(Judgement, HasNoneWithoutANumber) {
   Estimate none;
   none.remark = "too few rows";
 
-  const Judgement judgement = judge_published(printed, none);
+  const Judgement judgement = compare_with_published(printed, none);
 
   EXPECT_EQ(judgement.reproduction, Reproduction::missing);
   EXPECT_EQ(judgement.words, "not determined: too few rows");
