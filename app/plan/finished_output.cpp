@@ -55,7 +55,7 @@ std::string drawing_program() {
 bool is_listed(const fs::path& file) {
   const std::string name = file.filename().string();
   return !name.starts_with('.') && name != list_name &&
-         name != "result.previous.h5";
+         name != "result.previous.h5" && name != "result.unfinished.h5";
 }
 
 /// The files of a list; nothing unless the cache has all of them.

@@ -57,17 +57,21 @@ void put_last_run_aside(const fs::path& folder) {
   const fs::path last = folder / "result.h5";
   if (!fs::exists(last))
     return;
+  bool is_complete = false;
   try {
     results::settle_result(folder);
-    remove_files_of_methods(
-        folder, results::read_result(folder, results::MapsInFile::large));
+    const results::Result result =
+        results::read_result(folder, results::MapsInFile::large);
+    is_complete = result.status == "complete";
+    remove_files_of_methods(folder, result);
   } catch (const input::InputError& error) {
     fmt::print("the previous result cannot be read: {}\n", error.what());
   }
   remove_report(folder);
-  fs::rename(last, folder / "result.previous.h5");
-  fmt::print("the previous result is saved as {}\n",
-             (folder / "result.previous.h5").string());
+  const fs::path aside =
+      folder / (is_complete ? "result.previous.h5" : "result.unfinished.h5");
+  fs::rename(last, aside);
+  fmt::print("the previous result is saved as {}\n", aside.string());
 }
 
 } // namespace asperity::app

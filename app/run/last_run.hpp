@@ -6,10 +6,11 @@
 
 namespace asperity::app {
 
-/// Renames the last result to result.previous.h5, with all of its completed
-/// work, and removes tables, reports, figures and files of methods that could
-/// be mistaken for output of the new run. Nothing else in the folder is
-/// changed.
+/// Renames the last result to result.previous.h5, or to result.unfinished.h5 if
+/// its run has not finished, so that runs that fail do not replace the last
+/// complete result. It contains all completed work. Removes tables, reports,
+/// figures and files of methods that could be mistaken for output of the new
+/// run. Nothing else in the folder is changed.
 ///
 /// @throws std::system_error, results::Hdf5Error  a file operation fails
 void put_last_run_aside(const std::filesystem::path& folder);

@@ -22,7 +22,7 @@ struct RunOutcome {
 };
 
 /// Runs the methods of a case and writes each step to folder/result.h5 as soon
-/// as it is done. An older result is kept as result.previous.h5 unless the run
+/// as it is done. An older result is put aside (last_run.hpp) unless the run
 /// resumes it. Jobs (a method on a realisation) run in parallel; a method whose
 /// library allows only one run at a time runs after the others. The numbers do
 /// not depend on the distribution of the jobs. If the options name

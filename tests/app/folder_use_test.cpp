@@ -246,5 +246,19 @@ TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
   EXPECT_NE(xml.find("interrupted"), std::string::npos) << xml;
 }
 
+// The second run that fails puts aside the result of the first one that did.
+TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
+  const std::string run_it = "run small.toml --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it).exit_code, 0);
+  const Result whole = result("one");
+
+  for (int trial = 0; trial < 2; ++trial)
+    EXPECT_EQ(run(run_it + " --methods fem", with_limit(60)).exit_code, 4);
+
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+  EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
+}
+
 } // namespace
 } // namespace asperity::app
