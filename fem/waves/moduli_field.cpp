@@ -3,6 +3,8 @@
 #include "base/require.hpp"
 #include "meshes/facets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -72,6 +74,26 @@ Moduli ModuliField::at(const meshes::Place& place) const {
   return found;
 }
 
+namespace {
+
+/// Adds the sphere below the centre of the contact surface. A sphere outside of
+/// the block would leave it uniform.
+void add_inclusion(const mechanics::MaterialInclusion& inclusion,
+                   const mechanics::Scales& scales, const Grid& grid,
+                   double depth, ModuliField& field) {
+  const double centre = inclusion.depth.in_si(scales);
+  const double radius = inclusion.radius.in_si(scales);
+  if (!(centre > radius && centre - radius < depth))
+    refuse_argument("material.inclusion.depth", centre,
+                    fmt::format("larger than the radius, {:g} m, and less than "
+                                "{:g} m, where it lies below the block",
+                                radius, depth + radius));
+  field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0, centre}, radius,
+                   moduli(inclusion.moduli));
+}
+
+} // namespace
+
 ModuliField moduli_field(const mechanics::MaterialSpec& material,
                          const mechanics::Scales& scales,
                          const mechanics::BodyModuli& block, const Grid& grid,
@@ -80,10 +102,7 @@ ModuliField moduli_field(const mechanics::MaterialSpec& material,
   for (const mechanics::MaterialLayer& layer : material.layers)
     field.add_layer(layer.thickness.in_si(scales), moduli(layer.moduli));
   if (material.inclusion)
-    field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0,
-                      material.inclusion->depth.in_si(scales)},
-                     material.inclusion->radius.in_si(scales),
-                     moduli(material.inclusion->moduli));
+    add_inclusion(*material.inclusion, scales, grid, depth, field);
   if (!material.variation)
     return field;
   const mechanics::MaterialVariation& variation = *material.variation;

@@ -144,7 +144,9 @@ private:
 /// @param grid   grid of the surface: expressions measure lengths in
 ///               grid.length_x, random factors places in grid.spacing_x()
 /// @param depth  depth of the block, which a table covers [m] > 0
-/// @throws std::domain_error, input::InputError  as the factors above
+/// @throws std::domain_error, input::InputError  as the factors above; or no
+///         part of the inclusion lies in the block, or it reaches the contact
+///         surface
 ModuliField moduli_field(const mechanics::MaterialSpec& material,
                          const mechanics::Scales& scales,
                          const mechanics::BodyModuli& block, const Grid& grid,

@@ -44,6 +44,29 @@ TEST(ModuliField, PutsTheSphereBeforeLayersAndThoseBeforeTheRest) {
   EXPECT_EQ(field.at({2.6e-6, 2e-6, 0.9e-6}), moduli({5.0 * young, 0.2}));
 }
 
+// Such a block would be uniform.
+TEST(ModuliField, RefusesAnInclusionOutsideOfTheBlock) {
+  mechanics::MaterialSpec material;
+  material.inclusion =
+      mechanics::MaterialInclusion{{1.0, mechanics::ReferenceUnit::length},
+                                   {0.25, mechanics::ReferenceUnit::length},
+                                   {9.0 * young, 0.1}};
+  const auto message = [&](double radius, double centre) {
+    material.inclusion->radius = {radius, mechanics::ReferenceUnit::si};
+    material.inclusion->depth = {centre, mechanics::ReferenceUnit::si};
+    return tests::message_of<std::domain_error>([&] {
+      (void)moduli_field(material, scales, {young, 0.3}, grid, 4e-6);
+    });
+  };
+
+  EXPECT_EQ(message(1e-6, 4.9e-6), "accepted");
+  EXPECT_EQ(message(1e-6, 5.1e-6),
+            "material.inclusion.depth = 5.1e-06, but must be larger than the "
+            "radius, 1e-06 m, and less than 5e-06 m, where it lies below the "
+            "block");
+  EXPECT_NE(message(1e-6, 0.9e-6), "accepted");
+}
+
 TEST(ModuliField, LaysLayersOnEachOther) {
   ModuliField field(moduli({young, 0.3}));
   field.add_layer(1e-6, moduli({2.0 * young, 0.2}));
