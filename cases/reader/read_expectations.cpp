@@ -128,6 +128,12 @@ void read_method_names(TableReader& band, const ExpectationName& quantity,
     return;
   }
   expectation.methods = band.names("methods");
+  if (allowed.empty()) {
+    band.complain(*band.node().find("methods"),
+                  "names methods, but none of this case computes " +
+                      quantity.name);
+    return;
+  }
   for (const std::string& name : expectation.methods)
     if (!name.empty() &&
         std::find(allowed.begin(), allowed.end(), name) == allowed.end())

@@ -186,6 +186,9 @@ TEST(Mistakes, NameTheMistakeOfAnExpectation) {
       {"expect.penetration={ below = 1, methods = [\"theory\"] }",
        "expect.penetration.methods names \"theory\", but the methods of this "
        "case that compute penetration are: halfspace, fem; nearest: fem"},
+      {"expect.pressure_difference={ below = 1, methods = [\"fem.hard\"] }",
+       "expect.pressure_difference.methods names methods, but none of this "
+       "case computes pressure_difference"},
       {"expect.kappa={ above = 2, if_undecided = \"passed\" }",
        "expect.kappa.if_undecided = \"passed\", but must be fail | pass; "
        "nearest: pass"},
