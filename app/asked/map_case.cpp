@@ -64,7 +64,8 @@ bool is_map_file(const std::string& word) {
 std::string map_case_text(const MapOfCase& map) {
   if (map.contact_modulus.empty())
     throw input::InputError(fmt::format(
-        "{} is no case file (.toml); to press it as a measured map, please add "
+        "{} is not a case file (.toml); to press it as a measured map, please "
+        "add "
         "--contact-modulus, for example --contact-modulus \"2 GPa\"",
         map.file));
   (void)positive_quantity("--contact-modulus", map.contact_modulus,

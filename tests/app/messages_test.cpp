@@ -184,8 +184,8 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
   write("small.toml", small_case);
   const Ended without = run("run map.asc");
   EXPECT_EQ(without.exit_code, 2);
-  EXPECT_TRUE(says(without, "map.asc is no case file (.toml); to press it as a "
-                            "measured map, please add --contact-modulus"))
+  EXPECT_TRUE(says(without, "map.asc is not a case file (.toml); to press it "
+                            "as a measured map, please add --contact-modulus"))
       << without.output;
   const Ended with_case = run("run small.toml --contact-modulus '2 GPa'");
   EXPECT_EQ(with_case.exit_code, 2);
@@ -196,6 +196,11 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
   EXPECT_TRUE(says(unit, "--contact-modulus = \"2 GPb\" has the unknown unit"))
       << unit.output;
   write("plain.asc", "1 2 3\n2 4 1\n5 2 2\n");
+  const Ended number = run("run map.asc --contact-modulus 2e9");
+  EXPECT_EQ(number.exit_code, 2);
+  EXPECT_TRUE(says(number, "--contact-modulus = \"2e9\" has no unit; write "
+                           "\"2e9 Pa\"\n"))
+      << number.output;
   EXPECT_EQ(run("new plain --map plain.asc --contact-modulus 2e9").exit_code,
             2);
   EXPECT_FALSE(std::filesystem::exists(folder / "plain"));
