@@ -62,6 +62,19 @@ Hdf5Group curve_group(const Hdf5File& file, const std::string& method,
   return file.open("methods").open(method).open(std::to_string(realization));
 }
 
+/// Copies the maps that a curve left in its file, if it has rows.
+void copy_maps_of(const Hdf5File& file, const std::string& method,
+                  int realization, const Curve& stored) {
+  if (stored.points.empty())
+    return;
+  Hdf5Group curve = curve_group(file, method, realization);
+  if (stored.own_surface) {
+    Hdf5Group surface = curve.open(layout::own_surface);
+    write_stored_heights(surface, *stored.own_surface);
+  }
+  write_stored_fields(curve, stored);
+}
+
 std::filesystem::path file_in(const std::filesystem::path& folder) {
   return folder / layout::file_name;
 }
@@ -294,6 +307,23 @@ void ResultWriter::record_table(const Table& table) {
 bool ResultWriter::has_table(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   return tables_.contains(name);
+}
+
+void ResultWriter::copy_stored_maps(std::span<const Result> parts) {
+  const std::lock_guard lock(mutex_);
+  fold_with({}, [&](Hdf5File& file) {
+    for (const Result& part : parts) {
+      for (std::size_t r = 0; r < part.surfaces.size(); ++r)
+        if (part.surfaces[r].stored_heights.read) {
+          Hdf5Group group = file.open("surfaces").open(std::to_string(r));
+          write_stored_heights(group, part.surfaces[r]);
+        }
+      for (const MethodRecord& method : part.methods)
+        for (std::size_t r = 0; r < method.realizations.size(); ++r)
+          copy_maps_of(file, method.name, static_cast<int>(r),
+                       method.realizations[r]);
+    }
+  });
 }
 
 void ResultWriter::record_skipped(std::span<const Skipped> skipped) {

@@ -134,6 +134,12 @@ public:
   /// called while another thread writes.
   double cpu_time() const { return cpu_time_; }
 
+  /// Writes the large maps that were left in the files of other results, piece
+  /// by piece: heights of surfaces that were recorded without them, and the
+  /// maps of steps. This costs one copy of the file.
+  /// @param parts  their realisations have been recorded
+  void copy_stored_maps(std::span<const Result> parts);
+
   /// Records what was not computed and replaces an earlier list.
   void record_skipped(std::span<const Skipped> skipped);
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 namespace asperity::app {
@@ -32,6 +33,13 @@ constexpr double claimed_error = 1e-3;
 struct Model {
   std::unique_ptr<contact::SurfaceOperator> elasticity;
   double local_compliance = 0.0; ///< [m/Pa]
+};
+
+/// Where a field is in a result.
+struct Place {
+  std::string method;
+  int realization = 0;
+  double rms_height = 0.0; ///< of its surface [m]
 };
 
 /// The contact law of a method whose answer is that of one surface operator.
@@ -74,7 +82,7 @@ private:
         curve.own_surface                       ? &*curve.own_surface
         : realization < result_.surfaces.size() ? &result_.surfaces[realization]
                                                 : nullptr;
-    if (surface == nullptr || surface->heights.size() != surface->grid.size() ||
+    if (surface == nullptr || !surface->has_heights() ||
         !(curve.fields.front().grid == surface->grid)) {
       as_submitted(method, "no heights are saved on the grid of its fields");
       return;
@@ -85,10 +93,12 @@ private:
     const std::optional<Model> model = model_of(method, on);
     if (!model)
       return;
+    const Place place{method.name, static_cast<int>(realization),
+                      surface->rms_height};
+    const std::vector<double> heights = surface->height_map().whole();
     for (const results::Fields& fields : curve.fields)
       try {
-        certify(method, curve, static_cast<int>(realization), fields, *surface,
-                *model);
+        certify(place, curve, fields, heights, *model);
       } catch (const std::domain_error& error) { // no contact, for example
         as_submitted(method,
                      fmt::format("step {}: {}", fields.step, error.what()));
@@ -142,20 +152,22 @@ private:
                      : 0.0};
   }
 
-  void certify(const results::MethodRecord& method, const results::Curve& curve,
-               int realization, const results::Fields& fields,
-               const results::SurfaceRecord& surface, const Model& model) {
+  /// Reads the pressure of one step and certifies it.
+  void certify(const Place& place, const results::Curve& curve,
+               const results::Fields& fields, std::span<const double> heights,
+               const Model& model) {
     const auto row = std::ranges::find(curve.points, fields.step,
                                        &results::CurvePoint::step);
     const bool has_row = row != curve.points.end();
+    const std::vector<double> pressure = fields.pressure_map().whole();
     CertifiedField field =
         certified(*model.elasticity,
-                  {surface.heights, model.local_compliance,
+                  {heights, model.local_compliance,
                    has_row ? row->nominal_pressure : fields.nominal_pressure,
-                   fields.pressure, has_row ? row->mean_gap : not_a_number},
-                  surface.rms_height, claimed_error);
-    field.method = method.name;
-    field.realization = realization;
+                   pressure, has_row ? row->mean_gap : not_a_number},
+                  place.rms_height, claimed_error);
+    field.method = place.method;
+    field.realization = place.realization;
     field.step = fields.step;
     field.contact_modulus = result_.contact_modulus;
     fields_.push_back(std::move(field));
@@ -174,7 +186,7 @@ ExitCode certify_results(const CertifyCommand& command) {
   results.reserve(command.results.size());
   for (const std::string& path : command.results) {
     results::require_readable(path);
-    results.push_back(results::read_result(path));
+    results.push_back(results::read_result(path, results::MapsInFile::large));
   }
   std::size_t name_width = 16;
   for (const Result& result : results)

@@ -23,7 +23,7 @@ ComparedSide read_side(const std::string& word) {
   side.path = word;
   if (is_result(word)) {
     results::require_readable(word);
-    side.result = results::read_result(word);
+    side.result = results::read_result(word, results::MapsInFile::large);
     side.inputs = results::inputs_of(*side.result);
     side.inputs.erase("program"); // belongs to the build
     if (!side.result->case_text.empty())

@@ -13,7 +13,7 @@ constexpr hsize_t column_chunk = 128; // rows
 constexpr unsigned deflate_level = 4;
 constexpr const char* wrong_size =
     "write a map whose size differs from that of its grid";
-constexpr hsize_t most_in_chunk = hsize_t{1} << 22; ///< values of a map
+constexpr hsize_t most_in_chunk = hsize_t{1} << 20; ///< values of a map
 
 hid_t file_type(Hdf5Number number) {
   switch (number) {
@@ -93,7 +93,9 @@ public:
       : dataset_(dataset),
         extents_(extents),
         rows_at_a_time_(rows_at_a_time),
-        place_(std::move(place)) {}
+        place_(std::move(place)) {
+    kept_.reserve(rows_at_a_time * extents[1]);
+  }
 
   void take(std::span<const double> values) {
     const std::size_t whole = rows_at_a_time_ * extents_[1];

@@ -106,8 +106,8 @@ bool is_object(hid_t group, const std::string& name, H5I_type_t type) {
 
 } // namespace
 
-std::mutex& hdf5_mutex() {
-  static std::mutex mutex;
+std::recursive_mutex& hdf5_mutex() {
+  static std::recursive_mutex mutex;
   return mutex;
 }
 

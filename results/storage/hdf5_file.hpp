@@ -24,8 +24,9 @@ struct Hdf5Error : std::runtime_error {
 };
 
 /// Returns a mutex that must be held while any object of the classes below
-/// exists, because the packaged library is not thread-safe.
-std::mutex& hdf5_mutex();
+/// exists, because the packaged library is not thread-safe. The thread that
+/// holds it may lock it again, to read one file while it writes another.
+std::recursive_mutex& hdf5_mutex();
 
 /// Returns the version of the linked library, e.g. "1.10.8".
 std::string hdf5_version();
@@ -111,7 +112,7 @@ public:
   void write_map(const std::string& name, std::span<const double> map,
                  Hdf5Shape shape, Hdf5Number number, const std::string& unit);
   /// The same from a map that is passed on by rows. Packed maps are
-  /// stored in chunks of whole rows, of at most 2^22 values; no more than these
+  /// stored in chunks of whole rows, of at most 2^20 values; no more than these
   /// are in memory besides what `rows` passes on.
   void write_map(const std::string& name, const MapRows& rows, Hdf5Shape shape,
                  Hdf5Number number, const std::string& unit);

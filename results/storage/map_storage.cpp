@@ -222,6 +222,22 @@ void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields) {
                  "m");
 }
 
+void write_stored_heights(Hdf5Group& group, const SurfaceRecord& surface) {
+  if (surface.stored_heights.read)
+    write_heights(group, surface.grid, rows_of_map(surface.stored_heights));
+}
+
+void write_stored_fields(Hdf5Group& curve, const Curve& stored) {
+  for (const Fields& fields : stored.fields)
+    if (fields.stored_pressure.read) {
+      Hdf5Group maps = curve.open_or_create("fields");
+      write_fields(maps, fields.grid,
+                   {fields.step, fields.nominal_pressure,
+                    rows_of_map(fields.stored_pressure),
+                    rows_of_map(fields.stored_gap)});
+    }
+}
+
 std::vector<Fields> read_fields(const Hdf5Group& group,
                                 const std::filesystem::path& path,
                                 MapsInFile left) {

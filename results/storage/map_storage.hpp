@@ -25,6 +25,10 @@ SurfaceRecord read_surface(const Hdf5Group& group,
 /// earlier attempt.
 void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
 void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields);
+/// Writes the maps that a result left in its file into groups that were written
+/// without them: heights of surfaces, and maps of the steps of a curve.
+void write_stored_heights(Hdf5Group& group, const SurfaceRecord& surface);
+void write_stored_fields(Hdf5Group& curve, const Curve& stored);
 /// Reads the maps of all steps, sorted by step. The lengths of a grid are 0 if
 /// the file does not contain them, and so are its numbers of points if the map
 /// is not two-dimensional.

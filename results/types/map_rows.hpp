@@ -3,6 +3,8 @@
 // This file defines maps that are passed on by rows, so that nobody holds a
 // whole one.
 
+#include "results/types/map_view.hpp"
+
 #include <functional>
 #include <span>
 
@@ -18,6 +20,12 @@ using MapRows = std::function<void(const TakeValues& take)>;
 /// The rows of a map in memory, which must outlive the result.
 inline MapRows rows_of_map(std::span<const double> map) {
   return [map](const TakeValues& take) { take(map); };
+}
+
+/// The same of a map that was left in a file.
+inline MapRows rows_of_map(const StoredMap& map) {
+  return
+      [view = MapView(map)](const TakeValues& take) { each_piece(view, take); };
 }
 
 /// The maps of one load step.

@@ -93,6 +93,45 @@ TEST_F(JoinedResult, HoldsEveryRealisation) {
   EXPECT_EQ(whole.skipped.size(), 1U);
 }
 
+// Maps that a reader leaves in the file of a part are copied from there.
+TEST_F(JoinedResult, HoldsTheLargeMapsOfEveryRealisation) {
+  constexpr Grid large{1200, 900, 1e-6, 1e-6};
+  ASSERT_GT(large.size(), large_map);
+  SurfaceRecord surface;
+  surface.grid = large;
+  Fields fields{3, 1e6, {}, {}, large};
+  for (std::size_t i = 0; i < large.size(); ++i) {
+    surface.heights.push_back(1e-9 * static_cast<double>(i % 1009));
+    fields.pressure.push_back(static_cast<double>(i % 97));
+    fields.gap.push_back(static_cast<double>(i % 89));
+  }
+  CurvePoint row;
+  row.step = 3;
+  for (const int realization : {0, 1}) {
+    ResultWriter writer(part(realization, {}), case_info,
+                        ResultWriter::Mode::resume);
+    writer.record_surface(realization, surface);
+    writer.record_own_surface("fem", realization, surface);
+    writer.append_step_with_fields("fem", realization, row, large, fields);
+    writer.finish("complete");
+  }
+
+  join_results({path("part-0"), path("part-1")}, path("whole"));
+
+  const Result whole = read_result(path("whole"));
+  for (const std::size_t r : {0, 1}) {
+    const Curve& curve = whole.methods.at(0).realizations.at(r);
+    EXPECT_TRUE(whole.surfaces.at(r).heights == surface.heights);
+    EXPECT_TRUE(curve.own_surface->heights == surface.heights);
+    ASSERT_EQ(curve.fields.size(), 2U);
+    EXPECT_EQ(curve.fields[0].pressure.size(), grid.size());
+    EXPECT_EQ(curve.fields[1].step, 3);
+    EXPECT_EQ(curve.fields[1].grid, large);
+    EXPECT_TRUE(curve.fields[1].pressure == fields.pressure);
+    EXPECT_TRUE(curve.fields[1].gap == fields.gap);
+  }
+}
+
 TEST_F(JoinedResult, JoinsTheFacts) {
   const Provenance one{{"started", "2026-01-02T00:00:00Z"},
                        {"finished", "2026-01-02T01:00:00Z"},

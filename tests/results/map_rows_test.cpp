@@ -37,7 +37,7 @@ MapRows in_pieces(const std::vector<double>& map, std::size_t size) {
   };
 }
 
-// The map is stored in two chunks of whole rows.
+// The map is stored in five chunks of whole rows.
 TEST_F(MapRowsTest, HaveTheBytesOfAWholeMap) {
   const Hdf5Shape shape{1500, 3000};
   const std::vector<double> map = uneven_map(shape);
