@@ -1,4 +1,5 @@
 #include "input/input_error.hpp"
+#include "input/mapped_file.hpp"
 #include "surfaces/formats/channel_choice.hpp"
 #include "surfaces/formats/gwy_objects.hpp"
 #include "surfaces/formats/length_units.hpp"
@@ -7,6 +8,12 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace asperity::surfaces {
 namespace {
@@ -18,62 +25,124 @@ double gwy_value(const GwyField& field, std::size_t index) {
   return value;
 }
 
+constexpr const char* gwy_reader = "own reader of .gwy";
+
 /// Points with a mask of at least 1/2 are missing: instruments' readers mark
 /// points without a height in this way and interpolate them.
-void apply_mask(Scan& scan, const GwyField& mask, const std::string& name) {
-  const Grid& grid = scan.map.grid;
+constexpr double least_masked = 0.5;
+
+void require_mask_of(const Grid& grid, const GwyField& mask,
+                     const std::string& name) {
   if (mask.points_x != grid.points_x || mask.points_y != grid.points_y)
     throw input::InputError(fmt::format(
         "{}: the mask has {} x {} points, but its channel has {} x {}", name,
         mask.points_x, mask.points_y, grid.points_x, grid.points_y));
-  for (std::size_t i = 0; i < grid.size(); ++i)
-    if (gwy_value(mask, i) >= 0.5)
-      scan.map.heights[i] = std::numeric_limits<double>::quiet_NaN();
+}
+
+Grid grid_of(const GwyField& field, const std::string& name) {
+  require_sound_grid(name, field.points_x, field.points_y, sizeof(double),
+                     field.values.size());
+  const double metres = *length_unit(field.unit_xy);
+  const Grid grid{field.points_x, field.points_y, metres * field.length_x,
+                  metres * field.length_y};
+  require_sound_lengths(name, grid);
+  return grid;
 }
 
 Scan scan_of_channel(const GwyChannel& channel, const std::string& name) {
   const GwyField& field = *channel.field;
-  require_sound_grid(name, field.points_x, field.points_y, sizeof(double),
-                     field.values.size());
-  const double metres = *length_unit(field.unit_xy);
   Scan scan;
-  scan.map.grid = {field.points_x, field.points_y, metres * field.length_x,
-                   metres * field.length_y};
-  require_sound_lengths(name, scan.map.grid);
+  scan.map.grid = grid_of(field, name);
   scan.map.heights.resize(scan.map.grid.size());
   const double unit = *length_unit(field.unit_z);
   for (std::size_t i = 0; i < scan.map.heights.size(); ++i)
     scan.map.heights[i] = unit * gwy_value(field, i);
-  if (channel.mask)
-    apply_mask(scan, *channel.mask, name);
+  if (channel.mask) {
+    require_mask_of(scan.map.grid, *channel.mask, name);
+    for (std::size_t i = 0; i < scan.map.heights.size(); ++i)
+      if (gwy_value(*channel.mask, i) >= least_masked)
+        scan.map.heights[i] = std::numeric_limits<double>::quiet_NaN();
+  }
   mark_missing(scan, name);
   scan.channel = channel.title;
-  scan.reader = "own reader of .gwy";
+  scan.reader = gwy_reader;
   return scan;
+}
+
+std::vector<ChannelCandidate>
+candidates_of(const std::map<int, GwyChannel>& channels) {
+  std::vector<ChannelCandidate> candidates;
+  for (const auto& [number, channel] : channels) {
+    const GwyField& field = *channel.field;
+    candidates.push_back(
+        {{channel.title, field.unit_z, field.points_x, field.points_y},
+         is_height_unit(field.unit_z) && is_height_unit(field.unit_xy)});
+  }
+  return candidates;
+}
+
+const GwyChannel& chosen_of(const std::map<int, GwyChannel>& channels,
+                            const ScanRequest& request,
+                            const std::string& name) {
+  refuse_scale(request.scale, name);
+  const std::size_t chosen =
+      chosen_channel(candidates_of(channels), request.channel, name);
+  return std::next(channels.begin(), static_cast<std::ptrdiff_t>(chosen))
+      ->second;
+}
+
+/// The numbers of a field in its file, whose bytes are mapped.
+StoredNumbers stored_in(const std::string& path, std::string_view bytes,
+                        const GwyField& field, double height_unit) {
+  return {path,
+          static_cast<std::uint64_t>(field.values.data() - bytes.data()),
+          sizeof(double),
+          static_cast<std::size_t>(field.points_x),
+          height_unit,
+          [](std::string_view of_rows, std::span<double> taken) {
+            std::memcpy(taken.data(), of_rows.data(), of_rows.size());
+          }};
 }
 
 } // namespace
 
 FileContent read_gwy_file(std::string_view bytes, const std::string& name,
                           const ScanRequest& request, Asked asked) {
-  const std::map<int, GwyChannel> found = read_gwy_channels(bytes, name);
-  std::vector<const GwyChannel*> channels;
-  std::vector<ChannelCandidate> candidates;
+  const std::map<int, GwyChannel> channels = read_gwy_channels(bytes, name);
   FileContent content;
-  for (const auto& [number, channel] : found) {
-    const GwyField& field = *channel.field;
-    channels.push_back(&channel);
-    candidates.push_back(
-        {{channel.title, field.unit_z, field.points_x, field.points_y},
-         is_height_unit(field.unit_z) && is_height_unit(field.unit_xy)});
-    content.channels.push_back(candidates.back().info);
-  }
-  if (asked == Asked::channels)
-    return content;
-  refuse_scale(request.scale, name);
-  content.scan = scan_of_channel(
-      *channels[chosen_channel(candidates, request.channel, name)], name);
+  for (ChannelCandidate& candidate : candidates_of(channels))
+    content.channels.push_back(std::move(candidate.info));
+  if (asked == Asked::scan)
+    content.scan = scan_of_channel(chosen_of(channels, request, name), name);
   return content;
+}
+
+std::optional<RowFile> gwy_row_file(const std::string& path,
+                                    const ScanRequest& request) {
+  const input::MappedFile mapped(path);
+  const std::map<int, GwyChannel> channels =
+      read_gwy_channels(mapped.bytes(), path);
+  const GwyChannel& channel = chosen_of(channels, request, path);
+  RowFile file{grid_of(*channel.field, path), channel.title, gwy_reader, {}};
+  const StoredNumbers heights = stored_in(path, mapped.bytes(), *channel.field,
+                                          *length_unit(channel.field->unit_z));
+  if (!channel.mask) {
+    file.rows = [heights](int first, int count) {
+      return stored_rows(heights, first, count);
+    };
+    return file;
+  }
+  require_mask_of(file.grid, *channel.mask, path);
+  file.rows = [heights, mask = stored_in(path, mapped.bytes(), *channel.mask,
+                                         1.0)](int first, int count) {
+    std::vector<double> rows = stored_rows(heights, first, count);
+    const std::vector<double> masked = stored_rows(mask, first, count);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (masked[i] >= least_masked)
+        rows[i] = std::numeric_limits<double>::quiet_NaN();
+    return rows;
+  };
+  return file;
 }
 
 } // namespace asperity::surfaces

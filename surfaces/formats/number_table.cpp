@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace asperity::surfaces {
 namespace {
@@ -148,10 +149,42 @@ void NumberTableReader::finish_row(std::size_t columns) {
                             "every row must have the same number",
                             columns, table_.columns, table_.lines.front()));
   table_.lines.push_back(line_number_);
+  ++n_rows_;
 }
 
 void refuse_line(const std::string& name, int line, const std::string& what) {
   throw input::InputError(fmt::format("{}:{}: {}", name, line, what));
+}
+
+void each_line(
+    const std::string& path, std::uint64_t begin,
+    const std::function<bool(std::string_view, std::uint64_t)>& take) {
+  constexpr std::size_t text_piece = std::size_t{1} << 20; // bytes at a time
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(begin));
+  if (!stream)
+    throw input::InputError(path + ": cannot be read");
+  std::string text; // from the byte `begin` on
+  std::string piece(text_piece, '\0');
+  for (bool is_last = false; !is_last;) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+    is_last = stream.eof();
+    if (!is_last && !stream)
+      throw input::InputError(path + ": cannot be read to its end");
+    std::size_t at = 0;
+    while (at < text.size()) {
+      const std::size_t end = text.find('\n', at);
+      if (end == std::string::npos && !is_last)
+        break;
+      const std::size_t length = std::min(end, text.size()) - at;
+      if (!take(std::string_view(text).substr(at, length), begin + at))
+        return;
+      at += std::min(length + 1, text.size() - at);
+    }
+    text.erase(0, at);
+    begin += at;
+  }
 }
 
 NumberTable read_number_text(std::string_view text, const std::string& name,

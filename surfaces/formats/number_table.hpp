@@ -5,6 +5,8 @@
 // invalid numbers.
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,12 +60,21 @@ public:
   /// @throws input::InputError  as read_number_text()
   void take(std::string_view line);
 
-  std::size_t rows() const { return table_.rows(); }
+  std::size_t rows() const { return n_rows_; }
 
   /// The numbers of the rows since the last call.
   std::vector<double> numbers_so_far() {
     return std::exchange(table_.numbers, {});
   }
+
+  /// Forgets the line numbers of all rows but the first.
+  void forget_lines() {
+    if (table_.lines.size() > 1)
+      table_.lines.erase(table_.lines.begin() + 1, table_.lines.end());
+  }
+
+  /// Number of the last line, from 1.
+  int line() const { return line_number_; }
 
   /// @throws input::InputError  the text contains no numbers
   NumberTable finish();
@@ -79,6 +90,7 @@ private:
   bool has_commas_ = false; ///< a decimal comma was found
   bool has_points_ = false; ///< a decimal point was found
   int line_number_ = 0;
+  std::size_t n_rows_ = 0;
 };
 
 /// Reads a whole text. Numbers are separated by blanks, tabs, commas or
@@ -102,6 +114,13 @@ NumberTable read_number_text(std::string_view text, const std::string& name,
 /// @throws input::InputError  as above, or the file is not a regular file or is
 ///                            larger than input::largest_number_file
 NumberTable read_number_file(const std::string& path);
+
+/// Calls take(line, its first byte) for the lines of a file from a byte on,
+/// until it returns false. A line and 1 MB of the file are in memory.
+/// @throws input::InputError  the file cannot be read
+void each_line(
+    const std::string& path, std::uint64_t begin,
+    const std::function<bool(std::string_view, std::uint64_t)>& take);
 
 /// Reports an error in a line of a file.
 /// @throws input::InputError  "name:line: what"

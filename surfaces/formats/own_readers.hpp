@@ -48,6 +48,11 @@ TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request);
 ChannelInfo text_channel(std::string_view bytes, const std::string& name);
 /// ISO 25178-71 with the header aISO-1.0, bISO-1.0, aBCR-1.0 or bBCR-1.0.
 Scan read_sdf_scan(std::string_view bytes, const std::string& name);
+/// The same file if it is binary, read by rows.
+/// @param beginning  of the file, at least its header
+std::optional<RowFile> sdf_row_file(const std::string& path,
+                                    std::string_view beginning,
+                                    const ScanRequest& request);
 /// ISO 5436-2: a zip archive with main.xml.
 Scan read_x3p_scan(std::string_view bytes, const std::string& name);
 /// NumPy's .npy; the scales are those of the case.
@@ -57,6 +62,9 @@ ChannelInfo npy_channel(std::string_view bytes, const std::string& name);
 /// Gwyddion's native format.
 FileContent read_gwy_file(std::string_view bytes, const std::string& name,
                           const ScanRequest& request, Asked asked);
+/// The same channel, read by rows.
+std::optional<RowFile> gwy_row_file(const std::string& path,
+                                    const ScanRequest& request);
 /// A dataset of an HDF5 file.
 FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
                            Asked asked);

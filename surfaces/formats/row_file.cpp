@@ -7,6 +7,8 @@
 #include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
+#include "surfaces/formats/text_header.hpp"
+#include "surfaces/formats/xyz_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,26 +42,6 @@ std::string bytes_at(const std::string& path, std::uintmax_t at,
   return bytes;
 }
 
-std::vector<double> npy_rows(const std::string& path, const NpyLayout& layout,
-                             double unit, int first, int count) {
-  const std::size_t row_bytes = layout.columns * layout.width;
-  const std::size_t at_a_time =
-      std::max<std::size_t>(1, piece_bytes / row_bytes);
-  const auto begin = static_cast<std::size_t>(first);
-  const auto n_rows = static_cast<std::size_t>(count);
-  std::vector<double> heights(n_rows * layout.columns);
-  for (std::size_t row = 0; row < n_rows; row += at_a_time) {
-    const std::size_t n = std::min(at_a_time, n_rows - row);
-    npy_numbers(
-        layout,
-        bytes_at(path, layout.begin + (begin + row) * row_bytes, n * row_bytes),
-        std::span(heights).subspan(row * layout.columns, n * layout.columns));
-  }
-  for (double& height : heights)
-    height *= unit;
-  return heights;
-}
-
 std::optional<RowFile> npy_row_file(const std::string& path,
                                     std::string_view beginning,
                                     const ScanRequest& request) {
@@ -79,15 +61,16 @@ std::optional<RowFile> npy_row_file(const std::string& path,
                              static_cast<int>(layout.rows), 0.0, 0.0},
                             path, "an .npy file", request.scale);
   file.reader = "own reader of .npy";
-  file.rows = [path, layout, unit = *request.scale.height_unit](int first,
-                                                                int count) {
-    return npy_rows(path, layout, unit, first, count);
+  file.rows = [numbers = StoredNumbers{
+                   path, layout.begin, layout.width, layout.columns,
+                   *request.scale.height_unit,
+                   [layout](std::string_view bytes, std::span<double> taken) {
+                     npy_numbers(layout, bytes, taken);
+                   }}](int first, int count) {
+    return stored_rows(numbers, first, count);
   };
   return file;
 }
-
-/// Bytes of a text that are in memory besides a line.
-constexpr std::size_t text_piece = std::size_t{1} << 20;
 
 /// Where the rows of a text are, and what else it says.
 struct TextIndex {
@@ -96,40 +79,22 @@ struct TextIndex {
   std::size_t missing = 0;           ///< points without a height
   double largest = 0.0;              ///< magnitude of the numbers
   bool has_zero_byte = false;        ///< it is no text then
+  /// If it may be a list x y z, of which nothing else is known then.
+  std::optional<ListOrder> list;
+  bool is_in_order = true; ///< the list, or what was read of it
 };
 
-/// Calls take(line, its first byte) -> bool for lines of a file until it
-/// returns false.
-template <class Take>
-void each_line(const std::string& path, std::uint64_t begin, const Take& take) {
-  std::ifstream stream(path, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(begin));
-  if (!stream)
-    throw input::InputError(path + ": cannot be read");
-  std::string text; // from the byte `begin` on
-  std::string piece(text_piece, '\0');
-  for (bool is_last = false; !is_last;) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-    is_last = stream.eof();
-    if (!is_last && !stream)
-      throw input::InputError(path + ": cannot be read to its end");
-    std::size_t at = 0;
-    while (at < text.size()) {
-      const std::size_t end = text.find('\n', at);
-      if (end == std::string::npos && !is_last)
-        break;
-      const std::size_t length = std::min(end, text.size()) - at;
-      if (!take(std::string_view(text).substr(at, length), begin + at))
-        return;
-      at += std::min(length + 1, text.size() - at);
-    }
-    text.erase(0, at);
-    begin += at;
+void take_heights(std::span<const double> numbers, TextIndex& index) {
+  for (const double number : numbers) {
+    if (std::isnan(number))
+      ++index.missing;
+    else
+      index.largest = std::max(index.largest, std::abs(number));
   }
 }
 
-TextIndex index_of_text(const std::string& path) {
+/// @param may_be_list  three columns are x y z
+TextIndex index_of_text(const std::string& path, bool may_be_list) {
   TextIndex index;
   NumberTableReader reader(path, NumberStyle::instrument);
   each_line(path, 0, [&](std::string_view line, std::uint64_t begin) {
@@ -138,26 +103,36 @@ TextIndex index_of_text(const std::string& path) {
       return false;
     const std::size_t before = reader.rows();
     reader.take(line);
-    if (reader.rows() > before)
+    if (reader.rows() == before)
+      return true;
+    std::vector<double> numbers = reader.numbers_so_far();
+    if (may_be_list && numbers.size() == list_columns) {
+      if (!index.list)
+        index.list.emplace();
+      index.is_in_order =
+          index.list->take(numbers[0], numbers[1], begin, reader.line());
+      reader.forget_lines(); // of each point
+      numbers.erase(numbers.begin(), numbers.begin() + 2);
+    } else {
       index.begins.push_back(begin);
-    for (const double number : reader.numbers_so_far()) {
-      if (std::isnan(number))
-        ++index.missing;
-      else
-        index.largest = std::max(index.largest, std::abs(number));
     }
-    return true;
+    take_heights(numbers, index);
+    return index.is_in_order;
   });
   if (!index.has_zero_byte)
     index.table = reader.finish();
+  index.is_in_order =
+      index.is_in_order && (!index.list || index.list->is_grid());
   return index;
 }
 
 /// The index of a file, found again only if the file has changed: several
 /// steps of a run ask for the rows of one map.
-std::shared_ptr<const TextIndex> known_index(const std::string& path) {
+std::shared_ptr<const TextIndex> known_index(const std::string& path,
+                                             bool may_be_list) {
   struct Known {
     std::string path;
+    bool may_be_list = false;
     std::uintmax_t bytes = 0;
     std::filesystem::file_time_type time;
     std::shared_ptr<const TextIndex> index;
@@ -168,10 +143,12 @@ std::shared_ptr<const TextIndex> known_index(const std::string& path) {
   const std::lock_guard lock(mutex);
   const std::uintmax_t bytes = std::filesystem::file_size(path);
   const auto time = std::filesystem::last_write_time(path);
-  if (known.index == nullptr || known.path != path || known.bytes != bytes ||
+  if (known.index == nullptr || known.path != path ||
+      known.may_be_list != may_be_list || known.bytes != bytes ||
       known.time != time)
-    known = {path, bytes, time,
-             std::make_shared<const TextIndex>(index_of_text(path))};
+    known = {
+        path, may_be_list, bytes, time,
+        std::make_shared<const TextIndex>(index_of_text(path, may_be_list))};
   return known.index;
 }
 
@@ -197,13 +174,65 @@ std::vector<double> text_rows(const std::string& path, const TextIndex& index,
   return heights;
 }
 
-/// Nothing if the text may be a list x y z. The whole text is read once for the
-/// places of its lines.
+/// The heights of some rows of a list, which are adjacent in the file.
+std::vector<double> list_rows(const std::string& path, const TextIndex& index,
+                              double unit, int first, int count) {
+  const ListOrder& list = *index.list;
+  const int first_in_file = list.is_reversed() ? first + count - 1 : first;
+  const auto [begin, line] = list.row(first_in_file);
+  const std::size_t width = list.columns();
+  const std::size_t size = width * static_cast<std::size_t>(count);
+  NumberTableReader reader(path, NumberStyle::instrument);
+  reader.continue_at(line - 1, list_columns);
+  std::vector<double> heights;
+  heights.reserve(size);
+  each_line(path, begin, [&](std::string_view text, std::uint64_t) {
+    reader.take(text);
+    const std::vector<double> numbers = reader.numbers_so_far();
+    reader.forget_lines();
+    if (!numbers.empty())
+      heights.push_back(unit * numbers.back());
+    return heights.size() < size;
+  });
+  if (heights.size() != size)
+    throw input::InputError(path +
+                            ": has fewer points than when the run began");
+  if (list.is_reversed()) { // last row first
+    std::ranges::reverse(heights);
+    for (auto row = heights.begin(); row != heights.end();
+         row += static_cast<std::ptrdiff_t>(width))
+      std::reverse(row, row + static_cast<std::ptrdiff_t>(width));
+  }
+  return heights;
+}
+
+std::optional<RowFile>
+list_row_file(const std::string& path, const ScanRequest& request,
+              const std::shared_ptr<const TextIndex>& index) {
+  if (!index->is_in_order || gwyddion_header(index->table).width.line != 0 ||
+      !request.channel.value_or("").empty())
+    return std::nullopt;
+  RowFile file{index->list->grid(path, request.scale), "", list_reader, {}};
+  const double unit = *request.scale.height_unit;
+  file.rows = [path, index, unit](int first, int count) {
+    return list_rows(path, *index, unit, first, count);
+  };
+  if (std::isfinite(index->largest * unit))
+    file.missing = index->missing;
+  return file;
+}
+
+/// Nothing if the text may be a list x y z that is not in the order of a grid.
+/// The whole text is read once for the places of its lines.
 std::optional<RowFile> text_row_file(const std::string& path,
                                      const ScanRequest& request) {
-  const std::shared_ptr<const TextIndex> index = known_index(path);
   const bool is_automatic = request.format == MapFormat::automatic;
-  if (index->has_zero_byte || (is_automatic && index->table.columns <= 3))
+  const std::shared_ptr<const TextIndex> index =
+      known_index(path, is_automatic || request.format == MapFormat::xyz);
+  if (!index->has_zero_byte && index->list)
+    return list_row_file(path, request, index);
+  if (index->has_zero_byte || request.format == MapFormat::xyz ||
+      (is_automatic && index->table.columns < list_columns))
     return std::nullopt;
   TextMatrix matrix = text_matrix(index->table, request);
   if (request.channel && *request.channel != matrix.channel)
@@ -221,6 +250,26 @@ std::optional<RowFile> text_row_file(const std::string& path,
 }
 
 } // namespace
+
+std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
+                                int count) {
+  const std::size_t row_bytes = numbers.columns * numbers.width;
+  const std::size_t at_a_time =
+      std::max<std::size_t>(1, piece_bytes / row_bytes);
+  const auto begin = static_cast<std::size_t>(first);
+  const auto n_rows = static_cast<std::size_t>(count);
+  std::vector<double> heights(n_rows * numbers.columns);
+  for (std::size_t row = 0; row < n_rows; row += at_a_time) {
+    const std::size_t n = std::min(at_a_time, n_rows - row);
+    numbers.convert(
+        bytes_at(numbers.path, numbers.begin + (begin + row) * row_bytes,
+                 n * row_bytes),
+        std::span(heights).subspan(row * numbers.columns, n * numbers.columns));
+  }
+  for (double& height : heights)
+    height *= numbers.height_unit;
+  return heights;
+}
 
 std::optional<RowFile> row_file(const std::string& path,
                                 const ScanRequest& request) {
@@ -240,8 +289,12 @@ std::optional<RowFile> row_file(const std::string& path,
     return npy_row_file(path, beginning, request);
   if (format == MapFormat::hdf5)
     return hdf5_row_file(path, request);
+  if (format == MapFormat::gwy)
+    return gwy_row_file(path, request);
+  if (format == MapFormat::sdf)
+    return sdf_row_file(path, beginning, request);
   if (format == MapFormat::automatic || format == MapFormat::plain ||
-      format == MapFormat::gwyddion)
+      format == MapFormat::gwyddion || format == MapFormat::xyz)
     return text_row_file(path, request);
   return std::nullopt;
 }

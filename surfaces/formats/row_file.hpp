@@ -5,9 +5,13 @@
 
 #include "surfaces/formats/scan.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -24,10 +28,28 @@ struct RowFile {
   std::optional<std::size_t> missing = {};
 };
 
+/// Numbers of a map that a file stores one after the other, row by row.
+struct StoredNumbers {
+  std::string path;
+  std::uint64_t begin = 0;  ///< first byte
+  std::size_t width = 8;    ///< of a number [bytes]
+  std::size_t columns = 0;  ///< numbers of a row
+  double height_unit = 1.0; ///< [m] per unit of the numbers
+  /// Converts numbers.size() * width bytes.
+  std::function<void(std::string_view bytes, std::span<double> numbers)>
+      convert;
+};
+
+/// Reads whole rows, by pieces of some MB [m].
+/// @throws input::InputError  the file has become shorter
+std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
+                                int count);
+
 /// Opens an .npy file whose numbers are stored row by row, a dataset of an HDF5
-/// file, or a matrix of numbers as text.
+/// file, a binary SDF file, a .gwy file, a matrix of numbers as text, or a list
+/// x y z as text whose points are a complete grid, row by row.
 /// @return  nothing if the file is of another kind, also if its numbers may be
-///          a list x y z or if read_scan() would refuse the channel
+///          another list or if read_scan() would refuse the channel
 /// @throws input::InputError  as read_scan(), if the header is malformed or a
 ///                            key of the case is missing or superfluous
 std::optional<RowFile> row_file(const std::string& path,

@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 
 namespace asperity::surfaces {
 namespace {
@@ -40,13 +42,16 @@ void check_header(const SdfHeader& header, const std::string& name) {
           "{}: Xscale or Yscale is {:.6g} m, but must be > 0", name, scale));
 }
 
+Grid grid_of(const SdfHeader& header) {
+  return {static_cast<int>(header.points), static_cast<int>(header.profiles),
+          header.scale_x * static_cast<double>(header.points),
+          header.scale_y * static_cast<double>(header.profiles)};
+}
+
 Scan scan_of_sdf(const SdfHeader& header, std::vector<double> numbers,
                  const std::string& name, const char* reader) {
   Scan scan;
-  scan.map.grid = {static_cast<int>(header.points),
-                   static_cast<int>(header.profiles),
-                   header.scale_x * static_cast<double>(header.points),
-                   header.scale_y * static_cast<double>(header.profiles)};
+  scan.map.grid = grid_of(header);
   scan.map.heights = std::move(numbers);
   multiply_heights(scan, header.scale_z);
   mark_missing(scan, name);
@@ -175,10 +180,9 @@ Scan read_sdf_text(std::string_view bytes, const std::string& name) {
                      "own reader of SDF (ASCII)");
 }
 
-/// Takes `count` numbers; the smallest signed integer marks a missing point.
+/// Takes numbers; the smallest signed integer marks a missing point.
 template <class Number>
-std::vector<double> take_numbers(ByteReader& bytes, std::size_t count) {
-  std::vector<double> numbers(count);
+void take_numbers(ByteReader& bytes, std::span<double> numbers) {
   for (double& number : numbers) {
     const Number taken = bytes.take<Number>();
     number = static_cast<double>(taken);
@@ -187,13 +191,12 @@ std::vector<double> take_numbers(ByteReader& bytes, std::size_t count) {
       if (taken == std::numeric_limits<Number>::min())
         number = std::numeric_limits<double>::quiet_NaN();
   }
-  return numbers;
 }
 
 /// The number types of the standard, by their code.
 struct SdfType {
   std::size_t bytes;
-  std::vector<double> (*take)(ByteReader&, std::size_t);
+  void (*take)(ByteReader&, std::span<double>);
 };
 
 SdfType type_of(int code, const std::string& name) {
@@ -209,10 +212,14 @@ SdfType type_of(int code, const std::string& name) {
   return types[code];
 }
 
-Scan read_sdf_binary(std::string_view content, const std::string& name) {
-  ByteReader bytes(content, name);
+constexpr const char* binary_reader = "own reader of SDF (binary)";
+
+/// Reads the header up to the first number.
+/// @param file_bytes  size of the file
+SdfType take_header(ByteReader& bytes, std::uintmax_t file_bytes,
+                    SdfHeader& header) {
+  const std::string& name = bytes.name();
   bytes.take_bytes(8 + 10 + 12 + 12); // version, maker, two dates
-  SdfHeader header;
   header.points = bytes.take<std::uint16_t>();
   header.profiles = bytes.take<std::uint16_t>();
   header.scale_x = bytes.take<double>();
@@ -225,10 +232,19 @@ Scan read_sdf_binary(std::string_view content, const std::string& name) {
   check_header(header, name);
   const SdfType type = type_of(header.data_type, name);
   require_sound_grid(name, header.points, header.profiles,
-                     static_cast<double>(type.bytes), bytes.remaining());
-  const auto count = static_cast<std::size_t>(header.points * header.profiles);
-  return scan_of_sdf(header, type.take(bytes, count), name,
-                     "own reader of SDF (binary)");
+                     static_cast<double>(type.bytes),
+                     file_bytes - bytes.offset());
+  return type;
+}
+
+Scan read_sdf_binary(std::string_view content, const std::string& name) {
+  ByteReader bytes(content, name);
+  SdfHeader header;
+  const SdfType type = take_header(bytes, content.size(), header);
+  std::vector<double> numbers(
+      static_cast<std::size_t>(header.points * header.profiles));
+  type.take(bytes, numbers);
+  return scan_of_sdf(header, std::move(numbers), name, binary_reader);
 }
 
 } // namespace
@@ -236,6 +252,29 @@ Scan read_sdf_binary(std::string_view content, const std::string& name) {
 Scan read_sdf_scan(std::string_view bytes, const std::string& name) {
   return bytes.starts_with('b') ? read_sdf_binary(bytes, name)
                                 : read_sdf_text(bytes, name);
+}
+
+std::optional<RowFile> sdf_row_file(const std::string& path,
+                                    std::string_view beginning,
+                                    const ScanRequest& request) {
+  if (!beginning.starts_with('b') || !request.channel.value_or("").empty())
+    return std::nullopt;
+  refuse_scale(request.scale, path);
+  ByteReader bytes(beginning, path);
+  SdfHeader header;
+  const SdfType type =
+      take_header(bytes, std::filesystem::file_size(path), header);
+  RowFile file{grid_of(header), "", binary_reader, {}};
+  file.rows = [numbers = StoredNumbers{
+                   path, bytes.offset(), type.bytes,
+                   static_cast<std::size_t>(header.points), header.scale_z,
+                   [type](std::string_view of_rows, std::span<double> taken) {
+                     ByteReader rows(of_rows, "");
+                     type.take(rows, taken);
+                   }}](int first, int count) {
+    return stored_rows(numbers, first, count);
+  };
+  return file;
 }
 
 } // namespace asperity::surfaces

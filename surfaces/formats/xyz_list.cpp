@@ -27,9 +27,17 @@ struct ListAxis {
   }
 };
 
+constexpr double regular = 0.02; ///< of the spacing: rounding of the file
+
+/// Whether a position is that of its point but for rounding.
+bool is_regular(const ListAxis& axis, double position) {
+  return std::abs(position - axis.first -
+                  std::round((position - axis.first) / axis.spacing) *
+                      axis.spacing) <= regular * axis.spacing;
+}
+
 /// Returns the axis of a column; empty if its positions are not equidistant.
 std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
-  constexpr double regular = 0.02; // of the spacing: rounding of the file
   std::vector<double> positions(table.rows());
   for (std::size_t row = 0; row < table.rows(); ++row)
     positions[row] = table.number(row, column);
@@ -51,10 +59,35 @@ std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
   const ListAxis axis{positions.front(),
                       extent / static_cast<double>(count - 1), count};
   for (const double position : positions)
-    if (std::abs(position - axis.first -
-                 std::round((position - axis.first) / axis.spacing) *
-                     axis.spacing) > regular * axis.spacing)
+    if (!is_regular(axis, position))
       return std::nullopt;
+  return axis;
+}
+
+/// The axis that axis_of() finds, from the positions of each point of a list in
+/// ascending order; empty if there is none, or if roundings are large.
+std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points) {
+  double largest_gap = 0.0, largest_rounding = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    largest_gap =
+        std::max(largest_gap, points[i].least - points[i - 1].largest);
+  for (const ListPositions& point : points)
+    largest_rounding = std::max(largest_rounding, point.largest - point.least);
+  const double extent = points.back().largest - points.front().least;
+  if (points.size() < 2 || !std::isfinite(extent) ||
+      !(largest_rounding <= 0.5 * largest_gap))
+    return std::nullopt;
+  const ListAxis axis{points.front().least,
+                      extent / static_cast<double>(points.size() - 1),
+                      points.size()};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool is_apart =
+        i == 0 || points[i].least - points[i - 1].largest > 0.5 * largest_gap;
+    for (const double position : {points[i].least, points[i].largest})
+      if (!is_apart || !is_regular(axis, position) ||
+          axis.index_of(position) != i)
+        return std::nullopt;
+  }
   return axis;
 }
 
@@ -77,6 +110,33 @@ std::optional<ListGrid> grid_of(const NumberTable& table) {
       x->points * y->points > 2 * table.rows())
     return std::nullopt;
   return ListGrid{*x, *y};
+}
+
+/// @throws input::InputError  as scan_of_list()
+Grid grid_of_axes(const ListAxis& x, const ListAxis& y, const std::string& name,
+                  const MapScale& scale) {
+  if (!scale.length_unit || !scale.height_unit)
+    throw input::InputError(fmt::format(
+        "surface.{} is missing: {} is a list x y z, which does not give the "
+        "unit of {}",
+        scale.length_unit ? "height_unit" : "length_unit", name,
+        scale.length_unit ? "z" : "x and y"));
+  refuse_scale({scale.length, {}, scale.length_y, {}}, name);
+  require_positive("length_unit", *scale.length_unit, "m");
+  require_positive("height_unit", *scale.height_unit, "m");
+  const Grid grid{
+      static_cast<int>(x.points), static_cast<int>(y.points),
+      static_cast<double>(x.points) * x.spacing * *scale.length_unit,
+      static_cast<double>(y.points) * y.spacing * *scale.length_unit};
+  require_sound_lengths(name, grid);
+  return grid;
+}
+
+/// The positions in ascending order.
+std::vector<ListPositions> ascending(std::vector<ListPositions> points) {
+  if (!points.empty() && points.back().least < points.front().least)
+    std::ranges::reverse(points);
+  return points;
 }
 
 } // namespace
@@ -125,22 +185,8 @@ Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
         "{}: the positions x and y of the list are not the points of a regular "
         "grid; interpolate the heights on one first",
         table.name));
-  if (!scale.length_unit || !scale.height_unit)
-    throw input::InputError(fmt::format(
-        "surface.{} is missing: {} is a list x y z, which does not give the "
-        "unit of {}",
-        scale.length_unit ? "height_unit" : "length_unit", table.name,
-        scale.length_unit ? "z" : "x and y"));
-  refuse_scale({scale.length, {}, scale.length_y, {}}, table.name);
-  require_positive("length_unit", *scale.length_unit, "m");
-  require_positive("height_unit", *scale.height_unit, "m");
-  const auto& [x, y] = *grid;
   Scan scan;
-  scan.map.grid = {
-      static_cast<int>(x.points), static_cast<int>(y.points),
-      static_cast<double>(x.points) * x.spacing * *scale.length_unit,
-      static_cast<double>(y.points) * y.spacing * *scale.length_unit};
-  require_sound_lengths(table.name, scan.map.grid);
+  scan.map.grid = grid_of_axes(grid->x, grid->y, table.name, scale);
   scan.map.heights.assign(scan.map.grid.size(),
                           std::numeric_limits<double>::quiet_NaN());
   std::vector<int> lines(scan.map.grid.size(), 0);
@@ -155,8 +201,44 @@ Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
     scan.map.heights[index] = table.number(row, 2) * *scale.height_unit;
   }
   mark_missing(scan, table.name);
-  scan.reader = "own reader of lists x y z";
+  scan.reader = list_reader;
   return scan;
+}
+
+bool ListOrder::take(double x, double y, std::uint64_t begin, int line) {
+  constexpr std::size_t most = 1 << 20;
+  if (!std::isfinite(x) || !std::isfinite(y))
+    return false;
+  const bool is_first_row = rows_.size() <= 1;
+  if (rows_.empty() ||
+      (is_first_row ? x < columns_.back().least : in_row_ == columns_.size())) {
+    rows_.push_back({y, y});
+    begins_.push_back({begin, line});
+    in_row_ = 0;
+  }
+  if (rows_.size() == 1)
+    columns_.push_back({x, x});
+  ListPositions& column = columns_[in_row_++];
+  ListPositions& row = rows_.back();
+  column = {std::min(column.least, x), std::max(column.largest, x)};
+  row = {std::min(row.least, y), std::max(row.largest, y)};
+  return columns_.size() <= most && rows_.size() <= most;
+}
+
+bool ListOrder::is_grid() const {
+  return columns_.size() > 1 && rows_.size() > 1 &&
+         in_row_ == columns_.size() && axis_of(columns_) &&
+         axis_of(ascending(rows_));
+}
+
+Grid ListOrder::grid(const std::string& name, const MapScale& scale) const {
+  return grid_of_axes(*axis_of(columns_), *axis_of(ascending(rows_)), name,
+                      scale);
+}
+
+const ListOrder::Row& ListOrder::row(int y) const {
+  const auto at = static_cast<std::size_t>(y);
+  return begins_[is_reversed() ? begins_.size() - 1 - at : at];
 }
 
 } // namespace asperity::surfaces

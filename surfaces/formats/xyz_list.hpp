@@ -6,6 +6,11 @@
 #include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/scan.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace asperity::surfaces {
 
 /// Whether a table may be a list: three columns and at least four rows.
@@ -29,5 +34,54 @@ void refuse_possible_list(const NumberTable& table);
 ///               needed, the others must be empty
 /// @throws input::InputError  with name:line, or the key of the case
 Scan scan_of_list(const NumberTable& table, const MapScale& scale);
+
+/// Columns of a list.
+inline constexpr std::size_t list_columns = 3;
+
+inline constexpr const char* list_reader = "own reader of lists x y z";
+
+/// Positions of the points of one column or row of a list, which differ by the
+/// rounding of the file.
+struct ListPositions {
+  double least = 0.0, largest = 0.0;
+};
+
+/// Examines the points of a list one after the other and keeps only the sides
+/// of its grid.
+class ListOrder {
+public:
+  /// Takes the next point.
+  /// @param begin  first byte of its line
+  /// @param line   its number, from 1
+  /// @return  whether the points so far are in the order of a grid: x grows
+  ///          within a row, and all rows have the same number of points
+  bool take(double x, double y, std::uint64_t begin, int line);
+
+  /// Whether the list is that of a complete grid, whose rows are in the order
+  /// of y or in the opposite order. The grid is then that of scan_of_list().
+  bool is_grid() const;
+
+  /// @throws input::InputError  as scan_of_list(), about the scales
+  Grid grid(const std::string& name, const MapScale& scale) const;
+
+  /// Where a row of the grid is in the file.
+  struct Row {
+    std::uint64_t begin = 0; ///< first byte of its first line
+    int line = 0;            ///< number of that line
+  };
+
+  const Row& row(int y) const;
+
+  /// Whether the file begins with the last row of the grid.
+  bool is_reversed() const { return rows_.back().least < rows_.front().least; }
+
+  /// Points of a row.
+  std::size_t columns() const { return columns_.size(); }
+
+private:
+  std::vector<ListPositions> columns_, rows_; ///< in the order of the file
+  std::vector<Row> begins_;                   ///< of the rows
+  std::size_t in_row_ = 0;                    ///< points of the last row so far
+};
 
 } // namespace asperity::surfaces

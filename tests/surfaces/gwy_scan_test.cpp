@@ -12,57 +12,12 @@
 #include <vector>
 
 #include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
 
 namespace asperity::surfaces {
 namespace {
 
-template <class Number>
-std::string gwy_number(Number number) {
-  std::string bytes(sizeof number, '\0');
-  std::memcpy(bytes.data(), &number, sizeof number);
-  return bytes;
-}
-
-std::string gwy_object(const std::string& type, const std::string& content) {
-  return type + '\0' + gwy_number(static_cast<std::uint32_t>(content.size())) +
-         content;
-}
-
-std::string gwy_part(const std::string& name, char type,
-                     const std::string& value) {
-  return name + '\0' + type + value;
-}
-
-std::string gwy_unit(const std::string& name, const std::string& unit) {
-  return gwy_part(
-      name, 'o',
-      gwy_object("GwySIUnit", gwy_part("unitstr", 's', unit + '\0')));
-}
-
-std::string gwy_field(const std::string& unit, std::vector<double> numbers) {
-  std::string data = gwy_number(static_cast<std::uint32_t>(numbers.size()));
-  for (const double number : numbers)
-    data += gwy_number(number);
-  return gwy_object("GwyDataField",
-                    gwy_part("xres", 'i', gwy_number(std::int32_t{3})) +
-                        gwy_part("yres", 'i', gwy_number(std::int32_t{2})) +
-                        gwy_part("xreal", 'd', gwy_number(3e-6)) +
-                        gwy_part("yreal", 'd', gwy_number(1e-6)) +
-                        gwy_unit("si_unit_xy", "m") +
-                        gwy_unit("si_unit_z", unit) +
-                        gwy_part("data", 'D', data));
-}
-
-std::string gwy_channel(const std::string& number, const std::string& title,
-                        const std::string& unit, double first) {
-  return gwy_part("/" + number + "/data", 'o',
-                  gwy_field(unit, {first, 2, 3, 4, 5, 6})) +
-         gwy_part("/" + number + "/data/title", 's', title + '\0');
-}
-
-std::string gwy_file(const std::string& content) {
-  return "GWYP" + gwy_object("GwyContainer", content);
-}
+using namespace tests_of_formats;
 
 Scan gwy_scan(const std::string& bytes,
               const std::optional<std::string>& channel = {}) {
@@ -139,11 +94,11 @@ TEST(GwyScan, SkipsWhatItDoesNotNeed) {
   const std::string others =
       gwy_part("/0/show", 'o', gwy_object("GwyBrick", "anything")) +
       gwy_part("flag", 'b', "\1") + gwy_part("letter", 'c', "x") +
-      gwy_part("long", 'q', gwy_number(std::int64_t{1})) +
+      gwy_part("long", 'q', little_endian(std::int64_t{1})) +
       gwy_part("texts", 'S',
-               gwy_number(std::uint32_t{2}) + "a" + '\0' + "b" + '\0') +
+               little_endian(std::uint32_t{2}) + "a" + '\0' + "b" + '\0') +
       gwy_part("objects", 'O',
-               gwy_number(std::uint32_t{1}) + gwy_object("GwyNull", ""));
+               little_endian(std::uint32_t{1}) + gwy_object("GwyNull", ""));
   EXPECT_EQ(
       gwy_scan(gwy_file(others + gwy_channel("0", "Z", "m", 7))).map.heights[0],
       7.0);

@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
 
 namespace asperity::surfaces {
 namespace {
+
+using namespace tests_of_formats;
 
 Scan sdf_scan(const std::string& bytes) {
   return read_scan_bytes(bytes, "map.sdf", {});
@@ -22,28 +25,6 @@ Scan sdf_scan(const std::string& bytes) {
 
 std::string sdf_refusal(const std::string& bytes) {
   return tests::message_of<input::InputError>([&] { sdf_scan(bytes); });
-}
-
-template <class Number>
-std::string little_endian(Number number) {
-  std::string bytes(sizeof number, '\0');
-  std::memcpy(bytes.data(), &number, sizeof number);
-  return bytes;
-}
-
-/// A binary file of 3 x 2 points, spacings 1 and 2 um.
-template <class Number>
-std::string binary_sdf(char type, const std::vector<Number>& numbers,
-                       double scale_z) {
-  std::string bytes = "bISO-1.0" + std::string("maker     ") + "010120200000" +
-                      "010120200000" + little_endian<std::uint16_t>(3) +
-                      little_endian<std::uint16_t>(2) + little_endian(1e-6) +
-                      little_endian(2e-6) + little_endian(scale_z) +
-                      little_endian(-1.0) + std::string(1, '\0') +
-                      std::string(1, type) + std::string(1, '\0');
-  for (const Number number : numbers)
-    bytes += little_endian(number);
-  return bytes;
 }
 
 const std::string text_header = "aISO-1.0\r\nManufacID = x\r\nNumPoints = 3\r\n"
