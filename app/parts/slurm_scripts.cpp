@@ -16,8 +16,9 @@ namespace fs = std::filesystem;
 
 constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
-/// Returns the lines that both kinds of tasks begin with. Slurm reads the lines
-/// of #SBATCH with blanks in quotes.
+/// Returns the lines that both kinds of tasks begin with. The log is a name in
+/// the folder that submit.sh submits from, because Slurm would replace a % in
+/// the path of a folder and has no way to write a quote.
 std::string head_of_script(const SlurmJob& job, const std::string& name,
                            const std::string& log) {
   std::string text = fmt::format("#!/bin/sh\n"
@@ -29,9 +30,7 @@ std::string head_of_script(const SlurmJob& job, const std::string& name,
   if (std::isfinite(job.memory))
     text += fmt::format("#SBATCH --mem={:.0f}M\n",
                         std::ceil(job.memory / bytes_per_mib));
-  return text + fmt::format("#SBATCH --output=\"{}/slurm/{}\" "
-                            "--open-mode=append\n",
-                            job.folder.string(), log);
+  return text + fmt::format("#SBATCH --output={} --open-mode=append\n", log);
 }
 
 std::string parts_script(const SlurmJob& job) {

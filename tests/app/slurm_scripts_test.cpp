@@ -98,6 +98,17 @@ TEST_F(SlurmScripts, SayWhatATaskNeeds) {
     EXPECT_TRUE(is_in_script("parts.sh", words)) << script("parts.sh");
 }
 
+// In the name of a log Slurm would read %j as the number of the job.
+TEST_F(SlurmScripts, NameLogsWithoutTheFolder) {
+  ASSERT_EQ(run(plan_it + "--out '50%j'").exit_code, 0);
+
+  const fs::path home = folder / "50%j/slurm";
+  EXPECT_NE(text_of(home / "parts.sh").find("--output=part-%a.log "),
+            std::string::npos);
+  EXPECT_NE(text_of(home / "merge.sh").find("--output=merge.log "),
+            std::string::npos);
+}
+
 TEST_F(SlurmScripts, AreNotOverwritten) {
   ASSERT_EQ(run(plan_it + "--time 10").exit_code, 0);
   const std::string before = script("parts.sh");
