@@ -142,10 +142,10 @@ void check_counter_body(const CounterBody& body) {
     require_between("mesh.counter.height", body.height, 0.25 * body.radius,
                     body.radius, "m");
   const double fine = is_sphere ? 0.4 * half_width(body) : body.radius;
-  require_between("mesh.counter.fine_radius", body.fine_radius,
-                  std::min(body.size_at_contact, fine), fine, "m");
   require_between("mesh.counter.size_at_contact", body.size_at_contact, 0.0,
-                  std::min(body.fine_radius, body.height), "m");
+                  std::min(fine, body.height), "m");
+  require_between("mesh.counter.fine_radius", body.fine_radius,
+                  body.size_at_contact, fine, "m");
   if (body.fine_radius < 0.5 * body.radius || is_sphere)
     require_between("mesh.counter.height", body.height, 2.0 * body.fine_radius,
                     1e300, "m");

@@ -234,6 +234,9 @@ TEST(CounterBody, RefusesWhatIsNoBody) {
   EXPECT_EQ(refusal(body).find("mesh.counter.fine_radius = 0.001, but must be"),
             0U);
   body = good;
+  body.size_at_contact = 0.5 * radius;
+  EXPECT_EQ(refusal(body).find("mesh.counter.size_at_contact = 0.001, but"), 0U)
+      << refusal(body);
   body.size_at_contact = 0.2 * radius;
   EXPECT_NE(refusal(body).find("mesh.counter."), std::string::npos);
   body = good;
