@@ -33,7 +33,7 @@ std::vector<Key> contact_keys() {
        .example = "\"100 E*/h\"",
        .description = "Penalty stiffness: contact pressure per penetration."},
       {.name = "tolerance",
-       .range = {0.0, 0.01, false, true},
+       .range = between(1e-15, 0.01),
        .fallback = "1e-8",
        .example = "1e-8",
        .description = "Complementarity error at which a step has converged, "

@@ -244,7 +244,7 @@ TEST_F(Parts, OfAnotherCaseAreRefused) {
   fs::copy_file(folder / "out/rough/parts/1-of-2/result.h5",
                 folder / "out/rough/parts/2-of-2/result.h5",
                 fs::copy_options::overwrite_existing);
-  expect_refusal(run("merge out/rough"), "with 0 of 4 load steps");
+  expect_refusal(run("merge out/rough"), "has 0 of 4 load steps");
   EXPECT_FALSE(fs::exists(folder / "out/rough/result.h5"));
   write("out/rough/parts/2-of-2/part.json", "{}");
   expect_refusal(run("merge out/rough"), "is not a part.json");

@@ -96,6 +96,8 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
        "surface.points = 2, but must be between 4 and 65536 [1]"},
       {"surface.hurst=nan",
        "surface.hurst = nan, but must be > 0 and <= 1 [1]"},
+      {"halfspace.tolerance=1e-30",
+       "halfspace.tolerance = 1e-30, but must be between 1e-15 and 0.01 [1]"},
       {"surface.length=0", "surface.length = 0, but must be > 0 [m]"},
       {"surface.length=\"3 h\"",
        "surface.length = \"3 h\" has the unit h of a length, but must have one "
