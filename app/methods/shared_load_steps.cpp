@@ -36,27 +36,6 @@ double or_infinite(const json& value) {
                          : value.get<double>();
 }
 
-json json_of_block(const mechanics::ElasticBlock& block) {
-  json layers = json::array();
-  for (const mechanics::BondedLayer& layer : block.layers)
-    layers.push_back(
-        {layer.thickness, layer.youngs_modulus, layer.poisson_ratio});
-  return {{"modulus", block.contact_modulus},
-          {"poisson", block.poisson_ratio},
-          {"thickness", finite_or_null(block.thickness)},
-          {"far", static_cast<int>(block.far_boundary)},
-          {"layers", layers}};
-}
-
-mechanics::ElasticBlock block_in(const json& text) {
-  mechanics::ElasticBlock block{
-      text.at("modulus"), text.at("poisson"), or_infinite(text.at("thickness")),
-      static_cast<mechanics::FarBoundary>(text.at("far").get<int>())};
-  for (const json& layer : text.at("layers"))
-    block.layers.push_back({layer.at(0), layer.at(1), layer.at(2)});
-  return block;
-}
-
 /// The operator of the block of a "build" command on the rows of this rank.
 std::unique_ptr<contact::SurfaceOperator>
 elasticity_in(const json& command, const Grid& grid, int threads) {
@@ -318,6 +297,27 @@ private:
 };
 
 } // namespace
+
+json json_of_block(const mechanics::ElasticBlock& block) {
+  json layers = json::array();
+  for (const mechanics::BondedLayer& layer : block.layers)
+    layers.push_back(
+        {layer.thickness, layer.youngs_modulus, layer.poisson_ratio});
+  return {{"modulus", block.contact_modulus},
+          {"poisson", block.poisson_ratio},
+          {"thickness", finite_or_null(block.thickness)},
+          {"far", static_cast<int>(block.far_boundary)},
+          {"layers", layers}};
+}
+
+mechanics::ElasticBlock block_in(const json& text) {
+  mechanics::ElasticBlock block{
+      text.at("modulus"), text.at("poisson"), or_infinite(text.at("thickness")),
+      static_cast<mechanics::FarBoundary>(text.at("far").get<int>())};
+  for (const json& layer : text.at("layers"))
+    block.layers.push_back({layer.at(0), layer.at(1), layer.at(2)});
+  return block;
+}
 
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks) {

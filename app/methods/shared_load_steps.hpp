@@ -7,6 +7,8 @@
 #include "cases/types/case.hpp"
 #include "mechanics/elastic_block.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <memory>
 #include <string>
 #include <variant>
@@ -26,6 +28,10 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
 /// The elastic block whose rows are shared: a continuum, or the text of a
 /// request of a condensed block (fem::FemModule::text_of).
 using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;
+
+/// The way of a continuum to the other ranks, as a part of a command.
+nlohmann::json json_of_block(const mechanics::ElasticBlock& block);
+mechanics::ElasticBlock block_in(const nlohmann::json& text);
 
 /// Solves the load steps on all ranks, with the bits of one process. To be
 /// called on rank 0; the fields of the solver are divided among the ranks. One

@@ -68,23 +68,19 @@ results::Table section_table(const std::string& method, double pressure,
 
 /// Von Mises stress under a map [Pa], one row per depth, x fastest.
 std::vector<double> strength_at(const SectionPlaces& places,
-                                const mechanics::ElasticBlock& block,
+                                const StressUnderMaps& stress,
                                 const results::Fields& map,
-                                const contact::StressPeak& peak, int threads) {
+                                const contact::StressPeak& peak) {
   const Grid& grid = map.grid;
-  const std::vector<double> held = map.pressure_map().whole();
-  const contact::StressInside inside(grid, block, held, threads);
   const int peak_x = static_cast<int>(peak.node) % grid.points_x;
   const int peak_y = static_cast<int>(peak.node) / grid.points_x;
   std::vector<double> strength;
-  for (const double depth : places.depth) {
-    const std::vector<double> plane =
-        contact::von_mises(inside.at_depth(depth));
+  for (const std::vector<double>& row :
+       stress.von_mises_rows(map, places.depth, peak_y))
     for (const int offset : places.offsets) {
       const int ix = (peak_x + offset + grid.points_x) % grid.points_x;
-      strength.push_back(plane[grid.index(ix, peak_y)]);
+      strength.push_back(row[static_cast<std::size_t>(ix)]);
     }
-  }
   return strength;
 }
 
@@ -98,6 +94,27 @@ std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
 
 } // namespace
 
+StressPoint point_of(const contact::StressInside& inside) {
+  const contact::StressPeak peak = inside.strongest();
+  return {peak, inside.shear_at(peak)};
+}
+
+StressPoint StressUnderMaps::strongest(const results::Fields& map) const {
+  return point_of(contact::StressInside(map.grid, block_,
+                                        map.pressure_map().whole(), threads_));
+}
+
+std::vector<std::vector<double>>
+StressUnderMaps::von_mises_rows(const results::Fields& map,
+                                std::span<const double> depths, int row) const {
+  const contact::StressInside inside(map.grid, block_,
+                                     map.pressure_map().whole(), threads_);
+  std::vector<std::vector<double>> rows;
+  for (const double depth : depths)
+    rows.push_back(inside.von_mises_row(depth, row));
+  return rows;
+}
+
 SectionPlaces section_places(const Grid& grid,
                              const mechanics::ElasticBlock& block,
                              double peak_depth) {
@@ -110,22 +127,23 @@ SectionPlaces section_places(const Grid& grid,
 }
 
 results::Table stress_section(const std::string& method,
-                              const mechanics::ElasticBlock& block,
+                              const StressUnderMaps& stress,
                               const results::Fields& map,
-                              const contact::StressPeak& peak, int threads) {
-  const SectionPlaces places = section_places(map.grid, block, peak.depth);
+                              const contact::StressPeak& peak) {
+  const SectionPlaces places =
+      section_places(map.grid, stress.block(), peak.depth);
   return section_table(method, map.nominal_pressure, "from its pressure",
                        places.depth,
                        in_metres(places.offsets, map.grid.spacing_x()),
-                       strength_at(places, block, map, peak, threads));
+                       strength_at(places, stress, map, peak));
 }
 
 results::Table stress_sections(const std::string& method,
-                               const mechanics::ElasticBlock& block,
+                               const StressUnderMaps& stress,
                                std::span<const results::Fields> maps,
-                               const contact::StressPeak& peak, int threads) {
+                               const contact::StressPeak& peak) {
   const Grid& grid = maps.front().grid;
-  const SectionPlaces places = section_places(grid, block, peak.depth);
+  const SectionPlaces places = section_places(grid, stress.block(), peak.depth);
   results::Column pressure{"nominal_pressure", "Pa", {}};
   results::Column depth{"depth", "m", {}};
   results::Column x{"x", "m", {}};
@@ -134,8 +152,7 @@ results::Table stress_sections(const std::string& method,
   for (std::size_t k = 0; k < n_used; ++k) {
     const results::Fields& map =
         maps[n_used == 1 ? 0 : k * (maps.size() - 1) / (n_used - 1)];
-    const std::vector<double> of_map =
-        strength_at(places, block, map, peak, threads);
+    const std::vector<double> of_map = strength_at(places, stress, map, peak);
     strength.values.insert(strength.values.end(), of_map.begin(), of_map.end());
     for (const double at : places.depth)
       for (const int offset : places.offsets) {

@@ -10,9 +10,49 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::app {
+
+/// The largest von Mises stress under a map, and the largest shear stress at
+/// its place [Pa].
+struct StressPoint {
+  contact::StressPeak peak;
+  double largest_shear = 0.0;
+};
+
+StressPoint point_of(const contact::StressInside& inside);
+
+/// Finds the stress inside a block under pressure maps in this process. A
+/// derived class may let several processes find the same.
+class StressUnderMaps {
+public:
+  /// @param block    of the maps, as in contact::StressInside
+  /// @param threads  >= 1
+  explicit StressUnderMaps(mechanics::ElasticBlock block, int threads = 1)
+      : block_(std::move(block)), threads_(threads) {}
+
+  virtual ~StressUnderMaps() = default;
+  StressUnderMaps(const StressUnderMaps&) = delete;
+  StressUnderMaps& operator=(const StressUnderMaps&) = delete;
+
+  const mechanics::ElasticBlock& block() const { return block_; }
+
+  int threads() const { return threads_; }
+
+  virtual StressPoint strongest(const results::Fields& map) const;
+
+  /// Von Mises stress [Pa] in one row of nodes at each depth.
+  /// @param depths  [m], 0..thickness of the block
+  virtual std::vector<std::vector<double>>
+  von_mises_rows(const results::Fields& map, std::span<const double> depths,
+                 int row) const;
+
+private:
+  mechanics::ElasticBlock block_;
+  int threads_;
+};
 
 /// The sample points of a section. It extends from the contact surface to four
 /// times the depth of the strongest point, or to one and a half times the layer
@@ -37,9 +77,9 @@ SectionPlaces section_places(const Grid& grid,
 /// @param map   saved fields with the pressure
 /// @param peak  strongest point of the block under this pressure
 results::Table stress_section(const std::string& method,
-                              const mechanics::ElasticBlock& block,
+                              const StressUnderMaps& stress,
                               const results::Fields& map,
-                              const contact::StressPeak& peak, int threads);
+                              const contact::StressPeak& peak);
 
 /// Computes the stress in the plane of stress_section() of the map with the
 /// highest load under each of several maps on one grid, for the same places.
@@ -51,9 +91,9 @@ results::Table stress_section(const std::string& method,
 /// @return      table "stress-sections-<method>"; the rows of a map follow each
 ///              other
 results::Table stress_sections(const std::string& method,
-                               const mechanics::ElasticBlock& block,
+                               const StressUnderMaps& stress,
                                std::span<const results::Fields> maps,
-                               const contact::StressPeak& peak, int threads);
+                               const contact::StressPeak& peak);
 
 /// Identifies the section of a full block.
 struct OwnSection {

@@ -154,6 +154,20 @@ double memory_of_stresses(const cases::Case& contact_case, double nodes) {
   return (sizeof(double) * (2.0 + 6.0 * 2.0 + 1.0) + 16.0 * layers) * nodes;
 }
 
+/// The part of the memory of all ranks that those on this machine have, if the
+/// ranks share the rows of every block whose stress is computed.
+double part_of_ranks(const std::vector<MethodSpec>& methods, const Grid& grid,
+                     const RunOptions& options) {
+  const bool is_shared =
+      std::ranges::all_of(methods, [&](const MethodSpec& method) {
+        return !method.is_continuum() ||
+               is_shared_by_ranks(method, grid, options.ranks);
+      });
+  return is_shared ? static_cast<double>(options.ranks_on_machine) /
+                         static_cast<double>(options.ranks)
+                   : 1.0;
+}
+
 /// Memory of a result that is read after the jobs, when the fields of the
 /// solvers are free [B]. Maps below results::large_map are read as a whole, in
 /// double precision: heights, and those of the saved steps of realisation 0.
@@ -164,8 +178,10 @@ double memory_of_result(const cases::Case& contact_case,
   if (!needs_surfaces(methods) || (!options.has_report && !has_stresses))
     return 0.0;
   const auto nodes = static_cast<double>(grid.size());
-  const double stresses =
-      has_stresses ? memory_of_stresses(contact_case, nodes) : 0.0;
+  const double stresses = has_stresses
+                              ? memory_of_stresses(contact_case, nodes) *
+                                    part_of_ranks(methods, grid, options)
+                              : 0.0;
   if (grid.size() >= results::large_map)
     return std::max(stresses, memory_of_pieces(nodes));
   const auto n_methods = static_cast<double>(

@@ -3,6 +3,7 @@
 #include "app/methods/shared_load_steps.hpp"
 #include "app/methods/shared_surface.hpp"
 #include "app/run/child_run.hpp"
+#include "app/run/shared_stress.hpp"
 #include "base/peak_memory.hpp"
 #include "fem/plugin.hpp"
 
@@ -47,6 +48,10 @@ void run_own_share(const std::string& text, int rank) {
   }
   if (is_for_shared_surface(text)) {
     follow_shared_surface(text);
+    return;
+  }
+  if (is_for_shared_stress(text)) {
+    follow_shared_stress(text);
     return;
   }
   const nlohmann::json run = nlohmann::json::parse(text);

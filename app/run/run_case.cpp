@@ -258,7 +258,8 @@ RunOutcome Run::execute() {
   if (!was_interrupted && !surfaces_.whole().empty() && has_realization(0)) {
     const Progress::Activity stress(progress_, "subsurface stress");
     record_stress_inside(case_, methods_, surfaces_.whole().front().scales,
-                         pool_.threads(), writer_, tally_);
+                         {pool_.threads(), n_mpi_ranks(), threads_a_rank()},
+                         writer_, tally_);
   }
   if (tally_.uses_fem)
     writer_.record_provenance(provenance_of_fem());

@@ -2,17 +2,18 @@
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
-#include "app/methods/stress_section.hpp"
+#include "app/methods/shared_load_steps.hpp"
+#include "app/run/shared_stress.hpp"
 #include "results/result_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace asperity::app {
 namespace {
 
-using contact::StressInside;
 using contact::StressPeak;
 using results::CurvePoint;
 
@@ -57,12 +58,23 @@ bool have_one_grid(std::span<const results::Fields> maps) {
       maps, [&](const auto& map) { return map.grid == maps.front().grid; });
 }
 
+/// All ranks if they have shared the rows of these maps, or this process.
+std::unique_ptr<StressUnderMaps>
+stress_of(const cases::MethodSpec& method, const mechanics::ElasticBlock& block,
+          std::span<const results::Fields> maps, const StressWorkers& workers) {
+  const bool is_shared = std::ranges::all_of(maps, [&](const auto& map) {
+    return is_shared_by_ranks(method, map.grid, workers.n_ranks);
+  });
+  if (is_shared)
+    return std::make_unique<SharedStress>(block, workers.threads_a_rank);
+  return std::make_unique<StressUnderMaps>(block, workers.threads);
+}
+
 } // namespace
 
 results::Table stress_table(const std::string& method,
-                            const mechanics::ElasticBlock& block,
-                            std::span<const results::Fields> maps,
-                            int threads) {
+                            const StressUnderMaps& stress,
+                            std::span<const results::Fields> maps) {
   results::Column pressure{"nominal_pressure", "Pa", {}};
   results::Column strongest{"von_mises", "Pa", {}};
   results::Column shear{"largest_shear", "Pa", {}};
@@ -70,14 +82,11 @@ results::Table stress_table(const std::string& method,
   results::Column x{"x", "m", {}};
   results::Column y{"y", "m", {}};
   for (const results::Fields& map : maps) {
-    const std::vector<double> held = map.pressure_map().whole();
-    const StressInside inside(map.grid, block, held, threads);
-    const StressPeak peak = inside.strongest();
+    const auto [peak, largest_shear] = stress.strongest(map);
     const std::size_t columns = static_cast<std::size_t>(map.grid.points_x);
     pressure.values.push_back(map.nominal_pressure);
     strongest.values.push_back(peak.von_mises);
-    shear.values.push_back(contact::largest_shear(
-        inside.at_depth(peak.depth, peak.side))[peak.node]);
+    shear.values.push_back(largest_shear);
     depth.values.push_back(peak.depth);
     const std::size_t column = peak.node % columns;
     const std::size_t row = peak.node / columns;
@@ -111,7 +120,8 @@ results::Table own_stress_table(const results::Table& of_pressure,
 
 void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
-                          const mechanics::Scales& scales, int threads,
+                          const mechanics::Scales& scales,
+                          const StressWorkers& workers,
                           results::ResultWriter& writer, Tally& tally) {
   if (!contact_case.report.stress_inside)
     return;
@@ -131,8 +141,10 @@ void record_stress_inside(const cases::Case& contact_case,
       continue;
     const mechanics::ElasticBlock block =
         continuum_of(*method, contact_case.material, scales);
+    const std::unique_ptr<StressUnderMaps> stress =
+        stress_of(*method, block, maps, workers);
     const auto table = tally.attempt("subsurface stress, " + method->name, [&] {
-      return stress_table(method->name, block, maps, threads);
+      return stress_table(method->name, *stress, maps);
     });
     if (!table)
       continue;
@@ -146,8 +158,7 @@ void record_stress_inside(const cases::Case& contact_case,
       continue;
     const Heaviest heaviest = heaviest_of(maps, *table);
     const auto section = tally.attempt("stress section, " + method->name, [&] {
-      return stress_section(method->name, block, heaviest.map, heaviest.peak,
-                            threads);
+      return stress_section(method->name, *stress, heaviest.map, heaviest.peak);
     });
     if (section)
       writer.record_table(*section);
@@ -155,8 +166,7 @@ void record_stress_inside(const cases::Case& contact_case,
       continue;
     const auto sections =
         tally.attempt("stress sections, " + method->name, [&] {
-          return stress_sections(method->name, block, maps, heaviest.peak,
-                                 threads);
+          return stress_sections(method->name, *stress, maps, heaviest.peak);
         });
     if (sections)
       writer.record_table(*sections);

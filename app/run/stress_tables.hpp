@@ -3,6 +3,7 @@
 // Tables of the subsurface stress in the blocks of a case: the strongest point
 // under each saved pressure map, and the section for the highest load.
 
+#include "app/methods/stress_section.hpp"
 #include "app/run/method_job.hpp"
 #include "cases/types/case.hpp"
 #include "contact/operators/stress_inside.hpp"
@@ -12,11 +13,18 @@
 
 namespace asperity::app {
 
+/// Who computes the stress.
+struct StressWorkers {
+  int threads = 1;        ///< of this process, if it is alone
+  int n_ranks = 1;        ///< share the rows of large maps
+  int threads_a_rank = 1; ///< of each rank then
+};
+
 /// Returns a table with one row per map: load, largest von Mises stress,
 /// largest shear stress at that point, and the position of the point.
 results::Table stress_table(const std::string& method,
-                            const mechanics::ElasticBlock& block,
-                            std::span<const results::Fields> maps, int threads);
+                            const StressUnderMaps& stress,
+                            std::span<const results::Fields> maps);
 
 /// Returns the same table for the finite-element stress of a full block, taken
 /// from the rows of its curve, together with the values that follow from its
@@ -38,7 +46,8 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// cannot be computed is recorded in `tally` and does not end the run.
 void record_stress_inside(const cases::Case& contact_case,
                           std::span<const cases::MethodSpec> methods,
-                          const mechanics::Scales& scales, int threads,
+                          const mechanics::Scales& scales,
+                          const StressWorkers& workers,
                           results::ResultWriter& writer, Tally& tally);
 
 } // namespace asperity::app

@@ -1,5 +1,6 @@
 #include "contact/operators/stress_inside.hpp"
 
+#include "base/parallel_rows.hpp"
 #include "base/require.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -8,6 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::contact {
 namespace {
@@ -50,6 +55,29 @@ Eigen::Matrix3d tensor_at(const StressPlane& plane, std::size_t i) {
   return stress;
 }
 
+/// Half the difference of the largest and the smallest principal stress [Pa].
+double shear_in(const Eigen::Matrix3d& stress) {
+  const Eigen::Vector3d principal =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(stress,
+                                                     Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  return 0.5 * (principal(2) - principal(0));
+}
+
+/// The stress of a mode of unit pressure, in the order of StressPlane, without
+/// the factor i of yz and zx.
+using Components = std::array<double, 6>;
+
+Components components_of(const LayerStack::Stress& wave, const Direction& n) {
+  const double sign = n.has_sign ? 1.0 : 0.0;
+  return {n.x * n.x * wave.qq + n.y * n.y * wave.tt,
+          n.y * n.y * wave.qq + n.x * n.x * wave.tt,
+          wave.zz,
+          sign * n.x * n.y * (wave.qq - wave.tt),
+          sign * n.y * wave.zq,
+          sign * n.x * wave.zq};
+}
+
 } // namespace
 
 std::vector<double> von_mises(const StressPlane& plane) {
@@ -67,39 +95,56 @@ std::vector<double> von_mises(const StressPlane& plane) {
 
 std::vector<double> largest_shear(const StressPlane& plane) {
   std::vector<double> result(plane.zz.size());
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    const Eigen::Vector3d principal =
-        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor_at(plane, i),
-                                                       Eigen::EigenvaluesOnly)
-            .eigenvalues();
-    result[i] = 0.5 * (principal(2) - principal(0));
-  }
+  for (std::size_t i = 0; i < result.size(); ++i)
+    result[i] = shear_in(tensor_at(plane, i));
   return result;
 }
 
 StressInside::StressInside(const Grid& grid,
                            const mechanics::ElasticBlock& block,
                            std::span<const double> pressure, int threads)
-    : grid_(grid),
+    : StressInside(rows_of_one(grid), block, pressure, threads) {}
+
+StressInside::StressInside(SharedRows rows,
+                           const mechanics::ElasticBlock& block,
+                           std::span<const double> pressure, int threads)
+    : rows_(std::make_unique<const SharedRows>(std::move(rows))),
       stack_(block),
-      fourier_(grid, threads),
-      spectrum_(grid.half_spectrum_size()) {
-  if (pressure.size() != grid.size())
+      fourier_(std::make_unique<SharedConvolution<double>>(*rows_, threads)) {
+  if (pressure.size() != rows_->size())
     refuse_argument("pressure.size()", static_cast<double>(pressure.size()),
                     "the number of grid nodes");
-  fourier_.forward(pressure, spectrum_);
-  for (Complex& mode : spectrum_)
-    mode /= static_cast<double>(grid.size());
+  const Grid& grid = rows_->grid();
+  const auto height = static_cast<std::size_t>(grid.points_y);
+  spectrum_.resize(fourier_->columns().count * height);
+  const std::size_t first = fourier_->columns().first;
+  fourier_->analyse(pressure, [&](int jx, std::span<const Complex> column) {
+    const std::size_t at = (static_cast<std::size_t>(jx) - first) * height;
+    for (std::size_t jy = 0; jy < height; ++jy)
+      spectrum_[at + jy] = column[jy] / static_cast<double>(grid.size());
+  });
   const std::size_t n_layers = stack_.size();
   if (n_layers == 1 && std::isinf(block.thickness))
     return;
   waves_.resize(spectrum_.size() * n_layers);
-  const int columns = grid.points_x / 2 + 1;
-  for (std::size_t mode = 1; mode < spectrum_.size(); ++mode)
-    stack_.find_waves(direction_of(grid, static_cast<int>(mode) % columns,
-                                   static_cast<int>(mode) / columns)
-                          .length,
+  each_mode([&](int jx, int jy, std::size_t mode) {
+    stack_.find_waves(direction_of(grid, jx, jy).length,
                       std::span(waves_).subspan(mode * n_layers, n_layers));
+  });
+}
+
+template <class Take>
+void StressInside::each_mode(const Take& take) const {
+  const auto [first, count] = fourier_->columns();
+  const int first_column = static_cast<int>(first);
+  const int height = rows_->grid().points_y;
+  parallel_rows(static_cast<int>(count), fourier_->threads(), [&](int column) {
+    const int jx = first_column + column;
+    for (int jy = jx == 0 ? 1 : 0; jy < height; ++jy)
+      take(jx, jy,
+           static_cast<std::size_t>(column) * static_cast<std::size_t>(height) +
+               static_cast<std::size_t>(jy));
+  });
 }
 
 std::span<const LayerStack::Wave>
@@ -110,37 +155,38 @@ StressInside::waves_of(std::size_t mode) const {
 }
 
 StressPlane StressInside::stress_in(const Plane& place) const {
-  std::array<std::vector<Complex>, 6> waves;
-  for (std::vector<Complex>& component : waves)
-    component.resize(spectrum_.size());
-  auto& [xx, yy, zz, xy, yz, zx] = waves;
-  zz[0] = -spectrum_[0];
-  xx[0] = yy[0] = -stack_.layer(place.layer).lateral_ratio * spectrum_[0];
-  const int columns = grid_.points_x / 2 + 1;
-  for (std::size_t mode = 1; mode < spectrum_.size(); ++mode) {
-    const Direction n = direction_of(grid_, static_cast<int>(mode) % columns,
-                                     static_cast<int>(mode) / columns);
-    if (n.length * place.depth > decayed)
-      continue;
-    const LayerStack::Stress wave = stack_.stress(
-        place.layer, waves_of(mode)[place.layer], n.length, place.depth);
-    const Complex pressure = spectrum_[mode];
-    zz[mode] = wave.zz * pressure;
-    xx[mode] = (n.x * n.x * wave.qq + n.y * n.y * wave.tt) * pressure;
-    yy[mode] = (n.y * n.y * wave.qq + n.x * n.x * wave.tt) * pressure;
-    if (!n.has_sign)
-      continue;
-    xy[mode] = n.x * n.y * (wave.qq - wave.tt) * pressure;
-    const Complex shear = Complex(0.0, wave.zq) * pressure;
-    zx[mode] = n.x * shear;
-    yz[mode] = n.y * shear;
+  const Grid& grid = rows_->grid();
+  std::vector<Components> stresses(spectrum_.size());
+  const SharedConvolution<double>::Columns own = fourier_->columns();
+  if (own.first == 0 && own.count > 0) { // the mean
+    const double lateral = stack_.layer(place.layer).lateral_ratio;
+    stresses[0] = {-lateral, -lateral, -1.0, 0.0, 0.0, 0.0};
   }
+  each_mode([&](int jx, int jy, std::size_t mode) {
+    const Direction n = direction_of(grid, jx, jy);
+    if (n.length * place.depth <= decayed)
+      stresses[mode] =
+          components_of(stack_.stress(place.layer, waves_of(mode)[place.layer],
+                                      n.length, place.depth),
+                        n);
+  });
   StressPlane plane;
   const std::array<std::vector<double>*, 6> maps{
       &plane.xx, &plane.yy, &plane.zz, &plane.xy, &plane.yz, &plane.zx};
   for (std::size_t k = 0; k < maps.size(); ++k) {
-    maps[k]->resize(grid_.size());
-    fourier_.backward(waves[k], *maps[k]);
+    const bool is_shear = maps[k] == &plane.yz || maps[k] == &plane.zx;
+    maps[k]->resize(rows_->size());
+    fourier_->synthesise(
+        [&](int jx, std::span<Complex> column) {
+          const std::size_t at =
+              (static_cast<std::size_t>(jx) - own.first) * column.size();
+          for (std::size_t jy = 0; jy < column.size(); ++jy) {
+            const Complex stress = stresses[at + jy][k] * spectrum_[at + jy];
+            column[jy] =
+                is_shear ? Complex(-stress.imag(), stress.real()) : stress;
+          }
+        },
+        *maps[k]);
   }
   return plane;
 }
@@ -155,9 +201,22 @@ StressPlane StressInside::at_depth(double depth, InterfaceSide side) const {
   return stress_in({layer, depth});
 }
 
+std::vector<double> StressInside::von_mises_row(double depth, int row) const {
+  return rows_->rows_at(von_mises(at_depth(depth)), row, 1);
+}
+
+double StressInside::shear_at(const StressPeak& peak) const {
+  const StressPlane plane = at_depth(peak.depth, peak.side);
+  const std::size_t first = rows_->grid().index(0, rows_->first());
+  const bool is_here = peak.node >= first && peak.node - first < rows_->size();
+  return rank_max(rows_->ranks(),
+                  is_here ? shear_in(tensor_at(plane, peak.node - first))
+                          : 0.0);
+}
+
 double StressInside::strength_in(const Plane& plane) const {
-  const std::vector<double> map = von_mises(stress_in(plane));
-  return *std::max_element(map.begin(), map.end());
+  return rank_max(rows_->ranks(),
+                  std::ranges::max(von_mises(stress_in(plane))));
 }
 
 std::vector<StressInside::Plane>
@@ -179,11 +238,11 @@ StressInside::planes_to_search(double shallowest, double deepest) const {
 }
 
 StressPeak StressInside::strongest() const {
-  const double spacing = std::min(grid_.spacing_x(), grid_.spacing_y());
+  const Grid& grid = rows_->grid();
+  const double spacing = std::min(grid.spacing_x(), grid.spacing_y());
   const StackLayer& last = stack_.layer(stack_.size() - 1);
-  const double deepest =
-      std::min(last.top + last.thickness,
-               0.5 * std::max(grid_.length_x, grid_.length_y));
+  const double deepest = std::min(last.top + last.thickness,
+                                  0.5 * std::max(grid.length_x, grid.length_y));
   const double shallowest = std::min(spacing, deepest);
   Plane best{0, shallowest};
   double strength = 0.0;
@@ -208,8 +267,14 @@ StressPeak StressInside::strongest() const {
   if (-lowest > strength)
     best.depth *= factor;
   const std::vector<double> map = von_mises(stress_in(best));
-  const auto peak = std::max_element(map.begin(), map.end());
-  return {*peak, best.depth, static_cast<std::size_t>(peak - map.begin()),
+  const auto own = std::ranges::max_element(map);
+  const double peak = rank_max(rows_->ranks(), *own);
+  // The first of the nodes with this stress.
+  const auto node = static_cast<double>(grid.index(0, rows_->first())) +
+                    static_cast<double>(own - map.begin());
+  const double first = -rank_max(
+      rows_->ranks(), *own == peak ? -node : -static_cast<double>(grid.size()));
+  return {peak, best.depth, static_cast<std::size_t>(first),
           best.layer > 0 && best.depth == layer.top ? InterfaceSide::lower
                                                     : InterfaceSide::upper};
 }

@@ -4,18 +4,21 @@
 // surface pressure, on planes of constant depth. It contains the decay of each
 // Fourier mode with depth.
 
-#include "base/fourier.hpp"
 #include "base/grid.hpp"
 #include "contact/operators/layered_compliance.hpp"
 
 #include <complex>
+#include <memory>
 #include <span>
 #include <vector>
+
+#include "ranks/shared_convolution.hpp"
+#include "ranks/shared_rows.hpp"
 
 namespace asperity::contact {
 
 /// Stress on one plane, tension positive, z pointing into the block; six fields
-/// of grid.size() values [Pa].
+/// of the rows of this process [Pa].
 struct StressPlane {
   std::vector<double> xx, yy, zz, xy, yz, zx;
 };
@@ -50,6 +53,11 @@ struct StressPeak {
 ///
 /// The uniform pressure p_0 gives sigma_zz = -p_0 and sigma_xx = sigma_yy =
 /// -nu/(1-nu) p_0 with nu of each layer: the block has no lateral strain.
+///
+/// Ranks may share the rows of the surface. Construction and all member
+/// functions are then collective, and every number has the bits of one process.
+/// Each rank holds the modes of its columns of the spectrum and, during a call,
+/// the stress of its rows.
 class StressInside {
 public:
   /// @param block     poisson_ratio is read for every far boundary,
@@ -59,6 +67,12 @@ public:
   /// @throws std::domain_error  a size or a number is outside its range
   StressInside(const Grid& grid, const mechanics::ElasticBlock& block,
                std::span<const double> pressure, int threads = 1);
+
+  /// The same for rows that ranks share.
+  /// @param rows      of a group of ranks; all bounds but the last are even
+  /// @param pressure  rows.size() values
+  StressInside(SharedRows rows, const mechanics::ElasticBlock& block,
+               std::span<const double> pressure, int threads);
 
   /// Stress on one plane.
   /// @param depth  z [m], 0..thickness
@@ -70,6 +84,13 @@ public:
   /// @see  K. L. Johnson, Contact Mechanics (1985), Sec. 13.1
   StressPlane at_depth(double depth,
                        InterfaceSide side = InterfaceSide::upper) const;
+
+  /// Von Mises stress [Pa] in one row of nodes, on every rank.
+  /// @param row  0..points_y-1
+  std::vector<double> von_mises_row(double depth, int row) const;
+
+  /// The largest shear stress [Pa] at a point that strongest() has found.
+  double shear_at(const StressPeak& peak) const;
 
   /// The largest von Mises stress of the block and its position, from one grid
   /// spacing below the surface down to half the side length (or the far
@@ -89,15 +110,22 @@ private:
     double depth;
   };
 
+  using Complex = std::complex<double>;
+
   StressPlane stress_in(const Plane& place) const;
   double strength_in(const Plane& plane) const;
   std::vector<Plane> planes_to_search(double shallowest, double deepest) const;
   std::span<const LayerStack::Wave> waves_of(std::size_t mode) const;
+  /// Calls take(jx, jy, mode) for the modes of the columns of this rank but the
+  /// mean; threads call it at the same time. `mode` is an index into spectrum_.
+  template <class Take>
+  void each_mode(const Take& take) const;
 
-  Grid grid_;
+  std::unique_ptr<const SharedRows> rows_; ///< referred to by fourier_
   LayerStack stack_;
-  RealFourier fourier_;
-  std::vector<std::complex<double>> spectrum_; ///< of the pressure [Pa]
+  std::unique_ptr<SharedConvolution<double>> fourier_;
+  /// Of the pressure, column by column of this rank [Pa].
+  std::vector<Complex> spectrum_;
   /// Layer amplitudes of each mode, layers contiguous; empty for the
   /// half-space, where they are the same for all modes.
   std::vector<LayerStack::Wave> waves_;

@@ -102,7 +102,7 @@ def case_with(surface):
 def check_other_surfaces(runner):
     """Ranks read the rows of a map file that permits it, also of mirror images,
     and compute those of an exact shape; of other maps rank 0 sends the rows."""
-    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512, "map.x3p": 512}
+    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512, "map.gwy": 512, "map.x3p": 512}
     for name, points in maps.items():
         runner.run("surface", "shared.toml", "--no-report", "--write", name, "--set",
                    f"surface.points={points}", "--set", 'surface.wavelength_short="16 nm"')
@@ -124,6 +124,7 @@ def check_other_surfaces(runner):
         "sent": ('"map.x3p"\nedges = "periodic"',
                  "rank 0 builds the whole surface, because the format of the map cannot be read "
                  "by rows, and sends its rows to 2"),
+        "gwy": ('"map.gwy"\nedges = "periodic"', "2 ranks read the rows of the surface"),
         "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface")}
     cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
     cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'
@@ -137,6 +138,27 @@ def check_other_surfaces(runner):
         assert line in output, output
         runner.run("diff", f"{name}-alone", f"{name}-2", "--tolerance", "0")
         runner.expect_same_maps(f"{name}-alone", f"{name}-2")
+
+
+def stresses(folder):
+    """The data of the figures of the stress inside, by the names of their files."""
+    found = {path.name: path.read_bytes() for path in (folder / "figures").glob("stress-*.csv")}
+    assert len(found) >= 2, found.keys()
+    return found
+
+
+def check_stress_inside(runner):
+    """The ranks compute the stress inside by rows: the numbers of one process."""
+    free = '[halfspace.island]\nboundaries = "free"\n'
+    (runner.folder / "stress.toml").write_text(CASE.replace(free, ""))
+    ask = ["run", "stress.toml", "--methods", "halfspace.thin", "--exactly", "--no-cache",
+           "--set", "report.stress_inside=true", "--set", 'report.fields="all"', "--set",
+           'load.nominal_pressure=["0.003 E*", "0.01 E*"]']
+    runner.run(*ask, "--out", "stress-alone")
+    alone = stresses(runner.folder / "stress-alone")
+    output = runner.run(*ask, "--out", "stress-2", ranks=2)
+    assert "not computed" not in output, output
+    assert stresses(runner.folder / "stress-2") == alone
 
 
 def check_plan(runner):
@@ -230,7 +252,7 @@ def main(program, mpirun, folder, same_maps):
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder, same_maps)
     for check in (check_plan, check_bits, check_surface_by_rows,
-                  check_other_surfaces, check_small, check_cache,
+                  check_other_surfaces, check_stress_inside, check_small, check_cache,
                   check_cache_by_rows, check_kill):
         check(runner)
 

@@ -44,7 +44,8 @@ TEST(StressTables, HaveHertzsMaximumInEachRow) {
   const theory::HertzContact heavy = theory::hertz_contact(9.0, 5e-3, modulus);
   const std::vector<results::Fields> maps{hertz_map(light), hertz_map(heavy)};
 
-  const results::Table table = stress_table("fem", halfspace(), maps, 1);
+  const results::Table table =
+      stress_table("fem", StressUnderMaps(halfspace()), maps);
 
   EXPECT_EQ(table.name, "stress-inside-fem");
   ASSERT_EQ(table.values("von_mises").size(), 2U);
@@ -67,13 +68,14 @@ TEST(StressTables, HaveHertzsMaximumInEachRow) {
 TEST(StressTables, HaveASectionThroughThatPoint) {
   const results::Fields map =
       hertz_map(theory::hertz_contact(2.0, 5e-3, modulus));
-  const results::Table peak = stress_table("fem", halfspace(), {{map}}, 1);
+  const results::Table peak =
+      stress_table("fem", StressUnderMaps(halfspace()), {{map}});
 
   const contact::StressPeak point{peak.values("von_mises").front(),
                                   peak.values("depth").front(),
                                   map.grid.index(20, 40)};
   const results::Table section =
-      stress_section("fem", halfspace(), map, point, 1);
+      stress_section("fem", StressUnderMaps(halfspace()), map, point);
 
   const std::vector<double> x = section.values("x");
   const std::vector<double> depth = section.values("depth");
@@ -100,8 +102,8 @@ TEST(StressTables, HaveASectionThroughTheCoating) {
   const double coating = 20.0 * map.grid.spacing_x();
   block.layers = {{coating, 10.0 * modulus, 0.3}};
 
-  const results::Table section =
-      stress_section("fem", block, map, {0.0, 1e-3 * coating, 0}, 1);
+  const results::Table section = stress_section("fem", StressUnderMaps(block),
+                                                map, {0.0, 1e-3 * coating, 0});
 
   const std::vector<double> depth = section.values("depth");
   EXPECT_NEAR(depth.back() / coating, 1.5, 1e-12);
