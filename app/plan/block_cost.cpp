@@ -173,15 +173,14 @@ BlockCostKind block_cost_kind(const cases::Case& contact_case,
   if (asked == LinearSolver::multigrid)
     return free;
   const bool is_lattice = free == BlockCostKind::lattice;
-  if (free != BlockCostKind::algebraic &&
-      is_compressible(contact_case.material) &&
-      (unknowns > fem::most_direct_matrix_free_unknowns ||
-       (is_lattice && ranks > 1)))
+  if (unknowns <= fem::most_direct_unknowns && !(is_lattice && ranks > 1))
+    return BlockCostKind::direct;
+  if (is_compressible(contact_case.material))
     return free;
-  const double largest = ranks == 1 ? fem::most_direct_unknowns
-                                    : fem::most_direct_unknowns_on_ranks;
-  if (is_lattice && (unknowns > largest || ranks > 1))
+  if (is_lattice && settings.full.sides == mechanics::BlockSides::periodic)
     return BlockCostKind::fourier;
+  const double largest = ranks == 1 ? fem::most_direct_stiff_unknowns
+                                    : fem::most_direct_stiff_unknowns_on_ranks;
   return unknowns <= largest ? BlockCostKind::direct : BlockCostKind::algebraic;
 }
 

@@ -25,8 +25,24 @@ bool is_alone() {
 } // namespace
 
 bool is_small(const BlockSystem& system) {
-  return system.n_unknowns() <=
-         (is_alone() ? most_direct_unknowns : most_direct_unknowns_on_ranks);
+  const auto n_unknowns = system.n_unknowns();
+  const auto most_stiff = is_alone() ? most_direct_stiff_unknowns
+                                     : most_direct_stiff_unknowns_on_ranks;
+  return n_unknowns <= most_direct_unknowns ||
+         (n_unknowns <= most_stiff && !is_compressible(system));
+}
+
+bool is_compressible(const BlockSystem& system) {
+  double largest = 0.0;
+  for (const auto& cell :
+       system.space().dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    const Moduli own = system.moduli_of(cell);
+    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
+  }
+  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
+         largest_lame_ratio;
 }
 
 PreconditionAMG::AdditionalData multigrid_settings(const BlockSpace& space,

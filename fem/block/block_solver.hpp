@@ -95,9 +95,12 @@ public:
 inline constexpr unsigned int most_steps_before_direct = 200;
 inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
 
-/// Whether LinearSolver::automatic takes the direct solver if there is none
-/// without a matrix.
+/// Whether LinearSolver::automatic takes the direct solver if no Fourier
+/// preconditioner and no solver without a matrix serves. Collective.
 bool is_small(const BlockSystem& system);
+
+/// Whether no cell exceeds largest_lame_ratio. Collective.
+bool is_compressible(const BlockSystem& system);
 
 /// Settings of Trilinos ML for a matrix on the unknowns of a block.
 /// @param is_second_order  whether the matrix is that of second-order cells

@@ -22,15 +22,15 @@ namespace asperity::fem {
 using mechanics::LinearSolver;
 
 /// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns on one rank.
-inline constexpr unsigned int most_direct_unknowns = 12000;
+/// unknowns. On several ranks a lattice is never too small for multigrid.
+inline constexpr unsigned int most_direct_unknowns = 500;
+
+/// The same above a Poisson's ratio of 0.49 where no Fourier preconditioner
+/// serves, on one rank: multigrid may need hundreds of iterations there.
+inline constexpr unsigned int most_direct_stiff_unknowns = 12000;
 
 /// The same on several ranks, where the direct solver is KLU.
-inline constexpr unsigned int most_direct_unknowns_on_ranks = 2000;
-
-/// The same where multigrid needs no matrix: on a lattice of boxes and for
-/// second-order hexahedra. On several ranks a lattice is never too small.
-inline constexpr unsigned int most_direct_matrix_free_unknowns = 2000;
+inline constexpr unsigned int most_direct_stiff_unknowns_on_ranks = 2000;
 
 /// The state of a load step while it is solved.
 struct BlockProgress {

@@ -282,19 +282,6 @@ HexahedronBlock::HexahedronBlock(const BlockSystem& system,
     : MeshBlock(system, unknowns, mesh_of(system, *unknowns),
                 std::move(correction)) {}
 
-bool is_compressible(const BlockSystem& system) {
-  double largest = 0.0;
-  for (const auto& cell :
-       system.space().dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    const Moduli own = system.moduli_of(cell);
-    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
-  }
-  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
-         largest_lame_ratio;
-}
-
 bool is_hexahedron_block(const BlockSystem& system) {
   return has_low_order(system.space()) &&
          (!system.has_counter() || system.contact().has_counter_mesh());
@@ -304,7 +291,7 @@ std::unique_ptr<MatrixFreeBlock>
 hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_matrix_free_unknowns;
+                         system.n_unknowns() > most_direct_unknowns;
   if (!(is_asked || may_serve) || !is_hexahedron_block(system) ||
       !is_compressible(system))
     return nullptr;

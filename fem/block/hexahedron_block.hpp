@@ -101,10 +101,6 @@ private:
                   const std::shared_ptr<LocalUnknowns>& unknowns);
 };
 
-/// Whether no cell is too incompressible for multigrid without a matrix.
-/// Collective.
-bool is_compressible(const BlockSystem& system);
-
 /// Whether HexahedronBlock can solve the problem: one body of second-order
 /// hexahedra, or two with meshes of their own. Between a block and its mirror
 /// image, stiff springs on the whole surface leave the common motion of both to

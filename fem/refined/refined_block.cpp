@@ -225,7 +225,7 @@ std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
                                                   const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_matrix_free_unknowns;
+                         system.n_unknowns() > most_direct_unknowns;
   if (!(is_asked || may_serve) || !is_refined_block(problem) ||
       !is_compressible(system))
     return nullptr;

@@ -49,8 +49,8 @@ bool is_lattice(const BlockProblem& problem) {
              problem.lattice->layers.size() * problem.grid.size();
 }
 
-/// The Fourier preconditioner if it is requested, or if it may be used for a
-/// block too large for a direct solver on one rank; null otherwise.
+/// The Fourier preconditioner if it is requested, or if it may be used and the
+/// block is not so small that the direct solver serves; null otherwise.
 std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
   const bool is_asked = problem.linear_solver == LinearSolver::fourier;
@@ -58,9 +58,9 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
     throw std::domain_error(
         "linear_solver = fourier: the block is not a periodic regular grid of "
         "boxes; choose auto, direct or multigrid");
-  const bool serves = problem.linear_solver == LinearSolver::automatic &&
-                      is_lattice(problem) &&
-                      (n_ranks() > 1 || !is_small(system));
+  const bool serves =
+      problem.linear_solver == LinearSolver::automatic && is_lattice(problem) &&
+      (n_ranks() > 1 || system.n_unknowns() > most_direct_unknowns);
   if (!is_asked && !serves)
     return nullptr;
   return std::make_unique<LatticePreconditioner>(system, problem.degree,
@@ -74,7 +74,7 @@ std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
   const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
   const bool may_serve =
       problem.linear_solver == LinearSolver::automatic &&
-      (n_ranks() > 1 || system.n_unknowns() > most_direct_matrix_free_unknowns);
+      (n_ranks() > 1 || system.n_unknowns() > most_direct_unknowns);
   if (!is_asked && !may_serve)
     return nullptr;
   const std::optional<BoxLattice> lattice = box_lattice(problem);

@@ -2,6 +2,7 @@
 // uncertainty of their cost. No test asserts a time.
 #include "app/plan/block_cost.hpp"
 #include "app/plan/block_size.hpp"
+#include "fem/block/full_block.hpp"
 #include "meshes/layers/graded_layers.hpp"
 
 #include <gtest/gtest.h>
@@ -76,14 +77,28 @@ TEST_F(PlannedBlock, KnowsTheLinearSolverOfABlock) {
   const std::string springs = R"(fem.contact="augmented")",
                     stiffness_of_springs = R"(fem.penalty="1e3 E*/h")";
 
-  EXPECT_EQ(kind({full}, 1000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full}, 1000, 2), BlockCostKind::lattice);
-  EXPECT_EQ(kind({full}, 3000, 1), BlockCostKind::lattice);
-  EXPECT_EQ(kind({full, stiff}, 3000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full, stiff}, 13000, 1), BlockCostKind::fourier);
-  EXPECT_EQ(kind({full, stiff}, 3000, 2), BlockCostKind::fourier);
-  EXPECT_EQ(kind({full, hanging, q1}, 1000, 1), BlockCostKind::direct);
-  EXPECT_EQ(kind({full, hanging, q1}, 3000, 1), BlockCostKind::halved);
+  const std::string free_sides = R"(fem.sides="free")";
+  const double small = fem::most_direct_unknowns;
+  const double least = small + 1.0;
+  const double most_stiff = fem::most_direct_stiff_unknowns;
+  const double most_stiff_on_ranks = fem::most_direct_stiff_unknowns_on_ranks;
+
+  EXPECT_EQ(kind({full}, small, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full}, small, 2), BlockCostKind::lattice);
+  EXPECT_EQ(kind({full}, least, 1), BlockCostKind::lattice);
+  EXPECT_EQ(kind({full, stiff}, small, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full, stiff}, small, 2), BlockCostKind::fourier);
+  EXPECT_EQ(kind({full, stiff}, least, 1), BlockCostKind::fourier);
+  EXPECT_EQ(kind({full, stiff, free_sides}, most_stiff, 1),
+            BlockCostKind::direct);
+  EXPECT_EQ(kind({full, stiff, free_sides}, most_stiff + 1.0, 1),
+            BlockCostKind::algebraic);
+  EXPECT_EQ(kind({full, stiff, hanging}, most_stiff_on_ranks, 2),
+            BlockCostKind::direct);
+  EXPECT_EQ(kind({full, stiff, hanging}, most_stiff_on_ranks + 1.0, 2),
+            BlockCostKind::algebraic);
+  EXPECT_EQ(kind({full, hanging, q1}, small, 1), BlockCostKind::direct);
+  EXPECT_EQ(kind({full, hanging, q1}, least, 1), BlockCostKind::halved);
   EXPECT_EQ(kind({full, hanging, q2}, 3000, 2), BlockCostKind::halved);
   EXPECT_EQ(
       kind({full, hanging, q1, gauss, springs, stiffness_of_springs}, 3000, 2),

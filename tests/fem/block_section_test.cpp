@@ -74,6 +74,7 @@ TEST(SectionOfTwoBodies, IsThatOfTheRequestedBody) {
   const double p = 1e6;
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.4}, 1e-6);
   problem.counter = mechanics::BodyModuli{soft_modulus, 0.1};
+  problem.linear_solver = LinearSolver::direct;
   const auto full = make_full_block(problem);
 
   const BlockSolution found =
