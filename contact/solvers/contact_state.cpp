@@ -2,6 +2,8 @@
 
 #include "contact/solvers/problem_start.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "ranks/node_sums.hpp"
@@ -37,6 +39,17 @@ std::span<float> ContactState::unset_part(std::size_t i) {
   return {unset_.get() + i * pressure.size(), pressure.size()};
 }
 
+/// 1 over the largest residual times the pressure that closes it on short
+/// waves, to a power of two.
+float ContactState::product_scale() const {
+  const double product =
+      gap_error * gap_error /
+      (elasticity.short_wave_compliance() + problem.local_compliance);
+  return std::isnormal(product)
+             ? std::ldexp(1.0F, std::clamp(-std::ilogb(product), -100, 100))
+             : 1.0F;
+}
+
 NodeFields ContactState::fields() {
   NodeFields fields;
   const std::span<const double> weights = elasticity.nodal_weights();
@@ -50,6 +63,7 @@ NodeFields ContactState::fields() {
       iterations > 0 ? previous_residual_.data() : residual.data();
   fields.freedom = freedom.data();
   fields.change = change_.data();
+  fields.product_scale = product_scale();
   return fields;
 }
 
@@ -57,13 +71,13 @@ void ContactState::compute_raw_gap() {
   elasticity.displacement(pressure, raw_gap);
   ++transforms;
   is_computed_ = true;
-  const NodeFields all = fields();
+  NodeFields all = fields();
+  all.heights = problem.heights.data();
   contact_sums_ = chunked_sum<TwoSums>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
         const std::size_t block = begin / block_nodes;
-        return subtract_heights(all.at(begin, end), &problem.heights[begin],
-                                problem.local_compliance, &active[block],
-                                &lowest_[block]);
+        return subtract_heights(all.at(begin, end), problem.local_compliance,
+                                &active[block], &lowest_[block]);
       });
 }
 
@@ -99,7 +113,7 @@ TwoSums ContactState::slopes(std::span<const float> field, float mean) {
                               });
 }
 
-void ContactState::advance(float step, std::span<const float> direction,
+void ContactState::advance(float step, std::span<float> direction,
                            std::span<float> compliance_direction) {
   clear_inactive(active, change_written_, change_);
   is_computed_ = false;

@@ -50,7 +50,7 @@ public:
   /// set to 0, a prescribed load is restored by scaling, and the change of C p
   /// is computed from that of p, which costs one application of C.
   /// @param compliance_direction  C direction; overwritten
-  void advance(float step, std::span<const float> direction,
+  void advance(float step, std::span<float> direction,
                std::span<float> compliance_direction);
 
   /// Mean of a field over the active nodes under pressure control, otherwise 0.
@@ -82,6 +82,7 @@ private:
   /// raw_gap += factor * field
   void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
+  float product_scale() const;
   void measure_residual();
 
   /// Memory of three fields of floats, which are written before they are read;

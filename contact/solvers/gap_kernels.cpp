@@ -3,7 +3,6 @@
 #include "contact/solvers/node_lanes.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -24,115 +23,219 @@ constexpr EightFreedoms ones = 0x0101010101010101U;
   return (codes | codes >> 1U) & ones;
 }
 
-/// Sets the freedom of n nodes; the other ones of a block have codes of 0.
-template <class Count>
+/// Sets the freedom of the nodes of a block.
 [[gnu::always_inline]] inline FreedomCount
-store_freedom(const Terms& codes, Count n, std::uint8_t* freedom) {
+store_freedom(const std::array<double, block_nodes>& codes,
+              std::uint8_t* freedom) {
   std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
   for (std::size_t i = 0; i < block_nodes; ++i)
-    narrow[i] = static_cast<std::int32_t>(codes.values[i]);
-  std::array<std::uint8_t, block_nodes> before{}, now;
+    narrow[i] = static_cast<std::int32_t>(codes[i]);
+  std::array<std::uint8_t, block_nodes> now;
   for (std::size_t i = 0; i < block_nodes; ++i)
     now[i] = static_cast<std::uint8_t>(narrow[i]);
-  std::memcpy(before.data(), freedom, n);
-  std::memcpy(freedom, now.data(), n);
+  std::array<EightFreedoms, block_nodes / sizeof(EightFreedoms)> was, is;
+  std::memcpy(was.data(), freedom, block_nodes);
+  std::memcpy(is.data(), now.data(), block_nodes);
+  std::memcpy(freedom, now.data(), block_nodes);
   EightFreedoms active = 0, changed = 0; // at most 8 in a byte
-  for (std::size_t i = 0; i < block_nodes; i += sizeof(EightFreedoms)) {
-    EightFreedoms was = 0, is = 0;
-    std::memcpy(&was, before.data() + i, sizeof(was));
-    std::memcpy(&is, now.data() + i, sizeof(is));
-    active += active_in(is);
-    changed += active_in(is) ^ active_in(was);
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    active += active_in(is[i]);
+    changed += active_in(is[i]) ^ active_in(was[i]);
   }
   const auto sum = [](EightFreedoms bytes) { return (bytes * ones) >> 56U; };
   return {sum(active), sum(changed)};
 }
 
+/// The Freedom of adjacent nodes, 1 with the bits `is_free` and 2 with those of
+/// `is_pushed` as well; `counted` is 1 at the active ones.
+template <class Pack>
+[[gnu::always_inline]] inline void
+put_codes(const typename Pack::template Mask<double>& is_free,
+          const typename Pack::template Mask<double>& is_pushed,
+          typename Pack::Reals& counted, double* codes) {
+  typename Pack::Reals code = typename Pack::Reals{} + 1.0;
+  counted = code;
+  Pack::template restrict_to<double>(is_free, counted);
+  Pack::template restrict_to<double>(is_pushed, code);
+  code += counted;
+  Pack::put(code, codes);
+}
+
 template <std::size_t bytes>
 [[gnu::always_inline]] inline MeasuredNodes
-measure(const NodeFields& f, double rigid, double compliance,
+measure(const NodeFields& all, double rigid, double compliance,
         std::uint8_t* active) {
-  Lanes<bytes> error, zero, weight;
+  using Pack = NodePack<bytes, double>;
+  using Doubles = typename Pack::Reals;
+  using Mask = typename Pack::template Mask<double>;
+  const bool is_hard = compliance == 0.0;
+  const Mask magnitude = Mask{} + std::numeric_limits<std::int64_t>::max();
+  Lanes<bytes> error, sum, weight;
   FreedomCount counts{0, 0};
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
-        if (active[first / block_nodes] == 0)
+      all, [&](const NodeFields& f, std::size_t first, std::size_t block,
+               auto weights) __attribute__((always_inline)) {
+        if (active[block] == 0)
           return;
-        const double* const p = f.pressure + first;
-        const double* const w = f.raw_gap + first;
-        float* const r = f.residual + first;
-        std::uint8_t* const freedom = f.freedom + first;
-        Terms sizes(n), zeros(n), codes(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const double value = w[i] + compliance * p[i] + rigid;
-          const std::int64_t pushed = p[i] > 0.0 ? -1 : 0;
-          const std::int64_t overlaps = value < 0.0 ? -1 : 0;
-          const std::int64_t is_free = pushed | overlaps;
-          const double kept = masked(value, is_free);
-          r[i] = static_cast<float>(kept);
-          sizes[i] = -std::abs(kept);
-          zeros[i] = 0.0 * value;
-          codes[i] = masked(1.0, is_free) + masked(1.0, pushed);
-        }
-        const FreedomCount count = store_freedom(codes, n, freedom);
-        active[first / block_nodes] = count.active > 0 ? 1 : 0;
+        const double* const pressure = f.pressure + first;
+        const double* const raw_gap = f.raw_gap + first;
+        float* const residual = f.residual + first;
+        alignas(bytes) std::array<double, block_nodes> codes;
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t part) __attribute__((always_inline)) {
+          Doubles own, value;
+          Pack::take(pressure + i, own);
+          Pack::take(raw_gap + i, value);
+          if (!is_hard)
+            value += compliance * own;
+          value += rigid;
+          sum.parts[part] += value;
+          Mask is_free, is_pushed;
+          Pack::template negative<double>(0.0 - own, is_pushed);
+          Pack::template negative<double>(value, is_free);
+          is_free |= is_pushed;
+          Pack::template restrict_to<double>(is_free, value);
+          typename Pack::template Of<float> narrow;
+          Pack::template convert<float>(value, narrow);
+          Pack::put(narrow, residual + i);
+          Pack::template restrict_to<double>(magnitude, value);
+          error.parts[part] =
+              value > error.parts[part] ? value : error.parts[part];
+          Doubles counted;
+          put_codes<Pack>(is_free, is_pushed, counted, codes.data() + i);
+          if constexpr (!std::is_same_v<decltype(weights), EqualWeights>) {
+            Pack::scale(weights, i, counted);
+            weight.parts[part] += counted;
+          }
+        });
+        const FreedomCount count = store_freedom(codes, f.freedom + first);
+        active[block] = count.active > 0 ? 1 : 0;
         counts.active += count.active;
         counts.changed += count.changed;
-        if (f.weight != nullptr) {
-          Terms weights(n);
-          for (std::size_t i = 0; i < n; ++i)
-            weights[i] = codes[i] > 0.0 ? f.weight[first + i] : 0.0;
-          weight.add(weights);
-        }
-        error.keep_smallest(sizes);
-        zero.add(zeros);
       });
-  return {zero.total() - error.smallest(),
-          f.weight != nullptr ? weight.total()
-                              : static_cast<double>(counts.active),
+  return {0.0 * sum.total() + error.largest(),
+          all.weight != nullptr ? weight.total()
+                                : static_cast<double>(counts.active),
           static_cast<double>(counts.changed)};
 }
 
-/// raw_gap = next(node, raw_gap).
-template <std::size_t bytes, class Next>
+/// The lowest number of a block.
+template <std::size_t bytes>
+struct Lowest {
+  using Doubles = typename NodePack<bytes, double>::Reals;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  [[gnu::always_inline]] Lowest() {
+    for (auto& part : least.parts)
+      part += infinity;
+  }
+
+  [[gnu::always_inline]] void take(const Doubles& values, std::size_t part) {
+    least.parts[part] = values < least.parts[part] ? values : least.parts[part];
+    sum.parts[part] += values;
+  }
+
+  /// Minus infinity if a number is not finite.
+  [[gnu::always_inline]] double value() const {
+    Doubles both = sum.parts[0];
+    for (std::size_t part = 1; part < sum.parts.size(); ++part)
+      both += sum.parts[part];
+    Lanes<bytes> all = least;
+    const Doubles lowest_of_all = Doubles{} - infinity;
+    both *= 0.0;
+    all.parts[0] = both == 0.0 ? all.parts[0] : lowest_of_all;
+    return all.smallest();
+  }
+
+  Lanes<bytes> least, sum;
+};
+
+/// gap += factor displaced
+template <std::size_t bytes>
+struct AddDisplaced {
+  using Pack = NodePack<bytes, double>;
+
+  [[gnu::always_inline]] AddDisplaced at(const NodeFields& f,
+                                         std::size_t first) const {
+    return {factor, f.displaced + first};
+  }
+
+  [[gnu::always_inline]] void operator()(std::size_t i,
+                                         typename Pack::Reals& gap) const {
+    typename Pack::Reals change;
+    Pack::template convert<double>(displaced + i, change);
+    gap += factor * change;
+  }
+
+  double factor;
+  const float* displaced = nullptr;
+};
+
+/// gap -= heights
+template <std::size_t bytes>
+struct SubtractHeights {
+  using Pack = NodePack<bytes, double>;
+
+  [[gnu::always_inline]] SubtractHeights at(const NodeFields& f,
+                                            std::size_t first) const {
+    return {f.heights + first};
+  }
+
+  [[gnu::always_inline]] void operator()(std::size_t i,
+                                         typename Pack::Reals& gap) const {
+    typename Pack::Reals own;
+    Pack::take(heights + i, own);
+    gap -= own;
+  }
+
+  const double* heights = nullptr;
+};
+
+/// Calls change_gap.at(fields, first node of a block)(node of it, raw_gap) for
+/// vectors of nodes.
+template <std::size_t bytes, class ChangeGap>
 [[gnu::always_inline]] inline TwoSums
-change(const NodeFields& f, const Next& next, double compliance,
+change(const NodeFields& all, const ChangeGap& change_gap, double compliance,
        const std::uint8_t* active, double* lowest) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto lowest_of_all = typename Lanes<bytes>::Vector{} - infinity;
+  using Pack = NodePack<bytes, double>;
+  using Doubles = typename Pack::Reals;
+  const bool is_hard = compliance == 0.0;
   Lanes<bytes> residual, weight;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
-        double* const w = f.raw_gap + first;
-        Terms gaps(n, infinity), zeros(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const double own = next(first + i, w[i]);
-          w[i] = own;
-          gaps[i] = own;
-          zeros[i] = 0.0 * own;
-        }
-        Lanes<bytes> least, zero;
-        for (auto& part : least.parts)
-          part += infinity;
-        least.keep_smallest(gaps);
-        zero.add(zeros);
-        for (std::size_t part = 0; part < least.parts.size(); ++part)
-          least.parts[part] =
-              zero.parts[part] == 0.0 ? least.parts[part] : lowest_of_all;
-        lowest[first / block_nodes] = least.smallest();
-        if (active[first / block_nodes] == 0)
+      all, [&](const NodeFields& f, std::size_t first, std::size_t block,
+               auto weights) __attribute__((always_inline)) {
+        double* const raw_gap = f.raw_gap + first;
+        const double* const pressure = f.pressure + first;
+        const ChangeGap change_own = change_gap.at(f, first);
+        Lowest<bytes> least;
+        each_pack<Pack>([&](std::size_t i, std::size_t part)
+                            __attribute__((always_inline)) {
+                              Doubles gap;
+                              Pack::take(raw_gap + i, gap);
+                              change_own(i, gap);
+                              Pack::put(gap, raw_gap + i);
+                              least.take(gap, part);
+                            });
+        lowest[block] = least.value();
+        if (active[block] == 0)
           return;
-        const double* const p = f.pressure + first;
-        Terms residuals(n), weights(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const std::int64_t pushed = p[i] > 0.0 ? -1 : 0;
-          residuals[i] = masked(gaps[i] + compliance * p[i], pushed);
-          weights[i] = masked(1.0, pushed);
-        }
-        residuals.scale(f.weight, first, n);
-        weights.scale(f.weight, first, n);
-        residual.add(residuals);
-        weight.add(weights);
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t part) __attribute__((always_inline)) {
+          Doubles own, gap, counted = Doubles{} + 1.0;
+          Pack::take(pressure + i, own);
+          Pack::take(raw_gap + i, gap);
+          if (!is_hard)
+            gap += compliance * own;
+          typename Pack::template Mask<double> is_pushed;
+          Pack::template negative<double>(0.0 - own, is_pushed);
+          Pack::template restrict_to<double>(is_pushed, gap);
+          Pack::template restrict_to<double>(is_pushed, counted);
+          Pack::scale(weights, i, gap);
+          Pack::scale(weights, i, counted);
+          residual.parts[part] += gap;
+          weight.parts[part] += counted;
+        });
+        lowest[block] = least.value();
       });
   return {residual.total(), weight.total()};
 }
@@ -149,24 +252,16 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    const auto next =
-        [ factor, u = fields.displaced ](std::size_t i, double own)
-            __attribute__((always_inline)) {
-      return own + factor * static_cast<double>(u[i]);
-    };
-    return change<bytes()>(fields, next, compliance, active, lowest);
+    return change<bytes()>(fields, AddDisplaced<bytes()>{factor}, compliance,
+                           active, lowest);
   });
 }
 
-TwoSums subtract_heights(const NodeFields& fields, const double* heights,
-                         double compliance, const std::uint8_t* active,
-                         double* lowest) {
+TwoSums subtract_heights(const NodeFields& fields, double compliance,
+                         const std::uint8_t* active, double* lowest) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    const auto next = [heights](std::size_t i, double own)
-        __attribute__((always_inline)) {
-      return own - heights[i];
-    };
-    return change<bytes()>(fields, next, compliance, active, lowest);
+    return change<bytes()>(fields, SubtractHeights<bytes()>(), compliance,
+                           active, lowest);
   });
 }
 

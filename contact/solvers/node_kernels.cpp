@@ -3,134 +3,191 @@
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_lanes.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace asperity::contact {
 namespace {
 
-/// allowed() of contact_state.hpp: a Freedom of 2 allows every change, 1 only
-/// negative ones.
-[[gnu::always_inline]] inline float restricted(float value,
-                                               std::int32_t freedom) {
-  const float gain = value < 0.0F ? value : 0.0F;
-  return masked(value, -(freedom >> 1)) + masked(gain, -(freedom & 1));
-}
+// Products of two single-precision fields, and their sums over a block, are in
+// single precision: conversions would take most of the time. The factor `scale`
+// keeps them from underflow.
 
-/// The freedom of the nodes of a block as numbers of four bytes.
-struct Freedoms {
-  template <class Count>
-  [[gnu::always_inline]] Freedoms(const std::uint8_t* freedom, Count n) {
-    for (std::size_t i = 0; i < n; ++i)
-      codes[i] = freedom[i];
+/// Which changes the Freedom of adjacent nodes allows.
+template <std::size_t bytes>
+struct Changes {
+  using Pack = NodePack<bytes, float>;
+  using Mask = typename Pack::template Mask<float>;
+
+  [[gnu::always_inline]] explicit Changes(const std::uint8_t* freedom) {
+    Pack::template convert<std::int32_t>(freedom, codes);
   }
 
-  std::array<std::int32_t, block_nodes> codes;
+  /// allowed() of contact_state.hpp: a Freedom of 2 allows every change, 1 only
+  /// negative ones.
+  [[gnu::always_inline]] void
+  restrict_to_allowed(typename Pack::Reals& values) const {
+    Mask mask;
+    Pack::template negative<float>(values, mask);
+    mask = -(codes >> 1) | (-(codes & 1) & mask);
+    Pack::template restrict_to<float>(mask, values);
+  }
+
+  [[gnu::always_inline]] void
+  restrict_to_active(typename Pack::Reals& values) const {
+    const Mask mask = -(codes >> 1) | -(codes & 1);
+    Pack::template restrict_to<float>(mask, values);
+  }
+
+  Mask codes;
 };
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline double sum_of_free(const NodeFields& f) {
-  Lanes<bytes> sum;
+[[gnu::always_inline]] inline double sum_of_free(const NodeFields& all) {
+  using Pack = NodePack<bytes, float>;
+  Lanes<bytes> total;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto weights) __attribute__((always_inline)) {
         const float* const z = f.preconditioned + first;
-        const Freedoms freedom(f.freedom + first, n);
-        Terms terms(n);
-        for (std::size_t i = 0; i < n; ++i)
-          terms[i] =
-              static_cast<double>(masked(z[i], freedom.codes[i] > 0 ? -1 : 0));
-        terms.scale(f.weight, first, n);
-        sum.add(terms);
+        const std::uint8_t* const freedom = f.freedom + first;
+        Lanes<bytes, float> sum;
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t part) __attribute__((always_inline)) {
+          typename Pack::Reals own;
+          Pack::take(z + i, own);
+          Changes<bytes>(freedom + i).restrict_to_active(own);
+          Pack::scale(weights, i, own);
+          sum.parts[part] += own;
+        });
+        total.add(sum);
       });
-  return sum.total();
+  return total.total();
 }
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline TwoSums slopes(const NodeFields& f, float mean) {
+[[gnu::always_inline]] inline TwoSums slopes(const NodeFields& all,
+                                             float mean) {
+  using Pack = NodePack<bytes, float>;
+  const float scale = all.product_scale;
   Lanes<bytes> now, change;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto weights) __attribute__((always_inline)) {
         const float* const z = f.preconditioned + first;
         const float* const r = f.residual + first;
         const float* const before = f.previous_residual + first;
-        const Freedoms freedom(f.freedom + first, n);
-        Terms nows(n), changes(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const double slope =
-              static_cast<double>(restricted(z[i] - mean, freedom.codes[i]));
-          nows[i] = slope * static_cast<double>(r[i]);
-          changes[i] = slope * static_cast<double>(r[i] - before[i]);
-        }
-        nows.scale(f.weight, first, n);
-        changes.scale(f.weight, first, n);
-        now.add(nows);
-        change.add(changes);
+        const std::uint8_t* const freedom = f.freedom + first;
+        Lanes<bytes, float> own_now, own_change;
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t part) __attribute__((always_inline)) {
+          typename Pack::Reals own, residual, old;
+          Pack::take(z + i, own);
+          Pack::take(r + i, residual);
+          Pack::take(before + i, old);
+          own -= mean;
+          Changes<bytes>(freedom + i).restrict_to_allowed(own);
+          own *= scale;
+          Pack::scale(weights, i, own);
+          own_now.parts[part] += own * residual;
+          own_change.parts[part] += own * (residual - old);
+        });
+        now.add(own_now);
+        change.add(own_change);
       });
-  return {now.total(), change.total()};
+  return {now.total() / static_cast<double>(scale),
+          change.total() / static_cast<double>(scale)};
 }
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline double conjugate(const NodeFields& f, float mean,
-                                               float beta, float* direction) {
+[[gnu::always_inline]] inline double conjugate(const NodeFields& all,
+                                               float mean, float beta) {
+  using Pack = NodePack<bytes, float>;
+  const float scale = all.product_scale;
   Lanes<bytes> slope;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto weights) __attribute__((always_inline)) {
         const float* const z = f.preconditioned + first;
         const float* const r = f.residual + first;
-        float* const d = direction + first;
-        const Freedoms freedom(f.freedom + first, n);
-        Terms terms(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const float own = restricted(z[i] - mean, freedom.codes[i]);
-          const float value = restricted(own + beta * d[i], freedom.codes[i]);
-          d[i] = value;
-          terms[i] = static_cast<double>(value) * static_cast<double>(r[i]);
-        }
-        terms.scale(f.weight, first, n);
-        slope.add(terms);
+        float* const direction = f.direction + first;
+        const std::uint8_t* const freedom = f.freedom + first;
+        Lanes<bytes, float> sum;
+        each_pack<Pack>([&](std::size_t i, std::size_t part)
+                            __attribute__((always_inline)) {
+                              typename Pack::Reals own, old, residual;
+                              Pack::take(z + i, own);
+                              Pack::take(direction + i, old);
+                              Pack::take(r + i, residual);
+                              const Changes<bytes> changes(freedom + i);
+                              own -= mean;
+                              changes.restrict_to_allowed(own);
+                              own += beta * old;
+                              changes.restrict_to_allowed(own);
+                              Pack::put(own, direction + i);
+                              own *= scale;
+                              Pack::scale(weights, i, own);
+                              sum.parts[part] += own * residual;
+                            });
+        slope.add(sum);
       });
-  return slope.total();
+  return slope.total() / static_cast<double>(scale);
 }
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline double energy(const NodeFields& f,
-                                            double compliance) {
-  Lanes<bytes> sum;
+[[gnu::always_inline]] inline double energy(const NodeFields& all,
+                                            float compliance) {
+  using Pack = NodePack<bytes, float>;
+  const float scale = all.product_scale;
+  Lanes<bytes> total;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
-        const float* const d = f.direction + first;
-        const float* const cd = f.displaced + first;
-        Terms terms(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const double own = static_cast<double>(d[i]);
-          terms[i] = own * (static_cast<double>(cd[i]) + compliance * own);
-        }
-        terms.scale(f.weight, first, n);
-        sum.add(terms);
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto weights) __attribute__((always_inline)) {
+        const float* const direction = f.direction + first;
+        const float* const displaced = f.displaced + first;
+        Lanes<bytes, float> sum;
+        each_pack<Pack>([&](std::size_t i, std::size_t part)
+                            __attribute__((always_inline)) {
+                              typename Pack::Reals own, displacement;
+                              Pack::take(direction + i, own);
+                              Pack::take(displaced + i, displacement);
+                              displacement += compliance * own;
+                              own *= scale;
+                              Pack::scale(weights, i, own);
+                              sum.parts[part] += own * displacement;
+                            });
+        total.add(sum);
       });
-  return sum.total();
+  return total.total() / static_cast<double>(scale);
 }
 
 template <std::size_t bytes>
-[[gnu::always_inline]] inline TwoSums advance(const NodeFields& f,
+[[gnu::always_inline]] inline TwoSums advance(const NodeFields& all,
                                               double step) {
+  using Pack = NodePack<bytes, double>;
+  using Doubles = typename Pack::Reals;
   Lanes<bytes> total, cuts;
   each_node_block(
-      f.nodes, [&](std::size_t first, auto n) __attribute__((always_inline)) {
-        const float* const d = f.direction + first;
-        double* const p = f.pressure + first;
-        float* const dp = f.change + first;
-        Terms totals(n), cut(n);
-        for (std::size_t i = 0; i < n; ++i) {
-          const double wish = p[i] - step * static_cast<double>(d[i]);
-          const double kept = wish > 0.0 ? wish : 0.0;
-          dp[i] = static_cast<float>(kept - p[i]);
-          p[i] = kept;
-          totals[i] = kept;
-          cut[i] = kept - wish;
-        }
-        totals.scale(f.weight, first, n);
-        total.add(totals);
-        cuts.add(cut);
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto weights) __attribute__((always_inline)) {
+        const float* const direction = f.direction + first;
+        double* const pressure = f.pressure + first;
+        float* const change = f.change + first;
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t part) __attribute__((always_inline)) {
+          Doubles own, wish;
+          Pack::take(pressure + i, own);
+          Pack::template convert<double>(direction + i, wish);
+          wish = own - step * wish;
+          Doubles kept = wish > 0.0 ? wish : Doubles{};
+          Pack::put(kept, pressure + i);
+          typename Pack::template Of<float> changed;
+          Pack::template convert<float>(kept - own, changed);
+          Pack::put(changed, change + i);
+          cuts.parts[part] += kept - wish;
+          Pack::scale(weights, i, kept);
+          total.parts[part] += kept;
+        });
       });
   return {total.total(), cuts.total()};
 }
@@ -138,6 +195,16 @@ template <std::size_t bytes>
 template <class Field>
 Field* moved(Field* field, std::size_t nodes) {
   return field != nullptr ? field + nodes : nullptr;
+}
+
+/// Copies a field if there is one, and returns the place of the copy.
+template <class Value>
+Value* copied(const Value* field, std::size_t nodes,
+              std::array<Value, block_nodes>& values) {
+  if (field == nullptr)
+    return nullptr;
+  std::copy_n(field, nodes, values.begin());
+  return values.data();
 }
 
 } // namespace
@@ -153,7 +220,43 @@ NodeFields NodeFields::at(std::size_t begin, std::size_t end) const {
           moved(preconditioned, begin),
           moved(direction, begin),
           moved(displaced, begin),
-          moved(change, begin)};
+          moved(change, begin),
+          moved(heights, begin),
+          product_scale};
+}
+
+PaddedBlock::PaddedBlock(const NodeFields& part) {
+  const std::size_t n = part.nodes;
+  doubles_[0].fill(1.0);
+  doubles_[2].fill(1e300); // sums of them are finite
+  fields_ = {block_nodes,
+             part.weight != nullptr ? copied(part.weight, n, doubles_[0])
+                                    : doubles_[0].data(),
+             copied(part.pressure, n, doubles_[1]),
+             copied(part.raw_gap, n, doubles_[2]),
+             copied(part.residual, n, floats_[0]),
+             copied(part.previous_residual, n, floats_[1]),
+             copied(part.freedom, n, freedom_),
+             copied(part.preconditioned, n, floats_[2]),
+             copied(part.direction, n, floats_[3]),
+             copied(part.displaced, n, floats_[4]),
+             copied(part.change, n, floats_[5]),
+             copied(part.heights, n, doubles_[3]),
+             part.product_scale};
+}
+
+void PaddedBlock::copy_back(const NodeFields& part) const {
+  const std::size_t n = part.nodes;
+  const auto copy = [n](const auto& values, auto* field) {
+    if (field != nullptr)
+      std::copy_n(values.begin(), n, field);
+  };
+  copy(doubles_[1], part.pressure);
+  copy(doubles_[2], part.raw_gap);
+  copy(floats_[0], part.residual);
+  copy(freedom_, part.freedom);
+  copy(floats_[3], part.direction);
+  copy(floats_[5], part.change);
 }
 
 double sum_free(const NodeFields& fields) {
@@ -168,16 +271,15 @@ TwoSums sum_slopes(const NodeFields& fields, float mean) {
   });
 }
 
-double conjugate_nodes(const NodeFields& fields, float mean, float beta,
-                       float* direction) {
+double conjugate_nodes(const NodeFields& fields, float mean, float beta) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return conjugate<bytes()>(fields, mean, beta, direction);
+    return conjugate<bytes()>(fields, mean, beta);
   });
 }
 
 double sum_energy(const NodeFields& fields, double compliance) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return energy<bytes()>(fields, compliance);
+    return energy<bytes()>(fields, static_cast<float>(compliance));
   });
 }
 

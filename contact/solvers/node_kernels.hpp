@@ -2,7 +2,9 @@
 
 // This file declares the loops over nodes of the preconditioned iteration. They
 // are compiled for the instructions of several processors and round in the same
-// way on all of them.
+// way on all of them. Products of single-precision fields are rounded to single
+// precision, and so are the sums of four of them; all other sums are in double
+// precision.
 
 #include "base/maximum.hpp"
 #include "contact/solvers/node_blocks.hpp"
@@ -23,9 +25,13 @@ struct NodeFields {
   const float* previous_residual = nullptr;
   std::uint8_t* freedom = nullptr;       ///< Freedom of each node
   const float* preconditioned = nullptr; ///< z [Pa]
-  const float* direction = nullptr;      ///< d [Pa]
+  float* direction = nullptr;            ///< d [Pa]
   const float* displaced = nullptr;      ///< C d, or a change of C p [m]
   float* change = nullptr;               ///< of the pressure [Pa]
+  const double* heights = nullptr;       ///< [m]
+  /// Power of two by which products of a pressure and a length are multiplied
+  /// in single precision, so that they do not underflow [1/(Pa m)].
+  float product_scale = 1.0F;
 
   /// The same fields from node `begin` on.
   NodeFields at(std::size_t begin, std::size_t end) const;
@@ -68,16 +74,13 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 /// of weight where p > 0, in the active blocks.
 /// @param active  one flag per block
 /// @param lowest  lowest raw_gap of each block [m], overwritten; minus infinity
-/// if
-///                a value is not finite
+///                if a value is not finite
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest);
 
 /// The same with raw_gap = C p - heights, where raw_gap contains C p before.
-/// @param heights  [m] of these nodes
-TwoSums subtract_heights(const NodeFields& fields, const double* heights,
-                         double compliance, const std::uint8_t* active,
-                         double* lowest);
+TwoSums subtract_heights(const NodeFields& fields, double compliance,
+                         const std::uint8_t* active, double* lowest);
 
 /// Sum of weight z over the active nodes.
 double sum_free(const NodeFields& fields);
@@ -88,8 +91,7 @@ TwoSums sum_slopes(const NodeFields& fields, float mean);
 
 /// direction = z' + beta direction, restricted likewise; returns the sum of
 /// weight direction r.
-double conjugate_nodes(const NodeFields& fields, float mean, float beta,
-                       float* direction);
+double conjugate_nodes(const NodeFields& fields, float mean, float beta);
 
 /// Sum of weight d (C d + c d).
 double sum_energy(const NodeFields& fields, double compliance);

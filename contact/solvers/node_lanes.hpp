@@ -1,74 +1,102 @@
 #pragma once
 
 // This file contains what the loops of node_kernels.hpp consist of: blocks of
-// nodes, and sums that round in the same way for every SIMD width.
-//
-// The terms of the sums over a block go to arrays on the stack, which are added
-// in `n_lanes` lanes and then the lanes in a fixed order. The compiler turns
-// the loops over a block into vectors: they have no branches, a condition is a
-// mask of bits, and the number of nodes is known. Nodes that are missing in the
-// last block have terms of 0.
+// nodes, vectors of adjacent nodes, and sums that round in the same way for
+// every SIMD width. Conditions are masks of bits and sums stay in registers;
+// loops over arrays, which the compiler would turn into vectors, write their
+// terms to memory.
 
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_blocks.hpp"
+#include "contact/solvers/node_kernels.hpp"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace asperity::contact {
 
 inline constexpr std::size_t n_lanes = 16;
 
-/// The terms of a sum over a block.
-struct Terms {
-  /// @param n       number of nodes, whose terms are to be set
-  /// @param beyond  the other terms
-  template <class Count>
-  [[gnu::always_inline]] explicit Terms(Count n, double beyond = 0.0) {
-    if (n < block_nodes)
-      values.fill(beyond);
+/// Stands for weights of 1.
+struct EqualWeights {};
+
+/// The values of as many adjacent nodes as a vector has numbers of type Real.
+template <std::size_t bytes, class Real>
+struct NodePack {
+  static constexpr std::size_t width = bytes / sizeof(Real);
+
+  template <class Number>
+  using Of = typename SimdPack<Number, width * sizeof(Number)>::Type;
+  template <class Number>
+  using Mask =
+      Of<std::conditional_t<sizeof(Number) == 8, std::int64_t, std::int32_t>>;
+  using Reals = Of<Real>;
+
+  // Results are arguments: a vector returned has another place without AVX.
+
+  template <class Number>
+  [[gnu::always_inline]] static void take(const Number* from,
+                                          Of<Number>& values) {
+    std::memcpy(&values, from, sizeof(values));
   }
 
-  double& operator[](std::size_t i) { return values[i]; }
-
-  /// Multiplies the terms by the weights of n nodes from `first` on, if there
-  /// are any.
-  template <class Count>
-  [[gnu::always_inline]] void scale(const double* weights, std::size_t first,
-                                    Count n) {
-    if (weights != nullptr)
-      for (std::size_t i = 0; i < n; ++i)
-        values[i] *= weights[first + i];
+  template <class Number>
+  [[gnu::always_inline]] static void put(const Of<Number>& values, Number* to) {
+    std::memcpy(to, &values, sizeof(values));
   }
 
-  /// Aligned, because clang forgets that a reference to SimdPack::Unaligned may
-  /// stand at any place.
-  alignas(64) std::array<double, block_nodes> values;
+  /// The numbers as those of another type: a vector of them, or an array.
+  template <class Result, class Numbers>
+  [[gnu::always_inline]] static void convert(const Numbers& from,
+                                             Of<Result>& values) {
+    convert_each<Result>(from, values, std::make_index_sequence<width>());
+  }
+
+  /// The bits of the negative numbers, and no bits of the others. GCC 12 makes
+  /// single comparisons of one of vectors, except in a selection.
+  template <class Number>
+  [[gnu::always_inline]] static void negative(const Of<Number>& values,
+                                              Mask<Number>& mask) {
+    std::memcpy(&mask, &values, sizeof(mask));
+    mask >>= 8 * static_cast<int>(sizeof(Number)) - 1;
+  }
+
+  /// Sets the numbers to 0 where a mask has no bits.
+  template <class Number>
+  [[gnu::always_inline]] static void restrict_to(const Mask<Number>& mask,
+                                                 Of<Number>& values) {
+    Mask<Number> bits;
+    std::memcpy(&bits, &values, sizeof(bits));
+    bits &= mask;
+    std::memcpy(&values, &bits, sizeof(bits));
+  }
+
+  [[gnu::always_inline]] static void scale(EqualWeights, std::size_t, Reals&) {}
+
+  [[gnu::always_inline]] static void scale(const double* weights, std::size_t i,
+                                           Reals& values) {
+    Reals factors;
+    convert<Real>(weights + i, factors);
+    values *= factors;
+  }
+
+private:
+  /// __builtin_convertvector of GCC 12 converts in two halves.
+  template <class Result, class Numbers, std::size_t... i>
+  [[gnu::always_inline]] static void convert_each(const Numbers& from,
+                                                  Of<Result>& values,
+                                                  std::index_sequence<i...>) {
+    values = Of<Result>{static_cast<Result>(from[i])...};
+  }
 };
 
 /// One accumulator per lane.
-template <std::size_t bytes>
+template <std::size_t bytes, class Real = double>
 struct Lanes {
-  using Vector = typename SimdPack<double, bytes>::Type;
-  using Unaligned = typename SimdPack<double, bytes>::Unaligned;
-  static constexpr std::size_t width = SimdPack<double, bytes>::lanes;
-
-  [[gnu::always_inline]] void add(const Terms& terms) {
-    for (std::size_t k = 0; k < block_nodes; k += n_lanes)
-      for (std::size_t part = 0; part < n_lanes / width; ++part)
-        parts[part] += at(terms, k + part * width);
-  }
-
-  [[gnu::always_inline]] void keep_smallest(const Terms& terms) {
-    for (std::size_t k = 0; k < block_nodes; k += n_lanes)
-      for (std::size_t part = 0; part < n_lanes / width; ++part) {
-        const Vector own = at(terms, k + part * width);
-        parts[part] = own < parts[part] ? own : parts[part];
-      }
-  }
+  using Pack = NodePack<bytes, Real>;
 
   [[gnu::always_inline]] double total() const {
     return folded([](double a, double b) { return a + b; });
@@ -78,9 +106,13 @@ struct Lanes {
     return folded([](double a, double b) { return b < a ? b : a; });
   }
 
+  [[gnu::always_inline]] double largest() const {
+    return folded([](double a, double b) { return b > a ? b : a; });
+  }
+
   template <class Join>
   [[gnu::always_inline]] double folded(const Join& join) const {
-    std::array<double, n_lanes> lanes;
+    std::array<Real, n_lanes> lanes;
     std::memcpy(lanes.data(), parts.data(), sizeof(lanes));
 #pragma GCC unroll 4
     for (std::size_t half = n_lanes / 2; half > 0; half /= 2)
@@ -90,32 +122,68 @@ struct Lanes {
     return lanes[0];
   }
 
-  [[gnu::always_inline]] static const Unaligned& at(const Terms& terms,
-                                                    std::size_t i) {
-    return *reinterpret_cast<const Unaligned*>(terms.values.data() + i);
+  /// Adds sums in single precision.
+  [[gnu::always_inline]] void add(const Lanes<bytes, float>& sums) {
+    std::array<float, n_lanes> narrow;
+    std::memcpy(narrow.data(), sums.parts.data(), sizeof(narrow));
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      typename Pack::Reals wide;
+      Pack::template convert<Real>(narrow.data() + part * Pack::width, wide);
+      parts[part] += wide;
+    }
   }
 
-  std::array<Vector, n_lanes / width> parts{};
+  std::array<typename Pack::Reals, n_lanes / Pack::width> parts{};
 };
 
-/// Calls do_block(first node, number of nodes); the number is a constant in all
-/// calls but the last, which has fewer nodes.
+/// Calls do_pack(node, part) for each vector of the nodes of a block, with the
+/// part of the lanes that they belong to.
+template <class Pack, class DoPack>
+[[gnu::always_inline]] inline void each_pack(const DoPack& do_pack) {
+  for (std::size_t k = 0; k < block_nodes; k += n_lanes)
+#pragma GCC unroll 8
+    for (std::size_t part = 0; part < n_lanes / Pack::width; ++part)
+      do_pack(k + part * Pack::width, part);
+}
+
+/// A copy of the fields of a block that has fewer nodes than others. Fields of
+/// the missing nodes are 0, except raw_gap, which is so large that these nodes
+/// are inactive. There are weights, also if they are equal.
+class PaddedBlock {
+public:
+  explicit PaddedBlock(const NodeFields& part);
+
+  const NodeFields& fields() const { return fields_; }
+
+  /// Copies what a loop may have changed.
+  void copy_back(const NodeFields& part) const;
+
+private:
+  std::array<std::array<double, block_nodes>, 4> doubles_{};
+  std::array<std::array<float, block_nodes>, 6> floats_{};
+  std::array<std::uint8_t, block_nodes> freedom_{};
+  NodeFields fields_;
+};
+
+/// Calls do_block(fields, first node of the block in them, block, weights from
+/// this node on).
 template <class DoBlock>
-[[gnu::always_inline]] inline void each_node_block(std::size_t nodes,
+[[gnu::always_inline]] inline void each_node_block(const NodeFields& fields,
                                                    const DoBlock& do_block) {
-  std::size_t first = 0;
-  for (; first + block_nodes <= nodes; first += block_nodes)
-    do_block(first, std::integral_constant<std::size_t, block_nodes>());
-  if (first < nodes)
-    do_block(first, nodes - first);
-}
-
-[[gnu::always_inline]] inline double masked(double value, std::int64_t mask) {
-  return std::bit_cast<double>(std::bit_cast<std::int64_t>(value) & mask);
-}
-
-[[gnu::always_inline]] inline float masked(float value, std::int32_t mask) {
-  return std::bit_cast<float>(std::bit_cast<std::int32_t>(value) & mask);
+  const std::size_t whole = fields.nodes / block_nodes;
+  if (fields.weight == nullptr)
+    for (std::size_t block = 0; block < whole; ++block)
+      do_block(fields, block * block_nodes, block, EqualWeights());
+  else
+    for (std::size_t block = 0; block < whole; ++block)
+      do_block(fields, block * block_nodes, block,
+               fields.weight + block * block_nodes);
+  if (fields.nodes % block_nodes == 0)
+    return;
+  const NodeFields part = fields.at(whole * block_nodes, fields.nodes);
+  PaddedBlock last(part);
+  do_block(last.fields(), 0, whole, last.fields().weight);
+  last.copy_back(part);
 }
 
 } // namespace asperity::contact

@@ -133,11 +133,11 @@ private:
     clear_inactive(state.active, written_, std::span(direction_));
     NodeFields all = state.fields();
     all.preconditioned = preconditioned_.data();
+    all.direction = direction_.data();
     const Sum slope = flagged_sum<Sum>(
         state.active, direction_.size(), state.workers,
         [&](std::size_t begin, std::size_t end) {
-          return Sum{conjugate_nodes(all.at(begin, end), mean, beta,
-                                     &direction_[begin])};
+          return Sum{conjugate_nodes(all.at(begin, end), mean, beta)};
         });
     if (slope.value > 0.0)
       return slope.value;

@@ -132,9 +132,9 @@ TEST_F(FaultyContact, AStepWithoutContactIsNotASolution) {
   const mechanics::LoadTarget target{Kind::nominal_pressure, 0.05};
   ContactState state(exact, problem, target, {});
   state.update_residual();
+  std::vector<float> direction(heights.size(), 1.0F);
   std::vector<float> compliance_direction(heights.size(), 0.0F);
-  state.advance(1e6F, std::vector<float>(heights.size(), 1.0F),
-                compliance_direction);
+  state.advance(1e6F, direction, compliance_direction);
   state.update_residual();
   EXPECT_TRUE(state.is_at_end());
   const ContactSolution answer = std::move(state).solution();

@@ -73,6 +73,27 @@ protected:
   }
 };
 
+// The products of residuals and pressures of the small problem are below the
+// smallest number in single precision. Tolerance: that of the gap.
+TEST_F(RoughSurface, SmallNumbersTakeTheSameIterations) {
+  const double factor = std::ldexp(1.0, -40);
+  std::vector<double> low = heights;
+  for (double& height : low)
+    height *= factor;
+  FourierOperator soft = halfspace_operator(grid, {factor, 0.0, infinity, {}});
+
+  const ContactSolution expected =
+      solve_contact(elasticity, problem(), {Kind::nominal_pressure, 0.1});
+  const ContactSolution found =
+      solve_contact(soft, {low, 0.0, factor * problem().gap_tolerance, 1000},
+                    {Kind::nominal_pressure, factor * factor * 0.1});
+
+  EXPECT_TRUE(found.converged && found.note.empty()) << found.note;
+  EXPECT_EQ(found.iterations, expected.iterations);
+  EXPECT_NEAR(found.mean_gap / factor, expected.mean_gap,
+              problem().gap_tolerance);
+}
+
 // Verifies that the unpreconditioned method, implemented independently, finds
 // the same pressures. Tolerance: a gap error of 1e-9 h_rms changes a pressure
 // by at most that times the stiffness of the shortest wave of the grid, pi
@@ -181,7 +202,7 @@ TEST_F(RoughSurface, PressureIsTheDerivativeOfTheEnergy) {
 // nanometres and gigapascals. The factors are powers of two, so that it holds
 // to the last bit.
 TEST_F(RoughSurface, NothingDependsOnUnits) {
-  const double length = std::ldexp(1.0, -30);
+  const double length = std::ldexp(1.0, -40);
   const double modulus = std::ldexp(1.0, 31);
   const Grid small{grid.points_x, grid.points_y, length, length};
   std::vector<double> small_heights = heights;
