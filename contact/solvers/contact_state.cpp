@@ -139,14 +139,10 @@ void ContactState::restore_load(double pressure_sum) {
     return;
   const double scale =
       load_scale(target, workers.all_nodes(pressure.size()), pressure_sum);
-  double* const p = pressure.data();
-  float* const dp = change_.data();
+  const NodeFields all = fields();
   flagged(active, pressure.size(), workers.threads,
-          [=](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-              dp[i] += static_cast<float>((scale - 1.0) * p[i]);
-              p[i] *= scale;
-            }
+          [&](std::size_t begin, std::size_t end) {
+            scale_nodes(all.at(begin, end), scale);
           });
 }
 

@@ -3,9 +3,6 @@
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_lanes.hpp"
 
-#include <algorithm>
-#include <array>
-
 namespace asperity::contact {
 namespace {
 
@@ -192,19 +189,32 @@ template <std::size_t bytes>
   return {total.total(), cuts.total()};
 }
 
+template <std::size_t bytes>
+[[gnu::always_inline]] inline void scale(const NodeFields& all, double factor) {
+  using Pack = NodePack<bytes, double>;
+  each_node_block(
+      all, [&](const NodeFields& f, std::size_t first, std::size_t,
+               auto) __attribute__((always_inline)) {
+        double* const pressure = f.pressure + first;
+        float* const change = f.change + first;
+        each_pack<Pack>([&](std::size_t i,
+                            std::size_t) __attribute__((always_inline)) {
+          typename Pack::Reals own;
+          typename Pack::template Of<float> before, added;
+          Pack::take(pressure + i, own);
+          Pack::take(change + i, before);
+          Pack::template convert<float>((factor - 1.0) * own, added);
+          before += added;
+          own *= factor;
+          Pack::put(own, pressure + i);
+          Pack::put(before, change + i);
+        });
+      });
+}
+
 template <class Field>
 Field* moved(Field* field, std::size_t nodes) {
   return field != nullptr ? field + nodes : nullptr;
-}
-
-/// Copies a field if there is one, and returns the place of the copy.
-template <class Value>
-Value* copied(const Value* field, std::size_t nodes,
-              std::array<Value, block_nodes>& values) {
-  if (field == nullptr)
-    return nullptr;
-  std::copy_n(field, nodes, values.begin());
-  return values.data();
 }
 
 } // namespace
@@ -223,40 +233,6 @@ NodeFields NodeFields::at(std::size_t begin, std::size_t end) const {
           moved(change, begin),
           moved(heights, begin),
           product_scale};
-}
-
-PaddedBlock::PaddedBlock(const NodeFields& part) {
-  const std::size_t n = part.nodes;
-  doubles_[0].fill(1.0);
-  doubles_[2].fill(1e300); // sums of them are finite
-  fields_ = {block_nodes,
-             part.weight != nullptr ? copied(part.weight, n, doubles_[0])
-                                    : doubles_[0].data(),
-             copied(part.pressure, n, doubles_[1]),
-             copied(part.raw_gap, n, doubles_[2]),
-             copied(part.residual, n, floats_[0]),
-             copied(part.previous_residual, n, floats_[1]),
-             copied(part.freedom, n, freedom_),
-             copied(part.preconditioned, n, floats_[2]),
-             copied(part.direction, n, floats_[3]),
-             copied(part.displaced, n, floats_[4]),
-             copied(part.change, n, floats_[5]),
-             copied(part.heights, n, doubles_[3]),
-             part.product_scale};
-}
-
-void PaddedBlock::copy_back(const NodeFields& part) const {
-  const std::size_t n = part.nodes;
-  const auto copy = [n](const auto& values, auto* field) {
-    if (field != nullptr)
-      std::copy_n(values.begin(), n, field);
-  };
-  copy(doubles_[1], part.pressure);
-  copy(doubles_[2], part.raw_gap);
-  copy(floats_[0], part.residual);
-  copy(freedom_, part.freedom);
-  copy(floats_[3], part.direction);
-  copy(floats_[5], part.change);
 }
 
 double sum_free(const NodeFields& fields) {
@@ -286,6 +262,12 @@ double sum_energy(const NodeFields& fields, double compliance) {
 TwoSums advance_nodes(const NodeFields& fields, double step) {
   return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
     return advance<bytes()>(fields, step);
+  });
+}
+
+void scale_nodes(const NodeFields& fields, double factor) {
+  on_this_processor([&](auto bytes) __attribute__((always_inline)) {
+    scale<bytes()>(fields, factor);
   });
 }
 

@@ -100,4 +100,7 @@ double sum_energy(const NodeFields& fields, double compliance);
 /// of weight p and a number that is positive if a pressure was set to 0.
 TwoSums advance_nodes(const NodeFields& fields, double step);
 
+/// Multiplies p and adds its change to `change`.
+void scale_nodes(const NodeFields& fields, double factor);
+
 } // namespace asperity::contact

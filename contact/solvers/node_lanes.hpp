@@ -9,6 +9,7 @@
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_blocks.hpp"
 #include "contact/solvers/node_kernels.hpp"
+#include "contact/solvers/padded_block.hpp"
 
 #include <array>
 #include <cstdint>
@@ -145,25 +146,6 @@ template <class Pack, class DoPack>
     for (std::size_t part = 0; part < n_lanes / Pack::width; ++part)
       do_pack(k + part * Pack::width, part);
 }
-
-/// A copy of the fields of a block that has fewer nodes than others. Fields of
-/// the missing nodes are 0, except raw_gap, which is so large that these nodes
-/// are inactive. There are weights, also if they are equal.
-class PaddedBlock {
-public:
-  explicit PaddedBlock(const NodeFields& part);
-
-  const NodeFields& fields() const { return fields_; }
-
-  /// Copies what a loop may have changed.
-  void copy_back(const NodeFields& part) const;
-
-private:
-  std::array<std::array<double, block_nodes>, 4> doubles_{};
-  std::array<std::array<float, block_nodes>, 6> floats_{};
-  std::array<std::uint8_t, block_nodes> freedom_{};
-  NodeFields fields_;
-};
 
 /// Calls do_block(fields, first node of the block in them, block, weights from
 /// this node on).

@@ -237,6 +237,19 @@ TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
   EXPECT_GT(found.second, 0.0);
 }
 
+TEST_P(NodeKernels, ScalesThePressure) {
+  Fields fields(GetParam());
+  const Fields before = fields;
+
+  scale_nodes(fields.view(), 1.25);
+
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    EXPECT_EQ(fields.pressure[i], 1.25 * before.pressure[i]);
+    EXPECT_EQ(fields.change[i],
+              before.change[i] + static_cast<float>(0.25 * before.pressure[i]));
+  }
+}
+
 // With the scale the bits of all sums are those of fields of order 1. Without
 // it the products are below the smallest number in single precision.
 TEST_P(NodeKernels, ScaledProductsDoNotUnderflow) {
@@ -284,6 +297,7 @@ std::vector<double> all_results(bool is_weighted) {
   found.push_back(conjugate_nodes(fields.view(), mean, beta));
   found.push_back(sum_energy(fields.view(), compliance));
   take(advance_nodes(fields.view(), 0.4));
+  scale_nodes(fields.view(), 1.1);
   for (const auto* field : {&fields.pressure, &fields.raw_gap})
     found.insert(found.end(), field->begin(), field->end());
   for (const auto* field :
