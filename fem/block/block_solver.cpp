@@ -4,6 +4,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/trilinos_solver.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -158,6 +159,18 @@ std::string BlockSolver::failure() const {
   return "the linear solver did not converge" + (own.empty() ? "" : ": " + own);
 }
 
+std::string BlockSolver::advice() const {
+  if (is_direct_ || last_.has_converged || (own_ && !own_->failure().empty()))
+    return {};
+  std::string text = fmt::format(
+      "; after {} iterations of {} a residual of {:.2g} N is left, which must "
+      "be at most {:.2g} N",
+      last_.iterations, name(), last_.last_residual, last_tolerance_);
+  if (system_.n_unknowns() <= most_unknowns_of_last_resort)
+    text += "; linear_solver must be \"direct\" for this block";
+  return text;
+}
+
 double BlockSolver::memory() const {
   if (matrix_free_)
     return dealii::Utilities::MPI::sum(
@@ -301,15 +314,16 @@ void BlockSolver::turn_direct() {
 bool BlockSolver::solve_iteratively(Vector& unknowns, const Vector& forces,
                                     double tolerance) {
   const unsigned int most_steps =
-      may_turn_direct_ ? most_steps_before_direct : 1000;
+      may_turn_direct_ ? most_steps_before_direct : most_steps_without_direct;
+  last_tolerance_ = tolerance;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;
   if (matrix_free_) {
-    const LinearSolution solution = matrix_free_->solve(
-        unknowns, forces, tolerance, static_cast<int>(most_steps));
-    iterations_ += solution.iterations;
+    last_ = matrix_free_->solve(unknowns, forces, tolerance,
+                                static_cast<int>(most_steps));
+    iterations_ += last_.iterations;
     setups_ = matrix_free_->setups();
-    return solution.has_converged;
+    return last_.has_converged;
   }
   if (own_)
     return iterate(unknowns, forces, tolerance, most_steps);
@@ -335,7 +349,8 @@ bool BlockSolver::iterate(Vector& unknowns, const Vector& forces,
   }
   const int steps = static_cast<int>(control.last_step());
   iterations_ += steps;
-  judge(steps, std::log10(control.initial_value() / control.last_value()));
+  last_ = {has_converged, steps, control.initial_value(), control.last_value()};
+  judge(steps, std::log10(last_.first_residual / last_.last_residual));
   return has_converged;
 }
 

@@ -95,6 +95,10 @@ public:
 inline constexpr unsigned int most_steps_before_direct = 200;
 inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
 
+/// Conjugate gradients end after this number of steps if no direct solver
+/// follows. Flat cells beside large contrasts of moduli need a thousand.
+inline constexpr unsigned int most_steps_without_direct = 3000;
+
 /// Whether LinearSolver::automatic takes the direct solver if no Fourier
 /// preconditioner and no solver without a matrix serves. Collective.
 bool is_small(const BlockSystem& system);
@@ -176,6 +180,11 @@ public:
   /// The reason why the last solve failed.
   std::string failure() const;
 
+  /// How far the last solve was from its tolerance and which linear solver to
+  /// use instead; empty if it was none of conjugate gradients, or if the
+  /// preconditioner has a reason of its own.
+  std::string advice() const;
+
   /// Memory of the matrix and the preconditioner on all ranks [bytes]. The
   /// factors of the direct solver are not included, because their size is not
   /// available.
@@ -223,6 +232,8 @@ private:
   double lost_steps_ = 0.0;       ///< steps in excess of these, accumulated
   int iterations_ = 0;
   int setups_ = 0;
+  LinearSolution last_;         ///< by conjugate gradients
+  double last_tolerance_ = 0.0; ///< of its residual [N]
 };
 
 } // namespace asperity::fem

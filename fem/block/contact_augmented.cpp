@@ -41,12 +41,16 @@ double ContactNewton::own_spring(const BlockContact& contact) const {
   return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
 }
 
-/// The working penalty [Pa/m] above which the roundoff of a gap, the difference
-/// of rigid gap, displacement and height, is no longer small in the pressure.
+/// The working penalty [Pa/m] above which the roundoff of a gap in contact, the
+/// difference of rigid gap, displacement and height, is no longer small in the
+/// pressure.
 double ContactNewton::stiffest_penalty(double tolerance) const {
-  double length = std::abs(rigid_gap_);
+  double length =
+      std::max(std::abs(rigid_gap_), std::numeric_limits<double>::min());
   double highest = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    if (pressure_[i] <= 0.0)
+      continue;
     length = std::max(
         {length, std::abs(face_displacement_[i]), std::abs(heights_[i])});
     highest = std::max(highest, pressure_[i]);
@@ -81,6 +85,18 @@ double ContactNewton::stiffer_penalty(const BlockContact& working,
   return std::max(working.penalty, std::min(stiffer * working.penalty, limit));
 }
 
+/// The next working penalty [Pa/m] if forces are not balanced with the present
+/// one, because the roundoff of a gap is not small in its pressure. The first
+/// penalty is a multiple of the largest shear modulus at the contact surface,
+/// but the displacement is that of the softest cells.
+double ContactNewton::softer_penalty(const BlockContact& working) {
+  if (unbalanced() <= working.tolerance)
+    return working.penalty;
+  return std::min(working.penalty,
+                  std::max(softest_spring * stiffness_scale_,
+                           stiffest_penalty(working.tolerance)));
+}
+
 void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
                                   const BlockContact& contact,
                                   double height_scale, BlockSolution& answer) {
@@ -90,19 +106,23 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
   const double compliance = contact.law == mechanics::ContactLaw::penalty
                                 ? 1.0 / contact.penalty
                                 : 0.0;
-  const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
-                      spring.penalty == contact.penalty;
   double last = std::numeric_limits<double>::infinity();
   while (newton(load, spring, answer)) {
+    const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
+                        spring.penalty == contact.penalty;
     answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
-    answer.converged = answer.residual <= contact.tolerance;
+    const double softer = softer_penalty(spring);
+    answer.converged =
+        answer.residual <= contact.tolerance && softer == spring.penalty;
     if (answer.converged)
       break;
     const double missing = missing_pressure(load, compliance);
     if (missing > 0.0 &&
         !can_bear(missing, contact.tolerance * height_scale, answer))
       break;
-    if (answer.residual > slow * last)
+    if (softer < spring.penalty)
+      spring.penalty = softer;
+    else if (answer.residual > slow * last)
       spring.penalty = stiffer_penalty(spring, contact);
     last = answer.residual;
     // The part of a pressure that the working penalty does not represent in the

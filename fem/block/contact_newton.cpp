@@ -202,6 +202,7 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
         continue;
       }
       answer.note = solver_.failure();
+      has_linear_failure_ = true;
       return false;
     }
     if (start)
@@ -240,6 +241,17 @@ void ContactNewton::take_heights(std::vector<double> heights) {
     height -= highest;
 }
 
+/// The mean gap [m] of the undeformed block at which its highest point touches.
+/// At a larger one there is no contact. A heterogeneous block may have such a
+/// mean gap under a load, too, by lifting more of the surface than it lowers,
+/// and Newton's method with full steps then finds neither.
+double ContactNewton::touching_mean_gap() const {
+  double depth = 0.0;
+  for (std::size_t i = 0; i < heights_.size(); ++i)
+    depth -= system_.contact()[i].area * heights_[i];
+  return sum(depth, MPI_COMM_WORLD) / area();
+}
+
 /// Sets the solution without contact at a prescribed mean gap, which is known
 /// exactly. The iterations leave a part of the displacement before, against
 /// which no contact force measures.
@@ -249,6 +261,13 @@ void ContactNewton::lift_off(double mean_gap_target) {
   far_pressure_ = 0.0;
   std::fill(face_displacement_.begin(), face_displacement_.end(), 0.0);
   rigid_gap_ += mean_gap_target - mean_gap();
+}
+
+/// Ends without pressure.
+void ContactNewton::leave_contact(BlockSolution& answer) {
+  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
+  std::fill(pressure_.begin(), pressure_.end(), 0.0);
+  answer.converged = true;
 }
 
 void ContactNewton::solve(std::vector<double> heights, double height_scale,
@@ -262,11 +281,15 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   iterations_before_ = iterations;
   settled_ = state();
   is_careful_ = false;
-  if (load.control == mechanics::Control::mean_gap && load.amount < 0.0 &&
+  has_linear_failure_ = false;
+  const bool is_gap = load.control == mechanics::Control::mean_gap;
+  if (is_gap && load.amount < 0.0 &&
       contact.law != mechanics::ContactLaw::penalty)
     answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
                               "but must be >= 0 m where nothing overlaps",
                               load.amount);
+  else if (is_gap && load.amount >= touching_mean_gap())
+    leave_contact(answer);
   else if (contact.law == mechanics::ContactLaw::hard)
     solve_wall(load, contact, height_scale, answer);
   else
@@ -274,6 +297,8 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
 
   if (answer.converged && !any(contact_set(pressure_)))
     lift_off(load.amount);
+  if (!answer.converged && has_linear_failure_)
+    answer.note += solver_.advice();
   double touching = 0.0;
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     touching += pressure_[i] > 0.0 ? system_.contact()[i].area : 0.0;

@@ -112,11 +112,14 @@ private:
   double borne() const; ///< sum of a p [N]
   double touching_gap(double nominal_pressure, double penalty) const;
   void take_heights(std::vector<double> heights);
+  double touching_mean_gap() const;
+  void leave_contact(BlockSolution& answer);
   void lift_off(double mean_gap_target);
   double own_spring(const BlockContact& contact) const;
   double stiffest_penalty(double tolerance) const;
   double stiffer_penalty(const BlockContact& working,
                          const BlockContact& contact) const;
+  double softer_penalty(const BlockContact& working);
   void update_pressure(double penalty);
   bool any(const std::vector<bool>& set) const;
   int n_changed(const std::vector<bool>& a, const std::vector<bool>& b) const;
@@ -190,6 +193,8 @@ private:
   /// Whether full steps have not found the contact set, so that linear systems
   /// are solved more accurately.
   bool is_careful_ = false;
+  /// Whether the load step has ended because of the linear solver.
+  bool has_linear_failure_ = false;
   // Responses in the last step, used as initial guesses in the next one.
   dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_,
       by_far_pressure_;

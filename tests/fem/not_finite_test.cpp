@@ -172,5 +172,44 @@ TEST(ContactNewton, ReportsAFailureOfThePreconditioner) {
   EXPECT_EQ(found.note, "the linear solver did not converge: it is broken");
 }
 
+/// A preconditioner in whose range lies every other unknown only.
+class PartialPreconditioner final : public BlockPreconditioner {
+public:
+  void prepare(std::span<const double>, const std::vector<bool>&) override {}
+
+  void vmult(dealii::TrilinosWrappers::MPI::Vector& to,
+             const dealii::TrilinosWrappers::MPI::Vector& from) override {
+    to = from;
+    for (const auto unknown : to.locally_owned_elements())
+      if (unknown % 2 == 1)
+        to(unknown) = 0.0;
+    to.compress(dealii::VectorOperation::insert);
+  }
+
+  std::string name() const override { return "partial"; }
+
+  std::size_t bytes() const override { return 0; }
+};
+
+// Conjugate gradients cannot converge with it, for which it has no reason of
+// its own. The note says how much is left and which solver to use.
+TEST(ContactNewton, SaysWhichLinearSolverToUseInstead) {
+  const BlockSystem system(boxes_problem(grid, 1, {soft_modulus, 0.3}, 1e-6));
+  ContactNewton newton(system, LinearSolver::multigrid,
+                       std::make_unique<PartialPreconditioner>());
+  BlockSolution found;
+
+  newton.solve(std::vector<double>(system.contact().size(), 0.0), 1e-9,
+               {Control::mean_gap, -1e-9}, contact_of(ContactLaw::penalty),
+               found);
+
+  EXPECT_FALSE(found.converged);
+  for (const char* const words :
+       {"the linear solver did not converge; after ",
+        "iterations of CG, partial", "a residual of ",
+        "linear_solver must be \"direct\" for this block"})
+    EXPECT_NE(found.note.find(words), std::string::npos) << found.note;
+}
+
 } // namespace
 } // namespace asperity::fem

@@ -1,0 +1,52 @@
+// Random full blocks that were once left without an answer: light loads on
+// heterogeneous blocks, mean gaps without contact, and flat cells beside large
+// contrasts of the moduli.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "robustness/run_instance.hpp"
+
+namespace asperity::robustness {
+namespace {
+
+void expect_verified(std::uint64_t seed, int index) {
+  const InstanceReport report = run_instance(draw_instance(seed, index));
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << index << ", " << report.check << ": " << report.reason;
+  EXPECT_TRUE(report.has_pair) << index;
+}
+
+// Under loads of 1e-6 E* h' the displacement of the softest cells is long for
+// the pressure, so that its roundoff times the working penalty left up to
+// 3.8e-8 of the largest force unbalanced. Second order on a lattice and in
+// gmsh cells, first order in gmsh cells, by moduli that differ by up to 93^2.
+TEST(DifficultBlock, UnderALightLoadIsSolvedByASofterWorkingPenalty) {
+  expect_verified(12001, 16676);
+  expect_verified(14001, 51164);
+  expect_verified(14001, 93681);
+}
+
+// Mean gaps larger than that at which the highest point touches, which these
+// blocks also have under a load: the smallest load, without contact, is taken.
+TEST(DifficultBlock, AtAMeanGapWithoutContactIsLeftUndeformed) {
+  for (const int index : {25367, 78601}) {
+    const InstanceReport report = run_instance(draw_instance(14001, index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << index << ", " << report.check << ": " << report.reason;
+    EXPECT_TRUE(report.has_pair) << index;
+  }
+}
+
+// A prescribed `multigrid` that needs 1000 to 1100 iterations for a solution.
+TEST(DifficultBlock, OfFlatCellsIsSolvedByAThousandIterations) {
+  expect_verified(14001, 37188);
+  expect_verified(14001, 75655);
+  expect_verified(14001, 79162);
+  expect_verified(15002, 899384);
+}
+
+} // namespace
+} // namespace asperity::robustness
