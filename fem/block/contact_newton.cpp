@@ -181,7 +181,7 @@ bool ContactNewton::newton(const mechanics::LoadTarget& load,
       if (!approach_by_load(load.amount, contact, answer))
         return false;
     }
-    is_careful_ = are_cycling;
+    is_careful_ = changes >= most_loose_steps;
     const std::vector<bool> before = contact_set(pressure_);
     ++answer.iterations;
     if (load.control == mechanics::Control::nominal_pressure && !any(before)) {

@@ -23,6 +23,12 @@ constexpr int most_refinements = 8;
 /// carefully. A contact set that full steps find is found within some ten.
 constexpr int most_full_steps = 12;
 
+/// Number of full steps on changing contact sets before linear systems are
+/// solved more accurately. In strongly heterogeneous blocks, and with much
+/// softer counter-bodies, the error of a less accurate step may be a pressure
+/// of many times the load.
+constexpr int most_loose_steps = 4;
+
 /// The larger of two residuals, or infinity if the second is NaN: std::max
 /// would ignore a NaN, and MPI's maximum may.
 double larger_residual(double largest, double residual);
