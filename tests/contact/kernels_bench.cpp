@@ -78,7 +78,7 @@ void projection(benchmark::State& state) {
   const std::vector<double> heights =
       problems::rough_heights(elasticity.grid(), {});
   ContactState contact = partial_contact(elasticity, heights);
-  const std::vector<float> direction(heights.size(), -1e-3F);
+  std::vector<float> direction(heights.size(), -1e-3F);
   std::vector<float> displaced(heights.size(), -1e-3F);
   for (auto _ : state)
     contact.advance(1e-6F, direction, displaced);
