@@ -73,7 +73,11 @@ EarlierRun earlier_run(const cases::Case& contact_case,
       return {RunState::complete, result.case_hash, "", all_converged(result)};
     if (result.case_hash == cases::case_hash(contact_case))
       return {RunState::to_resume, result.case_hash,
-              fmt::format("has {} of {} load steps", steps.done, steps.needed)};
+              fmt::format("{}has {} of {} load steps",
+                          result.status == "complete"
+                              ? ""
+                              : "is " + result.status + " and ",
+                          steps.done, steps.needed)};
     return missing("is incomplete, and its case is written differently");
   } catch (const input::InputError& error) { // damaged: it is computed again
     return missing(error.what());

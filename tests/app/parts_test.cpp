@@ -197,7 +197,7 @@ TEST_F(Parts, ResumeAfterAKill) {
   ASSERT_EQ(killed.exit_code, 137) << killed.output;
   const Ended refused = run("merge out/rough");
   expect_refusal(refused, "1 of 2 parts is missing or incomplete");
-  expect_refusal(refused, "part 2/2: parts/2-of-2 is running, with ");
+  expect_refusal(refused, "part 2/2: parts/2-of-2 is running and has ");
 
   expect_good(part("rough.toml", "2/2", keys));
 

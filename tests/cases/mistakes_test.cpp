@@ -146,7 +146,8 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
                        "number [Pa/m] or a string with one of: Pa/m, E*/h"},
       {"fem.Hard.contact=hard", "fem.Hard names a variant, but must consist of "
                                 "the letters a-z, digits and hyphens"},
-      {"fem.tolerance=1", "fem.tolerance = 1, but must be > 0 and <= 0.01 [1]"},
+      {"fem.tolerance=1",
+       "fem.tolerance = 1, but must be between 1e-15 and 0.01 [1]"},
       {"fem.growth=1979-05-27", "fem.growth = a date or time, but must be a "
                                 "number"},
       {"halfspace=true", "halfspace = true, but must be a table: [halfspace]"},
