@@ -1,0 +1,95 @@
+// Reads any bytes as a map file whose rows are read separately: every row has
+// the heights that the file as a whole has, or the error is an InputError.
+#include "input/input_error.hpp"
+#include "surfaces/formats/row_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <unistd.h>
+
+#include "tests/fuzz/fuzz_target.hpp"
+
+namespace asperity::fuzz {
+namespace {
+
+/// A file of its own name for each input, because the index of a text is found
+/// again only if name, size or time of the file have changed.
+class InputFile {
+public:
+  explicit InputFile(const std::string& bytes) {
+    static int n_files = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            fmt::format("asperity-rows-{}-{}", ::getpid(), ++n_files);
+    std::ofstream(path_, std::ios::binary) << bytes;
+  }
+
+  ~InputFile() { std::filesystem::remove(path_); }
+
+  InputFile(const InputFile&) = delete;
+  InputFile& operator=(const InputFile&) = delete;
+
+  std::string path() const { return path_.string(); }
+
+private:
+  std::filesystem::path path_;
+};
+
+std::optional<surfaces::Scan> whole(const std::string& path,
+                                    const surfaces::ScanRequest& request) {
+  try {
+    return surfaces::read_scan(path, request);
+  } catch (const input::InputError&) {
+    return std::nullopt;
+  }
+}
+
+void compare_row(const std::vector<double>& row, const surfaces::Scan& scan,
+                 int j) {
+  const auto width = static_cast<std::size_t>(scan.map.grid.points_x);
+  require(row.size() == width, "a row has the points of the grid");
+  for (std::size_t i = 0; i < width; ++i) {
+    const std::size_t node = static_cast<std::size_t>(j) * width + i;
+    const bool is_missing = !scan.is_missing.empty() && scan.is_missing[node];
+    require(std::isfinite(row[i]) != is_missing, "the same points are missing");
+    require(is_missing || row[i] == scan.map.heights[node],
+            "heights are those of the file as a whole");
+  }
+}
+
+void read_as(const std::string& path, mechanics::MapFormat format,
+             const surfaces::MapScale& scale) {
+  const surfaces::ScanRequest request{format, {}, scale};
+  try {
+    const std::optional<surfaces::RowFile> file =
+        surfaces::row_file(path, request);
+    if (!file)
+      return;
+    const std::optional<surfaces::Scan> scan = whole(path, request);
+    if (!scan)
+      return;
+    require(file->grid == scan->map.grid, "the grid is that of the file");
+    require(file->reader == scan->reader, "the reader is the same");
+    for (int j = 0; j < file->grid.points_y; ++j)
+      compare_row(file->rows(j, 1), *scan, j);
+  } catch (const input::InputError&) {
+  }
+}
+
+} // namespace
+
+/// Damaged HDF5 files end the packaged library, which this project cannot
+/// change.
+void read_input(const std::string& bytes) {
+  if (bytes.find("\x89HDF") != std::string::npos)
+    return;
+  const InputFile file(bytes);
+  read_as(file.path(), mechanics::MapFormat::automatic, {});
+  read_as(file.path(), mechanics::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
+  read_as(file.path(), mechanics::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
+}
+
+} // namespace asperity::fuzz
