@@ -47,15 +47,18 @@ std::optional<surfaces::Scan> whole(const std::string& path,
   }
 }
 
-void compare_row(const std::vector<double>& row, const surfaces::Scan& scan,
-                 int j) {
+void compare_rows(const surfaces::RowFile& file, const surfaces::Scan& scan,
+                  int first, int count) {
+  const std::vector<double> rows = file.rows(first, count);
   const auto width = static_cast<std::size_t>(scan.map.grid.points_x);
-  require(row.size() == width, "a row has the points of the grid");
-  for (std::size_t i = 0; i < width; ++i) {
-    const std::size_t node = static_cast<std::size_t>(j) * width + i;
+  require(rows.size() == width * static_cast<std::size_t>(count),
+          "rows have the points of the grid");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t node = static_cast<std::size_t>(first) * width + i;
     const bool is_missing = !scan.is_missing.empty() && scan.is_missing[node];
-    require(std::isfinite(row[i]) != is_missing, "the same points are missing");
-    require(is_missing || row[i] == scan.map.heights[node],
+    require(std::isfinite(rows[i]) != is_missing,
+            "the same points are missing");
+    require(is_missing || rows[i] == scan.map.heights[node],
             "heights are those of the file as a whole");
   }
 }
@@ -73,8 +76,9 @@ void read_as(const std::string& path, mechanics::MapFormat format,
       return;
     require(file->grid == scan->map.grid, "the grid is that of the file");
     require(file->reader == scan->reader, "the reader is the same");
-    for (int j = 0; j < file->grid.points_y; ++j)
-      compare_row(file->rows(j, 1), *scan, j);
+    const int n_rows = file->grid.points_y;
+    compare_rows(*file, *scan, 0, n_rows);
+    compare_rows(*file, *scan, n_rows / 2, 1);
   } catch (const input::InputError&) {
   }
 }
