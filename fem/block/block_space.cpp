@@ -32,7 +32,7 @@ first_of_all(const BlockProblem& problem) {
   for (const double length : {problem.mesh.length_x, problem.mesh.length_y})
     require_positive("length of the mesh", length, "m");
   return make_triangulation(problem.mesh, problem.counter.has_value(),
-                            problem.counter_mesh);
+                            problem.counter_mesh, true);
 }
 
 int axis_of(FaceGroup group) {

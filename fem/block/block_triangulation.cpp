@@ -1,6 +1,7 @@
 #include "fem/block/block_triangulation.hpp"
 
 #include "base/require.hpp"
+#include "fem/parallel/ranks.hpp"
 
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
@@ -68,7 +69,8 @@ void refine(dealii::Triangulation<3>& triangulation,
 
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
 make_triangulation(const meshes::BlockMesh& mesh, bool has_counter,
-                   const std::optional<meshes::BlockMesh>& counter) {
+                   const std::optional<meshes::BlockMesh>& counter,
+                   bool is_fixed) {
   if (mesh.cells.empty())
     refuse_argument("number of cells", 0.0, "at least 1");
   const bool is_hexahedral = mesh.shape == meshes::CellShape::hexahedron;
@@ -85,8 +87,10 @@ make_triangulation(const meshes::BlockMesh& mesh, bool has_counter,
     append(counter ? *counter : mesh, !counter, coarse);
 
   std::unique_ptr<dealii::parallel::TriangulationBase<3>> triangulation;
-  if (is_hexahedral) {
+  if (is_hexahedral)
     dealii::GridTools::consistently_order_cells(coarse.cells);
+  const bool is_whole = is_fixed && n_ranks() == 1 && mesh.refine_below.empty();
+  if (is_hexahedral && !is_whole) {
     // p4est limits the difference at vertices in any case. With this smoothing,
     // the flags of cells say beforehand what p4est is going to do.
     triangulation =

@@ -20,19 +20,22 @@ constexpr dealii::types::boundary_id boundary_of(meshes::FaceGroup group) {
 }
 
 /// Distributes the mesh over all ranks. Hexahedra use parallel::distributed
-/// (p4est, one tree per coarse cell) and are refined by mesh.refine_below.
-/// Tetrahedra use parallel::shared (METIS) because p4est in deal.II 9.4
-/// supports hexahedra only: every rank stores the complete mesh and owns a part
-/// of its cells.
+/// (p4est, one tree per coarse cell) and are refined by mesh.refine_below. For
+/// one rank and a mesh that is not refined, ordering the trees would take
+/// several times as long as the mesh, and parallel::shared is used. Tetrahedra
+/// use parallel::shared (METIS) because p4est in deal.II 9.4 supports hexahedra
+/// only: every rank stores the complete mesh and owns a part of its cells.
 ///
 /// @param has_counter  adds a second body below the contact surface,
 ///                     disconnected from the first: the cells of negative z
 /// @param counter      its mesh; empty for the mirror image (x, y, -z) of the
 ///                     first body. It is not refined.
+/// @param is_fixed     whether the mesh is not going to be refined by others
 /// @throws std::domain_error  the mesh has no cells, refine_below is set for
 ///                            tetrahedra, or the second mesh has other cells
 std::unique_ptr<dealii::parallel::TriangulationBase<3>>
 make_triangulation(const meshes::BlockMesh& mesh, bool has_counter,
-                   const std::optional<meshes::BlockMesh>& counter = {});
+                   const std::optional<meshes::BlockMesh>& counter = {},
+                   bool is_fixed = false);
 
 } // namespace asperity::fem
