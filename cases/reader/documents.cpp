@@ -154,7 +154,10 @@ Schema, and `asperity new NAME` writes a template.
   Units of the problem: `E*` is the contact modulus, `length` the side of the
   square, `h` the node spacing, `h_rms` the rms height of the realisation (for a
   theory by the formula, that of the formula) and `E*/h` a stiffness per area.
-  The row of each key lists its units; `µm` is read as `um`.
+  The row of each key lists its units; `µm` is read as `um`. Other than 0, the
+  magnitude of a length is between 1e-16 and 1e16 m, that of a pressure or
+  modulus between 1e-15 and 1e21 Pa, and that of a number in a unit of the
+  problem between 1e-15 and 1e9.
 - A method runs only if its table is present. A table inside a method's table is
   a variant: `[fem.hard]` is the method `fem.hard`; it inherits the keys of
   `[fem]`, and its own keys override them. Its name consists of the letters a-z,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace asperity::cases {
@@ -82,11 +83,18 @@ mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     refuse(node, "must be " + allowed_text(key));
     return {};
   }
+  const bool is_si = quantity.reference == mechanics::ReferenceUnit::si;
+  const std::string unit =
+      is_si ? si_unit(key.dimension) : reference_symbol(quantity.reference);
   if (!key.range.contains(quantity.value)) {
-    const bool is_si = quantity.reference == mechanics::ReferenceUnit::si;
-    refuse(node,
-           key.range.sentence(is_si ? si_unit(key.dimension)
-                                    : reference_symbol(quantity.reference)));
+    refuse(node, key.range.sentence(unit));
+    return {};
+  }
+  const Range limits = magnitudes(key.dimension, quantity.reference);
+  if (quantity.value != 0.0 && !limits.contains(std::abs(quantity.value))) {
+    refuse(node, fmt::format("must {}have a magnitude {}",
+                             key.range.contains(0.0) ? "be 0 or " : "",
+                             limits.limits(unit)));
     return {};
   }
   return quantity;

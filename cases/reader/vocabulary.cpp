@@ -176,6 +176,22 @@ std::string Range::sentence(const std::string& unit) const {
   return "must be " + (text.empty() ? "finite [" + unit + "]" : text);
 }
 
+Range magnitudes(Dimension dimension, mechanics::ReferenceUnit reference) {
+  if (reference != mechanics::ReferenceUnit::si)
+    return between(1e-15, 1e9);
+  switch (dimension) {
+  case Dimension::none:
+    return any_number();
+  case Dimension::length:
+  case Dimension::wavevector:
+    return between(1e-16, 1e16);
+  case Dimension::pressure:
+    return between(1e-15, 1e21);
+  default:
+    return between(1e-40, 1e40);
+  }
+}
+
 Range any_number() {
   return {-infinity, infinity};
 }

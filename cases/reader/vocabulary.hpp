@@ -49,6 +49,11 @@ Range at_least(double low);
 Range between(double low, double high);
 Range inside(double low, double high); ///< both ends excluded
 
+/// Magnitudes of quantities other than 0 with which the computations and the
+/// maps of a result, which are in single precision, neither overflow nor
+/// underflow. Any number without a unit is allowed.
+Range magnitudes(Dimension dimension, mechanics::ReferenceUnit reference);
+
 enum class Need {
   always,      ///< if the table is present, or only for its `kinds` if given
   conditional, ///< condition in `when`, checked by the reader

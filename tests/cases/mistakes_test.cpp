@@ -99,6 +99,14 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
       {"halfspace.tolerance=1e-30",
        "halfspace.tolerance = 1e-30, but must be between 1e-15 and 0.01 [1]"},
       {"surface.length=0", "surface.length = 0, but must be > 0 [m]"},
+      {"surface.length=1e-17", "surface.length = 1e-17, but must have "
+                               "a magnitude between 1e-16 and 1e+16 [m]"},
+      {"material.youngs_modulus=1e22 Pa",
+       "material.youngs_modulus = \"1e22 Pa\", but must have a "
+       "magnitude between 1e-15 and 1e+21 [Pa]"},
+      {"load.nominal_pressure=1e-16 E*",
+       "load.nominal_pressure = \"1e-16 E*\", but must have a "
+       "magnitude between 1e-15 and 1000000000 [E*]"},
       {"surface.length=\"3 h\"",
        "surface.length = \"3 h\" has the unit h of a length, but must have one "
        "of: m, mm, um, nm, angstrom"},
