@@ -72,7 +72,8 @@ std::vector<ExpectationName> error_names() {
        .surfaces = {wave_1d, wave_2d, sphere}},
       {.name = "contact_radius_error",
        .description = "Largest relative error of Hertz's contact radius, or of "
-                      "that of the punch [1].",
+                      "that of the punch, over loads whose contact fits into "
+                      "the square [1].",
        .surfaces = {sphere, punch}},
       {.name = "approach_error",
        .description = "Largest relative error of Hertz's approach, or of that "

@@ -140,6 +140,8 @@ double largest_pressure_difference(std::span<const CurvePoint> points,
   const double ratio = std::exp(step);
   double largest = not_a_number;
   for (const CurvePoint& row : loading_rows(points)) {
+    if (!(row.area_fraction < 1.0))
+      continue; // in full contact, the gap says nothing of the pressure
     double fall = reference.gap(row.nominal_pressure) -
                   reference.gap(row.nominal_pressure * ratio);
     if (!std::isfinite(fall)) // last row of the other curve

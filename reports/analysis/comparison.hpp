@@ -68,7 +68,7 @@ double largest_gap_deviation(std::span<const Deviation> rows, double rms_height,
 /// Returns the largest relative difference in pressure from another curve at
 /// equal mean gap. To first order in the difference it is |u - u_ref| over
 /// |du_ref/dln p| at the pressure of the row. The result is NaN if no row lies
-/// in the range of the other curve.
+/// in the range of the other curve. Rows in full contact do not count.
 double largest_pressure_difference(std::span<const results::CurvePoint> points,
                                    const CurveFunction& reference);
 

@@ -78,8 +78,9 @@ Estimate largest_estimate(double largest, const char* missing) {
   Estimate estimate;
   estimate.value = largest;
   estimate.realizations = estimate.has_value() ? 1 : 0;
-  estimate.remark =
-      estimate.has_value() ? "largest over the load steps" : missing;
+  estimate.remark = estimate.has_value()
+                        ? "largest over the loads with an exact solution"
+                        : missing;
   return estimate;
 }
 
@@ -96,12 +97,14 @@ void add_exact_quantities(const results::Result& result,
   quantities["area_error"] = largest_estimate(
       errors.area_fraction, "no load has an exact contact fraction");
   if (is_single(surface.kind)) {
-    quantities["contact_radius_error"] =
-        largest_estimate(errors.contact_radius, "no load step in contact");
-    quantities["approach_error"] = largest_estimate(
-        errors.approach, surface.tilt != 0.0
-                             ? "of a tilted punch only the moment is known"
-                             : "the surface is not in the result");
+    quantities["contact_radius_error"] = largest_estimate(
+        errors.contact_radius, "no load has an exact contact radius");
+    const char* const missing =
+        surface.tilt != 0.0 ? "of a tilted punch only the moment is known"
+        : surface_of(result, method, 0) == nullptr
+            ? "the surface is not in the result"
+            : "no load has an exact approach";
+    quantities["approach_error"] = largest_estimate(errors.approach, missing);
     add_stress_quantities(result, contact_case, method, summary);
     return;
   }

@@ -36,7 +36,7 @@ ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
 double approach_excess(const mechanics::SurfaceSpec& sphere,
                        double contact_modulus, double load, bool is_free);
 
-/// Returns the largest error over the load steps as an estimate.
+/// Returns the largest error over loads with an exact solution as an estimate.
 /// @param missing  why there is none, if `largest` is NaN
 Estimate largest_estimate(double largest, const char* missing);
 

@@ -22,6 +22,8 @@ ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
   const double load = nominal_pressure * side * side;
   const theory::HertzContact hertz =
       theory::hertz_contact(load, surface.radius, contact_modulus);
+  if (2.0 * hertz.contact_radius > side)
+    return exact; // the contact reaches the images or the border
   exact.contact_radius = hertz.contact_radius;
   exact.approach = hertz.approach;
   exact.area_fraction = std::numbers::pi * hertz.contact_radius *

@@ -1,5 +1,6 @@
 #include "reports/analysis/stress_quantities.hpp"
 
+#include "reports/analysis/exact.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <boost/math/tools/minima.hpp>
@@ -8,17 +9,6 @@
 #include <limits>
 
 namespace asperity::reports {
-namespace {
-
-Estimate largest(double value) {
-  Estimate estimate;
-  estimate.value = value;
-  estimate.realizations = 1;
-  estimate.remark = "largest of the saved maps";
-  return estimate;
-}
-
-} // namespace
 
 std::string stress_table_name(const std::string& method) {
   return "stress-inside-" + method;
@@ -67,14 +57,19 @@ void add_stress_quantities(const results::Result& result,
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     const theory::HertzContact contact = theory::hertz_contact(
         pressures[i] * side * side, surface.radius, result.contact_modulus);
+    if (2.0 * contact.contact_radius > side)
+      continue; // as in exact_point()
     const double strength = exact.von_mises * contact.peak_pressure;
     const double depth = exact.depth * contact.contact_radius;
     strength_error =
         std::fmax(strength_error, std::abs(strengths[i] / strength - 1.0));
     depth_error = std::fmax(depth_error, std::abs(depths[i] / depth - 1.0));
   }
-  summary.quantities["von_mises_error"] = largest(strength_error);
-  summary.quantities["von_mises_depth_error"] = largest(depth_error);
+  const char* const missing = "no saved map has an exact stress";
+  summary.quantities["von_mises_error"] =
+      largest_estimate(strength_error, missing);
+  summary.quantities["von_mises_depth_error"] =
+      largest_estimate(depth_error, missing);
 }
 
 } // namespace asperity::reports

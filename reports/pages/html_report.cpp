@@ -273,10 +273,11 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
         methods.push_back(method_row(method, series_color(one), columns));
   page.set("methods", methods);
   page.set("method_note",
-           is_exact ? "Errors are the largest over the load steps, with "
-                      "respect to the exact solution."
-                    : "± is the 95 % interval over realisations, or that of "
-                      "the fit where there is a single realisation.");
+           is_exact
+               ? "Errors are the largest over the loads that have an exact "
+                 "solution. Hertz' contact must fit into the square."
+               : "± is the 95 % interval over realisations, or that of "
+                 "the fit where there is a single realisation.");
   page.set("has_verdicts", !summary.verdicts.empty());
   page.set("verdicts", verdict_rows(summary));
   page.set("has_published", !summary.published.empty());

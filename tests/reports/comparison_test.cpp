@@ -70,6 +70,18 @@ TEST(PressureDifference, IsTheShiftOverTheDecay) {
   EXPECT_TRUE(std::isnan(largest_pressure_difference({}, reference)));
 }
 
+// In full contact the mean gap is roundoff and does not determine a pressure.
+TEST(PressureDifference, LeavesOutRowsInFullContact) {
+  std::vector<CurvePoint> full = reference_rows(5);
+  full[3].mean_gap = full[4].mean_gap = 0.0;
+  const CurveFunction reference(full);
+  std::vector<CurvePoint> rows = full;
+  rows[3].mean_gap = rows[4].mean_gap = 1e-25;
+  rows[3].area_fraction = rows[4].area_fraction = 1.0;
+
+  EXPECT_EQ(largest_pressure_difference(rows, reference), 0.0);
+}
+
 // Only rows with 0.3 < u/h_rms < 1.5 count, and rows outside the range of the
 // reference are excluded. u/h_rms of the rows here: 0.2, 1.0, 1.4, 1.7 with
 // offsets 0.5, 0.03, -0.05, 0.5 of h_rms. Tolerance: roundoff.

@@ -271,6 +271,21 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
 // whose open area is too small by up to a relative 0.5 (1 - P), and between the
 // two where neither limit applies. Tolerance: these fractions, and a tenth of
 // them for "some".
+// Hertz' radius is (3 F R / (4 E*))^(1/3), here 0.49 and 0.51 of the length: the
+// contact of the second load reaches the periodic images.
+TEST(ExactPoint, OfASphereNeedsAContactInsideTheSquare) {
+  const mechanics::SurfaceSpec surface = sphere_case().surface;
+  const auto exact = [&](double radius_over_length) {
+    return exact_point(surface, contact_modulus,
+                       4.0 / 3.0 * std::pow(radius_over_length, 3.0) * 0.1 *
+                           contact_modulus,
+                       0.0, false);
+  };
+
+  EXPECT_NEAR(exact(0.49).contact_radius, 0.49e-3, 1e-12);
+  EXPECT_TRUE(std::isnan(exact(0.51).contact_radius));
+}
+
 TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
   mechanics::SurfaceSpec surface = wave_case().surface;
   surface.kind = mechanics::SurfaceKind::wave_2d;
