@@ -126,9 +126,11 @@ std::string at_load_section() {
                                  {mechanics::ReferenceUnit::contact_modulus}),
                     ", ")) +
       ". The quantity is interpolated in\nthe method's loading curve by "
-      "monotone cubics in ln p (the area by its logarithm),\nnever "
-      "extrapolated, and averaged over realisations. `reference.csv` uses the "
-      "same\nnames.\n\n| name | what it is |\n|---|---|\n";
+      "monotone cubics in ln p (the area by its logarithm),\n"
+      "neither beyond its loads nor between loads more than a decade apart, "
+      "and "
+      "averaged\nover realisations. `reference.csv` uses the same names.\n\n| "
+      "name | what it is |\n|---|---|\n";
   for (const ExpectationName& entry : quantities_at_load())
     page += fmt::format("| `{}` | {} |\n", entry.name, cell(entry.description));
   page += "\nA quantity of a contact at a magnification names both, "

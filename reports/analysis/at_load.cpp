@@ -91,7 +91,8 @@ void add_quantities_at_load(const results::Result& result,
     estimate = mean_over_realizations(values);
     if (!estimate.has_value())
       estimate.remark =
-          fmt::format("no {} at p/E* = {:.4g} on the loading path",
+          fmt::format("no {} at p/E* = {:.4g}, nor at two loads within a "
+                      "decade around it",
                       asked.quantity, pressure / result.contact_modulus);
   }
 }

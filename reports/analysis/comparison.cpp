@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 namespace asperity::reports {
 namespace {
@@ -22,6 +23,10 @@ using Function = std::function<double(double)>;
 // limit is far above the rounding of a file's decimals and far below any step
 // of a loading path.
 constexpr double same_pressure = 1e-9;
+
+// Rows with a larger difference of ln p determine nothing between them: a
+// decade, and the rounding of a file's decimals.
+constexpr double widest_interval = std::numbers::ln10 + same_pressure;
 
 Function straight(std::vector<double> x, std::vector<double> y) {
   return [x = std::move(x), y = std::move(y)](double at) {
@@ -42,13 +47,16 @@ Function smooth(const std::vector<double>& x, const std::vector<double>& y) {
   return [curve](double at) { return (*curve)(at); };
 }
 
+// Over x = ln p.
 Function interpolant(const std::vector<double>& x,
                      const std::vector<double>& y) {
   return [x, y, between = smooth(x, y)](double at) {
     for (std::size_t i = 0; i < x.size(); ++i)
       if (std::abs(x[i] - at) <= same_pressure)
         return y[i];
-    if (x.empty() || at < x.front() || at > x.back())
+    const auto upper = std::upper_bound(x.begin(), x.end(), at);
+    if (upper == x.begin() || upper == x.end() ||
+        *upper - *(upper - 1) > widest_interval)
       return not_a_number;
     return between(at);
   };

@@ -19,7 +19,8 @@ using AreaColumn = double results::CurvePoint::*;
 /// A curve as a function of the nominal pressure. Between rows, a monotone
 /// cubic (PCHIP) in ln p interpolates the gap and ln(A/A_0); with fewer than
 /// four rows the interpolation is linear. At a row the value of the row is
-/// returned. Outside the rows the result is NaN: nothing is extrapolated.
+/// returned. Outside the rows, and between two that are more than a decade of p
+/// apart, the result is NaN.
 class CurveFunction {
 public:
   explicit CurveFunction(std::span<const results::CurvePoint> points,

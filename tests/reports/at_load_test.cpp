@@ -91,9 +91,11 @@ TEST_F(AtLoad, StatesWhyThereIsNoNumber) {
   const Estimate beyond = at("area_fraction@p=0.2 E*", 1);
   EXPECT_FALSE(beyond.has_value());
   EXPECT_EQ(beyond.remark,
-            "no area_fraction at p/E* = 0.2 on the loading path");
+            "no area_fraction at p/E* = 0.2, nor at two loads within a decade "
+            "around it");
   EXPECT_EQ(at("area_fraction_moment@p=1 MPa", 1).remark,
-            "no area_fraction_moment at p/E* = 0.0005 on the loading path");
+            "no area_fraction_moment at p/E* = 0.0005, nor at two loads within "
+            "a decade around it");
 }
 
 // An expectation at a load has a verdict like any other.

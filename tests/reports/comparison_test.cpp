@@ -55,6 +55,21 @@ TEST(CurveFunction, DoesNotExtrapolate) {
   EXPECT_TRUE(std::isnan(CurveFunction({}).gap(1e6)));
 }
 
+// Rows at 1e6, 2e6, and 1.9e7 or 2.1e7 Pa.
+TEST(CurveFunction, IsUnknownBetweenRowsMoreThanADecadeApart) {
+  std::vector<CurvePoint> rows = reference_rows(2);
+  rows.push_back(row(1.9e7, 0.0, 0.05));
+  const CurveFunction within(rows);
+  rows.back().nominal_pressure = 2.1e7;
+  const CurveFunction beyond(rows);
+
+  EXPECT_TRUE(std::isfinite(within.gap(1e7)));
+  EXPECT_TRUE(std::isnan(beyond.gap(1e7)));
+  EXPECT_TRUE(std::isnan(beyond.area_fraction(1e7)));
+  EXPECT_TRUE(std::isfinite(beyond.gap(1.5e6)));
+  EXPECT_EQ(beyond.gap(2.1e7), 0.0);
+}
+
 // On an exponential a shift of u by s u_0 is a relative difference s of p to
 // first order, at the ends of the other curve too, and rows beyond them do not
 // count. Tolerance: u_ref is differenced over 1e-3 of ln p, where it is linear;
