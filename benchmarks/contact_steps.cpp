@@ -9,7 +9,7 @@
 // Points per side (512), threads (1), thickness of a slab with a free far
 // boundary in lengths (0: half-space; -1: half-space with free boundaries),
 // load steps of the path (16; 0: only steps without an initial guess).
-#include "base/freed_memory.hpp"
+#include "base/array_memory.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 

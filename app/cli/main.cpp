@@ -11,8 +11,8 @@
 #include "app/cli/surface_command.hpp"
 #include "app/manual/command_model.hpp"
 #include "app/run/mpi_world.hpp"
+#include "base/array_memory.hpp"
 #include "base/folder_lock.hpp"
-#include "base/freed_memory.hpp"
 #include "input/input_error.hpp"
 
 #include <CLI/CLI.hpp>

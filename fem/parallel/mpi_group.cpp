@@ -1,6 +1,6 @@
 #include "fem/parallel/mpi_group.hpp"
 
-#include "base/freed_memory.hpp"
+#include "base/array_memory.hpp"
 #include "fem/parallel/ranks.hpp"
 
 #include <mpi.h>
