@@ -1,10 +1,10 @@
 // The cost of a linear solve of a block of heterogeneous cells, by algebraic
-// multigrid (settings of fem/block/block_solver.cpp) and with the Fourier
+// multigrid (settings of fem/linear/block_iterations.cpp) and with the Fourier
 // solver of the uniform block as the preconditioner of conjugate gradients:
 // set-up and solve in CPU seconds, iterations, memory. Moduli of +-50 % per
 // cell, layers growing by 1.2 from cubic cells to a depth of one length,
 // clamped; loads on every node; residual to 1e-12 of the load, as in
-// fem/block/block_solver.cpp.
+// fem/newton/contact_newton.cpp.
 //
 //     bench_heterogeneous_block [degree] [points] [multigrid] [k h/E*]
 //

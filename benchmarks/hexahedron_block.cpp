@@ -1,5 +1,5 @@
 // The cost of a block of second-order hexahedra of any shape by multigrid
-// without its matrix (fem/block/hexahedron_block.hpp) and by algebraic
+// without its matrix (fem/linear/hexahedron_block.hpp) and by algebraic
 // multigrid for the matrix of first-order cells on the same nodes, in pairs of
 // runs: set-up and one solve in CPU seconds, iterations, memory. The patch of
 // nodes in contact with a sphere is displaced by one length; residual to 1e-8
@@ -11,7 +11,7 @@
 // Nodes per side (32); gmsh's mesh that is fine under the sphere, cubes that
 // double away from the surface, or equal boxes in graded layers; pairs of runs
 // (1); which solvers (both). The set-up time includes the assembly of matrices.
-#include "fem/block/hexahedron_block.hpp"
+#include "fem/linear/hexahedron_block.hpp"
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"

@@ -8,7 +8,7 @@
 //
 // Degree (1), nodes per side (32), pairs of runs (1), which solvers (both). The
 // set-up of algebraic multigrid includes the assembly of its matrices.
-#include "fem/block/lattice_block.hpp"
+#include "fem/linear/lattice_block.hpp"
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"

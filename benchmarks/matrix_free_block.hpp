@@ -4,7 +4,7 @@
 // nodes in contact, the cost of algebraic multigrid, and pairs of runs.
 
 #include "base/cpu_clock.hpp"
-#include "fem/block/block_solver.hpp"
+#include "fem/linear/block_solver.hpp"
 
 #include <cstdio>
 #include <functional>

@@ -15,7 +15,7 @@
 
 #include "base/cpu_clock.hpp"
 #include "fem/block/block_triangulation.hpp"
-#include "fem/block/hexahedron_block.hpp"
+#include "fem/linear/hexahedron_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 

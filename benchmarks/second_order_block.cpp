@@ -10,7 +10,7 @@
 // whose layers grow by 1.5 to a depth of one side; pairs of runs (1).
 #include "base/cpu_clock.hpp"
 #include "fem/block/block_assembly.hpp"
-#include "fem/block/block_solver.hpp"
+#include "fem/linear/block_solver.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/layered_mesh.hpp"

@@ -3,7 +3,7 @@
 // The stiffness of a mesh of first-order boxes without a matrix, under linear
 // constraints. This file does not depend on deal.II.
 
-#include "fem/multigrid/hexahedron_operator.hpp"
+#include "fem/hexahedra/hexahedron_operator.hpp"
 #include "fem/refined/box_kernel.hpp"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // finer ones, and what it makes of forces and contact. This file does not
 // depend on deal.II.
 
-#include "fem/multigrid/smoothed_level.hpp"
+#include "fem/hexahedra/smoothed_level.hpp"
 #include "fem/refined/box_levels.hpp"
 
 #include <array>

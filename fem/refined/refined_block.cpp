@@ -1,7 +1,7 @@
 #include "fem/refined/refined_block.hpp"
 
-#include "fem/block/hexahedron_block.hpp"
-#include "fem/block/lattice_block.hpp"
+#include "fem/linear/hexahedron_block.hpp"
+#include "fem/linear/lattice_block.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 
@@ -223,11 +223,11 @@ bool is_refined_block(const BlockProblem& problem) {
 
 std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
                                                   const BlockSystem& system) {
-  const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
-  const bool may_serve = problem.linear_solver == LinearSolver::automatic &&
-                         system.n_unknowns() > most_direct_unknowns;
-  if (!(is_asked || may_serve) || !is_refined_block(problem) ||
-      !is_compressible(system))
+  const SolverNeeds needs{
+      .kind = LinearSolver::multigrid,
+      .fits_mesh = [&] { return is_refined_block(problem); },
+      .fits_moduli = [&] { return is_compressible(system); }};
+  if (!is_used(choice_of(needs, problem.linear_solver, system.n_unknowns())))
     return nullptr;
   if (problem.degree == 1)
     return std::make_unique<RefinedBlock>(problem, system);

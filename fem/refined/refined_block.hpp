@@ -5,7 +5,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_problem.hpp"
-#include "fem/block/mesh_block.hpp"
+#include "fem/linear/mesh_block.hpp"
 #include "fem/refined/refined_cycle.hpp"
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 // A multigrid cycle over the coarser meshes of halved boxes, which ends on the
 // lattice of the coarsest cells. This file does not depend on deal.II.
 
+#include "fem/hexahedra/smoothed_level.hpp"
 #include "fem/multigrid/multigrid_cycle.hpp"
-#include "fem/multigrid/smoothed_level.hpp"
 #include "fem/refined/node_interpolation.hpp"
 
 #include <cstddef>

@@ -3,9 +3,9 @@
 #include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/require.hpp"
-#include "fem/block/hexahedron_block.hpp"
-#include "fem/block/lattice_block.hpp"
-#include "fem/block/lattice_preconditioner.hpp"
+#include "fem/linear/hexahedron_block.hpp"
+#include "fem/linear/lattice_block.hpp"
+#include "fem/linear/lattice_preconditioner.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/refined/refined_block.hpp"
 #include "fem/solution/block_section.hpp"
@@ -49,19 +49,27 @@ bool is_lattice(const BlockProblem& problem) {
              problem.lattice->layers.size() * problem.grid.size();
 }
 
+/// The number of unknowns from which a solver for lattices is faster than the
+/// direct solver: several ranks always use it.
+unsigned int fewest_on_lattice() {
+  return n_ranks() > 1 ? 0 : most_direct_unknowns + 1;
+}
+
 /// The Fourier preconditioner if it is requested, or if it may be used and the
 /// block is not so small that the direct solver serves; null otherwise.
 std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
                                                 const BlockSystem& system) {
-  const bool is_asked = problem.linear_solver == LinearSolver::fourier;
-  if (is_asked && !is_lattice(problem))
+  const SolverNeeds needs{.kind = LinearSolver::fourier,
+                          .fewest_unknowns = fewest_on_lattice(),
+                          .fits_mesh = [&] { return is_lattice(problem); }};
+  const Choice choice =
+      choice_of(needs, problem.linear_solver, system.n_unknowns());
+  if (choice == Choice::unsuitable_mesh &&
+      problem.linear_solver == LinearSolver::fourier)
     throw std::domain_error(
         "linear_solver = fourier: the block is not a periodic regular grid of "
         "boxes; choose auto, direct or multigrid");
-  const bool serves =
-      problem.linear_solver == LinearSolver::automatic && is_lattice(problem) &&
-      (n_ranks() > 1 || system.n_unknowns() > most_direct_unknowns);
-  if (!is_asked && !serves)
+  if (!is_used(choice))
     return nullptr;
   return std::make_unique<LatticePreconditioner>(system, problem.degree,
                                                  *problem.lattice);
@@ -71,22 +79,26 @@ std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
 /// requested or preferable; null otherwise.
 std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
                                            const BlockSystem& system) {
-  const bool is_asked = problem.linear_solver == LinearSolver::multigrid;
-  const bool may_serve =
-      problem.linear_solver == LinearSolver::automatic &&
-      (n_ranks() > 1 || system.n_unknowns() > most_direct_unknowns);
-  if (!is_asked && !may_serve)
+  std::optional<BoxLattice> lattice;
+  const SolverNeeds needs{.kind = LinearSolver::multigrid,
+                          .fewest_unknowns = fewest_on_lattice(),
+                          .fits_mesh =
+                              [&] {
+                                lattice = box_lattice(problem);
+                                return lattice.has_value();
+                              },
+                          .fits_moduli =
+                              [&] {
+                                return std::ranges::all_of(
+                                    lattice->moduli, [](const CellModuli& own) {
+                                      return own.lame <=
+                                             largest_lame_ratio * own.shear;
+                                    });
+                              },
+                          .ignores_moduli_if_requested = true};
+  if (!is_used(choice_of(needs, problem.linear_solver, system.n_unknowns())))
     return nullptr;
-  const std::optional<BoxLattice> lattice = box_lattice(problem);
-  if (!lattice)
-    return nullptr;
-  const bool is_compressible =
-      std::ranges::all_of(lattice->moduli, [](const CellModuli& own) {
-        return own.lame <= largest_lame_ratio * own.shear;
-      });
-  return is_asked || is_compressible
-             ? std::make_unique<LatticeBlock>(system, *lattice)
-             : nullptr;
+  return std::make_unique<LatticeBlock>(system, *lattice);
 }
 
 /// The solver of the contact problem with the linear solver that the problem

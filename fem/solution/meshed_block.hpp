@@ -5,7 +5,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_problem.hpp"
-#include "fem/block/contact_newton.hpp"
+#include "fem/newton/contact_newton.hpp"
 #include "fem/solution/block_output.hpp"
 #include "fem/solution/face_maps.hpp"
 

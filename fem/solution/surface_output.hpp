@@ -4,7 +4,7 @@
 // and contact status on the faces of the mesh.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/contact_newton.hpp"
+#include "fem/newton/contact_newton.hpp"
 #include "fem/parallel/step_files.hpp"
 #include "fem/solution/face_maps.hpp"
 

@@ -1,7 +1,7 @@
-// Tests of fem/multigrid/cell_tangents.hpp: the stiffness of plastic cells
+// Tests of fem/hexahedra/cell_tangents.hpp: the stiffness of plastic cells
 // without a matrix, compared with sums over the Gauss points by deal.II, and
 // its inverse by multigrid with elastic levels.
-#include "fem/block/hexahedron_block.hpp"
+#include "fem/linear/hexahedron_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,6 +1,6 @@
 // Tests of contact with a counter-body that has a mesh of its own: the patch
 // test, the balance of forces, and points beside the body.
-#include "fem/block/contact_newton.hpp"
+#include "fem/newton/contact_newton.hpp"
 #include "meshes/counter_body.hpp"
 
 #include <deal.II/dofs/dof_tools.h>

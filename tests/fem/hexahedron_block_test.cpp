@@ -1,8 +1,8 @@
-// Tests of fem/block/hexahedron_block.hpp: the stiffness of second-order
+// Tests of fem/linear/hexahedron_block.hpp: the stiffness of second-order
 // hexahedra without a matrix, and multigrid with first-order functions,
 // compared with deal.II's assembled matrix and the direct solver.
-#include "fem/block/block_solver.hpp"
-#include "fem/block/hexahedron_block.hpp"
+#include "fem/linear/block_solver.hpp"
+#include "fem/linear/hexahedron_block.hpp"
 #include "meshes/counter_body.hpp"
 #include "meshes/hanging_mesh.hpp"
 

@@ -1,8 +1,8 @@
-// Tests of fem/block/lattice_block.hpp: the stiffness without a matrix and
+// Tests of fem/linear/lattice_block.hpp: the stiffness without a matrix and
 // geometric multigrid, compared with deal.II's assembled matrix and the direct
 // solver. The tests also run on two and three ranks, which share the rows.
-#include "fem/block/block_solver.hpp"
-#include "fem/block/lattice_block.hpp"
+#include "fem/linear/block_solver.hpp"
+#include "fem/linear/lattice_block.hpp"
 
 #include <gtest/gtest.h>
 

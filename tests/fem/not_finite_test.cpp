@@ -2,8 +2,8 @@
 // solution with one is accepted, and the comparisons of the tests themselves
 // fail with them.
 #include "base/special_numbers.hpp"
-#include "fem/block/contact_newton.hpp"
 #include "fem/block/full_block.hpp"
+#include "fem/newton/contact_newton.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tests of the unknowns of the full model on any mesh: the patch test. A
 // homogeneous block under uniform pressure has uniform strain, which linear and
 // quadratic shape functions represent exactly on any cells.
-#include "fem/block/contact_newton.hpp"
+#include "fem/newton/contact_newton.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Tests of what follows in hard contact where the active set does not become
-// stationary: the augmented Lagrangian method (fem/block/contact_active_set).
+// stationary: the augmented Lagrangian method (fem/newton/contact_active_set).
 #include <gtest/gtest.h>
 
 #include <string>
