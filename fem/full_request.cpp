@@ -11,8 +11,6 @@
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -105,67 +103,16 @@ meshes::BlockMesh mesh_of(const FullRequest& request) {
   return meshes::gmsh_block(gmsh_parameters(request));
 }
 
-/// The counter-body of [mesh.counter] below the centre of the block.
-/// @param block_edge  edge of the block's cells at the contact [m]
-meshes::CounterBody counter_body_of(const FullRequest& request,
-                                    double block_edge) {
-  const mechanics::CounterMeshSpec& spec = *request.mesh.counter;
-  const mechanics::Scales& scales = request.scales;
-  meshes::CounterBody body;
-  body.shape = spec.shape;
-  body.radius = spec.radius.in_si(scales);
-  body.height = spec.height ? spec.height->in_si(scales) : body.radius;
-  body.size_at_contact =
-      spec.size_at_contact ? spec.size_at_contact->in_si(scales) : block_edge;
-  body.size_far = std::max(spec.size_far.in_si(scales), body.size_at_contact);
-  const double share =
-      spec.shape == mechanics::CounterShape::sphere ? 0.25 : 1.0;
-  body.fine_radius =
-      spec.fine_radius ? spec.fine_radius->in_si(scales) : share * body.radius;
-  body.centre_x = 0.5 * request.grid.length_x + spec.offset_x.in_si(scales);
-  body.centre_y = 0.5 * request.grid.length_y + spec.offset_y.in_si(scales);
-  return body;
-}
-
-/// Requires that the body lies within the block, with periodic sides not up to
-/// them: the nodes there have their forces on both sides at once.
-void require_within(const meshes::CounterBody& body,
-                    const FullRequest& request) {
-  constexpr double roundoff = 1e-9;
-  const bool is_periodic =
-      request.full.sides == mechanics::BlockSides::periodic;
-  const auto require = [&](const char* axis, double centre, double length) {
-    const double reach =
-        std::abs(centre - 0.5 * length) + meshes::half_width(body);
-    const double most =
-        0.5 * length * (is_periodic ? 1.0 - roundoff : 1.0 + roundoff);
-    if (reach > most)
-      throw std::domain_error(fmt::format(
-          "the counter-body of [mesh.counter] reaches {:.6g} m from the centre "
-          "of the block along {}, but must stay within {:.6g} m{}: half of the "
-          "block",
-          reach, axis, 0.5 * length,
-          is_periodic ? " and off its periodic sides" : ""));
-  };
-  require("x", body.centre_x, request.grid.length_x);
-  require("y", body.centre_y, request.grid.length_y);
-}
-
 /// Adds the mesh of a counter-body of its own and what the report says of it.
 void add_counter_mesh(const FullRequest& request, BlockProblem& problem) {
-  const double edge = meshes::mesh_quality(problem.mesh).contact_edges.smallest;
-  const meshes::CounterBody body = counter_body_of(request, edge);
-  require_within(body, request);
-  // The nodes of the block are tested. A finer counter-body would be loaded at
-  // single nodes.
-  constexpr double finest = 0.9;
-  if (body.size_at_contact < finest * edge)
-    refuse_argument(
-        "size_at_contact of [mesh.counter]", body.size_at_contact,
-        fmt::format("at least {:.6g} m, the edge of the block's cells at the "
-                    "contact: contact is tested at the block's nodes, which "
-                    "would load a finer counter-body at single nodes",
-                    edge));
+  const mechanics::OpposedBlock block{
+      request.grid.length_x, request.grid.length_y, request.full.sides,
+      meshes::mesh_quality(problem.mesh).contact_edges.smallest};
+  const mechanics::CounterBody body =
+      mechanics::counter_body_of(*request.mesh.counter, request.scales, block);
+  if (const auto mistake = mechanics::mistake_in(body, block))
+    refuse_argument("mesh.counter." + mistake->key, mistake->value,
+                    mistake->rule);
   problem.counter_mesh = meshes::counter_body(body);
   problem.quality +=
       "\ncounter-body: " +

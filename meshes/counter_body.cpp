@@ -133,45 +133,14 @@ void add_faces(const CounterBody& body, BlockMesh& mesh) {
   }
 }
 
-void check_counter_body(const CounterBody& body) {
-  require_positive("mesh.counter.radius", body.radius, "m");
-  require_positive("mesh.counter.height", body.height, "m");
-  require_positive("mesh.counter.size_at_contact", body.size_at_contact, "m");
-  const bool is_sphere = body.shape == CounterShape::sphere;
-  if (is_sphere)
-    require_between("mesh.counter.height", body.height, 0.25 * body.radius,
-                    body.radius, "m");
-  const double fine = is_sphere ? 0.4 * half_width(body) : body.radius;
-  require_between("mesh.counter.size_at_contact", body.size_at_contact, 0.0,
-                  std::min(fine, body.height), "m");
-  require_between("mesh.counter.fine_radius", body.fine_radius,
-                  body.size_at_contact, fine, "m");
-  if (body.fine_radius < 0.5 * body.radius || is_sphere)
-    require_between("mesh.counter.height", body.height, 2.0 * body.fine_radius,
-                    1e300, "m");
-  require_between("mesh.counter.size_far", body.size_far, body.size_at_contact,
-                  1e300, "m");
-  constexpr double most_cells = 1e7;
-  const double n_cells = std::pow(body.fine_radius / body.size_at_contact, 3);
-  require_between(
-      "mesh.counter.fine_radius over size_at_contact, to the power 3", n_cells,
-      0.0, most_cells, "1");
-}
-
 } // namespace
 
-double half_width(const CounterBody& body) {
-  if (body.shape != CounterShape::sphere)
-    return body.radius;
-  const double below = body.radius - body.height;
-  return std::sqrt(
-      std::max(0.0, (body.radius - below) * (body.radius + below)));
-}
-
 BlockMesh counter_body(const CounterBody& body) {
-  check_counter_body(body);
+  if (const auto mistake = mechanics::mistake_in(body))
+    refuse_argument("mesh.counter." + mistake->key, mistake->value,
+                    mistake->rule);
   BlockMesh mesh;
-  mesh.length_x = mesh.length_y = 2.0 * half_width(body);
+  mesh.length_x = mesh.length_y = 2.0 * mechanics::half_width(body);
   mesh.depth = body.height;
   mesh.group_names = {"counter"};
   BodyCells(body, mesh).add_all();

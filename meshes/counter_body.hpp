@@ -3,28 +3,12 @@
 // Meshes of a counter-body of finite size: a half ball, a cap of one, or an
 // upright column, of hexahedra in a conforming mesh without hanging nodes.
 
-#include "mechanics/mesh_spec.hpp"
+#include "mechanics/counter_body.hpp"
 #include "meshes/block_mesh.hpp"
 
 namespace asperity::meshes {
 
-/// A counter-body below the contact surface: it occupies z <= 0, its axis is
-/// parallel to z, and its highest point or its flat end lies at z = 0.
-struct CounterBody {
-  mechanics::CounterShape shape = mechanics::CounterShape::sphere;
-  double radius = 0.0; ///< of the ball or the cylinder, half the side of the
-                       ///< cuboid [m] > 0
-  double height = 0.0; ///< [m]; of a cap 0.25 to 1 times the radius
-  double size_at_contact = 0.0; ///< of a cell in the fine region [m] > 0
-  double size_far = 0.0;        ///< upper limit of the length of a cell along
-                                ///< the way out [m] >= size_at_contact
-  double fine_radius = 0.0;     ///< half the width of the fine region [m]
-  double centre_x = 0.0;        ///< of the axis [m]
-  double centre_y = 0.0;        ///< [m]
-};
-
-/// The largest distance from the axis of a point of the body [m].
-double half_width(const CounterBody& body);
+using mechanics::CounterBody;
 
 /// Meshes the body. The faces of its end are the group contact, those of its
 /// base z = -height the group far_boundary, and all others the group sides.

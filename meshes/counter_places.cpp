@@ -68,7 +68,7 @@ Place between(const Place& first, const Place& last, double share) {
 
 double widest_fine_box(const CounterBody& body) {
   const double across = body.shape == CounterShape::sphere
-                            ? 0.4 * half_width(body)
+                            ? 0.4 * mechanics::half_width(body)
                             : 0.5 * body.radius;
   return std::min(across, 0.5 * body.height);
 }
@@ -80,7 +80,7 @@ BodyPlaces::BodyPlaces(const CounterBody& body) : body_(body) {
     return;
   }
   inner_ = body.shape == CounterShape::cylinder ? inner_share * body.radius
-                                                : half_width(body);
+                                                : mechanics::half_width(body);
   divide_fan(is_sphere ? 0.5 * (1.0 + base_share) * inner_ : inner_);
 }
 

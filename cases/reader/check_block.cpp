@@ -79,6 +79,7 @@ void check_counter_mesh(const Node& file, const Case& read,
       mistakes.add(place.place,
                    "mesh.counter consists of hexahedra and cannot be combined "
                    "with mesh.cells = \"tetrahedra\"");
+    check_counter_body(file, read, *fem, mistakes);
   }
   if (!is_used)
     mistakes.add(place.place,

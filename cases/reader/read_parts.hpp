@@ -64,6 +64,13 @@ void check_together(const Node& file, const Case& read, Mistakes& mistakes);
 /// Checks those of these conditions that concern heterogeneous blocks.
 void check_block(const Node& file, const Case& read, Mistakes& mistakes);
 
+/// Checks the sizes and the place of a counter-body of its own mesh, below the
+/// block of a method with two bodies, as far as they are known before the
+/// surface is built: not on a measured map. It does nothing after other
+/// mistakes.
+void check_counter_body(const Node& file, const Case& read,
+                        const mechanics::FemSettings& fem, Mistakes& mistakes);
+
 /// Returns the entry of a key of the method `name`, the inherited entry if a
 /// variant does not have the key, or otherwise the table of the method.
 const Node& entry_of(const Node& file, const std::string& name,

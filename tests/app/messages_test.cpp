@@ -49,6 +49,30 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+// Three commands read the case and refuse it alike, before anything is built.
+TEST_F(Messages, RefuseACounterBodyThatContradictsItself) {
+  std::string text = small_case;
+  text.replace(text.find("poisson_ratio = 0.3"), 19,
+               "poisson_ratio = 0.3\n[material.counter]\nyoungs_modulus = 1e9\n"
+               "poisson_ratio = 0.3\n[mesh]\nkind = \"layers\"\n"
+               "[mesh.counter]\nshape = \"cylinder\"\n"
+               "radius = \"0.2 length\"\nfine_radius = \"0.3 length\"");
+  write("two.toml", text + "[fem.pair]\nsolver = \"full\"\nbodies = 2\n"
+                           "contact = \"augmented\"\n");
+
+  for (const char* command : {"run two.toml", "run two.toml --dry-run",
+                              "check two.toml", "describe two.toml"}) {
+    const Ended refused = run(command);
+
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_TRUE(says(refused, "two.toml:25: mesh.counter.fine_radius = \"0.3 "
+                              "length\", which is "))
+        << command << refused.output;
+    EXPECT_TRUE(says(refused, " m, but must be between ")) << refused.output;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
 // A run that does not fit into the available memory is refused with both
 // numbers, and so is its plan; nothing is written.
 TEST_F(Messages, RefuseWhatDoesNotFitIntoMemory) {

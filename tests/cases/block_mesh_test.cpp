@@ -73,6 +73,57 @@ TEST(BlockMesh, HasACounterBodyOfItsOwnMesh) {
   EXPECT_FALSE(read.mesh.counter->height);
 }
 
+const std::string cylinder =
+    pair + "shape = \"cylinder\"\nradius = \"0.2 length\"\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    SizesOfACounterBody, RefusedBlock,
+    testing::Values(
+        Refused{cylinder + "size_at_contact = \"0.5 h\"\n", "fem.element=Q1",
+                "must be at least 1.953125e-08 m, the edge of the block's "
+                "cells"},
+        Refused{cylinder + "size_at_contact = \"0.3 length\"\n",
+                "fem.element=Q1",
+                "must be between 0 and 2.0000000000000003e-06 [m]"},
+        Refused{cylinder + "fine_radius = \"0.3 length\"\n", "fem.element=Q1",
+                "mesh.counter.fine_radius = \"0.3 length\", which is 3e-06 m, "
+                "but must be between 1.953125e-08 and"},
+        Refused{cylinder + "fine_radius = \"1 h\"\nheight = \"1 h\"\n",
+                "fem.element=Q1", "twice the fine_radius"},
+        Refused{cylinder + "offset_y = \"-0.35 length\"\n", "fem.element=Q1",
+                "mesh.counter.offset_y = \"-0.35 length\", which is -3.5"},
+        Refused{pair + "shape = \"cuboid\"\nradius = \"0.5 length\"\n",
+                "fem.growth=1.2", "and off its periodic sides"},
+        Refused{pair + "shape = \"sphere\"\nheight = 1e-7\n",
+                "surface.form_radius=\"0.3 length\"",
+                "mesh.counter.height = 1e-07, which is 1e-07 m, but must be "
+                "between 7.5e-07 and 3e-06 [m]"},
+        Refused{pair + "shape = \"sphere\"\n",
+                "surface.form_radius=\"0.6 length\"",
+                "surface.form_radius = \"0.6 length\", which is 6e-06 m, but "
+                "must be such that the body"},
+        Refused{cylinder + "height = \"1 h\"\n", "fem.element=Q2",
+                "mesh.counter.size_at_contact is not given and is 3.90625e-08 "
+                "m by default"}));
+
+TEST(BlockMesh, FreeSidesMayCarryACounterBodyUpToThem) {
+  const Case read =
+      block(pair + "shape = \"cuboid\"\nradius = \"0.5 length\"\n",
+            {"fem.pair.sides=free"});
+
+  EXPECT_EQ(read.mesh.counter->radius.value, 0.5);
+}
+
+TEST(BlockMesh, ChecksACounterBodyBelowAMeshOfGmshWithoutItsEdges) {
+  const std::string by_gmsh = "mesh.kind=\"gmsh\"";
+
+  EXPECT_TRUE(block(cylinder + "size_at_contact = \"0.5 h\"\n", {by_gmsh})
+                  .mesh.counter);
+  EXPECT_NE(refusal(cylinder + "fine_radius = \"0.3 length\"\n", {by_gmsh})
+                .find("mesh.counter.fine_radius"),
+            std::string::npos);
+}
+
 const std::string adaptive = "[fem.whole]\nsolver = \"full\"\n[mesh]\nkind = "
                              "\"adaptive\"\n";
 

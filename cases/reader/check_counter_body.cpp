@@ -1,0 +1,85 @@
+// Checks [mesh.counter] against the rest of the case.
+#include "cases/reader/read_parts.hpp"
+#include "mechanics/counter_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace asperity::cases {
+namespace {
+
+using mechanics::CounterMeshSpec;
+
+/// Whether all lengths are known before the surface is built.
+bool has_known_lengths(const CounterMeshSpec& spec) {
+  const auto is_known = [](const mechanics::Quantity& length) {
+    return length.reference == mechanics::ReferenceUnit::si ||
+           length.reference == mechanics::ReferenceUnit::length ||
+           length.reference == mechanics::ReferenceUnit::spacing;
+  };
+  return is_known(spec.radius) && is_known(spec.size_far) &&
+         is_known(spec.offset_x) && is_known(spec.offset_y) &&
+         is_known(spec.height.value_or(spec.size_far)) &&
+         is_known(spec.size_at_contact.value_or(spec.size_far)) &&
+         is_known(spec.fine_radius.value_or(spec.size_far));
+}
+
+/// The block of a method with the smallest edge of its cells, which only gmsh
+/// and the author of a mesh file determine otherwise.
+mechanics::OpposedBlock block_of(const Case& read,
+                                 const mechanics::FemSettings& fem) {
+  const double length = *read.surface.length;
+  const bool is_divided =
+      !fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh;
+  const int cells = *read.surface.points / degree_of(fem.block.element);
+  return {length, length, fem.full.sides, is_divided ? length / cells : 0.0};
+}
+
+/// Where the number of a mistake is written, and how: a default and the radius
+/// of a sphere have no key of the table.
+void add_mistake(const Node& file, const mechanics::CounterMistake& mistake,
+                 Mistakes& mistakes) {
+  const Node& table = entry_of(file, "mesh", "counter");
+  const Node* number = table.find(mistake.key);
+  if (number == nullptr && mistake.key == "radius") {
+    const Node& surface = *file.find("surface");
+    number = surface.find(
+        surface.find("form_radius") == nullptr ? "radius" : "form_radius");
+  }
+  if (number == nullptr)
+    mistakes.add(table.place,
+                 fmt::format("mesh.counter.{} is not given and is {} m by "
+                             "default, but must be {}",
+                             mistake.key, mistake.value, mistake.rule));
+  else
+    mistakes.add(number->place,
+                 fmt::format("{} = {}, which is {} m, but must be {}",
+                             number->path, written(*number), mistake.value,
+                             mistake.rule));
+}
+
+} // namespace
+
+void check_counter_body(const Node& file, const Case& read,
+                        const mechanics::FemSettings& fem, Mistakes& mistakes) {
+  const CounterMeshSpec& spec = *read.mesh.counter;
+  if (!mistakes.empty() || !read.surface.length || !read.surface.points ||
+      !has_known_lengths(spec))
+    return;
+  const double length = *read.surface.length;
+  mechanics::Scales scales;
+  scales.length = length;
+  scales.spacing = length / *read.surface.points;
+  const mechanics::OpposedBlock block = block_of(read, fem);
+  const mechanics::CounterBody body =
+      mechanics::counter_body_of(spec, scales, block);
+  auto mistake = mechanics::mistake_in(body);
+  if (!mistake)
+    mistake = mechanics::mistake_in(body, block);
+  if (mistake)
+    add_mistake(file, *mistake, mistakes);
+}
+
+} // namespace asperity::cases
