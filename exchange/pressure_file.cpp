@@ -5,7 +5,7 @@
 #include "input/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

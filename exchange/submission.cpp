@@ -4,7 +4,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/read_case.hpp"
 #include "contact/solvers/load_sequence.hpp"
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/text/map_file.hpp"
 
 #include "robustness/kinds.hpp"
 

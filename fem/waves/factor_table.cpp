@@ -1,5 +1,5 @@
 #include "fem/waves/moduli_field.hpp"
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <algorithm>
 #include <sstream>

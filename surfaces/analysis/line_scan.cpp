@@ -3,7 +3,7 @@
 #include "base/fourier.hpp"
 #include "base/require.hpp"
 #include "input/input_error.hpp"
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
 

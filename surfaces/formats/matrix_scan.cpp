@@ -5,7 +5,7 @@
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "surfaces/formats/own_readers.hpp"
-#include "surfaces/formats/xyz_list.hpp"
+#include "surfaces/formats/text/xyz_list.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // This internal header of surfaces/formats declares the readers of the
 // individual formats, which scan.cpp chooses from, and what they share.
 
-#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/row_file.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -32,6 +32,12 @@ enum class Asked { scan, channels };
 /// list x y z.
 Scan read_text_scan(std::string_view bytes, const std::string& name,
                     const ScanRequest& request);
+
+/// The same, read by rows; nothing if the text may be a list x y z that is not
+/// in the order of a grid. The whole text is read once for the places of its
+/// lines.
+std::optional<RowFile> text_row_file(const std::string& path,
+                                     const ScanRequest& request);
 
 /// What a text matrix says of its map.
 struct TextMatrix {

@@ -4,19 +4,13 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "surfaces/formats/npy.hpp"
-#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
-#include "surfaces/formats/text_header.hpp"
-#include "surfaces/formats/xyz_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 
@@ -69,183 +63,6 @@ std::optional<RowFile> npy_row_file(const std::string& path,
                    }}](int first, int count) {
     return stored_rows(numbers, first, count);
   };
-  return file;
-}
-
-/// Where the rows of a text are, and what else it says.
-struct TextIndex {
-  NumberTable table;                 ///< without its numbers
-  std::vector<std::uint64_t> begins; ///< first byte of each row
-  std::size_t missing = 0;           ///< points without a height
-  double largest = 0.0;              ///< magnitude of the numbers
-  bool has_zero_byte = false;        ///< it is no text then
-  /// If it may be a list x y z, of which nothing else is known then.
-  std::optional<ListOrder> list;
-  bool is_in_order = true; ///< the list, or what was read of it
-};
-
-void take_heights(std::span<const double> numbers, TextIndex& index) {
-  for (const double number : numbers) {
-    if (std::isnan(number))
-      ++index.missing;
-    else
-      index.largest = std::max(index.largest, std::abs(number));
-  }
-}
-
-/// @param may_be_list  three columns are x y z
-TextIndex index_of_text(const std::string& path, bool may_be_list) {
-  TextIndex index;
-  NumberTableReader reader(path, NumberStyle::instrument);
-  each_line(path, 0, [&](std::string_view line, std::uint64_t begin) {
-    index.has_zero_byte = line.find('\0') != std::string_view::npos;
-    if (index.has_zero_byte)
-      return false;
-    const std::size_t before = reader.rows();
-    reader.take(line);
-    if (reader.rows() == before)
-      return true;
-    std::vector<double> numbers = reader.numbers_so_far();
-    if (may_be_list && numbers.size() == list_columns) {
-      if (!index.list)
-        index.list.emplace();
-      index.is_in_order =
-          index.list->take(numbers[0], numbers[1], begin, reader.line());
-      reader.forget_lines(); // of each point
-      numbers.erase(numbers.begin(), numbers.begin() + 2);
-    } else {
-      index.begins.push_back(begin);
-    }
-    take_heights(numbers, index);
-    return index.is_in_order;
-  });
-  if (!index.has_zero_byte)
-    index.table = reader.finish();
-  index.is_in_order =
-      index.is_in_order && (!index.list || index.list->is_grid());
-  return index;
-}
-
-/// The index of a file, found again only if the file has changed: several
-/// steps of a run ask for the rows of one map.
-std::shared_ptr<const TextIndex> known_index(const std::string& path,
-                                             bool may_be_list) {
-  struct Known {
-    std::string path;
-    bool may_be_list = false;
-    std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type time;
-    std::shared_ptr<const TextIndex> index;
-  };
-
-  static std::mutex mutex;
-  static Known known;
-  const std::lock_guard lock(mutex);
-  const std::uintmax_t bytes = std::filesystem::file_size(path);
-  const auto time = std::filesystem::last_write_time(path);
-  if (known.index == nullptr || known.path != path ||
-      known.may_be_list != may_be_list || known.bytes != bytes ||
-      known.time != time)
-    known = {
-        path, may_be_list, bytes, time,
-        std::make_shared<const TextIndex>(index_of_text(path, may_be_list))};
-  return known.index;
-}
-
-std::vector<double> text_rows(const std::string& path, const TextIndex& index,
-                              double unit, int first, int count) {
-  const auto begin = static_cast<std::size_t>(first);
-  const auto n_rows = static_cast<std::size_t>(count);
-  NumberTableReader reader(path, NumberStyle::instrument);
-  reader.continue_at(index.table.lines.at(begin) - 1, index.table.columns);
-  std::vector<double> heights;
-  heights.reserve(n_rows * index.table.columns);
-  each_line(path, index.begins.at(begin),
-            [&](std::string_view line, std::uint64_t) {
-              reader.take(line);
-              const std::vector<double> numbers = reader.numbers_so_far();
-              heights.insert(heights.end(), numbers.begin(), numbers.end());
-              return heights.size() < n_rows * index.table.columns;
-            });
-  if (heights.size() != n_rows * index.table.columns)
-    throw input::InputError(path + ": has fewer rows than when the run began");
-  for (double& height : heights)
-    height *= unit;
-  return heights;
-}
-
-/// The heights of some rows of a list, which are adjacent in the file.
-std::vector<double> list_rows(const std::string& path, const TextIndex& index,
-                              double unit, int first, int count) {
-  const ListOrder& list = *index.list;
-  const int first_in_file = list.is_reversed() ? first + count - 1 : first;
-  const auto [begin, line] = list.row(first_in_file);
-  const std::size_t width = list.columns();
-  const std::size_t size = width * static_cast<std::size_t>(count);
-  NumberTableReader reader(path, NumberStyle::instrument);
-  reader.continue_at(line - 1, list_columns);
-  std::vector<double> heights;
-  heights.reserve(size);
-  each_line(path, begin, [&](std::string_view text, std::uint64_t) {
-    reader.take(text);
-    const std::vector<double> numbers = reader.numbers_so_far();
-    reader.forget_lines();
-    if (!numbers.empty())
-      heights.push_back(unit * numbers.back());
-    return heights.size() < size;
-  });
-  if (heights.size() != size)
-    throw input::InputError(path +
-                            ": has fewer points than when the run began");
-  if (list.is_reversed()) { // last row first
-    std::ranges::reverse(heights);
-    for (auto row = heights.begin(); row != heights.end();
-         row += static_cast<std::ptrdiff_t>(width))
-      std::reverse(row, row + static_cast<std::ptrdiff_t>(width));
-  }
-  return heights;
-}
-
-std::optional<RowFile>
-list_row_file(const std::string& path, const ScanRequest& request,
-              const std::shared_ptr<const TextIndex>& index) {
-  if (!index->is_in_order || gwyddion_header(index->table).width.line != 0 ||
-      !request.channel.value_or("").empty())
-    return std::nullopt;
-  RowFile file{index->list->grid(path, request.scale), "", list_reader, {}};
-  const double unit = *request.scale.height_unit;
-  file.rows = [path, index, unit](int first, int count) {
-    return list_rows(path, *index, unit, first, count);
-  };
-  if (std::isfinite(index->largest * unit))
-    file.missing = index->missing;
-  return file;
-}
-
-/// Nothing if the text may be a list x y z that is not in the order of a grid.
-/// The whole text is read once for the places of its lines.
-std::optional<RowFile> text_row_file(const std::string& path,
-                                     const ScanRequest& request) {
-  const bool is_automatic = request.format == MapFormat::automatic;
-  const std::shared_ptr<const TextIndex> index =
-      known_index(path, is_automatic || request.format == MapFormat::xyz);
-  if (!index->has_zero_byte && index->list)
-    return list_row_file(path, request, index);
-  if (index->has_zero_byte || request.format == MapFormat::xyz ||
-      (is_automatic && index->table.columns < list_columns))
-    return std::nullopt;
-  TextMatrix matrix = text_matrix(index->table, request);
-  if (request.channel && *request.channel != matrix.channel)
-    return std::nullopt;
-  RowFile file;
-  file.grid = matrix.grid;
-  file.channel = std::move(matrix.channel);
-  file.reader = std::move(matrix.reader);
-  file.rows = [path, index, unit = matrix.height_unit](int first, int count) {
-    return text_rows(path, *index, unit, first, count);
-  };
-  if (std::isfinite(index->largest * matrix.height_unit))
-    file.missing = index->missing;
   return file;
 }
 

@@ -1,8 +1,8 @@
 #include "base/plain_text.hpp"
 #include "surfaces/formats/byte_reader.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "surfaces/formats/tabulated_spectrum.hpp"
 
 #include "base/require.hpp"
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
 

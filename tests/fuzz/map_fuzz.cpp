@@ -1,7 +1,7 @@
 // Reads any bytes as a height map of each format: the result is finite heights
 // on a grid, or an InputError.
 #include "input/input_error.hpp"
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/text/map_file.hpp"
 
 #include <algorithm>
 #include <cmath>

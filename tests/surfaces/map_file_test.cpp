@@ -1,7 +1,7 @@
-// Tests of surfaces/formats/map_file.hpp: units, orientation, and the messages
-// about an invalid file.
+// Tests of surfaces/formats/text/map_file.hpp: units, orientation, and the
+// messages about an invalid file.
 #include "input/input_error.hpp"
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/text/map_file.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

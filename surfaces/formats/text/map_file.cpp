@@ -1,12 +1,12 @@
-#include "surfaces/formats/map_file.hpp"
+#include "surfaces/formats/text/map_file.hpp"
 
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/own_readers.hpp"
-#include "surfaces/formats/text_header.hpp"
-#include "surfaces/formats/xyz_list.hpp"
+#include "surfaces/formats/text/number_table.hpp"
+#include "surfaces/formats/text/text_header.hpp"
+#include "surfaces/formats/text/xyz_list.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "surfaces/formats/xyz_list.hpp"
+#include "surfaces/formats/text/xyz_list.hpp"
 
 #include "base/require.hpp"
 #include "input/input_error.hpp"

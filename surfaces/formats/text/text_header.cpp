@@ -1,4 +1,4 @@
-#include "surfaces/formats/text_header.hpp"
+#include "surfaces/formats/text/text_header.hpp"
 
 #include "base/plain_text.hpp"
 #include "surfaces/formats/length_units.hpp"

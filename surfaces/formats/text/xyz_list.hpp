@@ -3,8 +3,8 @@
 // This file recognises a list of points x y z on a regular grid and makes a map
 // of it, so that no list is ever taken for a matrix with three columns.
 
-#include "surfaces/formats/number_table.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"

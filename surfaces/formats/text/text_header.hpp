@@ -3,7 +3,7 @@
 // This internal header of surfaces/formats finds the sizes and units in the
 // header lines of a text matrix.
 
-#include "surfaces/formats/number_table.hpp"
+#include "surfaces/formats/text/number_table.hpp"
 
 #include <optional>
 
