@@ -49,6 +49,8 @@ public:
   std::size_t count_missing() const {
     if (file_.missing && grid() == file_.grid)
       return *file_.missing;
+    if (file_.missing_in)
+      return file_.missing_in(window_);
     std::size_t missing = 0;
     each_piece([&](std::span<const double> heights) {
       missing += static_cast<std::size_t>(std::ranges::count_if(

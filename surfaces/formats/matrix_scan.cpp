@@ -5,6 +5,7 @@
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/text/list_points.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@
 namespace asperity::surfaces {
 namespace {
 
+constexpr const char* npy_words = "an .npy file";
+constexpr const char* npy_reader = "own reader of .npy";
 constexpr const char* hdf5_words = "an HDF5 dataset";
 constexpr const char* hdf5_reader = "own reader of HDF5";
 
@@ -34,7 +37,7 @@ Scan scan_of_matrix(Matrix matrix, const std::string& name,
     std::iota(table.lines.begin(), table.lines.end(), 1);
     if (is_regular_list(table))
       return scan_of_list(table, request.scale);
-    refuse_possible_list(table);
+    refuse_possible_list(table.name, table.columns, table.rows());
   }
   const Grid points{static_cast<int>(matrix.columns),
                     static_cast<int>(matrix.rows), 0.0, 0.0};
@@ -192,9 +195,24 @@ std::vector<double> dataset_rows(const std::string& path,
       });
 }
 
-/// What is known of a dataset without its values; nothing if it may be a list.
-std::optional<RowFile> described_dataset(const std::string& path,
-                                         ScanRequest request) {
+/// The rows of a dataset [height_unit].
+std::vector<double> readable_rows(const std::string& path,
+                                  const std::string& dataset, int first,
+                                  int count) {
+  // The packaged library has memory errors that a damaged file can trigger.
+  results::require_readable(
+      path, [&] { (void)dataset_rows(path, dataset, first, count); });
+  return dataset_rows(path, dataset, first, count);
+}
+
+/// What is known of a dataset without its values.
+struct DescribedDataset {
+  RowFile numbers; ///< without the sides of the grid; the unit is 1
+  MapScale scale;  ///< of the case and the attributes
+};
+
+DescribedDataset described_dataset(const std::string& path,
+                                   ScanRequest request) {
   const std::lock_guard lock(results::hdf5_mutex());
   const results::Hdf5File file(path, results::Hdf5File::Mode::read);
   FoundDatasets found;
@@ -203,6 +221,8 @@ std::optional<RowFile> described_dataset(const std::string& path,
       found.paths[chosen_dataset(found, request.channel, path)];
   const std::string name = name_of(path, dataset);
   RowFile rows;
+  rows.channel = dataset;
+  rows.reader = hdf5_reader;
   with_dataset(file, dataset,
                [&](const results::Hdf5Group& group, const std::string& child) {
                  const std::vector<std::size_t> extents = group.extents(child);
@@ -211,23 +231,34 @@ std::optional<RowFile> described_dataset(const std::string& path,
                  take_attributes(group.open_dataset(child), name,
                                  request.scale);
                });
-  if (request.format == mechanics::MapFormat::automatic &&
-      rows.grid.points_x <= 3)
-    return std::nullopt;
-  rows.grid = grid_by_scale(rows.grid, name, hdf5_words, request.scale);
-  rows.channel = dataset;
-  rows.reader = hdf5_reader;
-  rows.rows = [path, dataset, unit = *request.scale.height_unit](int first,
-                                                                 int count) {
-    // The packaged library has memory errors that a damaged file can trigger.
-    results::require_readable(
-        path, [&] { (void)dataset_rows(path, dataset, first, count); });
-    std::vector<double> heights = dataset_rows(path, dataset, first, count);
+  rows.rows = [path, dataset](int first, int count) {
+    return readable_rows(path, dataset, first, count);
+  };
+  return {std::move(rows), request.scale};
+}
+
+/// The map of a matrix whose file has no sizes or units, unless it is a list
+/// x y z: as scan_of_matrix(), by rows.
+RowFile rows_of_matrix(RowFile numbers, const std::string& path,
+                       const std::string& name, const std::string& what,
+                       mechanics::MapFormat format, const MapScale& scale) {
+  if (format == mechanics::MapFormat::automatic && numbers.grid.points_x <= 3)
+    if (auto list = list_in_matrix(path, name, numbers, scale)) {
+      list->channel = numbers.channel;
+      if (!numbers.reader.empty())
+        list->reader = numbers.reader;
+      return *list;
+    }
+  RowFile file = std::move(numbers);
+  file.grid = grid_by_scale(file.grid, name, what, scale);
+  file.rows = [rows = std::move(file.rows),
+               unit = *scale.height_unit](int first, int count) {
+    std::vector<double> heights = rows(first, count);
     for (double& height : heights)
       height *= unit;
     return heights;
   };
-  return rows;
+  return file;
 }
 
 } // namespace
@@ -235,8 +266,8 @@ std::optional<RowFile> described_dataset(const std::string& path,
 Scan read_npy_scan(std::string_view bytes, const std::string& name,
                    const ScanRequest& request) {
   Scan scan =
-      scan_of_matrix(read_npy_text(bytes, name), name, "an .npy file", request);
-  scan.reader = "own reader of .npy";
+      scan_of_matrix(read_npy_text(bytes, name), name, npy_words, request);
+  scan.reader = npy_reader;
   return scan;
 }
 
@@ -246,12 +277,23 @@ ChannelInfo npy_channel(std::string_view bytes, const std::string& name) {
           static_cast<int>(matrix.rows)};
 }
 
+RowFile npy_row_file(const std::string& path, RowFile numbers,
+                     const ScanRequest& request) {
+  RowFile file = rows_of_matrix(std::move(numbers), path, path, npy_words,
+                                request.format, request.scale);
+  file.reader = npy_reader;
+  return file;
+}
+
 std::optional<RowFile> hdf5_row_file(const std::string& path,
                                      const ScanRequest& request) {
   results::require_readable(path,
                             [&] { (void)described_dataset(path, request); });
   try {
-    return described_dataset(path, request);
+    const DescribedDataset found = described_dataset(path, request);
+    return rows_of_matrix(found.numbers, path,
+                          name_of(path, found.numbers.channel), hdf5_words,
+                          request.format, found.scale);
   } catch (const results::Hdf5Error& error) {
     throw input::InputError(error.what());
   }

@@ -33,9 +33,10 @@ enum class Asked { scan, channels };
 Scan read_text_scan(std::string_view bytes, const std::string& name,
                     const ScanRequest& request);
 
-/// The same, read by rows; nothing if the text may be a list x y z that is not
-/// in the order of a grid. The whole text is read once for the places of its
-/// lines.
+/// The same, read by rows; nothing if the file is no text after all, or if
+/// read_scan() would refuse the channel. The whole text is read once for the
+/// places of its lines, and lists whose points are in another order than that
+/// of their rows three times.
 std::optional<RowFile> text_row_file(const std::string& path,
                                      const ScanRequest& request);
 
@@ -64,6 +65,10 @@ Scan read_x3p_scan(std::string_view bytes, const std::string& name);
 /// NumPy's .npy; the scales are those of the case.
 Scan read_npy_scan(std::string_view bytes, const std::string& name,
                    const ScanRequest& request);
+/// The same, read by rows.
+/// @param numbers  points per side and rows of the file, with the unit 1
+RowFile npy_row_file(const std::string& path, RowFile numbers,
+                     const ScanRequest& request);
 ChannelInfo npy_channel(std::string_view bytes, const std::string& name);
 /// Gwyddion's native format.
 FileContent read_gwy_file(std::string_view bytes, const std::string& name,

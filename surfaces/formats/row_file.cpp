@@ -25,9 +25,8 @@ constexpr std::size_t piece_bytes = std::size_t{1} << 22;
 /// Enough for the header of an .npy file of two dimensions.
 constexpr std::size_t header_bytes = std::size_t{1} << 16;
 
-std::string bytes_at(const std::string& path, std::uintmax_t at,
-                     std::size_t count) {
-  std::ifstream stream(path, std::ios::binary);
+std::string bytes_at(std::ifstream& stream, const std::string& path,
+                     std::uintmax_t at, std::size_t count) {
   std::string bytes(count, '\0');
   stream.seekg(static_cast<std::streamoff>(at));
   stream.read(bytes.data(), static_cast<std::streamsize>(count));
@@ -36,34 +35,69 @@ std::string bytes_at(const std::string& path, std::uintmax_t at,
   return bytes;
 }
 
-std::optional<RowFile> npy_row_file(const std::string& path,
-                                    std::string_view beginning,
-                                    const ScanRequest& request) {
+std::string bytes_at(const std::string& path, std::uintmax_t at,
+                     std::size_t count) {
+  std::ifstream stream(path, std::ios::binary);
+  return bytes_at(stream, path, at, count);
+}
+
+/// Whole rows of an .npy file in Fortran order [1]: a piece of each column.
+/// Columns of one page are read with those beside them, which costs less than
+/// to skip their other rows.
+std::vector<double> rows_by_column(const std::string& path,
+                                   const NpyLayout& layout, int first,
+                                   int count) {
+  constexpr std::size_t page_bytes = 4096;
+  const auto begin = static_cast<std::size_t>(first);
+  const auto n_rows = static_cast<std::size_t>(count);
+  const std::size_t at_a_time =
+      layout.rows * layout.width > page_bytes
+          ? 1
+          : std::max<std::size_t>(1,
+                                  piece_bytes / (layout.rows * layout.width));
+  std::ifstream stream(path, std::ios::binary);
+  std::vector<double> numbers(n_rows * layout.columns);
+  std::vector<double> column(n_rows);
+  for (std::size_t x = 0; x < layout.columns; x += at_a_time) {
+    const std::size_t n = std::min(at_a_time, layout.columns - x);
+    const std::string bytes = bytes_at(
+        stream, path, layout.begin + (x * layout.rows + begin) * layout.width,
+        ((n - 1) * layout.rows + n_rows) * layout.width);
+    for (std::size_t i = 0; i < n; ++i) {
+      npy_numbers(
+          layout,
+          std::string_view(bytes).substr(i * layout.rows * layout.width),
+          column);
+      for (std::size_t row = 0; row < n_rows; ++row)
+        numbers[row * layout.columns + x + i] = column[row];
+    }
+  }
+  return numbers;
+}
+
+std::optional<RowFile> npy_file(const std::string& path,
+                                std::string_view beginning,
+                                const ScanRequest& request) {
   const NpyLayout layout =
       npy_layout(beginning, std::filesystem::file_size(path), path);
   require_sound_grid(path, static_cast<std::int64_t>(layout.columns),
                      static_cast<std::int64_t>(layout.rows), 1.0,
                      layout.rows * layout.columns);
-  const bool may_be_list =
-      request.format == MapFormat::automatic && layout.columns <= 3;
-  const bool has_other_channel =
-      request.channel && !request.channel.value().empty();
-  if (may_be_list || has_other_channel || layout.is_by_column)
+  if (request.channel && !request.channel.value().empty())
     return std::nullopt;
-  RowFile file;
-  file.grid = grid_by_scale({static_cast<int>(layout.columns),
-                             static_cast<int>(layout.rows), 0.0, 0.0},
-                            path, "an .npy file", request.scale);
-  file.reader = "own reader of .npy";
-  file.rows = [numbers = StoredNumbers{
-                   path, layout.begin, layout.width, layout.columns,
-                   *request.scale.height_unit,
-                   [layout](std::string_view bytes, std::span<double> taken) {
-                     npy_numbers(layout, bytes, taken);
-                   }}](int first, int count) {
-    return stored_rows(numbers, first, count);
+  RowFile numbers;
+  numbers.grid = {static_cast<int>(layout.columns),
+                  static_cast<int>(layout.rows), 0.0, 0.0};
+  numbers.rows = [path, layout](int first, int count) {
+    if (layout.is_by_column)
+      return rows_by_column(path, layout, first, count);
+    return stored_rows({path, layout.begin, layout.width, layout.columns, 1.0,
+                        [&](std::string_view bytes, std::span<double> taken) {
+                          npy_numbers(layout, bytes, taken);
+                        }},
+                       first, count);
   };
-  return file;
+  return npy_row_file(path, std::move(numbers), request);
 }
 
 } // namespace
@@ -103,7 +137,7 @@ std::optional<RowFile> row_file(const std::string& path,
                                ? recognised_format(beginning)
                                : request.format;
   if (format == MapFormat::npy)
-    return npy_row_file(path, beginning, request);
+    return npy_file(path, beginning, request);
   if (format == MapFormat::hdf5)
     return hdf5_row_file(path, request);
   if (format == MapFormat::gwy)

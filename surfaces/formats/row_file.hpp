@@ -4,6 +4,7 @@
 // permit it.
 
 #include "surfaces/formats/scan.hpp"
+#include "surfaces/maps/corrections.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,9 @@ struct RowFile {
   std::function<std::vector<double>(int first, int count)> rows;
   /// Points without a height in the whole file, if it was read to its end.
   std::optional<std::size_t> missing = {};
+  /// Counts the points without a height in a part of the map, if that takes
+  /// less time than reading its rows by pieces; else empty.
+  std::function<std::size_t(const PixelWindow&)> missing_in = {};
 };
 
 /// Numbers of a map that a file stores one after the other, row by row.
@@ -45,11 +49,10 @@ struct StoredNumbers {
 std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
                                 int count);
 
-/// Opens an .npy file whose numbers are stored row by row, a dataset of an HDF5
-/// file, a binary SDF file, a .gwy file, a matrix of numbers as text, or a list
-/// x y z as text whose points are a complete grid, row by row.
-/// @return  nothing if the file is of another kind, also if its numbers may be
-///          another list or if read_scan() would refuse the channel
+/// Opens an .npy file, a dataset of an HDF5 file, a binary SDF file, a .gwy
+/// file, a matrix of numbers as text, or a list x y z.
+/// @return  nothing if the file is of another kind, or if read_scan() would
+///          refuse the channel
 /// @throws input::InputError  as read_scan(), if the header is malformed or a
 ///                            key of the case is missing or superfluous
 std::optional<RowFile> row_file(const std::string& path,

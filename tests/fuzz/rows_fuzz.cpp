@@ -79,6 +79,12 @@ void read_as(const std::string& path, mechanics::MapFormat format,
     const int n_rows = file->grid.points_y;
     compare_rows(*file, *scan, 0, n_rows);
     compare_rows(*file, *scan, n_rows / 2, 1);
+    const std::size_t missing = count_missing(*scan);
+    require(file->missing.value_or(missing) == missing,
+            "as many points are missing");
+    require(!file->missing_in ||
+                file->missing_in({0, 0, file->grid}) == missing,
+            "as many points are missing in the whole window");
   } catch (const input::InputError&) {
   }
 }

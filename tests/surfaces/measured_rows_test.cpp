@@ -68,11 +68,11 @@ TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
 TEST(MeasuredRows, SayWhyTheWholeMapIsNeeded) {
   const SurfaceSpec complete =
       measured(npy_file("complete.npy", heights_of_file()));
-  const std::string list = npy_file("text.txt", heights_of_file());
-  std::ofstream(list) << "0 0 4\n0 1 5\n1 0 7\n1 1 6\n"; // x is the slower
+  const std::string other = npy_file("other.dat", heights_of_file());
+  std::ofstream(other, std::ios::binary) << std::string("\1\2\0\3", 4);
 
   EXPECT_EQ(reason_for_whole_map(complete), "");
-  EXPECT_EQ(reason_for_whole_map(measured(list)),
+  EXPECT_EQ(reason_for_whole_map(measured(other)),
             "the format of the map cannot be read by rows");
 }
 
@@ -166,20 +166,22 @@ TEST(MeasuredRows, OfATextAreThoseOfTheFileThatIsThere) {
 
 /// Writes the heights of measured_files.hpp as a list x y z whose positions are
 /// rounded.
-SurfaceSpec list_of_points(const std::string& name, bool is_descending) {
+SurfaceSpec list_of_points(const std::string& name, bool is_descending,
+                           bool is_by_column = false) {
   const std::vector<double> heights = heights_of_file();
   std::string text = "x,y,z\n";
-  for (std::size_t row = 0; row < rows_of_file; ++row)
-    for (std::size_t x = 0; x < columns; ++x) {
-      const std::size_t y = is_descending ? rows_of_file - 1 - row : row;
-      const std::size_t i = y * columns + x;
-      const double rounding = 0.002 * std::sin(static_cast<double>(i));
-      text += fmt::format("{},{},{}\n", 0.5 * static_cast<double>(x) + rounding,
-                          static_cast<double>(y) / 3.0 - rounding,
-                          i % 100 == 7 ? "nan" : fmt::to_string(heights[i]));
-      if (i % 200 == 0)
-        text += "# a comment\n\n";
-    }
+  for (std::size_t at = 0; at < heights.size(); ++at) {
+    const std::size_t x = is_by_column ? at / rows_of_file : at % columns;
+    const std::size_t row = is_by_column ? at % rows_of_file : at / columns;
+    const std::size_t y = is_descending ? rows_of_file - 1 - row : row;
+    const std::size_t i = y * columns + x;
+    const double rounding = 0.002 * std::sin(static_cast<double>(i));
+    text += fmt::format("{},{},{}\n", 0.5 * static_cast<double>(x) + rounding,
+                        static_cast<double>(y) / 3.0 - rounding,
+                        i % 100 == 7 ? "nan" : fmt::to_string(heights[i]));
+    if (i % 200 == 0)
+      text += "# a comment\n\n";
+  }
   SurfaceSpec surface = measured(npy_file(name, heights));
   std::ofstream(surface.file) << text;
   surface.length = std::nullopt;
@@ -200,26 +202,12 @@ TEST(MeasuredRows, OfAListHaveTheBitsOfOneProcess) {
   }
 }
 
-// What is not the complete grid in the order of its rows is read as a whole.
-TEST(MeasuredRows, OfAnotherListAreNotReadByRows) {
-  const std::string path = npy_file("other.txt", heights_of_file());
-  const ScanRequest request{
-      mechanics::MapFormat::automatic, {}, {{}, 1e-9, {}, 1e-6}};
-  const std::string in_order = "0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 2 5\n1 2 6\n";
-  for (const std::string& text :
-       {in_order.substr(0, 30), in_order + "0 3 4\n",
-        std::string("0 0 1\n1 0 2\n1 1 4\n0 1 3\n0 2 5\n1 2 6\n"),
-        std::string("0 0 1\n1 0 2\n0 1 3\n1 1 4\n0 0.5 5\n1 0.5 6\n")}) {
-    std::ofstream(path) << text;
-    EXPECT_FALSE(row_file(path, request)) << text;
-  }
-  std::ofstream(path) << in_order;
-  EXPECT_TRUE(row_file(path, request));
-  ScanRequest unscaled = request;
-  unscaled.scale.length_unit = std::nullopt;
-  EXPECT_EQ(
-      tests::message_of<input::InputError>([&] { row_file(path, unscaled); }),
-      tests::message_of<input::InputError>([&] { read_scan(path, unscaled); }));
+TEST(MeasuredRows, OfAListByColumnsHaveTheBitsOfOneProcess) {
+  SurfaceSpec surface = list_of_points("by_column.txt", false, true);
+  expect_bits_of_one_process(surface);
+  EXPECT_EQ(described_map(surface).missing, 9U);
+  surface.crop = mechanics::MapWindow{3e-6, 2e-6, 10e-6, 0.0};
+  expect_bits_of_one_process(surface);
 }
 
 TEST(MeasuredRows, OfAFlatMapAreRefusedAsInOneProcess) {

@@ -125,7 +125,7 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
   if (request.format == MapFormat::xyz || (is_plain && is_regular_list(table)))
     return scan_of_list(table, request.scale);
   if (is_plain)
-    refuse_possible_list(table);
+    refuse_possible_list(table.name, table.columns, table.rows());
   TextMatrix matrix = text_matrix(table, request);
   Scan scan{{matrix.grid, std::move(table.numbers)},
             {},

@@ -1,5 +1,7 @@
 #include "input/input_error.hpp"
+#include "surfaces/formats/known_file.hpp"
 #include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/text/list_points.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
@@ -7,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <mutex>
 #include <span>
 #include <utility>
 
@@ -72,30 +72,10 @@ TextIndex index_of_text(const std::string& path, bool may_be_list) {
   return index;
 }
 
-/// The index of a file, found again only if the file has changed: several
-/// steps of a run ask for the rows of one map.
 std::shared_ptr<const TextIndex> known_index(const std::string& path,
                                              bool may_be_list) {
-  struct Known {
-    std::string path;
-    bool may_be_list = false;
-    std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type time;
-    std::shared_ptr<const TextIndex> index;
-  };
-
-  static std::mutex mutex;
-  static Known known;
-  const std::lock_guard lock(mutex);
-  const std::uintmax_t bytes = std::filesystem::file_size(path);
-  const auto time = std::filesystem::last_write_time(path);
-  if (known.index == nullptr || known.path != path ||
-      known.may_be_list != may_be_list || known.bytes != bytes ||
-      known.time != time)
-    known = {
-        path, may_be_list, bytes, time,
-        std::make_shared<const TextIndex>(index_of_text(path, may_be_list))};
-  return known.index;
+  return known_of_file<TextIndex>(
+      path, may_be_list, [&] { return index_of_text(path, may_be_list); });
 }
 
 std::vector<double> text_rows(const std::string& path, const TextIndex& index,
@@ -152,12 +132,8 @@ std::vector<double> list_rows(const std::string& path, const TextIndex& index,
   return heights;
 }
 
-std::optional<RowFile>
-list_row_file(const std::string& path, const ScanRequest& request,
-              const std::shared_ptr<const TextIndex>& index) {
-  if (!index->is_in_order || gwyddion_header(index->table).width.line != 0 ||
-      !request.channel.value_or("").empty())
-    return std::nullopt;
+RowFile ordered_list_file(const std::string& path, const ScanRequest& request,
+                          const std::shared_ptr<const TextIndex>& index) {
   RowFile file{index->list->grid(path, request.scale), "", list_reader, {}};
   const double unit = *request.scale.height_unit;
   file.rows = [path, index, unit](int first, int count) {
@@ -168,21 +144,9 @@ list_row_file(const std::string& path, const ScanRequest& request,
   return file;
 }
 
-} // namespace
-
-std::optional<RowFile> text_row_file(const std::string& path,
-                                     const ScanRequest& request) {
-  const bool is_automatic = request.format == MapFormat::automatic;
-  const std::shared_ptr<const TextIndex> index =
-      known_index(path, is_automatic || request.format == MapFormat::xyz);
-  if (!index->has_zero_byte && index->list)
-    return list_row_file(path, request, index);
-  if (index->has_zero_byte || request.format == MapFormat::xyz ||
-      (is_automatic && index->table.columns < list_columns))
-    return std::nullopt;
+RowFile matrix_file(const std::string& path, const ScanRequest& request,
+                    const std::shared_ptr<const TextIndex>& index) {
   TextMatrix matrix = text_matrix(index->table, request);
-  if (request.channel && *request.channel != matrix.channel)
-    return std::nullopt;
   RowFile file;
   file.grid = matrix.grid;
   file.channel = std::move(matrix.channel);
@@ -193,6 +157,103 @@ std::optional<RowFile> text_row_file(const std::string& path,
   if (std::isfinite(index->largest * matrix.height_unit))
     file.missing = index->missing;
   return file;
+}
+
+/// Calls take(point) for each line of a text of three columns.
+/// @param zero_byte  set if there is one: it is no text then
+/// @return  the other lines
+NumberTable each_text_point(const std::string& path, const TakePoint& take,
+                            bool& zero_byte) {
+  NumberTableReader reader(path, NumberStyle::instrument);
+  each_line(path, 0, [&](std::string_view line, std::uint64_t) {
+    zero_byte = line.find('\0') != std::string_view::npos;
+    if (zero_byte)
+      return false;
+    reader.take(line);
+    const std::vector<double> numbers = reader.numbers_so_far();
+    reader.forget_lines(); // of each point
+    if (numbers.empty())
+      return true;
+    if (numbers.size() != list_columns)
+      FileStamp::refuse_changed(path);
+    return take({numbers[0], numbers[1], numbers[2], reader.line()});
+  });
+  return zero_byte ? NumberTable() : reader.finish();
+}
+
+/// A list whose points are in any order, and the header of its file.
+struct ScatteredList {
+  std::shared_ptr<const ListIndex> index;
+  NumberTable table; ///< without its numbers
+  bool has_zero_byte = false;
+};
+
+ListSource text_source(const std::string& path, ScatteredList* found) {
+  return {path, path, [path, found](const TakePoint& take) {
+            bool zero_byte = false;
+            NumberTable table = each_text_point(path, take, zero_byte);
+            if (found != nullptr) {
+              found->table = std::move(table);
+              found->has_zero_byte = found->has_zero_byte || zero_byte;
+            }
+          }};
+}
+
+ScatteredList scattered_list(const std::string& path) {
+  ScatteredList found;
+  found.index = std::make_shared<const ListIndex>(
+      index_of_list(text_source(path, &found)));
+  return found;
+}
+
+/// A text of three columns that is no list in the order of its rows: another
+/// list, or a matrix.
+std::optional<RowFile> scattered_file(const std::string& path,
+                                      const ScanRequest& request) {
+  const auto found = known_of_file<ScatteredList>(
+      path, 0, [&] { return scattered_list(path); });
+  if (found->has_zero_byte)
+    return std::nullopt;
+  const ListIndex& index = *found->index;
+  if (request.format == MapFormat::automatic) {
+    const bool is_matrix =
+        gwyddion_header(found->table).width.line != 0 || index.points < 4;
+    if (is_matrix)
+      return matrix_file(path, request, known_index(path, false));
+    if (!index.is_list())
+      refuse_possible_list(path, list_columns, index.points);
+  }
+  return list_row_file(text_source(path, nullptr), found->index, request.scale);
+}
+
+bool has_other_channel(const RowFile& file, const ScanRequest& request) {
+  return request.channel && *request.channel != file.channel;
+}
+
+} // namespace
+
+std::optional<RowFile> text_row_file(const std::string& path,
+                                     const ScanRequest& request) {
+  const bool is_automatic = request.format == MapFormat::automatic;
+  const bool is_list = request.format == MapFormat::xyz;
+  const std::shared_ptr<const TextIndex> index =
+      known_index(path, is_automatic || is_list);
+  if (index->has_zero_byte)
+    return std::nullopt;
+  std::optional<RowFile> file;
+  if (index->list && index->is_in_order &&
+      (is_list || gwyddion_header(index->table).width.line == 0))
+    file = ordered_list_file(path, request, index);
+  else if (index->list)
+    file = scattered_file(path, request);
+  else {
+    if (is_list)
+      require_list_columns(index->table);
+    if (is_automatic && gwyddion_header(index->table).width.line == 0)
+      refuse_possible_list(path, index->table.columns, index->table.rows());
+    file = matrix_file(path, request, index);
+  }
+  return file && !has_other_channel(*file, request) ? file : std::nullopt;
 }
 
 } // namespace asperity::surfaces

@@ -14,28 +14,6 @@
 namespace asperity::surfaces {
 namespace {
 
-/// Equidistant positions first + i spacing.
-struct ListAxis {
-  double first = 0.0;
-  double spacing = 0.0;
-  std::size_t points = 0;
-
-  std::size_t index_of(double position) const {
-    return std::min(
-        static_cast<std::size_t>(std::lround((position - first) / spacing)),
-        points - 1);
-  }
-};
-
-constexpr double regular = 0.02; ///< of the spacing: rounding of the file
-
-/// Whether a position is that of its point but for rounding.
-bool is_regular(const ListAxis& axis, double position) {
-  return std::abs(position - axis.first -
-                  std::round((position - axis.first) / axis.spacing) *
-                      axis.spacing) <= regular * axis.spacing;
-}
-
 /// Returns the axis of a column; empty if its positions are not equidistant.
 std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
   std::vector<double> positions(table.rows());
@@ -59,13 +37,37 @@ std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
   const ListAxis axis{positions.front(),
                       extent / static_cast<double>(count - 1), count};
   for (const double position : positions)
-    if (!is_regular(axis, position))
+    if (!axis.is_regular(position))
       return std::nullopt;
   return axis;
 }
 
-/// The axis that axis_of() finds, from the positions of each point of a list in
-/// ascending order; empty if there is none, or if roundings are large.
+std::size_t index_of(const ListGrid& grid, const NumberTable& table,
+                     std::size_t row) {
+  return grid.y.index_of(table.number(row, 1)) * grid.x.points +
+         grid.x.index_of(table.number(row, 0));
+}
+
+std::optional<ListGrid> grid_of(const NumberTable& table) {
+  return grid_of_axes(axis_of(table, 0), axis_of(table, 1), table.rows());
+}
+
+/// The positions in ascending order.
+std::vector<ListPositions> ascending(std::vector<ListPositions> points) {
+  if (!points.empty() && points.back().least < points.front().least)
+    std::ranges::reverse(points);
+  return points;
+}
+
+} // namespace
+
+bool ListAxis::is_regular(double position) const {
+  constexpr double rounding = 0.02; // of the spacing
+  return std::abs(position - first -
+                  std::round((position - first) / spacing) * spacing) <=
+         rounding * spacing;
+}
+
 std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points) {
   double largest_gap = 0.0, largest_rounding = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i)
@@ -84,37 +86,24 @@ std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points) {
     const bool is_apart =
         i == 0 || points[i].least - points[i - 1].largest > 0.5 * largest_gap;
     for (const double position : {points[i].least, points[i].largest})
-      if (!is_apart || !is_regular(axis, position) ||
+      if (!is_apart || !axis.is_regular(position) ||
           axis.index_of(position) != i)
         return std::nullopt;
   }
   return axis;
 }
 
-struct ListGrid {
-  ListAxis x;
-  ListAxis y;
-
-  std::size_t index_of(const NumberTable& table, std::size_t row) const {
-    return y.index_of(table.number(row, 1)) * x.points +
-           x.index_of(table.number(row, 0));
-  }
-};
-
-/// Returns the grid if at least half of its points may be in the list.
-std::optional<ListGrid> grid_of(const NumberTable& table) {
-  const auto x = axis_of(table, 0);
-  const auto y = axis_of(table, 1);
+std::optional<ListGrid> grid_of_axes(const std::optional<ListAxis>& x,
+                                     const std::optional<ListAxis>& y,
+                                     std::size_t n_points) {
   constexpr std::size_t most = 1 << 20;
   if (!x || !y || x->points > most || y->points > most ||
-      x->points * y->points > 2 * table.rows())
+      x->points * y->points > 2 * n_points)
     return std::nullopt;
   return ListGrid{*x, *y};
 }
 
-/// @throws input::InputError  as scan_of_list()
-Grid grid_of_axes(const ListAxis& x, const ListAxis& y, const std::string& name,
-                  const MapScale& scale) {
+Grid ListGrid::scaled(const std::string& name, const MapScale& scale) const {
   if (!scale.length_unit || !scale.height_unit)
     throw input::InputError(fmt::format(
         "surface.{} is missing: {} is a list x y z, which does not give the "
@@ -132,15 +121,6 @@ Grid grid_of_axes(const ListAxis& x, const ListAxis& y, const std::string& name,
   return grid;
 }
 
-/// The positions in ascending order.
-std::vector<ListPositions> ascending(std::vector<ListPositions> points) {
-  if (!points.empty() && points.back().least < points.front().least)
-    std::ranges::reverse(points);
-  return points;
-}
-
-} // namespace
-
 bool may_be_list(const NumberTable& table) {
   return table.columns == 3 && table.rows() >= 4;
 }
@@ -153,7 +133,7 @@ bool is_regular_list(const NumberTable& table) {
     return false;
   std::vector<bool> is_there(grid->x.points * grid->y.points, false);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::size_t index = grid->index_of(table, row);
+    const std::size_t index = index_of(*grid, table, row);
     if (is_there[index])
       return false;
     is_there[index] = true;
@@ -161,42 +141,55 @@ bool is_regular_list(const NumberTable& table) {
   return true;
 }
 
-void refuse_possible_list(const NumberTable& table) {
-  if (may_be_list(table))
+void refuse_possible_list(const std::string& name, std::size_t columns,
+                          std::size_t rows) {
+  if (columns == list_columns && rows >= 4)
     throw input::InputError(fmt::format(
         "{}: {} rows of 3 columns may be a list x y z, whose positions are not "
         "the points of a regular grid, or a matrix; format = \"plain\" reads "
         "a matrix with three columns, and a list must be interpolated first",
-        table.name, table.rows()));
-  if (table.columns == 2 && table.rows() >= 4)
+        name, rows));
+  if (columns == 2 && rows >= 4)
     throw input::InputError(fmt::format(
         "{}: {} rows of 2 columns are probably a line scan x z, which is no "
         "map; format = \"plain\" reads a matrix with two columns",
-        table.name, table.rows()));
+        name, rows));
+}
+
+void refuse_irregular_list(const std::string& name) {
+  throw input::InputError(fmt::format(
+      "{}: the positions x and y of the list are not the points of a regular "
+      "grid; interpolate the heights on one first",
+      name));
+}
+
+void refuse_repeated_point(const std::string& name, int line, int first) {
+  refuse_line(name, line,
+              fmt::format("the point of line {} again: each point of the grid "
+                          "may occur once",
+                          first));
+}
+
+void require_list_columns(const NumberTable& table) {
+  if (table.columns != list_columns)
+    throw input::InputError(fmt::format(
+        "{}: {} columns, but a list x y z has 3", table.name, table.columns));
 }
 
 Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
-  if (table.columns != 3)
-    throw input::InputError(fmt::format(
-        "{}: {} columns, but a list x y z has 3", table.name, table.columns));
+  require_list_columns(table);
   const auto grid = grid_of(table);
   if (!grid)
-    throw input::InputError(fmt::format(
-        "{}: the positions x and y of the list are not the points of a regular "
-        "grid; interpolate the heights on one first",
-        table.name));
+    refuse_irregular_list(table.name);
   Scan scan;
-  scan.map.grid = grid_of_axes(grid->x, grid->y, table.name, scale);
+  scan.map.grid = grid->scaled(table.name, scale);
   scan.map.heights.assign(scan.map.grid.size(),
                           std::numeric_limits<double>::quiet_NaN());
   std::vector<int> lines(scan.map.grid.size(), 0);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::size_t index = grid->index_of(table, row);
+    const std::size_t index = index_of(*grid, table, row);
     if (lines[index] != 0)
-      refuse_line(table.name, table.lines[row],
-                  fmt::format("the point of line {} again: each point of the "
-                              "grid may occur once",
-                              lines[index]));
+      refuse_repeated_point(table.name, table.lines[row], lines[index]);
     lines[index] = table.lines[row];
     scan.map.heights[index] = table.number(row, 2) * *scale.height_unit;
   }
@@ -232,8 +225,8 @@ bool ListOrder::is_grid() const {
 }
 
 Grid ListOrder::grid(const std::string& name, const MapScale& scale) const {
-  return grid_of_axes(*axis_of(columns_), *axis_of(ascending(rows_)), name,
-                      scale);
+  return ListGrid{*axis_of(columns_), *axis_of(ascending(rows_))}.scaled(name,
+                                                                         scale);
 }
 
 const ListOrder::Row& ListOrder::row(int y) const {

@@ -6,8 +6,11 @@
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,7 +28,22 @@ bool is_regular_list(const NumberTable& table);
 /// may be a line scan (four or more rows of two columns): it must not be taken
 /// for a matrix unless the case says so.
 /// @throws input::InputError  as described
-void refuse_possible_list(const NumberTable& table);
+void refuse_possible_list(const std::string& name, std::size_t columns,
+                          std::size_t rows);
+
+/// @throws input::InputError  a list has another number of columns
+void require_list_columns(const NumberTable& table);
+
+/// Refuses a list whose positions are not the points of a regular grid.
+/// @throws input::InputError  always
+[[noreturn]] void refuse_irregular_list(const std::string& name);
+
+/// Refuses a list with a point twice.
+/// @param line   of the point that is there again
+/// @param first  its first line
+/// @throws input::InputError  always
+[[noreturn]] void refuse_repeated_point(const std::string& name, int line,
+                                        int first);
 
 /// The map of a list: x along rows and y along columns, both ascending, with
 /// period points * spacing along each side. Points that are not in the list are
@@ -45,6 +63,49 @@ inline constexpr const char* list_reader = "own reader of lists x y z";
 struct ListPositions {
   double least = 0.0, largest = 0.0;
 };
+
+/// Equidistant positions first + i spacing.
+struct ListAxis {
+  double first = 0.0;
+  double spacing = 0.0;
+  std::size_t points = 0;
+
+  std::size_t index_of(double position) const {
+    return std::min(
+        static_cast<std::size_t>(std::lround((position - first) / spacing)),
+        points - 1);
+  }
+
+  /// Whether a position is that of its point but for rounding, which is 2 % of
+  /// the spacing at most.
+  bool is_regular(double position) const;
+
+  /// Whether it is that of a point of the axis.
+  bool has(double position) const {
+    const double at = std::round((position - first) / spacing);
+    return is_regular(position) && at >= 0.0 &&
+           at < static_cast<double>(points);
+  }
+};
+
+/// Axes of the grid of a list.
+struct ListGrid {
+  ListAxis x, y;
+
+  /// @throws input::InputError  as scan_of_list(), about the scales
+  Grid scaled(const std::string& name, const MapScale& scale) const;
+};
+
+/// The axis that scan_of_list() finds.
+/// @param points  positions of its points in ascending order
+/// @return  empty if the points are not equidistant
+std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points);
+
+/// The axes, if they can be those of a list.
+/// @param n_points  of the list, which must be at least half of the grid
+std::optional<ListGrid> grid_of_axes(const std::optional<ListAxis>& x,
+                                     const std::optional<ListAxis>& y,
+                                     std::size_t n_points);
 
 /// Examines the points of a list one after the other and keeps only the sides
 /// of its grid.
