@@ -36,10 +36,14 @@ struct ContentHash::State {
       EVP_MD_CTX_new(), EVP_MD_CTX_free};
 };
 
-ContentHash::ContentHash() : state_(std::make_unique<State>()) {
+ContentHash::ContentHash(HashMethod method)
+    : state_(std::make_unique<State>()) {
+  const bool is_md5 = method == HashMethod::md5;
   if (!state_->context ||
-      EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("OpenSSL has no SHA-256");
+      EVP_DigestInit_ex(state_->context.get(),
+                        is_md5 ? EVP_md5() : EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error(
+        fmt::format("OpenSSL has no {}", is_md5 ? "MD5" : "SHA-256"));
 }
 
 ContentHash::~ContentHash() = default;

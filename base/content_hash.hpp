@@ -9,10 +9,12 @@ namespace asperity {
 /// SHA-256 of a text, as 64 hexadecimal digits.
 std::string content_hash(std::string_view text);
 
+enum class HashMethod { sha256, md5 };
+
 /// The same of bytes that come in pieces.
 class ContentHash {
 public:
-  ContentHash();
+  explicit ContentHash(HashMethod method = HashMethod::sha256);
   ~ContentHash();
   ContentHash(const ContentHash&) = delete;
   ContentHash& operator=(const ContentHash&) = delete;

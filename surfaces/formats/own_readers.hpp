@@ -55,13 +55,19 @@ TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request);
 ChannelInfo text_channel(std::string_view bytes, const std::string& name);
 /// ISO 25178-71 with the header aISO-1.0, bISO-1.0, aBCR-1.0 or bBCR-1.0.
 Scan read_sdf_scan(std::string_view bytes, const std::string& name);
-/// The same file if it is binary, read by rows.
-/// @param beginning  of the file, at least its header
+/// The same file, read by rows.
+/// @param beginning  of the file, at least the header if it is binary
 std::optional<RowFile> sdf_row_file(const std::string& path,
                                     std::string_view beginning,
                                     const ScanRequest& request);
 /// ISO 5436-2: a zip archive with main.xml.
 Scan read_x3p_scan(std::string_view bytes, const std::string& name);
+/// The same file, read by rows, which are unpacked once more for each call
+/// unless they are asked for in their order.
+/// @return  nothing if the points are in main.xml itself, which is in memory as
+///          a whole, or if read_scan() would refuse the channel
+std::optional<RowFile> x3p_row_file(const std::string& path,
+                                    const ScanRequest& request);
 /// NumPy's .npy; the scales are those of the case.
 Scan read_npy_scan(std::string_view bytes, const std::string& name,
                    const ScanRequest& request);
@@ -119,6 +125,8 @@ void multiply_heights(Scan& scan, double factor);
 void require_sound_grid(const std::string& name, std::int64_t points_x,
                         std::int64_t points_y, double bytes_each,
                         std::size_t bytes);
+/// Whether the points per side are those of a map.
+bool are_sizes_sound(std::int64_t points_x, std::int64_t points_y);
 void require_sound_lengths(const std::string& name, const Grid& grid);
 
 } // namespace asperity::surfaces

@@ -100,6 +100,30 @@ std::optional<RowFile> npy_file(const std::string& path,
   return npy_row_file(path, std::move(numbers), request);
 }
 
+/// Whether a file contains a word, by pieces.
+bool has_word(const std::string& path, std::string_view word) {
+  std::ifstream stream(path, std::ios::binary);
+  std::string window, piece(piece_bytes, '\0');
+  while (stream) {
+    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    window.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+    if (window.find(word) != std::string::npos)
+      return true;
+    window.erase(0, window.size() - std::min(window.size(), word.size()));
+  }
+  return false;
+}
+
+/// As recognised_format() of the whole file, unless a text has a zero byte
+/// behind its beginning.
+MapFormat format_of_file(const std::string& path, std::string_view beginning) {
+  const MapFormat format = recognised_format(beginning);
+  return format == MapFormat::convert && is_zip(beginning) &&
+                 has_word(path, x3p_member)
+             ? MapFormat::x3p
+             : format;
+}
+
 } // namespace
 
 std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
@@ -134,8 +158,10 @@ std::optional<RowFile> row_file(const std::string& path,
                static_cast<std::size_t>(std::min<std::uintmax_t>(
                    header_bytes, std::filesystem::file_size(path))));
   const MapFormat format = request.format == MapFormat::automatic
-                               ? recognised_format(beginning)
+                               ? format_of_file(path, beginning)
                                : request.format;
+  if (format == MapFormat::x3p)
+    return x3p_row_file(path, request);
   if (format == MapFormat::npy)
     return npy_file(path, beginning, request);
   if (format == MapFormat::hdf5)

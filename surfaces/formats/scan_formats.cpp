@@ -69,6 +69,10 @@ bool looks_like_text(std::string_view bytes) {
 
 } // namespace
 
+bool is_zip(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04"sv);
+}
+
 MapFormat recognised_format(std::string_view bytes) {
   static constexpr std::pair<std::string_view, MapFormat> beginnings[] = {
       {"GWYP", MapFormat::gwy},
@@ -81,8 +85,8 @@ MapFormat recognised_format(std::string_view bytes) {
   for (const auto& [beginning, format] : beginnings)
     if (bytes.starts_with(beginning))
       return format;
-  if (bytes.starts_with("PK\x03\x04"sv))
-    return bytes.find("main.xml"sv) != std::string_view::npos
+  if (is_zip(bytes))
+    return bytes.find(x3p_member) != std::string_view::npos
                ? MapFormat::x3p
                : MapFormat::convert;
   return looks_like_text(bytes) ? MapFormat::automatic : MapFormat::convert;

@@ -83,15 +83,25 @@ void refuse_scale(const MapScale& scale, const std::string& name) {
                       key, **value, name));
 }
 
+namespace {
+
+constexpr std::int64_t most_points = 1 << 20; // along a side
+
+} // namespace
+
+bool are_sizes_sound(std::int64_t points_x, std::int64_t points_y) {
+  return points_x >= 2 && points_y >= 2 && points_x <= most_points &&
+         points_y <= most_points;
+}
+
 void require_sound_grid(const std::string& name, std::int64_t points_x,
                         std::int64_t points_y, double bytes_each,
                         std::size_t bytes) {
-  constexpr std::int64_t most = 1 << 20;
-  if (points_x < 2 || points_y < 2 || points_x > most || points_y > most)
+  if (!are_sizes_sound(points_x, points_y))
     throw input::InputError(
         fmt::format("{}: has {} x {} points, but a map must "
                     "have 2 to {} along each side",
-                    name, points_x, points_y, most));
+                    name, points_x, points_y, most_points));
   const double needed = static_cast<double>(points_x) *
                         static_cast<double>(points_y) * bytes_each;
   if (needed > static_cast<double>(bytes))

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <memory>
 #include <stdexcept>
 #include <zip.h>
 
@@ -18,33 +17,66 @@ zip_t* as_zip(void* archive) {
   return static_cast<zip_t*>(archive);
 }
 
-/// Closes a member that is being read.
-struct CloseMember {
-  void operator()(zip_file_t* member) const { zip_fclose(member); }
-};
-
 [[noreturn]] void refuse_writing(const char* what) {
   throw std::runtime_error(fmt::format("libzip cannot {}", what));
 }
 
 } // namespace
 
+void ZipMember::Close::operator()(void* member) const {
+  zip_fclose(static_cast<zip_file_t*>(member));
+}
+
+void ZipMember::refuse(const std::string& what) const {
+  throw input::InputError(name_ + ": " + what);
+}
+
+std::size_t ZipMember::read(std::span<char> bytes) {
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const zip_int64_t count = zip_fread(static_cast<zip_file_t*>(file_.get()),
+                                        &bytes[filled], bytes.size() - filled);
+    if (count < 0)
+      refuse("is damaged");
+    filled += static_cast<std::size_t>(count);
+    taken_ += static_cast<std::uint64_t>(count);
+    if (taken_ > size_)
+      refuse("is longer than the archive says");
+    if (count == 0 && taken_ != size_)
+      refuse("is shorter than the archive says");
+    if (count == 0)
+      break;
+  }
+  return filled;
+}
+
 ZipArchive::ZipArchive(std::string_view bytes, std::string name)
     : name_(std::move(name)) {
   zip_error_t error;
   zip_error_init(&error);
-  zip_source_t* const source =
-      zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
-  if (source != nullptr)
-    archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
-  if (archive_ == nullptr) {
-    zip_source_free(source);
-    const std::string reason = zip_error_strerror(&error);
-    zip_error_fini(&error);
-    throw input::InputError(
-        fmt::format("{}: is a damaged zip archive ({})", name_, reason));
-  }
-  zip_error_fini(&error);
+  open_source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error),
+              &error);
+}
+
+ZipArchive::ZipArchive(const std::string& path) : name_(path) {
+  zip_error_t error;
+  zip_error_init(&error);
+  open_source(zip_source_file_create(path.c_str(), 0, -1, &error), &error);
+}
+
+void ZipArchive::open_source(void* source, void* error) {
+  auto* const found = static_cast<zip_error_t*>(error);
+  auto* const bytes = static_cast<zip_source_t*>(source);
+  if (bytes != nullptr)
+    archive_ = zip_open_from_source(bytes, ZIP_RDONLY, found);
+  const std::string reason =
+      archive_ == nullptr ? zip_error_strerror(found) : "";
+  zip_error_fini(found);
+  if (archive_ != nullptr)
+    return;
+  zip_source_free(bytes);
+  throw input::InputError(
+      fmt::format("{}: is a damaged zip archive ({})", name_, reason));
 }
 
 ZipArchive::~ZipArchive() {
@@ -61,7 +93,7 @@ void ZipArchive::refuse_member(const std::string& member,
       fmt::format("{}: {}: {}", name_, printable(member), what));
 }
 
-std::string ZipArchive::member(const std::string& member) const {
+ZipMember ZipArchive::open(const std::string& member) const {
   zip_stat_t facts;
   zip_stat_init(&facts);
   if (zip_stat(as_zip(archive_), member.c_str(), 0, &facts) != 0 ||
@@ -72,27 +104,23 @@ std::string ZipArchive::member(const std::string& member) const {
                   fmt::format("has {}, but must have at most {}",
                               bytes_text(static_cast<double>(facts.size)),
                               bytes_text(input::largest_number_file)));
-  const std::unique_ptr<zip_file_t, CloseMember> file(
-      zip_fopen(as_zip(archive_), member.c_str(), 0));
+  zip_file_t* const file = zip_fopen(as_zip(archive_), member.c_str(), 0);
   if (file == nullptr)
     refuse_member(member, "cannot be unpacked");
+  return {file, facts.size, fmt::format("{}: {}", name_, printable(member))};
+}
+
+std::string ZipArchive::member(const std::string& member) const {
+  ZipMember file = open(member);
   // The size is a claim of the archive: memory follows the bytes that come.
   std::string bytes;
   constexpr std::size_t piece = std::size_t{1} << 20;
-  for (;;) {
+  for (std::size_t count = piece; count == piece;) {
     const std::size_t begin = bytes.size();
     bytes.resize(begin + piece);
-    const zip_int64_t count = zip_fread(file.get(), &bytes[begin], piece);
-    if (count < 0)
-      refuse_member(member, "is damaged");
-    bytes.resize(begin + static_cast<std::size_t>(count));
-    if (count == 0)
-      break;
-    if (bytes.size() > facts.size)
-      refuse_member(member, "is longer than the archive says");
+    count = file.read(std::span(bytes).subspan(begin));
+    bytes.resize(begin + count);
   }
-  if (bytes.size() != facts.size)
-    refuse_member(member, "is shorter than the archive says");
   return bytes;
 }
 

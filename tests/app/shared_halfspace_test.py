@@ -10,6 +10,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import zipfile
 import time
 from pathlib import Path
 
@@ -99,6 +100,18 @@ def case_with(surface):
     return re.sub(r"(?s)\[surface\].*?(?=\[material\])", f"[surface]\n{surface}\n", CASE)
 
 
+def write_listed_x3p(path, text, points):
+    """An X3P file whose main.xml contains the heights of a text matrix [m]."""
+    axis = "<AxisType>I</AxisType><Increment>1e-9</Increment>"
+    heights = "".join(f"<Datum>{number}</Datum>" for line in text.splitlines()
+                      if not line.startswith("#") for number in line.split())
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("main.xml", f"""<p><Record1><FeatureType>SUR</FeatureType><Axes>
+<CX>{axis}</CX><CY>{axis}</CY><CZ><AxisType>A</AxisType><DataType>D</DataType></CZ></Axes></Record1>
+<Record3><MatrixDimension><SizeX>{points}</SizeX><SizeY>{points}</SizeY><SizeZ>1</SizeZ>
+</MatrixDimension><DataList>{heights}</DataList></Record3></p>""")
+
+
 def check_other_surfaces(runner):
     """Ranks read the rows of a map file that permits it, also of mirror images,
     and compute those of an exact shape; of other maps rank 0 sends the rows."""
@@ -111,6 +124,7 @@ def check_other_surfaces(runner):
     holes = re.sub(r"(?m)^[^#\n].*$", lambda line: re.sub(
         r"((?:\S+\t){11})\S+", r"\1bad", line.group()), text)
     (runner.folder / "holes.txt").write_text(holes)
+    write_listed_x3p(runner.folder / "listed.x3p", text, points=512)
     measured = 'kind = "measured"\nlevel = "bow"\nfile = '
     cases = {
         "npy": ('"map.npy"\nlength = "1 um"\nheight_unit = "1 m"\nedges = "periodic"',
@@ -121,7 +135,8 @@ def check_other_surfaces(runner):
         "window": ('"holes.txt"\nedges = "window"\nremove_spikes = 3\nmax_missing = 0.2\n'
                    "press_windowed_map = true",
                    "2 ranks read the rows of the surface"),
-        "sent": ('"map.x3p"\nedges = "periodic"',
+        "x3p": ('"map.x3p"\nedges = "periodic"', "2 ranks read the rows of the surface"),
+        "sent": ('"listed.x3p"\nedges = "periodic"',
                  "rank 0 builds the whole surface, because the format of the map cannot be read "
                  "by rows, and sends its rows to 2"),
         "gwy": ('"map.gwy"\nedges = "periodic"', "2 ranks read the rows of the surface"),

@@ -2,6 +2,7 @@
 // the heights that the file as a whole has, or the error is an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/row_file.hpp"
+#include "surfaces/formats/scan_formats.hpp"
 
 #include <fmt/format.h>
 
@@ -63,42 +64,58 @@ void compare_rows(const surfaces::RowFile& file, const surfaces::Scan& scan,
   }
 }
 
+void compare(const surfaces::RowFile& file, const surfaces::Scan& scan) {
+  require(file.grid == scan.map.grid, "the grid is that of the file");
+  require(file.reader == scan.reader, "the reader is the same");
+  const int n_rows = file.grid.points_y;
+  compare_rows(file, scan, n_rows / 2, 1);
+  compare_rows(file, scan, 0, n_rows);
+  compare_rows(file, scan, 0, 1);
+  compare_rows(file, scan, n_rows - 1, 1);
+  const std::size_t missing = count_missing(scan);
+  require(file.missing.value_or(missing) == missing,
+          "as many points are missing");
+  require(!file.missing_in || file.missing_in({0, 0, file.grid}) == missing,
+          "as many points are missing in the whole window");
+}
+
+/// Whether no point has a height: the file is then refused as a whole.
+bool is_empty(const surfaces::RowFile& file) {
+  for (const double height : file.rows(0, file.grid.points_y))
+    if (std::isfinite(height))
+      return false;
+  return true;
+}
+
 void read_as(const std::string& path, mechanics::MapFormat format,
              const surfaces::MapScale& scale) {
   const surfaces::ScanRequest request{format, {}, scale};
+  const std::optional<surfaces::Scan> scan = whole(path, request);
+  std::optional<surfaces::RowFile> file;
   try {
-    const std::optional<surfaces::RowFile> file =
-        surfaces::row_file(path, request);
-    if (!file)
-      return;
-    const std::optional<surfaces::Scan> scan = whole(path, request);
-    if (!scan)
-      return;
-    require(file->grid == scan->map.grid, "the grid is that of the file");
-    require(file->reader == scan->reader, "the reader is the same");
-    const int n_rows = file->grid.points_y;
-    compare_rows(*file, *scan, 0, n_rows);
-    compare_rows(*file, *scan, n_rows / 2, 1);
-    const std::size_t missing = count_missing(*scan);
-    require(file->missing.value_or(missing) == missing,
-            "as many points are missing");
-    require(!file->missing_in ||
-                file->missing_in({0, 0, file->grid}) == missing,
-            "as many points are missing in the whole window");
+    file = surfaces::row_file(path, request);
   } catch (const input::InputError&) {
+    require(!scan, "the rows of a file that is a map are read");
+    return;
   }
+  if (file && scan)
+    compare(*file, *scan);
+  else
+    require(!file || is_empty(*file), "a file that is no map is refused");
 }
 
 } // namespace
 
 /// Damaged HDF5 files end the packaged library, which this project cannot
-/// change.
+/// change; the program Gwyddion is no part of it.
 void read_input(const std::string& bytes) {
-  if (bytes.find("\x89HDF") != std::string::npos)
+  if (bytes.find("\x89HDF") != std::string::npos ||
+      surfaces::recognised_format(bytes) == mechanics::MapFormat::convert)
     return;
   const InputFile file(bytes);
   read_as(file.path(), mechanics::MapFormat::automatic, {});
   read_as(file.path(), mechanics::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
+  read_as(file.path(), mechanics::MapFormat::automatic, {{}, 1e-9, {}, 1e-6});
   read_as(file.path(), mechanics::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
 }
 

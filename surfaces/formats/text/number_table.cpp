@@ -14,6 +14,7 @@
 namespace asperity::surfaces {
 namespace {
 
+constexpr std::size_t text_piece = std::size_t{1} << 20; // bytes at a time
 constexpr std::string_view blanks = " \t\r\f\v";
 constexpr std::string_view separators = " \t\r\f\v,;";
 constexpr std::string_view separators_but_comma = " \t\r\f\v;";
@@ -156,35 +157,85 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
   throw input::InputError(fmt::format("{}:{}: {}", name, line, what));
 }
 
-void each_line(
-    const std::string& path, std::uint64_t begin,
-    const std::function<bool(std::string_view, std::uint64_t)>& take) {
-  constexpr std::size_t text_piece = std::size_t{1} << 20; // bytes at a time
+namespace {
+
+/// Where a line can be divided whose end is not known: at the last blank before
+/// a word, because blanks at the end of a line belong to its end; 0: nowhere.
+std::size_t division_of(std::string_view line) {
+  if (line.size() < text_piece)
+    return 0;
+  const std::size_t word = line.find_last_not_of(" \t\r");
+  const std::size_t blank = line.find_last_of(" \t", word);
+  return word == std::string_view::npos || blank == std::string_view::npos
+             ? 0
+             : blank;
+}
+
+/// Takes the lines of a text that begins with the byte part.begin of a file.
+/// @param part     whether a line begins there; receives the same of the rest
+/// @param is_last  whether nothing follows the text
+/// @param divides  whether long lines come in parts
+/// @return  whether more is wanted
+template <class Take>
+bool take_lines(std::string_view text, LinePart& part, bool is_last,
+                bool divides, const Take& take) {
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    part.is_end = end != std::string_view::npos || is_last;
+    if (!part.is_end && !divides)
+      return true;
+    const std::size_t length =
+        part.is_end ? std::min(end, text.size()) : division_of(text);
+    if (!part.is_end && length == 0)
+      return true;
+    part.text = text.substr(0, length);
+    if (!take(part))
+      return false;
+    const std::size_t done =
+        std::min(length + (part.is_end ? 1 : 0), text.size());
+    text.remove_prefix(done);
+    part.begin += done;
+    part.is_begin = part.is_end;
+  }
+  return true;
+}
+
+template <class Take>
+void read_lines(const std::string& path, std::uint64_t begin, bool divides,
+                const Take& take) {
   std::ifstream stream(path, std::ios::binary);
   stream.seekg(static_cast<std::streamoff>(begin));
   if (!stream)
     throw input::InputError(path + ": cannot be read");
-  std::string text; // from the byte `begin` on
+  std::string text; // from the byte part.begin on
   std::string piece(text_piece, '\0');
+  LinePart part;
+  part.begin = begin;
   for (bool is_last = false; !is_last;) {
     stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
     is_last = stream.eof();
     if (!is_last && !stream)
       throw input::InputError(path + ": cannot be read to its end");
-    std::size_t at = 0;
-    while (at < text.size()) {
-      const std::size_t end = text.find('\n', at);
-      if (end == std::string::npos && !is_last)
-        break;
-      const std::size_t length = std::min(end, text.size()) - at;
-      if (!take(std::string_view(text).substr(at, length), begin + at))
-        return;
-      at += std::min(length + 1, text.size() - at);
-    }
-    text.erase(0, at);
-    begin += at;
+    const std::uint64_t before = part.begin;
+    if (!take_lines(text, part, is_last, divides, take))
+      return;
+    text.erase(0, static_cast<std::size_t>(part.begin - before));
   }
+}
+
+} // namespace
+
+void each_line_part(const std::string& path, std::uint64_t begin,
+                    const std::function<bool(const LinePart&)>& take) {
+  read_lines(path, begin, true, take);
+}
+
+void each_line(
+    const std::string& path, std::uint64_t begin,
+    const std::function<bool(std::string_view, std::uint64_t)>& take) {
+  read_lines(path, begin, false,
+             [&](const LinePart& line) { return take(line.text, line.begin); });
 }
 
 NumberTable read_number_text(std::string_view text, const std::string& name,

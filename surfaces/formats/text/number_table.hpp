@@ -122,6 +122,21 @@ void each_line(
     const std::string& path, std::uint64_t begin,
     const std::function<bool(std::string_view, std::uint64_t)>& take);
 
+/// A line, or a part of one that is longer than what is in memory.
+struct LinePart {
+  std::string_view text;
+  std::uint64_t begin = 0; ///< first byte in the file
+  bool is_begin = true;    ///< of the line, or the byte where reading began
+  bool is_end = true;      ///< of the line
+};
+
+/// Calls take() for the lines of a file from a byte on, until it returns false.
+/// Lines that are longer than 1 MB come in parts, which begin with a blank or
+/// tab between two words. A part and 1 MB of the file are in memory.
+/// @throws input::InputError  the file cannot be read
+void each_line_part(const std::string& path, std::uint64_t begin,
+                    const std::function<bool(const LinePart&)>& take);
+
 /// Reports an error in a line of a file.
 /// @throws input::InputError  "name:line: what"
 [[noreturn]] void refuse_line(const std::string& name, int line,
