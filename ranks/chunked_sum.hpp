@@ -51,15 +51,28 @@ struct Largest {
   }
 };
 
-/// Calls do_chunk(begin, end) for each chunk of 0..nodes-1.
+/// Calls do_chunk(chunk, begin, end) for each chunk of 0..nodes-1.
+/// @param nodes  number of nodes of this process, or of its first rows
+template <class DoChunk>
+void each_chunk(std::size_t nodes, const Workers& workers,
+                const DoChunk& do_chunk) {
+  const NodeChunks& chunks = workers.chunks;
+  parallel_rows(static_cast<int>(chunks.count(nodes)), workers.threads,
+                [&](int number) {
+                  const auto chunk = static_cast<std::size_t>(number);
+                  do_chunk(chunk, chunks.begin(chunk),
+                           std::min(nodes, chunks.begin(chunk + 1)));
+                });
+}
+
+/// Calls do_chunk(begin, end) for chunks of 0..nodes-1.
 /// @param threads  >= 1
 template <class DoChunk>
 void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
-  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
-  parallel_rows(static_cast<int>(chunks), threads, [&](int chunk) {
-    const std::size_t begin = static_cast<std::size_t>(chunk) * chunk_nodes;
-    do_chunk(begin, std::min(nodes, begin + chunk_nodes));
-  });
+  each_chunk(nodes, threads,
+             [&](std::size_t, std::size_t begin, std::size_t end) {
+               do_chunk(begin, end);
+             });
 }
 
 /// Adds the sums of the chunks of this process in their order, first those of
@@ -68,7 +81,7 @@ void chunked(std::size_t nodes, int threads, const DoChunk& do_chunk) {
 template <class Sums>
 Sums sum_of_chunks(std::span<const Sums> partial, std::size_t nodes,
                    const Workers& workers) {
-  const std::size_t length = chunks_in_group(workers.all_nodes(nodes));
+  const std::size_t length = workers.chunks.in_group(workers.all_nodes(nodes));
   std::vector<Sums> groups((partial.size() + length - 1) / length);
   for (std::size_t chunk = 0; chunk < partial.size(); ++chunk)
     groups[chunk / length] += partial[chunk];
@@ -94,11 +107,11 @@ template <class Sums, class DoChunk>
 Sums chunked_sum(std::size_t nodes, const Workers& workers,
                  const DoChunk& do_chunk) {
   static_assert(std::is_trivially_copyable_v<Sums>);
-  const std::size_t chunks = (nodes + chunk_nodes - 1) / chunk_nodes;
-  std::vector<Sums> partial(chunks);
-  chunked(nodes, workers.threads, [&](std::size_t begin, std::size_t end) {
-    partial[begin / chunk_nodes] = do_chunk(begin, end);
-  });
+  std::vector<Sums> partial(workers.chunks.count(nodes));
+  each_chunk(nodes, workers,
+             [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+               partial[chunk] = do_chunk(begin, end);
+             });
   return sum_of_chunks<Sums>(partial, nodes, workers);
 }
 

@@ -12,15 +12,29 @@
 namespace asperity {
 namespace {
 
-std::size_t group_nodes(const Grid& grid) {
-  return chunks_in_group(grid.size()) * chunk_nodes;
+std::size_t rows_in_unit(const Grid& grid) {
+  return NodeChunks(grid).rows_to_share(grid);
 }
 
-/// Smallest multiple of rows_in_cell that makes whole groups.
-std::size_t rows_in_unit(const Grid& grid) {
-  const auto width = static_cast<std::size_t>(grid.points_x);
-  const std::size_t rows = std::lcm(width, group_nodes(grid)) / width;
-  return std::lcm(rows, rows_in_cell);
+/// Bounds after multiples of `step` rows.
+std::vector<int> bounds_at(const Grid& grid, std::size_t n_ranks,
+                           std::size_t step) {
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  const std::size_t steps = (rows + step - 1) / step;
+  std::vector<int> bounds(n_ranks + 1);
+  for (std::size_t r = 0; r < n_ranks; ++r)
+    bounds[r] = static_cast<int>(steps * r / n_ranks * step);
+  bounds[n_ranks] = grid.points_y;
+  return bounds;
+}
+
+/// Whether no rank holds more than 17/16 of the mean number of rows.
+bool are_nearly_equal(std::span<const int> bounds) {
+  int most = 0;
+  for (std::size_t r = 0; r + 1 < bounds.size(); ++r)
+    most = std::max(most, bounds[r + 1] - bounds[r]);
+  const auto n_ranks = static_cast<long>(bounds.size() - 1);
+  return 16 * n_ranks * most <= 17L * bounds.back();
 }
 
 /// Rows after which a rank may end: a multiple of those of a unit by a power of
@@ -29,8 +43,9 @@ std::size_t rows_in_unit(const Grid& grid) {
 std::size_t rows_in_step(const Grid& grid, std::size_t n_ranks) {
   const auto rows = static_cast<std::size_t>(grid.points_y);
   std::size_t step = rows_in_unit(grid);
-  for (std::size_t next = 4 * step; next * n_ranks <= rows; next *= 4)
-    if (rows % (next * n_ranks) == 0 || rows >= 16 * next * n_ranks)
+  for (std::size_t next = 4 * step; next < rows && next * n_ranks < rows + next;
+       next *= 4)
+    if (are_nearly_equal(bounds_at(grid, n_ranks, next)))
       step = next;
   return step;
 }
@@ -50,14 +65,7 @@ std::vector<int> row_bounds(const Grid& grid, int n_ranks) {
                         " for a grid of " + std::to_string(grid.points_x) +
                         " by " + std::to_string(grid.points_y) + " points");
   const auto ranks = static_cast<std::size_t>(n_ranks);
-  const auto rows = static_cast<std::size_t>(grid.points_y);
-  const std::size_t step = rows_in_step(grid, ranks);
-  const std::size_t steps = (rows + step - 1) / step;
-  std::vector<int> bounds(ranks + 1);
-  for (std::size_t r = 0; r < ranks; ++r)
-    bounds[r] = static_cast<int>(steps * r / ranks * step);
-  bounds[ranks] = grid.points_y;
-  return bounds;
+  return bounds_at(grid, ranks, rows_in_step(grid, ranks));
 }
 
 bool holds_whole_groups(const Grid& grid, std::span<const int> bounds) {
@@ -71,7 +79,7 @@ bool holds_whole_groups(const Grid& grid, std::span<const int> bounds) {
 std::vector<std::byte> gathered_sums(const SharedRows& rows,
                                      std::span<const std::byte> own,
                                      std::size_t bytes) {
-  const std::size_t group = group_nodes(rows.grid());
+  const NodeChunks chunks(rows.grid());
   std::vector<std::size_t> counts;
   counts.reserve(rows.bounds().size());
   std::size_t all = 0;
@@ -79,7 +87,7 @@ std::vector<std::byte> gathered_sums(const SharedRows& rows,
     const std::size_t nodes =
         static_cast<std::size_t>(rows.bounds()[r + 1] - rows.bounds()[r]) *
         rows.width();
-    counts.push_back((nodes + group - 1) / group * bytes);
+    counts.push_back(chunks.groups(nodes, rows.grid().size()) * bytes);
     all += counts.back();
   }
   std::vector<std::byte> sums(all);

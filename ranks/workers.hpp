@@ -8,35 +8,27 @@
 #include <span>
 #include <vector>
 
+#include "ranks/node_chunks.hpp"
 #include "ranks/shared_rows.hpp"
 
 namespace asperity {
 
-/// Number of nodes in one chunk, which one thread sums.
-inline constexpr std::size_t chunk_nodes = std::size_t{1} << 13;
-
-/// Largest number of groups of chunks. Each rank holds whole groups; their sums
-/// are gathered and added in order.
-inline constexpr std::size_t most_groups = 1024;
-
-/// Rows that one rank holds together: the side of the largest cells of
-/// BoundaryExtension whose rows are shared on any grid.
-inline constexpr std::size_t rows_in_cell = 8;
-
-/// Number of chunks in a group of a field of all ranks together.
-inline std::size_t chunks_in_group(std::size_t all_nodes) {
-  const std::size_t chunks = (all_nodes + chunk_nodes - 1) / chunk_nodes;
-  return chunks <= most_groups ? 1 : (chunks + most_groups - 1) / most_groups;
-}
-
 /// Threads and ranks. A number of threads stands for a process that holds all
-/// nodes.
+/// nodes, and whose sums need not be those of ranks.
 struct Workers {
   int threads = 1;                  ///< of this process, >= 1
   const SharedRows* rows = nullptr; ///< null if this process holds all nodes
+  NodeChunks chunks;
 
-  Workers(int threads_, const SharedRows* rows_ = nullptr)
-      : threads(threads_), rows(rows_) {}
+  Workers(int threads_) : threads(threads_) {}
+
+  /// @param rows_  not null
+  Workers(int threads_, const SharedRows* rows_)
+      : Workers(threads_, rows_->grid(), rows_) {}
+
+  /// @param rows_  of the grid; null for a process that holds all nodes
+  Workers(int threads_, const Grid& grid, const SharedRows* rows_ = nullptr)
+      : threads(threads_), rows(rows_), chunks(grid) {}
 
   /// Number of nodes on all ranks, of which this process holds `own`.
   std::size_t all_nodes(std::size_t own) const {
@@ -45,14 +37,12 @@ struct Workers {
 };
 
 /// Bounds of the rows of each rank, see SharedRows, so that every rank holds
-/// whole groups of chunks and rows_in_cell rows or multiples of them. If
-/// possible, this also holds on grids of every second node.
+/// whole units and groups of chunks (NodeChunks). If possible, this also holds
+/// on grids of every second node.
 /// @throws std::domain_error  n_ranks exceeds most_ranks(grid)
 std::vector<int> row_bounds(const Grid& grid, int n_ranks);
 
-/// Largest number of ranks that can share the rows of a grid, >= 1. It is small
-/// if points_x contains large odd factors: shares begin at nodes that are
-/// multiples of points_x and of chunk_nodes.
+/// Largest number of ranks that can share the rows of a grid, >= 1.
 int most_ranks(const Grid& grid);
 
 /// Whether bounds are of this kind on this grid.

@@ -26,7 +26,7 @@ public:
     observation_.nodal_weights = c.nodal_weights();
     observation_.border =
         c.is_periodic() ? results::Border::periodic : results::Border::free;
-    observation_.workers = {setting.threads, c.shared_rows()};
+    observation_.workers = {setting.threads, c.grid(), c.shared_rows()};
   }
 
   StepAnswer solve(const StepTarget& target) override {

@@ -128,7 +128,7 @@ public:
   virtual int threads() const { return 1; }
 
   /// Threads and ranks, for sums over the nodes.
-  Workers workers() const { return {threads(), shared_rows()}; }
+  Workers workers() const { return {threads(), grid(), shared_rows()}; }
 
   /// The operator of the same block on a coarse_grid(); null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }

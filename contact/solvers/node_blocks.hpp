@@ -14,8 +14,8 @@
 
 namespace asperity::contact {
 
-/// Number of consecutive nodes in one block; it divides chunk_nodes.
-inline constexpr std::size_t block_nodes = 64;
+/// Number of consecutive nodes in one block. Chunks consist of whole blocks.
+inline constexpr std::size_t block_nodes = chunk_alignment;
 
 /// One flag per block, 0 or 1.
 using BlockFlags = std::vector<std::uint8_t>;

@@ -5,6 +5,7 @@
 
 #include "results/types/map_view.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
@@ -29,16 +30,20 @@ Sums sum_over(const MapView& map, const Workers& workers,
           return do_nodes(begin, all.subspan(begin, end - begin));
         });
   }
-  static_assert(MapView::values_at_a_time % chunk_nodes == 0);
-  std::vector<Sums> partial((map.size() + chunk_nodes - 1) / chunk_nodes);
-  each_piece(std::array{map}, MapView::values_at_a_time,
+  const NodeChunks& chunks = workers.chunks;
+  const std::size_t units =
+      std::max<std::size_t>(1, MapView::values_at_a_time / chunks.unit_nodes());
+  std::vector<Sums> partial(chunks.count(map.size()));
+  each_piece(std::array{map}, units * chunks.unit_nodes(),
              [&](std::size_t first, const auto& values) {
                const std::span<const double> piece = values[0];
-               chunked(piece.size(), workers.threads,
-                       [&](std::size_t begin, std::size_t end) {
-                         partial[(first + begin) / chunk_nodes] = do_nodes(
-                             first + begin, piece.subspan(begin, end - begin));
-                       });
+               Sums* const of_piece = &partial[chunks.count(first)];
+               each_chunk(
+                   piece.size(), workers,
+                   [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                     of_piece[chunk] = do_nodes(
+                         first + begin, piece.subspan(begin, end - begin));
+                   });
              });
   return sum_of_chunks<Sums>(partial, map.size(), workers);
 }

@@ -115,7 +115,7 @@ def write_listed_x3p(path, text, points):
 def check_other_surfaces(runner):
     """Ranks read the rows of a map file that permits it, also of mirror images,
     and compute those of an exact shape; of other maps rank 0 sends the rows."""
-    maps = {"map.npy": 512, "map.h5": 256, "map.txt": 512, "map.gwy": 512, "map.x3p": 512}
+    maps = {"map.npy": 512, "large.npy": 640, "map.h5": 256, "map.txt": 512, "map.gwy": 512, "map.x3p": 512}
     for name, points in maps.items():
         runner.run("surface", "shared.toml", "--no-report", "--write", name, "--set",
                    f"surface.points={points}", "--set", 'surface.wavelength_short="16 nm"')
@@ -129,6 +129,9 @@ def check_other_surfaces(runner):
     cases = {
         "npy": ('"map.npy"\nlength = "1 um"\nheight_unit = "1 m"\nedges = "periodic"',
                 "2 ranks read the rows of the surface"),
+        "cropped": ('"large.npy"\nlength = "640 nm"\nheight_unit = "1 m"\nedges = "periodic"\n'
+                    'crop_length_x = "601 nm"\ncrop_length_y = "511 nm"',
+                    "2 ranks read the rows of the surface"),
         "hdf5": ('"map.h5"\nedges = "mirror"', "2 ranks read the rows of the surface"),
         "spikes": ('"map.h5"\nedges = "mirror"\nremove_spikes = 3\nalign_lines = "median"',
                    "2 ranks read the rows of the surface"),
@@ -185,12 +188,23 @@ def check_plan(runner):
 
 
 def check_small(runner):
-    """A small grid is not shared, nor one that cannot be divided."""
-    for points in ("256", "1000"):
-        output = runner.run("run", "shared.toml", "--no-cache", "--no-report", "--methods",
-                            "halfspace", "--exactly", "--set", f"surface.points={points}", "--set",
-                            'load.nominal_pressure=["0.01 E*"]', "--out", points, ranks=2)
-        assert not shared_by(output), output
+    """A small grid is not shared."""
+    output = runner.run("run", "shared.toml", "--no-cache", "--no-report", "--methods",
+                        "halfspace", "--exactly", "--set", "surface.points=256", "--set",
+                        'load.nominal_pressure=["0.01 E*"]', "--out", "small", ranks=2)
+    assert not shared_by(output), output
+
+
+def check_any_grid(runner):
+    """Grids whose numbers of points are no powers of two are shared."""
+    ask = ["run", "shared.toml", "--no-cache", "--no-report", "--methods", "fem,fem.q1,halfspace",
+           "--exactly", "--set", "surface.points=518", "--set",
+           'load.nominal_pressure=["0.01 E*"]']
+    runner.run(*ask, "--out", "518-alone")
+    output = runner.run(*ask, "--out", "518-3", ranks=3)
+    assert len(shared_by(output)) == 3, output
+    runner.run("diff", "518-alone", "518-3", "--tolerance", "0")
+    runner.expect_same_maps("518-alone", "518-3")
 
 
 def check_cache(runner):
@@ -267,7 +281,8 @@ def main(program, mpirun, folder, same_maps):
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder, same_maps)
     for check in (check_plan, check_bits, check_surface_by_rows,
-                  check_other_surfaces, check_stress_inside, check_small, check_cache,
+                  check_other_surfaces, check_stress_inside, check_small,
+                  check_any_grid, check_cache,
                   check_cache_by_rows, check_kill):
         check(runner)
 

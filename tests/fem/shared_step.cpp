@@ -3,9 +3,9 @@
 // cost and the memory of each rank. The measurements of
 // docs/numerics/shared-rows.md are made with it.
 //
-// Arguments: points per side, threads per rank, "ranks" or "alone" (one process
-// without MPI); then "q1" or "q2" for a block, or "fail" to let the last rank
-// fail in its tenth transform.
+// Arguments: points per side, or as 600x500, threads per rank, "ranks" or
+// "alone" (one process without MPI); then "q1" or "q2" for a block, or "fail"
+// to let the last rank fail in its tenth transform.
 #include "base/content_hash.hpp"
 #include "base/cpu_clock.hpp"
 #include "base/peak_memory.hpp"
@@ -142,15 +142,12 @@ std::string gathered_text(const SharedRows& rows, const std::string& own) {
   return all;
 }
 
-/// A hash of the hashes of all chunks, which are equal on any number of ranks.
+/// A hash of the hashes of all rows, which are equal on any number of ranks.
 std::string hash_of(const SharedRows& rows, std::span<const double> field) {
   std::string hashes;
-  for (std::size_t at = 0; at < field.size(); at += chunk_nodes) {
-    const auto chunk =
-        field.subspan(at, std::min(chunk_nodes, field.size() - at));
-    hashes += content_hash({reinterpret_cast<const char*>(chunk.data()),
-                            chunk.size() * sizeof(double)});
-  }
+  for (std::size_t at = 0; at < field.size(); at += rows.width())
+    hashes += content_hash({reinterpret_cast<const char*>(&field[at]),
+                            rows.width() * sizeof(double)});
   return content_hash(gathered_text(rows, hashes));
 }
 
@@ -315,6 +312,16 @@ void solve(const Asked& asked) {
   fmt::print("collective calls {:.0f}\n", calls_in_step);
 }
 
+/// Square cells; the length in x is 1.
+Grid grid_of(const std::string& points) {
+  const std::size_t cross = points.find('x');
+  const int points_x = std::atoi(points.c_str());
+  const int points_y = cross == std::string::npos
+                           ? points_x
+                           : std::atoi(points.c_str() + cross + 1);
+  return {points_x, points_y, 1.0, static_cast<double>(points_y) / points_x};
+}
+
 /// As the program does it: rank 0 broadcasts a command, then all execute it.
 void on_all_ranks(const std::function<void()>& share) {
   if (fem::own_rank() == 0)
@@ -333,14 +340,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "arguments: points threads ranks|alone [q1|q2|fail]\n");
     return 2;
   }
-  const int points = std::atoi(argv[1]);
   const std::string kind = argc > 4 ? argv[4] : "";
-  const Asked asked{{points, points, 1.0, 1.0},
-                    std::atoi(argv[2]),
-                    std::string(argv[3]) == "alone",
-                    kind == "fail",
-                    kind == "q1",
-                    kind == "q2"};
+  const Asked asked{
+      grid_of(argv[1]), std::atoi(argv[2]), std::string(argv[3]) == "alone",
+      kind == "fail",   kind == "q1",       kind == "q2"};
   if (asked.is_alone)
     solve(asked);
   else

@@ -20,20 +20,21 @@ def run(command):
 
 def main(program, mpirun):
     def on_ranks(ranks, *words):
-        return run([mpirun, "-np", str(ranks), "--oversubscribe", program, "256", *words])
+        return run([mpirun, "-np", str(ranks), "--oversubscribe", program, *words])
 
-    for block, on in (([], ((1, 1), (2, 1), (2, 2), (3, 1))), (["q1"], ((2, 1), (3, 2))),
-                      (["q2"], ((2, 2), (3, 1)))):
-        alone = run([program, "256", "1", "alone", *block])
+    for points, block, on in (("256", [], ((1, 1), (2, 2), (3, 1))), ("600x500", [], ((2, 1), )),
+                              ("256", ["q1"], ((2, 1), )), ("251x301", ["q1"], ((3, 2), )),
+                              ("256", ["q2"], ((2, 2), )), ("300x250", ["q2"], ((3, 1), ))):
+        alone = run([program, points, "1", "alone", *block])
         assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
         answer = alone.stdout.splitlines()[0]
         for ranks, threads in on:
-            shared = on_ranks(ranks, str(threads), "ranks", *block)
+            shared = on_ranks(ranks, points, str(threads), "ranks", *block)
             assert shared.returncode == 0, shared.stdout
-            assert answer in shared.stdout.splitlines(), (ranks, answer, shared.stdout)
+            assert answer in shared.stdout.splitlines(), (points, ranks, answer, shared.stdout)
 
     start = time.monotonic()
-    failed = on_ranks(3, "1", "ranks", "fail")
+    failed = on_ranks(3, "256", "1", "ranks", "fail")
     assert time.monotonic() - start < 60.0  # two waits of 5 s, and the start of mpirun
     assert failed.returncode == 4, (failed.returncode, failed.stdout)
     assert "rank 2 of 3: the tenth transform failed on purpose" in failed.stdout, failed.stdout

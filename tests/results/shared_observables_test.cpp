@@ -19,7 +19,7 @@ namespace asperity::results {
 namespace {
 
 /// Patches of contact that cross the border, the rows between ranks and the
-/// ends of chunks, which are multiples of 64 rows.
+/// ends of chunks.
 struct Maps {
   std::vector<double> pressure, gap, displacement;
 };
@@ -81,24 +81,32 @@ Maps rows_in(const SharedRows& rows, const Maps& maps) {
   return {part(maps.pressure), part(maps.gap), part(maps.displacement)};
 }
 
-// The grid has five groups of one chunk; 64 rows are a unit (workers.hpp).
-TEST(SharedObservables, HaveTheBitsOfOneProcess) {
-  const Grid grid{128, 300, 3.0, 7.0};
+void expect_bits_of_one_process(const Grid& grid,
+                                const std::vector<std::vector<int>>& shares) {
   const Maps maps = patchy(grid);
-  const Numbers alone = observed(grid, maps, 1);
+  const Numbers alone = observed(grid, maps, {1, grid});
   EXPECT_GT(alone.perimeter, 0.0);
   EXPECT_TRUE(std::isfinite(alone.fit) && std::isfinite(alone.corrected));
-  EXPECT_TRUE(observed(grid, maps, 3) == alone) << "3 threads";
-  for (const std::vector<int>& bounds : {std::vector{0, 300},
-                                         {0, 192, 300},
-                                         {0, 64, 128, 300},
-                                         {0, 64, 128, 256, 300}})
+  EXPECT_TRUE(observed(grid, maps, {3, grid}) == alone) << "3 threads";
+  for (const std::vector<int>& bounds : shares)
     tests::on_thread_ranks(
         static_cast<int>(bounds.size()) - 1, [&](RankGroup& ranks) {
           const SharedRows rows(grid, ranks, bounds);
           EXPECT_TRUE(observed(grid, rows_in(rows, maps), {2, &rows}) == alone)
               << bounds.size() - 1 << " ranks";
         });
+}
+
+// The first grid has five groups of one chunk; the units
+// (ranks/node_chunks.hpp) have 64, 8 and 64 rows.
+TEST(SharedObservables, HaveTheBitsOfOneProcess) {
+  expect_bits_of_one_process(
+      {128, 300, 3.0, 7.0},
+      {{0, 300}, {0, 192, 300}, {0, 64, 128, 300}, {0, 64, 128, 256, 300}});
+  expect_bits_of_one_process({1000, 41, 7.0, 0.3},
+                             {{0, 41}, {0, 24, 41}, {0, 8, 24, 32, 41}});
+  expect_bits_of_one_process({301, 193, 3.0, 2.0},
+                             {{0, 64, 193}, {0, 64, 128, 192, 193}});
 }
 
 // The sums in chunks differ from those in the order of the nodes by roundoff:

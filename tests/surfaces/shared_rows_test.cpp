@@ -41,7 +41,7 @@ std::vector<mechanics::SurfaceSpec> variants() {
   by_slope.rms_slope = 0.01;
   by_slope.rescale = true;
   by_slope.form_radius = 1e-3;
-  return {rough(160), scaled, by_slope};
+  return {rough(160), rough(125), scaled, by_slope};
 }
 
 /// Unequal shares with even bounds.
