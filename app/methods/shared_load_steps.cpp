@@ -6,6 +6,7 @@
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/plugin.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -296,6 +297,16 @@ private:
   std::size_t nodes_; ///< of the grid
 };
 
+/// Whether a method is of a kind, and its grid of a size, that ranks share.
+bool is_for_ranks(const cases::MethodSpec& method, const Grid& grid) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
+  const bool has_columns = (half != nullptr && !half->has_free_boundaries) ||
+                           (block != nullptr && !is_full_block(method));
+  return has_columns && grid.size() >= least_shared_nodes;
+}
+
 } // namespace
 
 json json_of_block(const mechanics::ElasticBlock& block) {
@@ -321,13 +332,18 @@ mechanics::ElasticBlock block_in(const json& text) {
 
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
-  const bool has_columns = (half != nullptr && !half->has_free_boundaries) ||
-                           (block != nullptr && !is_full_block(method));
-  return n_ranks > 1 && has_columns && grid.size() >= least_shared_nodes &&
+  return n_ranks > 1 && is_for_ranks(method, grid) &&
          n_ranks <= most_ranks(grid);
+}
+
+std::string obstacle_to_sharing(const cases::MethodSpec& method,
+                                const Grid& grid, int n_ranks) {
+  if (!is_for_ranks(method, grid) || n_ranks <= most_ranks(grid))
+    return "";
+  return fmt::format("a grid of {} by {} points can be divided among at most "
+                     "{} rank{}",
+                     grid.points_x, grid.points_y, most_ranks(grid),
+                     most_ranks(grid) == 1 ? "" : "s");
 }
 
 std::unique_ptr<LoadSteps>

@@ -25,6 +25,11 @@ inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks);
 
+/// Why so many ranks cannot share the rows of a method of this kind and size,
+/// as a part of a sentence; empty if they can, and for other methods.
+std::string obstacle_to_sharing(const cases::MethodSpec& method,
+                                const Grid& grid, int n_ranks);
+
 /// The elastic block whose rows are shared: a continuum, or the text of a
 /// request of a condensed block (fem::FemModule::text_of).
 using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;

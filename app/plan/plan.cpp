@@ -48,8 +48,10 @@ int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
 /// is then that of the ranks on this machine.
 void share_by_ranks(const MethodSpec& method, const RunOptions& options,
                     PlannedMethod& planned) {
-  if (!method.has_fields() ||
-      !is_shared_by_ranks(method, planned.grid, options.ranks))
+  if (!method.has_fields())
+    return;
+  planned.why_alone = obstacle_to_sharing(method, planned.grid, options.ranks);
+  if (!is_shared_by_ranks(method, planned.grid, options.ranks))
     return;
   planned.ranks = options.ranks;
   planned.runs_alone = true;

@@ -26,6 +26,7 @@ struct PlannedMethod {
   bool runs_alone = false;
   int ranks = 1;            ///< that share the rows of the surface
   double rank_memory = 0.0; ///< of each of several ranks [B]
+  std::string why_alone;    ///< see obstacle_to_sharing()
 };
 
 /// The plan of a run. Times and sizes are predictions; NaN where no prediction

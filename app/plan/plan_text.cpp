@@ -90,6 +90,9 @@ std::string shared_rows_text(const Plan& plan) {
           "{}: {} ranks share the rows of the surface, {} on each\n",
           planned.name, planned.ranks,
           size_text(planned.rank_memory + base_memory(true)));
+    else if (!planned.why_alone.empty())
+      text += fmt::format("{}: rank 0 solves it alone, because {}\n",
+                          planned.name, planned.why_alone);
   return text;
 }
 

@@ -196,10 +196,16 @@ void Run::begin() {
 /// Returns whether a job must run after the others, one at a time.
 bool Run::runs_alone(const MethodSpec& method, int realization) {
   const int ranks = n_mpi_ranks();
-  if (ranks == 1 || !method.has_fields() ||
-      !is_shared_by_ranks(method, surfaces_.of(method, realization).record.grid,
-                          ranks))
+  if (ranks == 1 || !method.has_fields())
     return describe(method, case_.material).runs_alone;
+  const Grid& grid = surfaces_.of(method, realization).record.grid;
+  if (!is_shared_by_ranks(method, grid, ranks)) {
+    if (const std::string why = obstacle_to_sharing(method, grid, ranks);
+        !why.empty())
+      fmt::print("{}, realization {}: rank 0 solves it alone, because {}\n",
+                 method.name, realization, why);
+    return describe(method, case_.material).runs_alone;
+  }
   fmt::print("{}, realization {}: {} ranks share the rows of the surface\n",
              method.name, realization, ranks);
   writer_.record_provenance(

@@ -207,6 +207,23 @@ def check_any_grid(runner):
     runner.expect_same_maps("518-alone", "518-3")
 
 
+def check_too_many_ranks(runner):
+    """A map of few rows cannot be divided: plan and run say why."""
+    row = " ".join(str(x % 7) for x in range(16384))
+    (runner.folder / "wide.txt").write_text(f"{row}\n" * 16)
+    (runner.folder / "wide.toml").write_text(case_with(
+        'kind = "measured"\nlevel = "plane"\nfile = "wide.txt"\nlength = "1024 um"\n'
+        'length_y = "1 um"\nheight_unit = "1 nm"\nedges = "periodic"'))
+    ask = ["run", "wide.toml", "--methods", "halfspace", "--exactly", "--no-cache", "--no-report",
+           "--set", 'load.nominal_pressure=["0.01 E*"]']
+    sentence = ("rank 0 solves it alone, because a grid of 16384 by 16 points can be divided among "
+                "at most 2 ranks")
+    assert f"halfspace: {sentence}" in runner.run(*ask, "--dry-run", ranks=3)
+    output = runner.run(*ask, "--out", "wide", ranks=3)
+    assert f"halfspace, realization 0: {sentence}" in output, output
+    assert "alone" not in runner.run(*ask, "--dry-run", ranks=2)
+
+
 def check_cache(runner):
     """Steps that one process kept are taken over, and ranks continue from its
     state; one process continues from theirs."""
@@ -282,7 +299,7 @@ def main(program, mpirun, folder, same_maps):
     runner = Runner(program, mpirun, folder, same_maps)
     for check in (check_plan, check_bits, check_surface_by_rows,
                   check_other_surfaces, check_stress_inside, check_small,
-                  check_any_grid, check_cache,
+                  check_any_grid, check_too_many_ranks, check_cache,
                   check_cache_by_rows, check_kill):
         check(runner)
 
