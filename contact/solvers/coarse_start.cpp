@@ -78,17 +78,80 @@ void put_positive(std::span<const double> coarse, std::span<double> fine) {
   }
 }
 
-/// The positive part of the cubic interpolation of a field.
-/// @param field  the coarse rows of this process, after the row before and
-///               before the two rows after them
-std::vector<double> interpolated(const SharedRows& coarse_rows,
+/// The rows of a field that this process holds and those beside them.
+class RowsWithGhosts {
+public:
+  /// @param field  the rows of this process, or all rows; must outlive this
+  RowsWithGhosts(const SharedRows& rows, std::span<const double> field,
+                 bool is_periodic)
+      : count_(rows.count()), width_(rows.width()) {
+    own_ = field.size() == rows.size()
+               ? field
+               : field.subspan(static_cast<std::size_t>(rows.first()) * width_,
+                               rows.size());
+    ghosts_.resize(n_ghosts * width_);
+    if (rows.ranks() == nullptr)
+      set_from_own(is_periodic);
+    else
+      receive(rows);
+  }
+
+  /// @param iy  from ghosts_before rows before the first of this process to
+  ///            ghosts_after rows after the last one
+  const double* row(int iy) const {
+    if (iy < 0)
+      return ghosts_.data();
+    if (iy >= count_)
+      return ghosts_.data() +
+             static_cast<std::size_t>(iy - count_ + 1) * width_;
+    return own_.data() + static_cast<std::size_t>(iy) * width_;
+  }
+
+private:
+  void set_from_own(bool is_periodic) {
+    const auto n = static_cast<std::size_t>(count_);
+    std::vector<double> line(n + n_ghosts); // its inner values are not needed
+    for (std::size_t ix = 0; ix < width_; ++ix) {
+      line[1] = own_[ix];
+      line[2] = own_[width_ + ix];
+      line[n - 1] = own_[(n - 2) * width_ + ix];
+      line[n] = own_[(n - 1) * width_ + ix];
+      set_ghosts(n, is_periodic,
+                 [&](std::size_t i) -> double& { return line[i]; });
+      ghosts_[ix] = line[0];
+      ghosts_[width_ + ix] = line[n + 1];
+      ghosts_[2 * width_ + ix] = line[n + 2];
+    }
+  }
+
+  void receive(const SharedRows& rows) {
+    const SharedRows::RowsBeside beside = rows.rows_beside(own_);
+    std::ranges::copy(beside.before, ghosts_.begin());
+    const std::span<double> after = std::span(ghosts_).last(2 * width_);
+    std::ranges::copy(beside.after, after.begin());
+    // The second row of the next rank, or the row after its only one.
+    const std::span<const double> second(row(1), width_);
+    rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
+                       std::as_writable_bytes(after.last(width_)));
+  }
+
+  int count_;
+  std::size_t width_;
+  std::span<const double> own_;
+  std::vector<double> ghosts_; ///< the row before and the two after
+};
+
+/// The positive part of the cubic interpolation of the coarse rows.
+std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
                                  const SharedRows& fine_rows,
-                                 std::span<const double> field,
                                  const SurfaceOperator& elasticity) {
-  const std::size_t width = coarse_rows.width();
+  const std::size_t width = fine_rows.width() / 2;
   std::vector<double> result(fine_rows.size());
-  parallel_rows(coarse_rows.count(), elasticity.threads(), [&](int iy) {
-    const double* const rows = &field[static_cast<std::size_t>(iy) * width];
+  parallel_rows(n_rows, elasticity.threads(), [&](int iy) {
+    const double *const before = coarse.row(iy - 1),
+                        *const row = coarse.row(iy),
+                        *const after = coarse.row(iy + 1),
+                        *const next = coarse.row(iy + 2);
     const auto fine =
         std::span(result).subspan(fine_rows.grid().index(0, 2 * iy), 4 * width);
     std::vector<double> line(width + n_ghosts);
@@ -98,43 +161,13 @@ std::vector<double> interpolated(const SharedRows& coarse_rows,
                  [&](std::size_t i) -> double& { return line[i]; });
       put_positive(line, to);
     };
-    std::copy_n(rows + width, width, own);
+    std::copy_n(row, width, own);
     put(fine.first(2 * width));
     for (std::size_t i = 0; i < width; ++i)
-      own[i] = between(rows[i], rows[width + i], rows[2 * width + i],
-                       rows[3 * width + i]);
+      own[i] = between(before[i], row[i], after[i], next[i]);
     put(fine.last(2 * width));
   });
   return result;
-}
-
-/// The rows of this process, after the row before and before the two rows after
-/// them.
-/// @param field  these rows, or all rows
-std::vector<double> with_ghost_rows(const SharedRows& rows,
-                                    std::span<const double> field,
-                                    bool is_periodic) {
-  const std::size_t width = rows.width();
-  if (field.size() != rows.size())
-    field = field.subspan(static_cast<std::size_t>(rows.first()) * width,
-                          rows.size());
-  std::vector<double> padded(rows.size() + 3 * width);
-  std::ranges::copy(field, padded.begin() + static_cast<std::ptrdiff_t>(width));
-  const std::span<double> all(padded);
-  if (rows.ranks() == nullptr) {
-    for (std::size_t ix = 0; ix < width; ++ix)
-      set_ghosts(
-          static_cast<std::size_t>(rows.count()), is_periodic,
-          [&](std::size_t iy) -> double& { return all[iy * width + ix]; });
-    return padded;
-  }
-  rows.fill_ghost_rows(all.first(rows.size() + 2 * width));
-  // The second row of the next rank, or the row after its only one.
-  const std::span<double> second = all.subspan(2 * width, width);
-  const std::span<double> last = all.last(width);
-  rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
-                     std::as_writable_bytes(last));
-  return padded;
 }
 
 /// The pressure where there is one, otherwise minus a pressure that would close
@@ -213,9 +246,9 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   const bool is_periodic = elasticity.is_periodic();
   if (!is_periodic)
     multiply_by_punch(coarse_rows.grid(), true, elasticity.threads(), field);
-  std::vector<double> start = interpolated(
-      coarse_rows, fine_rows, with_ghost_rows(coarse_rows, field, is_periodic),
-      elasticity);
+  std::vector<double> start =
+      interpolated(RowsWithGhosts(coarse_rows, field, is_periodic),
+                   coarse_rows.count(), fine_rows, elasticity);
   if (!is_periodic)
     multiply_by_punch(fine_rows.grid(), false, elasticity.threads(), start);
   return start;

@@ -159,14 +159,15 @@ ContactSolution ContactState::solution() && {
   double* const gap = raw_gap.data();
   const double* const h = problem.heights.data();
   const double rigid = rigid_distance_;
-  chunked(pressure.size(), workers.threads,
-          [=](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-              displacement[i] = gap[i] + h[i];
-              gap[i] += rigid;
-            }
-          });
-  return solution_of(std::move(raw_gap), std::move(all_displacements));
+  const auto sums = chunked_sum<Observed>(
+      pressure.size(), workers, [&, rigid](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          displacement[i] = gap[i] + h[i];
+          gap[i] += rigid;
+        }
+        return observe(raw_gap, begin, end);
+      });
+  return solution_of(std::move(raw_gap), std::move(all_displacements), sums);
 }
 
 } // namespace asperity::contact

@@ -34,14 +34,26 @@ bool Iteration::is_at_end() const {
          iterations >= problem.max_iterations;
 }
 
+Iteration::Observed Iteration::observe(std::span<const double> gap,
+                                       std::size_t begin,
+                                       std::size_t end) const {
+  return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
+    const auto sum = [=](const double* field) {
+      return sum_in_lanes(begin, end,
+                          [=](std::size_t i) { return weight[i] * field[i]; });
+    };
+    return Observed{sum(pressure.data()), sum(gap.data())};
+  });
+}
+
 ContactSolution Iteration::solution_of(std::vector<double> gap,
-                                       std::vector<double> displacement) {
-  const std::span<const double> weights = elasticity.nodal_weights();
-  const Workers workers = elasticity.workers();
-  const auto nodes = static_cast<double>(workers.all_nodes(pressure.size()));
+                                       std::vector<double> displacement,
+                                       const Observed& sums) {
+  const auto nodes =
+      static_cast<double>(elasticity.workers().all_nodes(pressure.size()));
   ContactSolution answer;
-  answer.nominal_pressure = weighted_sum(weights, pressure, workers) / nodes;
-  answer.mean_gap = weighted_sum(weights, gap, workers) / nodes;
+  answer.nominal_pressure = sums.pressure / nodes;
+  answer.mean_gap = sums.gap / nodes;
   answer.pressure = std::move(pressure);
   answer.gap = std::move(gap);
   answer.displacement = std::move(displacement);

@@ -38,12 +38,28 @@ public:
   int transforms = 0;
 
 protected:
+  /// Weighted sums of the pressure [Pa] and the gap [m] over all nodes.
+  struct Observed {
+    double pressure = 0.0, gap = 0.0;
+
+    Observed& operator+=(const Observed& other) {
+      pressure += other.pressure;
+      gap += other.gap;
+      return *this;
+    }
+  };
+
+  /// The sums of the nodes begin..end-1.
+  Observed observe(std::span<const double> gap, std::size_t begin,
+                   std::size_t end) const;
+
   /// The state as a solution; its note says if it did not converge. The
   /// pressure is moved away.
   /// @param gap           C p - h + u [m], one value per node
   /// @param displacement  C p [m], one value per node
   ContactSolution solution_of(std::vector<double> gap,
-                              std::vector<double> displacement);
+                              std::vector<double> displacement,
+                              const Observed& sums);
 };
 
 } // namespace asperity::contact

@@ -40,10 +40,17 @@ double extrapolation_reach(mechanics::Control control, double before,
 /// The pressure where there is one, otherwise minus the gap: both in one field,
 /// because one of them is 0 at every node.
 std::vector<double> signed_state(const ContactSolution& solution) {
-  std::vector<double> state = solution.pressure;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const double open = -std::max(0.0, solution.gap[i]);
-    state[i] = state[i] > 0.0 ? state[i] : open;
+  const std::vector<double>& pressure = solution.pressure;
+  std::vector<double> state;
+  state.reserve(pressure.size());
+  while (state.size() < pressure.size()) { // in parts that stay in the cache
+    const std::size_t begin = state.size();
+    const std::size_t end = std::min(pressure.size(), begin + chunk_nodes);
+    state.insert(state.end(), &pressure[begin], pressure.data() + end);
+    for (std::size_t i = begin; i < end; ++i) {
+      const double open = -std::max(0.0, solution.gap[i]);
+      state[i] = state[i] > 0.0 ? state[i] : open;
+    }
   }
   return state;
 }
@@ -103,8 +110,7 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
 bool LoadSequence::has_load(std::span<const double> pressure) const {
   const auto carries = [](double value) { return value > 0.0; };
   return total_count(elasticity_->workers(),
-                     static_cast<std::size_t>(
-                         std::ranges::count_if(pressure, carries))) > 0;
+                     std::ranges::any_of(pressure, carries) ? 1 : 0) > 0;
 }
 
 double LoadSequence::local_compliance() const {

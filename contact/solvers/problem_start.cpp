@@ -3,6 +3,7 @@
 #include "base/require.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -40,20 +41,33 @@ void require_problem(const ContactProblem& problem,
     refuse_argument("mean_gap", target.amount, "finite [m]");
 }
 
-/// Checks that initial pressures are >= 0 and finite.
-void require_pressures(std::span<const double> initial_pressure) {
-  const double wrong =
-      weighted_sum({}, initial_pressure.size(), 1,
-                   [p = initial_pressure.data()](std::size_t i) {
-                     return 0.0 * p[i] + (p[i] < 0.0 ? 1.0 : 0.0);
-                   });
-  if (wrong != 0.0) // or NaN
+/// The weighted sum of initial pressures over all ranks, which must be >= 0 and
+/// finite on this one.
+double sum_of_pressures(std::span<const double> initial_pressure,
+                        std::span<const double> weights,
+                        const Workers& workers) {
+  const double* const p = initial_pressure.data();
+  std::atomic<bool> is_wrong = false;
+  const auto sum = with_weights(weights, [&](const auto weight) {
+    return chunked_sum<Sum>(
+        initial_pressure.size(), workers,
+        [&, weight](std::size_t begin, std::size_t end) {
+          if (sum_in_lanes(begin, end, [=](std::size_t i) {
+                return 0.0 * p[i] + (p[i] < 0.0 ? 1.0 : 0.0);
+              }) != 0.0) // or NaN
+            is_wrong = true;
+          return Sum{sum_in_lanes(
+              begin, end, [=](std::size_t i) { return weight[i] * p[i]; })};
+        });
+  });
+  if (is_wrong)
     require_not_negative(
         "initial_pressure",
         *std::ranges::find_if_not(
             initial_pressure,
             [](double start) { return start >= 0.0 && std::isfinite(start); }),
         "Pa");
+  return sum.value;
 }
 
 void multiply(double factor, std::span<double> field, int threads) {
@@ -112,12 +126,11 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
     pressure.assign(nodes, start);
   } else {
     require_size("initial_pressure.size()", initial_pressure.size(), nodes);
-    require_pressures(initial_pressure);
     pressure = std::move(initial_pressure);
   }
+  const double sum = sum_of_pressures(pressure, elasticity.nodal_weights(),
+                                      elasticity.workers());
   if (target.control == mechanics::Control::nominal_pressure) {
-    const double sum = weighted_sum(elasticity.nodal_weights(), pressure,
-                                    elasticity.workers());
     require_positive("sum of initial_pressure", sum, "Pa");
     multiply(load_scale(target, elasticity.grid().size(), sum), pressure,
              elasticity.threads());

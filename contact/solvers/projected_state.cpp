@@ -117,7 +117,11 @@ ContactSolution ProjectedState::solution() && {
   std::vector<double> gap(pressure.size());
   for (std::size_t i = 0; i < gap.size(); ++i)
     gap[i] = displacement[i] - problem.heights[i] + rigid_distance;
-  return solution_of(std::move(gap), std::move(displacement));
+  const auto sums = chunked_sum<Observed>(
+      gap.size(), workers_, [&](std::size_t begin, std::size_t end) {
+        return observe(gap, begin, end);
+      });
+  return solution_of(std::move(gap), std::move(displacement), sums);
 }
 
 } // namespace asperity::contact
