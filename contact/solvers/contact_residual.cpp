@@ -38,8 +38,8 @@ void ContactState::measure_residual() {
   rigid_distance_ = rigid;
   // A block without pressure whose lowest gap is not negative stays inactive.
   for (std::size_t block = 0; block < active.size(); ++block)
-    if (!(lowest_[block] + rigid >= 0.0))
-      active[block] = 1;
+    active[block] |=
+        static_cast<std::uint8_t>(!(lowest_[block] + rigid >= 0.0));
   clear_inactive(active, written_, residual);
   const NodeFields all = fields();
   const auto sums = chunked_sum<MeasuredNodes>(

@@ -95,7 +95,7 @@ private:
   TwoSums contact_sums_;        ///< see change_gap()
   BlockFlags written_;          ///< blocks where `residual` may differ from 0
   BlockFlags previous_written_;
-  std::vector<double> lowest_; ///< lowest raw_gap of each block [m]
+  std::vector<double> lowest_; ///< raw_gap of each block that is inactive [m]
   std::span<float> change_;    ///< of the pressure in the last iteration [Pa]
   BlockFlags change_written_;  ///< blocks where `change_` may differ from 0
   std::span<float> previous_residual_;

@@ -3,48 +3,71 @@
 #include "contact/solvers/node_lanes.hpp"
 
 #include <array>
+#include <cassert>
 #include <cstring>
 #include <limits>
 
 namespace asperity::contact {
 namespace {
 
-/// Numbers of nodes of a block.
-struct FreedomCount {
-  std::uint64_t active, changed; ///< became active or inactive
-};
-
-/// Eight freedoms at a time, as the bytes of a number.
-using EightFreedoms = std::uint64_t;
-constexpr EightFreedoms ones = 0x0101010101010101U;
-
-/// 1 in the bytes of the active nodes.
-[[gnu::always_inline]] inline EightFreedoms active_in(EightFreedoms codes) {
-  return (codes | codes >> 1U) & ones;
-}
-
-/// Sets the freedom of the nodes of a block.
-[[gnu::always_inline]] inline FreedomCount
-store_freedom(const std::array<double, block_nodes>& codes,
-              std::uint8_t* freedom) {
-  std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
-  for (std::size_t i = 0; i < block_nodes; ++i)
-    narrow[i] = static_cast<std::int32_t>(codes[i]);
-  std::array<std::uint8_t, block_nodes> now;
-  for (std::size_t i = 0; i < block_nodes; ++i)
-    now[i] = static_cast<std::uint8_t>(narrow[i]);
-  std::array<EightFreedoms, block_nodes / sizeof(EightFreedoms)> was, is;
-  std::memcpy(was.data(), freedom, block_nodes);
-  std::memcpy(is.data(), now.data(), block_nodes);
-  std::memcpy(freedom, now.data(), block_nodes);
-  EightFreedoms active = 0, changed = 0; // at most 8 in a byte
-  for (std::size_t i = 0; i < is.size(); ++i) {
-    active += active_in(is[i]);
-    changed += active_in(is[i]) ^ active_in(was[i]);
+/// Counts nodes, eight of them at a time as the bytes of a number.
+template <std::size_t bytes>
+class FreedomCount {
+public:
+  /// Sets the freedom of the nodes of a block; at most 255 times, because a
+  /// byte holds the count. Returns whether a node is active.
+  [[gnu::always_inline]] bool
+  store(const std::array<double, block_nodes>& codes, std::uint8_t* freedom) {
+    std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
+    for (std::size_t i = 0; i < block_nodes; ++i)
+      narrow[i] = static_cast<std::int32_t>(codes[i]);
+    std::array<std::uint8_t, block_nodes> now;
+    for (std::size_t i = 0; i < block_nodes; ++i)
+      now[i] = static_cast<std::uint8_t>(narrow[i]);
+    Eights any{};
+    for (std::size_t i = 0; i < block_nodes; i += bytes) {
+      Eights was, is;
+      std::memcpy(&was, freedom + i, bytes);
+      std::memcpy(&is, now.data() + i, bytes);
+      is = (is | is >> 1U) & ones; // 1 in the bytes of active nodes
+      any |= is;
+      active_ += is;
+      changed_ += is ^ ((was | was >> 1U) & ones);
+    }
+    std::memcpy(freedom, now.data(), block_nodes);
+    std::uint64_t bits = 0;
+    for (const std::uint64_t number : numbers_of(any))
+      bits |= number;
+    return bits != 0;
   }
-  const auto sum = [](EightFreedoms bytes) { return (bytes * ones) >> 56U; };
-  return {sum(active), sum(changed)};
-}
+
+  [[gnu::always_inline]] double active() const { return total(active_); }
+
+  /// Nodes that became active or inactive.
+  [[gnu::always_inline]] double changed() const { return total(changed_); }
+
+private:
+  using Eights = typename SimdPack<std::uint64_t, bytes>::Type;
+  static constexpr std::uint64_t ones = 0x0101010101010101U;
+
+  [[gnu::always_inline]] static auto numbers_of(const Eights& eights) {
+    std::array<std::uint64_t, bytes / sizeof(std::uint64_t)> numbers;
+    std::memcpy(numbers.data(), &eights, bytes);
+    return numbers;
+  }
+
+  /// The sum of all bytes.
+  [[gnu::always_inline]] static double total(const Eights& eights) {
+    constexpr std::uint64_t even = 0x00ff00ff00ff00ffU;
+    std::uint64_t sum = 0;
+    for (const std::uint64_t number : numbers_of(eights))
+      sum += ((number & even) + (number >> 8U & even)) * 0x0001000100010001U >>
+             48U;
+    return static_cast<double>(sum);
+  }
+
+  Eights active_{}, changed_{};
+};
 
 /// The Freedom of adjacent nodes, 1 with the bits `is_free` and 2 with those of
 /// `is_pushed` as well; `counted` is 1 at the active ones.
@@ -69,9 +92,10 @@ measure(const NodeFields& all, double rigid, double compliance,
   using Doubles = typename Pack::Reals;
   using Mask = typename Pack::template Mask<double>;
   const bool is_hard = compliance == 0.0;
+  assert(all.nodes <= chunk_nodes); // a condition of FreedomCount
   const Mask magnitude = Mask{} + std::numeric_limits<std::int64_t>::max();
   Lanes<bytes> error, sum, weight;
-  FreedomCount counts{0, 0};
+  FreedomCount<bytes> counts;
   each_node_block(
       all, [&](const NodeFields& f, std::size_t first, std::size_t block,
                auto weights) __attribute__((always_inline)) {
@@ -108,15 +132,11 @@ measure(const NodeFields& all, double rigid, double compliance,
             weight.parts[part] += counted;
           }
         });
-        const FreedomCount count = store_freedom(codes, f.freedom + first);
-        active[block] = count.active > 0 ? 1 : 0;
-        counts.active += count.active;
-        counts.changed += count.changed;
+        active[block] = counts.store(codes, f.freedom + first) ? 1 : 0;
       });
   return {0.0 * sum.total() + error.largest(),
-          all.weight != nullptr ? weight.total()
-                                : static_cast<double>(counts.active),
-          static_cast<double>(counts.changed)};
+          all.weight != nullptr ? weight.total() : counts.active(),
+          counts.changed()};
 }
 
 /// The lowest number of a block.
@@ -192,7 +212,8 @@ struct SubtractHeights {
 };
 
 /// Calls change_gap.at(fields, first node of a block)(node of it, raw_gap) for
-/// vectors of nodes.
+/// vectors of nodes. A block has either sums over its contact or a lowest gap:
+/// one loop with both waits for registers.
 template <std::size_t bytes, class ChangeGap>
 [[gnu::always_inline]] inline TwoSums
 change(const NodeFields& all, const ChangeGap& change_gap, double compliance,
@@ -207,23 +228,26 @@ change(const NodeFields& all, const ChangeGap& change_gap, double compliance,
         double* const raw_gap = f.raw_gap + first;
         const double* const pressure = f.pressure + first;
         const ChangeGap change_own = change_gap.at(f, first);
-        Lowest<bytes> least;
-        each_pack<Pack>([&](std::size_t i, std::size_t part)
-                            __attribute__((always_inline)) {
-                              Doubles gap;
-                              Pack::take(raw_gap + i, gap);
-                              change_own(i, gap);
-                              Pack::put(gap, raw_gap + i);
-                              least.take(gap, part);
-                            });
-        lowest[block] = least.value();
-        if (active[block] == 0)
+        if (active[block] == 0) {
+          Lowest<bytes> least;
+          each_pack<Pack>([&](std::size_t i, std::size_t part)
+                              __attribute__((always_inline)) {
+                                Doubles gap;
+                                Pack::take(raw_gap + i, gap);
+                                change_own(i, gap);
+                                Pack::put(gap, raw_gap + i);
+                                least.take(gap, part);
+                              });
+          lowest[block] = least.value();
           return;
+        }
         each_pack<Pack>([&](std::size_t i,
                             std::size_t part) __attribute__((always_inline)) {
           Doubles own, gap, counted = Doubles{} + 1.0;
           Pack::take(pressure + i, own);
           Pack::take(raw_gap + i, gap);
+          change_own(i, gap);
+          Pack::put(gap, raw_gap + i);
           if (!is_hard)
             gap += compliance * own;
           typename Pack::template Mask<double> is_pushed;
@@ -235,7 +259,6 @@ change(const NodeFields& all, const ChangeGap& change_gap, double compliance,
           residual.parts[part] += gap;
           weight.parts[part] += counted;
         });
-        lowest[block] = least.value();
       });
   return {residual.total(), weight.total()};
 }

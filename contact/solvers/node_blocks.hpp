@@ -70,16 +70,16 @@ void flagged(const BlockFlags& flags, std::size_t nodes, int threads,
 template <class Real>
 void clear_inactive(const BlockFlags& active, BlockFlags& written,
                     std::span<Real> field) {
-  for (std::size_t block = 0; block < active.size(); ++block) {
+  int any = 0;
+  for (std::size_t block = 0; block < active.size(); ++block)
+    any |= written[block] & ~active[block];
+  for (std::size_t block = 0; any != 0 && block < active.size(); ++block)
     if (written[block] != 0 && active[block] == 0) {
       const std::size_t first = block * block_nodes;
-      std::fill(field.begin() + static_cast<std::ptrdiff_t>(first),
-                field.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                    field.size(), first + block_nodes)),
-                Real{0});
+      const std::size_t nodes = std::min(block_nodes, field.size() - first);
+      std::ranges::fill(field.subspan(first, nodes), Real{0});
     }
-    written[block] = active[block];
-  }
+  written = active;
 }
 
 } // namespace asperity::contact

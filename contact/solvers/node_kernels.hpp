@@ -64,6 +64,7 @@ struct MeasuredNodes {
 
 /// Sets residual and freedom of the nodes of the active blocks, see
 /// ContactState::update_residual, and finds out which blocks remain active.
+/// There are at most chunk_nodes nodes.
 /// @param rigid       u [m]
 /// @param compliance  c [m/Pa]
 /// @param active      one flag per block
@@ -73,8 +74,8 @@ MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
 /// raw_gap += factor displaced. Returns the sums of weight (raw_gap + c p) and
 /// of weight where p > 0, in the active blocks.
 /// @param active  one flag per block
-/// @param lowest  lowest raw_gap of each block [m], overwritten; minus infinity
-///                if a value is not finite
+/// @param lowest  lowest raw_gap [m] of each block that is not active,
+///                overwritten; minus infinity if a value is not finite
 TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
                    const std::uint8_t* active, double* lowest);
 
