@@ -3,7 +3,6 @@
 #include "contact/solvers/node_lanes.hpp"
 
 #include <array>
-#include <cassert>
 #include <cstring>
 #include <limits>
 
@@ -14,8 +13,8 @@ namespace {
 template <std::size_t bytes>
 class FreedomCount {
 public:
-  /// Sets the freedom of the nodes of a block; at most 255 times, because a
-  /// byte holds the count. Returns whether a node is active.
+  /// Sets the freedom of the nodes of a block. Returns whether a node is
+  /// active.
   [[gnu::always_inline]] bool
   store(const std::array<double, block_nodes>& codes, std::uint8_t* freedom) {
     std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
@@ -24,6 +23,9 @@ public:
     std::array<std::uint8_t, block_nodes> now;
     for (std::size_t i = 0; i < block_nodes; ++i)
       now[i] = static_cast<std::uint8_t>(narrow[i]);
+    if (n_stored_ == most_stored)
+      add_counts();
+    ++n_stored_;
     Eights any{};
     for (std::size_t i = 0; i < block_nodes; i += bytes) {
       Eights was, is;
@@ -41,14 +43,27 @@ public:
     return bits != 0;
   }
 
-  [[gnu::always_inline]] double active() const { return total(active_); }
+  [[gnu::always_inline]] double active() const {
+    return n_active_ + total(active_);
+  }
 
   /// Nodes that became active or inactive.
-  [[gnu::always_inline]] double changed() const { return total(changed_); }
+  [[gnu::always_inline]] double changed() const {
+    return n_changed_ + total(changed_);
+  }
 
 private:
   using Eights = typename SimdPack<std::uint64_t, bytes>::Type;
   static constexpr std::uint64_t ones = 0x0101010101010101U;
+  /// A block adds up to block_nodes / bytes to a byte, which holds up to 255.
+  static constexpr int most_stored = 255 / (block_nodes / bytes);
+
+  void add_counts() {
+    n_active_ += total(active_);
+    n_changed_ += total(changed_);
+    active_ = changed_ = Eights{};
+    n_stored_ = 0;
+  }
 
   [[gnu::always_inline]] static auto numbers_of(const Eights& eights) {
     std::array<std::uint64_t, bytes / sizeof(std::uint64_t)> numbers;
@@ -66,7 +81,9 @@ private:
     return static_cast<double>(sum);
   }
 
-  Eights active_{}, changed_{};
+  Eights active_{}, changed_{}; ///< counts of the last blocks
+  int n_stored_ = 0;            ///< blocks in them
+  double n_active_ = 0.0, n_changed_ = 0.0;
 };
 
 /// The Freedom of adjacent nodes, 1 with the bits `is_free` and 2 with those of
@@ -92,7 +109,6 @@ measure(const NodeFields& all, double rigid, double compliance,
   using Doubles = typename Pack::Reals;
   using Mask = typename Pack::template Mask<double>;
   const bool is_hard = compliance == 0.0;
-  assert(all.nodes <= chunk_nodes); // a condition of FreedomCount
   const Mask magnitude = Mask{} + std::numeric_limits<std::int64_t>::max();
   Lanes<bytes> error, sum, weight;
   FreedomCount<bytes> counts;

@@ -64,7 +64,6 @@ struct MeasuredNodes {
 
 /// Sets residual and freedom of the nodes of the active blocks, see
 /// ContactState::update_residual, and finds out which blocks remain active.
-/// There are at most chunk_nodes nodes.
 /// @param rigid       u [m]
 /// @param compliance  c [m/Pa]
 /// @param active      one flag per block

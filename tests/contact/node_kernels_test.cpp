@@ -128,6 +128,29 @@ TEST_P(NodeKernels, FindsBlocksWithoutActiveNodes) {
   EXPECT_EQ(active, (std::vector<std::uint8_t>{0, 1, 1}));
 }
 
+// More blocks than the bytes count that hold the numbers of a few of them.
+TEST(NodeCounts, OfManyBlocksAreExact) {
+  constexpr std::size_t n = 400 * block_nodes;
+  std::vector<double> pressure(n, 1.0), raw_gap(n, 0.0);
+  std::vector<float> residual(n);
+  const auto check = [&] {
+    std::vector<std::uint8_t> freedom(n, fixed), active(400, 1);
+    NodeFields all{};
+    all.nodes = n;
+    all.pressure = pressure.data();
+    all.raw_gap = raw_gap.data();
+    all.residual = residual.data();
+    all.freedom = freedom.data();
+    const MeasuredNodes found =
+        measure_nodes(all, rigid, compliance, active.data());
+    EXPECT_EQ(found.weight, static_cast<double>(n));
+    EXPECT_EQ(found.changed, static_cast<double>(n));
+  };
+
+  check();
+  tests::on_narrower_vectors(check);
+}
+
 TEST_P(NodeKernels, ReportsValuesThatAreNotFinite) {
   for (const double wrong :
        {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
