@@ -7,10 +7,24 @@
 
 namespace asperity {
 
+std::string number_text(double value) {
+  return fmt::format("{}", value);
+}
+
+std::string number_text(double value, double limit, int digits) {
+  constexpr int all_digits = 17;
+  for (; digits < all_digits && value != limit; ++digits) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    if (text != fmt::format("{:.{}g}", limit, digits))
+      return text;
+  }
+  return fmt::format("{:.{}g}", value, digits);
+}
+
 void refuse_argument(const std::string& name, double value,
                      const std::string& range) {
   throw std::domain_error(
-      fmt::format("{} = {:.6g}, but must be {}", name, value, range));
+      fmt::format("{} = {}, but must be {}", name, number_text(value), range));
 }
 
 void require_positive(const char* name, double value, const char* unit) {
@@ -26,9 +40,9 @@ void require_not_negative(const char* name, double value, const char* unit) {
 void require_between(const char* name, double value, double low, double high,
                      const char* unit) {
   if (!(value >= low && value <= high))
-    refuse_argument(
-        name, value,
-        fmt::format("between {:.6g} and {:.6g} [{}]", low, high, unit));
+    refuse_argument(name, value,
+                    fmt::format("between {} and {} [{}]", number_text(low),
+                                number_text(high), unit));
 }
 
 } // namespace asperity

@@ -8,6 +8,14 @@
 
 namespace asperity {
 
+/// A number of a message: the shortest text that reads back as the same number,
+/// so that it differs from every other one, such as the limit that it exceeds.
+std::string number_text(double value);
+
+/// A measured number beside its limit: at least `digits` significant digits,
+/// and as many more as it takes to tell it from the limit with the same digits.
+std::string number_text(double value, double limit, int digits);
+
 /// @throws std::domain_error  "name = value, but must be <range>"
 [[noreturn]] void refuse_argument(const std::string& name, double value,
                                   const std::string& range);

@@ -1,5 +1,7 @@
 #include "mechanics/counter_body.hpp"
 
+#include "base/require.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,15 +16,16 @@ Mistake check_between(const char* key, double value, double low, double high) {
   if (value >= low && value <= high)
     return {};
   return CounterMistake{key, value,
-                        fmt::format("between {} and {} [m]", low, high)};
+                        fmt::format("between {} and {} [m]", number_text(low),
+                                    number_text(high))};
 }
 
 Mistake check_least(const char* key, double value, double least,
                     const char* what) {
   if (value >= least)
     return {};
-  return CounterMistake{key, value,
-                        fmt::format("at least {} [m], {}", least, what)};
+  return CounterMistake{
+      key, value, fmt::format("at least {} [m], {}", number_text(least), what)};
 }
 
 Mistake check_positive(const char* key, double value) {
@@ -118,7 +121,7 @@ std::optional<CounterMistake> mistake_in(const CounterBody& body,
     const std::string rule = fmt::format(
         "such that the body, which reaches {} m from the centre of the block "
         "along {}, stays within {} m{}: half of the block",
-        reach, axis, 0.5 * length,
+        number_text(reach), axis, number_text(0.5 * length),
         is_periodic ? " and off its periodic sides" : "");
     if (offset == 0.0)
       return CounterMistake{"radius", body.radius, rule};
@@ -139,7 +142,7 @@ std::optional<CounterMistake> mistake_in(const CounterBody& body,
       fmt::format("at least {} m, the edge of the block's cells at the "
                   "contact: contact is tested at the block's nodes, which "
                   "would load a finer counter-body at single nodes",
-                  block.edge)};
+                  number_text(block.edge))};
 }
 
 } // namespace asperity::mechanics

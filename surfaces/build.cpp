@@ -178,8 +178,8 @@ IsotropicSpectrum kept_spectrum(const SurfaceSpec& surface, const Grid& grid,
   if (is_cut && *highest < whole.wavevector_low())
     refuse_argument(
         "highest_wavevector", *highest,
-        fmt::format(">= {:.6g} rad/m, the lowest wavevector of the spectrum",
-                    whole.wavevector_low()));
+        fmt::format(">= {} rad/m, the lowest wavevector of the spectrum",
+                    number_text(whole.wavevector_low())));
   IsotropicSpectrum kept = is_cut ? cut(whole, *highest) : whole;
   require_points(surface, "points of the grid", grid,
                  is_cut ? "highest_wavevector" : band_end_name(surface),

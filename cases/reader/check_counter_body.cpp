@@ -1,4 +1,5 @@
 // Checks [mesh.counter] against the rest of the case.
+#include "base/require.hpp"
 #include "cases/reader/read_parts.hpp"
 #include "mechanics/counter_body.hpp"
 
@@ -52,12 +53,13 @@ void add_mistake(const Node& file, const mechanics::CounterMistake& mistake,
     mistakes.add(table.place,
                  fmt::format("mesh.counter.{} is not given and is {} m by "
                              "default, but must be {}",
-                             mistake.key, mistake.value, mistake.rule));
+                             mistake.key, number_text(mistake.value),
+                             mistake.rule));
   else
     mistakes.add(number->place,
                  fmt::format("{} = {}, which is {} m, but must be {}",
-                             number->path, written(*number), mistake.value,
-                             mistake.rule));
+                             number->path, written(*number),
+                             number_text(mistake.value), mistake.rule));
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "fem/linear/block_solver.hpp"
 
+#include "base/require.hpp"
+
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
@@ -57,9 +59,11 @@ std::string BlockSolver::advice() const {
   if (is_direct_ || last_.has_converged || (own_ && !own_->failure().empty()))
     return {};
   std::string text = fmt::format(
-      "; after {} iterations of {} a residual of {:.2g} N is left, which must "
-      "be at most {:.2g} N",
-      last_.iterations, name(), last_.last_residual, last_tolerance_);
+      "; after {} iterations of {} a residual of {} N is left, which must "
+      "be at most {} N",
+      last_.iterations, name(),
+      number_text(last_.last_residual, last_tolerance_, 2),
+      number_text(last_tolerance_, last_.last_residual, 2));
   if (system_.n_unknowns() <= most_unknowns_of_last_resort)
     text += "; linear_solver must be \"direct\" for this block";
   return text;

@@ -1,3 +1,4 @@
+#include "base/require.hpp"
 #include "fem/newton/contact_newton.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -161,10 +162,11 @@ bool ContactNewton::can_bear(double missing, double gap_tolerance,
     return true;
   answer.note = fmt::format(
       "the mean gap requires a nominal pressure of {:.3g} Pa, which compresses "
-      "the block by {:.3g} m; the roundoff of gaps is then {:.2g} m, but must "
-      "be at most the tolerance of {:.2g} m: choose a softer penalty or a "
+      "the block by {:.3g} m; the roundoff of gaps is then {} m, but must "
+      "be at most the tolerance of {} m: choose a softer penalty or a "
       "larger mean gap",
-      pressure, compression, roundoff, gap_tolerance);
+      pressure, compression, number_text(roundoff, gap_tolerance, 2),
+      number_text(gap_tolerance, roundoff, 2));
   return false;
 }
 

@@ -1,5 +1,7 @@
 #include "fem/newton/contact_newton.hpp"
 
+#include "base/require.hpp"
+
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
 
@@ -183,10 +185,10 @@ std::string ContactNewton::why_unbalanced(double tolerance,
                                           double residual) const {
   constexpr double most_roundings = 10.0;
   const double rounding = rounding_force() / largest_force();
-  std::string note =
-      fmt::format("the nodal forces are not balanced to the tolerance of "
-                  "{:.2g}: {:.2g} of the largest contact force is left",
-                  tolerance, residual);
+  std::string note = fmt::format(
+      "the nodal forces are not balanced to the tolerance of "
+      "{}: {} of the largest contact force is left",
+      number_text(tolerance, residual, 2), number_text(residual, tolerance, 2));
   if (most_roundings * rounding > tolerance &&
       residual <= most_roundings * rounding)
     note += fmt::format(

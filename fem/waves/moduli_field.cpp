@@ -85,9 +85,10 @@ void add_inclusion(const mechanics::MaterialInclusion& inclusion,
   const double radius = inclusion.radius.in_si(scales);
   if (!(centre > radius && centre - radius < depth))
     refuse_argument("material.inclusion.depth", centre,
-                    fmt::format("larger than the radius, {:g} m, and less than "
-                                "{:g} m, where it lies below the block",
-                                radius, depth + radius));
+                    fmt::format("larger than the radius, {} m, and less than "
+                                "{} m, where it lies below the block",
+                                number_text(radius),
+                                number_text(depth + radius)));
   field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0, centre}, radius,
                    moduli(inclusion.moduli));
 }

@@ -16,9 +16,9 @@ void require_valid_mesh(const Interaction& interaction) {
   require_positive("cutoff", interaction.cutoff, "m");
   require_between("attraction", interaction.attraction, 0.0, 1.0, "1");
   if (interaction.cutoff <= interaction.taper_begin)
-    refuse_argument(
-        "cutoff", interaction.cutoff,
-        fmt::format("> taper_begin = {:.6g} m", interaction.taper_begin));
+    refuse_argument("cutoff", interaction.cutoff,
+                    fmt::format("> taper_begin = {} m",
+                                number_text(interaction.taper_begin)));
 }
 
 PairTerm pair_term(const Interaction& interaction, double distance) {

@@ -61,9 +61,8 @@ void require_square(const char* name, const Grid& grid) {
   if (grid.points_x < 1 || !grid.is_square())
     refuse_argument(
         name, grid.length_y,
-        fmt::format(
-            "a square lattice: {:.6g} m and {} atoms in both directions",
-            grid.length_x, grid.points_x));
+        fmt::format("a square lattice: {} m and {} atoms in both directions",
+                    number_text(grid.length_x), grid.points_x));
 }
 
 } // namespace
@@ -197,17 +196,17 @@ Interface::Interface(const Interaction& interaction, const Grid& layer,
   require_square("layer", layer);
   require_square("substrate", substrate);
   if (!is_same_length(substrate.length_x, layer.length_x))
-    refuse_argument(
-        "length of the substrate", substrate.length_x,
-        fmt::format("{:.6g} m, the length of the layer", layer.length_x));
+    refuse_argument("length of the substrate", substrate.length_x,
+                    fmt::format("{} m, the length of the layer",
+                                number_text(layer.length_x)));
   require_length("heights", heights.size(), substrate.size());
   for (const double height : heights)
     require_between("a height", height, -std::numeric_limits<double>::max(),
                     std::numeric_limits<double>::max(), "m");
   if (2.0 * interaction.cutoff > layer.length_x)
-    refuse_argument(
-        "cutoff", interaction.cutoff,
-        fmt::format("at most half of the period {:.6g} m", layer.length_x));
+    refuse_argument("cutoff", interaction.cutoff,
+                    fmt::format("at most half of the period {} m",
+                                number_text(layer.length_x)));
   require_positive("threads", threads, "1");
   kernel_ = std::make_unique<Kernel>(Kernel{
       interaction, layer, substrate, threads, reduced(interaction),

@@ -196,9 +196,11 @@ void LammpsContact::set_convergence(AtomStep& result) const {
   const double tolerance = request_.settings.tolerance;
   result.note = invalidity_reason(result.inspection, block_.layer.size());
   if (result.note.empty() && !(result.residual <= tolerance))
-    result.note = fmt::format("residual {:.3g} after {} evaluations, but must "
-                              "be at most {:.3g}",
-                              result.residual, result.evaluations, tolerance);
+    result.note = fmt::format("residual {} after {} evaluations, but must "
+                              "be at most {}",
+                              number_text(result.residual, tolerance, 3),
+                              result.evaluations,
+                              number_text(tolerance, result.residual, 3));
   result.converged = result.note.empty();
 }
 

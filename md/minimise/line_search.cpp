@@ -93,8 +93,9 @@ std::string stop_reason(const Relaxation& now,
     return "the energy is not finite at the start";
   if (now.evaluations >= settings.max_evaluations)
     return fmt::format(
-        "not converged after {} evaluations: residual {:.2g}, tolerance {:.2g}",
-        now.evaluations, now.residual, settings.tolerance);
+        "not converged after {} evaluations: residual {}, tolerance {}",
+        now.evaluations, number_text(now.residual, settings.tolerance, 2),
+        number_text(settings.tolerance, now.residual, 2));
   if (watch && !watch({now.evaluations, now.energy, now.residual}))
     return "stopped by the caller";
   return "";

@@ -84,9 +84,9 @@ Relaxation relax(const System& system, std::vector<double>& state,
       return now;
     now.note = stop_reason(now, settings, watch);
     if (now.note.empty() && !descent.step() && !descent.is_budget_exhausted())
-      now.note =
-          fmt::format("line search failed at residual {:.2g}, tolerance {:.2g}",
-                      now.residual, settings.tolerance);
+      now.note = fmt::format("line search failed at residual {}, tolerance {}",
+                             number_text(now.residual, settings.tolerance, 2),
+                             number_text(settings.tolerance, now.residual, 2));
     if (!now.note.empty())
       return now;
   }

@@ -75,7 +75,7 @@ std::vector<double> graded_layers(double surface_thickness, double growth,
   if (ratio < 1.0 - 1e-12)
     refuse_argument("depth", depth,
                     "at least the thickness of the surface layer, " +
-                        std::to_string(surface_thickness) + " m");
+                        number_text(surface_thickness) + " m");
   const int n_layers = layers_needed(growth, ratio);
   if (n_layers > most_layers)
     refuse_argument("depth", depth, "reachable with 100000 layers");
@@ -85,7 +85,7 @@ std::vector<double> graded_layers(double surface_thickness, double growth,
     refuse_argument(
         "depth", depth,
         "either one or at least 1.5 thicknesses of the surface layer, " +
-            std::to_string(1.5 * surface_thickness) + " m");
+            number_text(1.5 * surface_thickness) + " m");
 
   const double fitted = fitted_growth(growth, n_layers, ratio);
   std::vector<double> thickness(static_cast<std::size_t>(n_layers));
@@ -118,7 +118,7 @@ graded_layers_with_interfaces(double surface_thickness, double growth,
       refuse_argument("interfaces", bottom,
                       "above 0, deeper than the previous interface and "
                       "shallower than the block, " +
-                          std::to_string(depth) + " m");
+                          number_text(depth) + " m");
     if (top == 0.0 && bottom >= 1.5 * surface_thickness)
       thickness = graded_layers(surface_thickness, growth, bottom);
     else if (top == 0.0)

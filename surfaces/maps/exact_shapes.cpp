@@ -22,12 +22,12 @@ std::vector<double> cosine_along(const char* length_name, double length,
   if (waves < 1.0 ||
       std::abs(length / wavelength - waves) > printed_rounding * waves)
     refuse_argument(length_name, length,
-                    fmt::format("an integer multiple of wavelength = {:.6g} m",
-                                wavelength));
+                    fmt::format("an integer multiple of wavelength = {} m",
+                                number_text(wavelength)));
   if (2.0 * waves >= points)
     refuse_argument("wavelength", wavelength,
-                    fmt::format("longer than two node spacings, {:.6g} m",
-                                2.0 * length / points));
+                    fmt::format("longer than two node spacings, {} m",
+                                number_text(2.0 * length / points)));
   std::vector<double> cosine(static_cast<std::size_t>(points));
   for (int i = 0; i < points; ++i) {
     const auto step = static_cast<std::int64_t>(waves) * i % points;

@@ -93,8 +93,9 @@ void require_target(const Grid& grid, const Grid& target) {
   const auto require_length = [](const char* name, double length,
                                  double expected) {
     if (!is_same_length(length, expected))
-      refuse_argument(name, length,
-                      fmt::format("{:.6g} m, the length of the map", expected));
+      refuse_argument(
+          name, length,
+          fmt::format("{} m, the length of the map", number_text(expected)));
   };
   require_length("target.length_x", target.length_x, grid.length_x);
   require_length("target.length_y", target.length_y, grid.length_y);
