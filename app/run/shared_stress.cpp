@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
+#include <stdexcept>
 #include <utility>
 
+#include "ranks/rank_sums.hpp"
 #include "ranks/rows_from_rank_0.hpp"
 #include "ranks/workers.hpp"
 
@@ -25,12 +28,34 @@ constexpr const char* stress_key = "shared stress";
 using NextValues = std::function<void(std::span<double>)>;
 
 NextValues next_of(const results::Fields& map) {
-  return [view = map.pressure_map(),
-          at = std::size_t{0}](std::span<double> values) mutable {
+  return [&map, at = std::size_t{0}](std::span<double> values) mutable {
     std::vector<double> read;
-    std::ranges::copy(view.values(at, values.size(), read), values.begin());
+    std::ranges::copy(map.pressure_map().values(at, values.size(), read),
+                      values.begin());
     at += values.size();
   };
+}
+
+/// The own rows of a map. If rank 0 cannot read it, the ranks exchange zeros in
+/// place of what is missing and then all throw, so that none waits for another
+/// and the module reports the failure of rank 0.
+std::vector<double> own_rows(const SharedRows& rows, const NextValues& next) {
+  std::exception_ptr failure;
+  std::vector<double> own =
+      rows_from_rank_0(rows, [&](std::span<double> values) {
+        if (failure)
+          return;
+        try {
+          next(values);
+        } catch (...) {
+          failure = std::current_exception();
+        }
+      });
+  if (rank_max(rows.ranks(), failure ? 1.0 : 0.0) == 0.0)
+    return own;
+  if (failure)
+    std::rethrow_exception(failure);
+  throw std::runtime_error("rank 0 could not read the map");
 }
 
 /// Receives the own rows of a map and finds the spectrum of all.
@@ -39,7 +64,7 @@ StressInside stress_in(const Json& command, const NextValues& next) {
   const Grid grid{points.at(0), points.at(1), points.at(2), points.at(3)};
   RankGroup& ranks = fem::load_fem_module().rank_group();
   SharedRows rows(grid, ranks, row_bounds(grid, ranks.size()));
-  const std::vector<double> pressure = rows_from_rank_0(rows, next);
+  const std::vector<double> pressure = own_rows(rows, next);
   return {std::move(rows), block_in(command.at("block")), pressure,
           command.at("threads").get<int>()};
 }

@@ -11,7 +11,9 @@ namespace asperity::app {
 
 /// As StressUnderMaps, with the bits of one process. To be used on rank 0,
 /// which reads the maps by pieces and sends their rows; one call at a time may
-/// be active.
+/// be active. What all ranks refuse, or a map that rank 0 cannot read, is an
+/// exception on rank 0, after which the ranks take further commands; a failure
+/// of some ranks alone, as of memory, ends all of them.
 class SharedStress final : public StressUnderMaps {
 public:
   /// @param threads  of each rank
