@@ -1,15 +1,16 @@
 #include "bench/analysis/bench_answer.hpp"
 
-#include "base/field_sums.hpp"
 #include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/summary.hpp"
 #include "results/types/curve_columns.hpp"
+#include "results/types/map_view.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
@@ -79,17 +80,28 @@ std::vector<double> hertz_differences(const results::Curve& curve,
     const theory::HertzContact hertz = theory::hertz_contact(
         fields.nominal_pressure * grid.length_x * grid.length_y,
         contact_case.surface.radius, contact_case.material.contact_modulus);
-    std::vector<double> difference(grid.size());
-    std::vector<double> expected(grid.size());
-    for (int iy = 0; iy < grid.points_y; ++iy)
-      for (int ix = 0; ix < grid.points_x; ++ix) {
-        const std::size_t i = grid.index(ix, iy);
-        expected[i] = theory::hertz_pressure(
-            hertz, std::hypot(ix * grid.spacing_x() - 0.5 * grid.length_x,
-                              iy * grid.spacing_y() - 0.5 * grid.length_y));
-        difference[i] = std::abs(fields.pressure[i] - expected[i]);
-      }
-    differences.push_back(mean(difference) / mean(expected));
+    double difference = 0.0, expected = 0.0; // sums
+    const auto columns = static_cast<std::size_t>(grid.points_x);
+    results::each_piece(
+        std::array{fields.pressure_map()},
+        [&](std::size_t first, const auto& values) {
+          double piece_difference = 0.0, piece_expected = 0.0;
+          for (std::size_t k = 0; k < values[0].size(); ++k) {
+            const double x =
+                static_cast<double>((first + k) % columns) * grid.spacing_x() -
+                0.5 * grid.length_x;
+            const double y =
+                static_cast<double>((first + k) / columns) * grid.spacing_y() -
+                0.5 * grid.length_y;
+            const double hertzian =
+                theory::hertz_pressure(hertz, std::hypot(x, y));
+            piece_expected += hertzian;
+            piece_difference += std::abs(values[0][k] - hertzian);
+          }
+          expected += piece_expected;
+          difference += piece_difference;
+        });
+    differences.push_back(difference / expected);
   }
   return differences;
 }

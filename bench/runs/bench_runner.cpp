@@ -149,10 +149,11 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
     fs::remove_all(folder);
     return once;
   }
-  const results::Result result = results::read_result(folder);
-  fs::remove_all(folder);
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
   const results::MethodRecord* method = method_in(result, point.method);
   if (method == nullptr || method->realizations.empty()) {
+    fs::remove_all(folder);
     once.problem = "the result does not contain this method";
     return once;
   }
@@ -167,6 +168,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
   once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);
   once.answer = reports::answer_of(result, case_, point.method);
+  fs::remove_all(folder); // no map is read any more
   if (!result.surfaces.empty())
     once.grid = result.surfaces.front().grid;
   if (std::isnan(once.unknowns) &&

@@ -72,7 +72,8 @@ cases::Case TargetRun::chosen_case() const {
 
 bool TargetRun::verify(const cases::Case& chosen,
                        const std::filesystem::path& folder) {
-  results::Result result = results::read_result(folder);
+  results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
   std::map<std::string, reports::BenchAnswer> answers;
   for (results::MethodRecord& method : result.methods)
     if (!method.realizations.empty())
@@ -84,7 +85,8 @@ bool TargetRun::verify(const cases::Case& chosen,
 }
 
 void TargetRun::record(const std::filesystem::path& folder) const {
-  const results::Result result = results::read_result(folder);
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
   print_outcome(outcome_);
   results::ResultWriter writer(
       folder,

@@ -23,7 +23,7 @@ EnergyMeans energy_means(const Feasible& answer, const Weighted& weighted,
   const std::array<double, 4> means =
       weighted.means<4>(heights.size(), [&](std::size_t i) {
         const double p = answer.pressure[i];
-        return std::array{p * answer.excess[i], p * answer.displacement[i],
+        return std::array{p * answer.excess(i), p * answer.displacement[i],
                           p * p, heights[i]};
       });
   return {means[0], means[1], means[2], means[3]};
@@ -38,7 +38,7 @@ void find_gap_errors(const Feasible& answer, const Weighted& weighted,
                      const SeparationAndLoad& at, FieldCheck& check) {
   const std::size_t nodes = answer.pressure.size();
   const auto gap = [&](std::size_t i) {
-    return at.separation - answer.excess[i];
+    return at.separation - answer.excess(i);
   };
   const std::array<double, 3> means =
       weighted.means<3>(nodes, [&](std::size_t i) {
@@ -88,18 +88,39 @@ ContactSolution solve(SurfaceOperator& elasticity,
       first_guess);
 }
 
+/// A copy of the submitted pressure.
+std::vector<double> pressure_of(const SubmittedField& submitted) {
+  return {submitted.pressure.begin(), submitted.pressure.end()};
+}
+
+/// A pressure that solves a contact problem; other fields of it are freed.
+struct Solved {
+  std::vector<double> pressure;
+  int iterations = 0;
+};
+
+/// The submitted pressure, solved further.
+Solved polish(SurfaceOperator& elasticity, const SubmittedField& problem,
+              const Feasible& first) {
+  ContactSolution further = solve(elasticity, problem, problem.heights,
+                                  4.0 * first.roundoff, first.pressure);
+  return {std::move(further.pressure), further.iterations};
+}
+
 /// The pressure of a flat punch whose face is where `contact` has a pressure.
-ContactSolution flat_punch(SurfaceOperator& elasticity,
-                           const SubmittedField& problem,
-                           const Feasible& contact) {
+/// The displacement of `contact` is freed in between.
+Solved flat_punch(SurfaceOperator& elasticity, const SubmittedField& problem,
+                  Feasible& contact) {
   const Workers workers = elasticity.workers();
   const double depth = 1e3 * (largest_size(contact.displacement, workers) +
                               largest_size(problem.heights, workers));
+  contact.displacement = std::vector<double>();
   std::vector<double> face(contact.pressure.size());
   for (std::size_t i = 0; i < face.size(); ++i)
     face[i] = contact.pressure[i] > 0.0 ? 0.0 : -depth;
-  return solve(elasticity, problem, face, 4.0 * contact.roundoff,
-               contact.pressure);
+  ContactSolution pressed = solve(elasticity, problem, face,
+                                  4.0 * contact.roundoff, contact.pressure);
+  return {std::move(pressed.pressure), pressed.iterations};
 }
 
 /// Returns the least a + max(b, b') G/p_0 with nu <= b' p and
@@ -116,9 +137,9 @@ double excess_of_high(const Feasible& answer, const Feasible& punch, double top,
   double least = std::numeric_limits<double>::infinity();
   for (double b = ratio; std::isfinite(b) && b < 1e12 * ratio; b *= 2.0) {
     double a = 0.0;
-    for (std::size_t i = 0; i < answer.excess.size(); ++i)
+    for (std::size_t i = 0; i < answer.pressure.size(); ++i)
       a = std::max(a, top - punch.displacement[i] -
-                          b * (answer.separation - answer.excess[i]));
+                          b * (answer.separation - answer.excess(i)));
     // The roundoff of the gap enters with the factor b.
     const double roundoff = 2.0 * punch.roundoff + 2.0 * b * answer.roundoff;
     least = std::min(least, a + roundoff + b * gap_over_load);
@@ -138,7 +159,8 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   check.load_error = weighted.mean_of(submitted.pressure) / load - 1.0;
   check.largest_tension = defects.largest_tension;
   check.nodes_in_tension = defects.in_tension;
-  const Feasible answer = feasible(elasticity, submitted, submitted.pressure);
+  const Feasible answer =
+      feasible(elasticity, submitted, pressure_of(submitted));
   const EnergyMeans means = energy_means(answer, weighted, submitted.heights);
   const double separation = means.pressure_excess / load;
   check.mean_gap = separation + answer.lift - means.height;
@@ -164,20 +186,27 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const Workers workers = elasticity.workers();
   const Weighted weighted(elasticity.nodal_weights(), workers);
   const double load = submitted.nominal_pressure;
-  const Feasible first = feasible(elasticity, submitted, submitted.pressure);
-  const ContactSolution further =
-      solve(elasticity, submitted, submitted.heights, 4.0 * first.roundoff,
-            first.pressure);
-  Feasible answer = feasible(elasticity, submitted, further.pressure);
-  if (duality_gap(first, weighted, load) < duality_gap(answer, weighted, load))
-    answer = first;
-  const ContactSolution pressed = flat_punch(elasticity, submitted, answer);
-  const Feasible punch = feasible(elasticity, submitted, pressed.pressure);
-
-  SeparationBounds bounds;
-  bounds.solver_iterations = further.iterations + pressed.iterations;
-  bounds.polished_gap = duality_gap(answer, weighted, load);
   const double mean_height = weighted.mean_of(submitted.heights);
+  Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
+  const double first_gap = duality_gap(answer, weighted, load);
+  const double claimed =
+      std::isfinite(submitted.mean_gap)
+          ? submitted.mean_gap
+          : answer.pressure_excess(weighted) / load + answer.lift - mean_height;
+  // Fields are freed before each solver; assigning {} would keep their memory.
+  answer.displacement = std::vector<double>();
+  Solved further = polish(elasticity, submitted, answer);
+  answer = feasible(elasticity, submitted, std::move(further.pressure));
+  if (first_gap < duality_gap(answer, weighted, load))
+    answer = feasible(elasticity, submitted, pressure_of(submitted));
+  SeparationBounds bounds;
+  bounds.polished_gap = duality_gap(answer, weighted, load);
+  Solved pressed = flat_punch(elasticity, submitted, answer);
+  bounds.solver_iterations = further.iterations + pressed.iterations;
+  const Feasible punch =
+      feasible(elasticity, submitted, std::move(pressed.pressure));
+  displace(elasticity, submitted, answer);
+
   const double top = largest_of(punch.displacement, workers);
   const double low =
       weighted.product(punch.pressure, submitted.heights) / load - top -
@@ -187,11 +216,6 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   bounds.low = low - roundoff;
   bounds.high = low + roundoff +
                 excess_of_high(answer, punch, top, bounds.polished_gap / load);
-  const double claimed =
-      std::isfinite(submitted.mean_gap)
-          ? submitted.mean_gap
-          : weighted.product(first.pressure, first.excess) / load + first.lift -
-                mean_height;
   bounds.error =
       std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
   return bounds;

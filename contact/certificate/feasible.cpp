@@ -6,15 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::contact {
 namespace {
 
 /// Cuts off tension and scales the mean to p_0.
-std::vector<double> projected(std::span<const double> pressure,
-                              const Weighted& weighted, double mean_pressure,
-                              const Workers& workers) {
-  std::vector<double> result(pressure.size());
+void project(std::vector<double>& pressure, const Weighted& weighted,
+             double mean_pressure, const Workers& workers) {
   const double mean_value = weighted.mean(pressure.size(), [&](std::size_t i) {
     return std::max(pressure[i], 0.0);
   });
@@ -22,12 +21,11 @@ std::vector<double> projected(std::span<const double> pressure,
     throw std::domain_error(
         "no node of the submitted field has a pressure > 0");
   const double factor = mean_pressure / mean_value;
-  chunked(result.size(), workers.threads,
+  chunked(pressure.size(), workers.threads,
           [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-              result[i] = factor * std::max(pressure[i], 0.0);
+              pressure[i] = factor * std::max(pressure[i], 0.0);
           });
-  return result;
 }
 
 /// The largest values of a Feasible.
@@ -90,27 +88,22 @@ Defects sound_or_refused(const SurfaceOperator& elasticity,
   return defects;
 }
 
-Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
-                  std::span<const double> submitted) {
-  Feasible answer;
-  const std::size_t nodes = submitted.size();
+void displace(SurfaceOperator& elasticity, const SubmittedField& problem,
+              Feasible& answer) {
+  const std::size_t nodes = answer.pressure.size();
   const Workers workers = elasticity.workers();
   const Weighted weighted(elasticity.nodal_weights(), workers);
-  answer.pressure =
-      projected(submitted, weighted, problem.nominal_pressure, workers);
   const std::vector<double>& pressure = answer.pressure;
   answer.displacement.resize(nodes);
   elasticity.displacement(pressure, answer.displacement);
   if (!elasticity.is_periodic())
     answer.lift = weighted.mean_of(answer.displacement);
-  answer.excess.resize(nodes);
   const auto largest = chunked_sum<LargestValues>(
       nodes, workers, [&](std::size_t begin, std::size_t end) {
         LargestValues own;
         for (std::size_t i = begin; i < end; ++i) {
           answer.displacement[i] += problem.local_compliance * pressure[i];
-          answer.excess[i] = problem.heights[i] - answer.displacement[i];
-          own.excess += Largest{answer.excess[i]};
+          own.excess += Largest{answer.excess(i)};
           own.displacement += Largest{std::abs(answer.displacement[i])};
           own.height += Largest{std::abs(problem.heights[i])};
         }
@@ -118,6 +111,17 @@ Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
       });
   answer.separation = largest.excess.value;
   answer.roundoff = roundoff_of(largest, workers.all_nodes(nodes));
+}
+
+Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
+                  std::vector<double> submitted) {
+  const Workers workers = elasticity.workers();
+  const Weighted weighted(elasticity.nodal_weights(), workers);
+  project(submitted, weighted, problem.nominal_pressure, workers);
+  Feasible answer;
+  answer.pressure = std::move(submitted);
+  answer.heights = problem.heights;
+  displace(elasticity, problem, answer);
   return answer;
 }
 
@@ -129,8 +133,7 @@ double duality_gap(const Feasible& answer, double pressure_excess,
 
 double duality_gap(const Feasible& answer, const Weighted& weighted,
                    double mean_pressure) {
-  return duality_gap(answer, weighted.product(answer.pressure, answer.excess),
-                     mean_pressure);
+  return duality_gap(answer, answer.pressure_excess(weighted), mean_pressure);
 }
 
 } // namespace asperity::contact

@@ -53,17 +53,32 @@ Defects sound_or_refused(const SurfaceOperator& elasticity,
 struct Feasible {
   std::vector<double> pressure;
   std::vector<double> displacement; ///< (C + c) p [m]
-  std::vector<double> excess;       ///< h - (C + c) p [m]
+  std::span<const double> heights;  ///< of the problem
   double lift = 0.0;       ///< mean of C p; 0 on a periodic surface [m]
   double separation = 0.0; ///< smallest u with gap >= 0 everywhere [m]
   double roundoff = 0.0;   ///< of any value of displacement [m]
+
+  double excess(std::size_t i) const { ///< h - (C + c) p of a node [m]
+    return heights[i] - displacement[i];
+  }
+
+  double pressure_excess(const Weighted& weighted) const { ///< <p, excess>
+    return weighted.mean(pressure.size(), [this](std::size_t i) {
+      return pressure[i] * excess(i);
+    });
+  }
 };
 
 /// Cuts off tension, scales the mean to p_0 and applies the operator once.
-/// @param submitted  pressure, as in SubmittedField
+/// @param problem    whose heights must outlive the result
+/// @param submitted  pressure, as in SubmittedField; it is changed in place
 /// @throws std::domain_error  no node has a pressure > 0
 Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
-                  std::span<const double> submitted);
+                  std::vector<double> submitted);
+
+/// Fills displacement, lift, separation and roundoff of a pressure once more.
+void displace(SurfaceOperator& elasticity, const SubmittedField& problem,
+              Feasible& answer);
 
 /// G = <p, g> with its allowance for roundoff [J/m^2].
 /// @param pressure_excess  <p, excess>
