@@ -134,12 +134,12 @@ struct Row {
 /// The mean difference of the pressure from that of the first block, over the
 /// mean pressure.
 double difference(const std::vector<double>& pressure,
-                  const std::vector<double>& judge) {
+                  const std::vector<double>& reference) {
   double apart = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < pressure.size(); ++i) {
-    apart += std::abs(pressure[i] - judge[i]);
-    sum += judge[i];
+    apart += std::abs(pressure[i] - reference[i]);
+    sum += reference[i];
   }
   return apart / sum;
 }
@@ -165,17 +165,18 @@ int run(const Grid& grid, int halvings, int degree, const std::string& surface,
           {mechanics::ContactLaw::hard,
            1e3 * contact_modulus / grid.spacing_x(), 1e-6, 200});
       rows.push_back({found.area_by_points, found.mean_gap, found.pressure});
-      const Row& judge = first.empty() ? rows.back() : first[rows.size() - 1];
+      const Row& reference =
+          first.empty() ? rows.back() : first[rows.size() - 1];
       std::printf("  p/E* %.4g: area %.5f (%+.2f %%), gap/h %.5f (%+.2f %%), "
                   "%zu unknowns, %d steps, %d iterations, %.2f s CPU %s\n",
                   load, found.area_by_points,
-                  100.0 * (found.area_by_points / judge.area - 1.0),
+                  100.0 * (found.area_by_points / reference.area - 1.0),
                   found.mean_gap / rms_height(heights),
-                  100.0 * (found.mean_gap / judge.gap - 1.0), block->unknowns(),
-                  found.iterations, found.linear_iterations, solving.seconds(),
-                  found.note.c_str());
+                  100.0 * (found.mean_gap / reference.gap - 1.0),
+                  block->unknowns(), found.iterations, found.linear_iterations,
+                  solving.seconds(), found.note.c_str());
       std::printf("    pressure off by %.5f of the first block's\n",
-                  difference(found.pressure, judge.pressure));
+                  difference(found.pressure, reference.pressure));
       if (surface == "sphere")
         std::printf("    pressure off by %.4f of Hertz\n",
                     hertz_error(grid, found.pressure, load));

@@ -90,7 +90,7 @@ void run_atoms(const Instance& instance, InstanceReport& report) {
                      static_cast<int>(steps.size()));
     report.iterations += step.evaluations;
     if (!step.converged) {
-      report.outcome = Outcome::gave_up;
+      report.outcome = Outcome::not_converged;
       report.reason = step.note;
       return;
     }

@@ -68,7 +68,7 @@ Pass run_pass(const Instance& instance, int threads, InstanceReport& report) {
     contact::ContactSolution solution = sequence.solve(target);
     report.iterations += solution.iterations;
     if (!solution.converged) {
-      report.outcome = Outcome::gave_up;
+      report.outcome = Outcome::not_converged;
       report.reason = solution.note;
       return {};
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -138,7 +139,9 @@ private:
   void set_tolerances(const contact::ContactSolution& solution);
   std::optional<Failure> verify(const mechanics::LoadTarget& target,
                                 const contact::ContactSolution& solution);
-  bool give_up(const std::string& reason, const mechanics::LoadTarget& target);
+  /// Ends the instance; false.
+  bool end_without_solution(const std::string& note,
+                            const mechanics::LoadTarget& target);
 
   const Instance& instance_;
   InstanceReport& report_;
@@ -200,19 +203,16 @@ FullBlockRun::solved_by(fem::FullBlock& block,
       displace_);
 }
 
-/// A note that states what is allowed describes a problem without a solution.
-/// That another linear solver must be used has to be so: it solves the step.
-bool FullBlockRun::give_up(const std::string& reason,
-                           const mechanics::LoadTarget& target) {
-  report_.reason = reason;
-  bool is_refusal = reason.find("must be") != std::string::npos;
-  if (reason.find("must be \"direct\"") != std::string::npos) {
-    const contact::ContactSolution direct = solved_by(*direct_, target);
-    is_refusal = direct.converged;
-    if (!is_refusal)
-      report_.reason += "; but the direct solver: " + direct.note;
-  }
-  report_.outcome = is_refusal ? Outcome::refused : Outcome::gave_up;
+bool FullBlockRun::end_without_solution(const std::string& note,
+                                        const mechanics::LoadTarget& target) {
+  report_.reason = note;
+  report_.outcome =
+      outcome_of_note(report_.reason, [&]() -> std::optional<std::string> {
+        const contact::ContactSolution direct = solved_by(*direct_, target);
+        if (direct.converged)
+          return {};
+        return direct.note;
+      });
   return false;
 }
 
@@ -256,7 +256,7 @@ bool FullBlockRun::run_step(const mechanics::LoadTarget& target) {
   const contact::ContactSolution solution = solved_by(*block_, target);
   report_.iterations += solution.iterations;
   if (!solution.converged)
-    return give_up(solution.note, target);
+    return end_without_solution(solution.note, target);
   set_tolerances(solution);
   std::optional<Failure> failure = verify(target, solution);
   if (!failure) {
@@ -264,7 +264,7 @@ bool FullBlockRun::run_step(const mechanics::LoadTarget& target) {
     if (instance_.relation == MetamorphicRelation::direct_solver) {
       const contact::ContactSolution expected = solved_by(*direct_, target);
       if (!expected.converged)
-        return give_up("direct solver: " + expected.note, target);
+        return end_without_solution("direct solver: " + expected.note, target);
       // Adaptive meshes follow solutions of a loose tolerance, in which the two
       // solvers differ. On two meshes, the results differ by discretisation.
       if (block_->unknowns() == direct_->unknowns())

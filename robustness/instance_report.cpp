@@ -12,9 +12,22 @@ bool is_good(Outcome outcome) {
 
 std::string name_of(Outcome outcome) {
   constexpr std::array<const char*, n_outcomes> names{
-      "verified", "refused",   "check failed", "gave up",
+      "verified", "refused",   "check failed", "did not converge",
       "threw",    "timed out", "crashed"};
   return names.at(static_cast<std::size_t>(outcome));
+}
+
+Outcome outcome_of_note(
+    std::string& note,
+    const std::function<std::optional<std::string>()>& solve_directly) {
+  if (note.find("must be \"direct\"") != std::string::npos) {
+    const std::optional<std::string> failure = solve_directly();
+    if (failure)
+      note += "; but the direct solver: " + *failure;
+    return failure ? Outcome::not_converged : Outcome::refused;
+  }
+  return note.find("must be") != std::string::npos ? Outcome::refused
+                                                   : Outcome::not_converged;
 }
 
 std::string to_line(const InstanceReport& report) {

@@ -3,6 +3,8 @@
 // This file describes the outcome of an instance, and the line by which it is
 // sent from one process to another.
 
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace asperity::robustness {
@@ -12,16 +14,28 @@ enum class Outcome {
   refused,  ///< not started, for a reason that names argument, value and range
   // The following outcomes are failures; none of them should occur.
   check_failed,
-  gave_up,   ///< a solution did not converge
-  threw,     ///< an exception that is not a refusal
-  timed_out, ///< exceeded the time limit
-  crashed,   ///< the process died
+  not_converged, ///< a solution did not converge
+  threw,         ///< an exception that is not a refusal
+  timed_out,     ///< exceeded the time limit
+  crashed,       ///< the process died
 };
 
 constexpr int n_outcomes = 7;
 
 bool is_good(Outcome outcome);
 std::string name_of(Outcome outcome);
+
+/// How a step without a converged solution counts. A note that states what is
+/// allowed describes a problem without a solution, which is refused. That
+/// another linear solver must be used has to be so: it solves the step.
+/// @param note            of the solver; the failure of the direct solver is
+///                        added to it
+/// @param solve_directly  solves the step by the direct solver and returns its
+///                        note if it does not converge; called only if the note
+///                        advises it
+Outcome outcome_of_note(
+    std::string& note,
+    const std::function<std::optional<std::string>()>& solve_directly);
 
 /// The report on one instance.
 struct InstanceReport {

@@ -56,7 +56,7 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
 /// filter.
 std::vector<Instance> instances_of(const Source& source,
                                    const RobustnessCommand& command) {
-  // The search gives up if fewer than one instance in this many matches.
+  // The search ends if fewer than one instance in this many matches.
   constexpr int most_drawn_for_one = 10000;
   const robustness::InstanceFilter filter(command.only);
   std::vector<Instance> instances;

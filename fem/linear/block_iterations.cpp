@@ -95,7 +95,7 @@ void BlockSolver::refresh_multigrid() {
 /// Decides whether the hierarchy is still efficient: it is stale as soon as the
 /// accumulated excess of iterations since its setup would have paid for a new
 /// one. Short solves are not counted because they are not representative.
-void BlockSolver::judge(int steps, double decades) {
+void BlockSolver::check_efficiency(int steps, double decades) {
   constexpr int fewest_steps = 5;
   if (own_ || steps < fewest_steps || !(decades > 1.0))
     return;
@@ -146,7 +146,8 @@ bool BlockSolver::iterate(Vector& unknowns, const Vector& forces,
   const int steps = static_cast<int>(control.last_step());
   iterations_ += steps;
   last_ = {has_converged, steps, control.initial_value(), control.last_value()};
-  judge(steps, std::log10(last_.first_residual / last_.last_residual));
+  check_efficiency(steps,
+                   std::log10(last_.first_residual / last_.last_residual));
   return has_converged;
 }
 

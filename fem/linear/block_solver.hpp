@@ -193,7 +193,7 @@ private:
   bool iterate(dealii::TrilinosWrappers::MPI::Vector& unknowns,
                const dealii::TrilinosWrappers::MPI::Vector& forces,
                double tolerance, unsigned int most_steps);
-  void judge(int steps, double decades);
+  void check_efficiency(int steps, double decades);
 
   const BlockSystem& system_;
   bool is_direct_;

@@ -244,7 +244,7 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
             parents_.weight[k] * values[parents_.column[k] + c]);
 }
 
-void FirstOrderCorrection::judge(int iterations, double decades) {
+void FirstOrderCorrection::check_efficiency(int iterations, double decades) {
   constexpr int fewest_steps = 3;
   if (iterations < fewest_steps || !(decades > 1.0))
     return;

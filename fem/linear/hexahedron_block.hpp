@@ -33,7 +33,7 @@ public:
            double unit) override;
 
   /// The hierarchy is renewed when its age has cost more than a new one.
-  void judge(int iterations, double decades) override;
+  void check_efficiency(int iterations, double decades) override;
 
   bool is_current() const override { return is_new_ || is_stale_; }
 

@@ -38,7 +38,7 @@ public:
                    std::vector<float>& displacement, double unit) = 0;
 
   /// Reports that a solution took `iterations` for `decades` of the residual.
-  virtual void judge(int iterations, double decades) = 0;
+  virtual void check_efficiency(int iterations, double decades) = 0;
 
   /// Whether the correction is, or will be at its next use, that of the present
   /// contact.
@@ -104,7 +104,7 @@ public:
         is_old ? std::min(most_with_old, most_iterations) : most_iterations,
         vectors_);
     if (solution.has_converged || !is_old) {
-      correction_->judge(
+      correction_->check_efficiency(
           solution.iterations,
           std::log10(solution.first_residual / solution.last_residual));
     } else {

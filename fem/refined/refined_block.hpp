@@ -32,7 +32,7 @@ public:
   void add(const std::vector<float>& residual, std::vector<float>& displacement,
            double unit) override;
 
-  void judge(int /*iterations*/, double /*decades*/) override {}
+  void check_efficiency(int /*iterations*/, double /*decades*/) override {}
 
   bool is_current() const override { return true; }
 

@@ -83,9 +83,9 @@ TEST_F(ChildProcessTest, WritesIntoAFileThatIsNamed) {
 }
 
 TEST_F(ChildProcessTest, ReportsHowItFailed) {
-  const ChildEnd gave_up = run_child(shell("exit 3")).end;
-  EXPECT_EQ(gave_up.failure, "exit code 3");
-  EXPECT_EQ(gave_up.exit_code, 3);
+  const ChildEnd failed = run_child(shell("exit 3")).end;
+  EXPECT_EQ(failed.failure, "exit code 3");
+  EXPECT_EQ(failed.exit_code, 3);
 
   const ChildEnd killed = run_child(shell("kill -9 $$")).end;
   EXPECT_EQ(killed.failure, "signal 9 (Killed)");

@@ -32,7 +32,8 @@ std::string answer_to_text(const std::string& ending, const std::string& text,
   return found;
 }
 
-/// The parts of a .msh 2.2 file: two tetrahedra, 1 2 3 4 on the contact face 1
+/// The parts of a .msh 2.2 file: two tetrahedra, 1 2 3 4 on the face 1 of the
+/// contact surface
 /// 2 3 and 2 5 3 4 behind it, clamped at 3 4 5.
 struct Parts {
   std::string names = "2 1 \"contact\"\n2 2 \"fixed\"\n3 3 \"block\"\n";
