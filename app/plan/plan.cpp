@@ -242,6 +242,9 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   Cache& cache = options.cache != nullptr ? *options.cache : none;
   Plan plan;
   plan.warnings = cases::locking_warnings(contact_case.material, methods);
+  for (std::string& warning :
+       cases::interpolation_warnings(contact_case, methods))
+    plan.warnings.push_back(std::move(warning));
   plan.threads = WorkerPool(options.threads).threads();
   bool uses_fem = false;
   bool uses_block = false;

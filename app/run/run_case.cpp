@@ -175,6 +175,9 @@ void Run::begin() {
   for (const std::string& warning :
        cases::locking_warnings(case_.material, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning :
+       cases::interpolation_warnings(case_, methods_))
+    fmt::print(stderr, "warning: {}\n", warning);
   const auto by_rows =
       std::ranges::find_if(surfaces_.whole(), [](const SurfaceOfCase& surface) {
         return surface.source.has_value();

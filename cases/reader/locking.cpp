@@ -55,4 +55,32 @@ locking_warnings(const mechanics::MaterialSpec& material,
   return warnings;
 }
 
+std::vector<std::string>
+interpolation_warnings(const Case& contact_case,
+                       std::span<const MethodSpec> methods) {
+  std::vector<std::string> warnings;
+  if (contact_case.surface.kind != mechanics::SurfaceKind::punch)
+    return warnings;
+  for (const MethodSpec& method : methods) {
+    const auto* const fem =
+        std::get_if<mechanics::FemSettings>(&method.settings);
+    if (fem == nullptr || fem->solver != mechanics::FemSolver::full)
+      continue;
+    const mechanics::FullBlockSettings& full = fem->full;
+    const bool is_between =
+        full.contact_at == mechanics::ContactPoints::gauss ||
+        (full.uses_case_mesh &&
+         contact_case.mesh.kind == mechanics::MeshKind::gmsh);
+    if (is_between &&
+        full.height_interpolation != mechanics::HeightInterpolation::bilinear)
+      warnings.push_back(
+          method.name +
+          ": contact points lie between the points of the map, where this "
+          "height_interpolation overshoots the step at the edge of the punch "
+          "and contact areas are too small; use height_interpolation = "
+          "\"bilinear\"");
+  }
+  return warnings;
+}
+
 } // namespace asperity::cases

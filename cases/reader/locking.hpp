@@ -1,8 +1,8 @@
 #pragma once
 
-// Warnings about volumetric locking: finite elements that are too stiff for
-// nearly incompressible materials. Defines the limits on Poisson's ratio and
-// the messages.
+// Warnings about finite elements: volumetric locking, which makes them too
+// stiff for nearly incompressible materials, and heights of a punch between the
+// points of its map. Defines the limits on Poisson's ratio and the messages.
 
 #include "cases/types/case.hpp"
 
@@ -22,5 +22,13 @@ double locking_ratio(mechanics::Element element);
 std::vector<std::string>
 locking_warnings(const mechanics::MaterialSpec& material,
                  std::span<const MethodSpec> methods);
+
+/// Returns one sentence for each full block on a punch whose contact points lie
+/// between the points of the map: Gauss points, or nodes of a mesh by gmsh or
+/// from a file. There, the interpolations other than bilinear overshoot the
+/// step at the edge of the end, so that it touches there only.
+std::vector<std::string>
+interpolation_warnings(const Case& contact_case,
+                       std::span<const MethodSpec> methods);
 
 } // namespace asperity::cases

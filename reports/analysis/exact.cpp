@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 
 namespace asperity::reports {
@@ -72,6 +73,27 @@ LargestErrors errors_of(const results::Result& result,
   return largest;
 }
 
+/// Adds to estimates of a punch from which load on it is not compared.
+/// @param last  largest nominal pressure of the method [Pa]
+void note_recess(double touching, double last,
+                 std::initializer_list<Estimate*> estimates) {
+  if (last < touching)
+    return;
+  for (Estimate* const estimate : estimates)
+    estimate->remark =
+        fmt::format("{}below {:.4g} Pa, where the recess of the punch touches",
+                    estimate->has_value() ? "largest over the load steps "
+                                          : "there is no load step ",
+                    touching);
+}
+
+double last_load(const results::MethodRecord& method) {
+  double last = 0.0;
+  for (const CurvePoint& row : loading_rows(method.realizations.front().points))
+    last = std::fmax(last, row.nominal_pressure);
+  return last;
+}
+
 } // namespace
 
 Estimate largest_estimate(double largest, const char* missing) {
@@ -105,6 +127,11 @@ void add_exact_quantities(const results::Result& result,
             ? "the surface is not in the result"
             : "no load has an exact approach";
     quantities["approach_error"] = largest_estimate(errors.approach, missing);
+    note_recess(touching_pressure(surface, result.contact_modulus,
+                                  has_free_boundaries(contact_case, method)),
+                last_load(method),
+                {&quantities["area_error"], &quantities["contact_radius_error"],
+                 &quantities["approach_error"]});
     add_stress_quantities(result, contact_case, method, summary);
     return;
   }

@@ -26,6 +26,13 @@ ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
                        double contact_modulus, double nominal_pressure,
                        double surface_top, bool is_free);
 
+/// The nominal pressure from which the surface around the end of a punch
+/// touches, at the corners of the map [Pa]; infinite for other shapes. The
+/// solution for a flat end alone is not exact from there on, and exact_point()
+/// has no numbers.
+double touching_pressure(const mechanics::SurfaceSpec& surface,
+                         double contact_modulus, bool is_free);
+
 /// Returns what the sum of approach and mean gap of a sphere exceeds the height
 /// of its top by [m]. With free boundaries it is the mean displacement of the
 /// surface, over the nodes of the map. Of a periodic square array of contacts,

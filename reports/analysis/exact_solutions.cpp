@@ -5,6 +5,7 @@
 #include "theory/exact/westergaard.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace asperity::reports {
@@ -36,9 +37,10 @@ ExactPoint on_sphere(const SurfaceSpec& surface, double contact_modulus,
 }
 
 ExactPoint on_punch(const SurfaceSpec& surface, double contact_modulus,
-                    double nominal_pressure, double surface_top) {
+                    double nominal_pressure, double surface_top, bool is_free) {
   ExactPoint exact;
-  if (!surface.length)
+  if (!surface.length ||
+      nominal_pressure >= touching_pressure(surface, contact_modulus, is_free))
     return exact;
   const double side = *surface.length;
   const double load = nominal_pressure * side * side;
@@ -90,7 +92,8 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
     return on_sphere(surface, contact_modulus, nominal_pressure, surface_top,
                      is_free);
   case mechanics::SurfaceKind::punch:
-    return on_punch(surface, contact_modulus, nominal_pressure, surface_top);
+    return on_punch(surface, contact_modulus, nominal_pressure, surface_top,
+                    is_free);
   case mechanics::SurfaceKind::wave_1d:
     return on_wave_1d(surface, contact_modulus, nominal_pressure);
   case mechanics::SurfaceKind::wave_2d:
@@ -98,6 +101,19 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
   default:
     return {};
   }
+}
+
+double touching_pressure(const SurfaceSpec& surface, double contact_modulus,
+                         bool is_free) {
+  if (surface.kind != mechanics::SurfaceKind::punch || !surface.length ||
+      !(surface.recess > 0.0) || !(*surface.length > 2.0 * surface.radius))
+    return std::numeric_limits<double>::infinity();
+  const double side = *surface.length;
+  const theory::FlatPunch punch(surface.radius, contact_modulus);
+  const double load =
+      is_free ? punch.touching_load(surface.recess, side / std::numbers::sqrt2)
+              : punch.touching_load_in_array(surface.recess, side);
+  return load / (side * side);
 }
 
 double approach_excess(const SurfaceSpec& sphere, double contact_modulus,

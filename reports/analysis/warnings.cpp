@@ -1,6 +1,7 @@
 #include "reports/analysis/warnings.hpp"
 
 #include "cases/reader/locking.hpp"
+#include "reports/analysis/exact.hpp"
 #include "reports/analysis/surface_theory.hpp"
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
@@ -108,18 +109,57 @@ void add_window(const Result& result, std::vector<Warning>& warnings) {
            "\"mirror\" keeps its roughness."});
 }
 
-void add_locking(const Result& result, const cases::Case& contact_case,
-                 std::vector<Warning>& warnings) {
+/// The methods of the case that the result has.
+std::vector<cases::MethodSpec> methods_in(const Result& result,
+                                          const cases::Case& contact_case) {
   std::vector<cases::MethodSpec> present;
   for (const cases::MethodSpec& method : contact_case.methods)
     if (std::ranges::find(result.methods, method.name,
                           &results::MethodRecord::name) != result.methods.end())
       present.push_back(method);
-  for (const std::string& text :
-       cases::locking_warnings(contact_case.material, present))
+  return present;
+}
+
+void add_locking(const Result& result, const cases::Case& contact_case,
+                 std::vector<Warning>& warnings) {
+  for (const std::string& text : cases::locking_warnings(
+           contact_case.material, methods_in(result, contact_case)))
     warnings.push_back({"locking", text + ".",
                         "The curves of this method are not those of the "
                         "material; do not judge other methods by them."});
+}
+
+void add_interpolation(const Result& result, const cases::Case& contact_case,
+                       std::vector<Warning>& warnings) {
+  for (const std::string& text : cases::interpolation_warnings(
+           contact_case, methods_in(result, contact_case)))
+    warnings.push_back({"oscillating_heights", text + ".",
+                        "Contact areas and pressures at the edge of the end "
+                        "are those of another surface."});
+}
+
+/// Warns if the surface around the end of a punch touches in a converged step.
+void add_recess(const Result& result, const cases::Case& contact_case,
+                std::vector<Warning>& warnings) {
+  for (const results::MethodRecord& method : result.methods) {
+    const double touching =
+        touching_pressure(contact_case.surface, result.contact_modulus,
+                          has_free_boundaries(contact_case, method));
+    for (const results::Curve& curve : method.realizations)
+      for (const results::CurvePoint& point : curve.points)
+        if (method.kind != "theory" &&
+            point.status == results::StepStatus::converged &&
+            point.nominal_pressure >= touching) {
+          warnings.push_back(
+              {"recess_touches",
+               fmt::format("The surface around the end of the punch touches "
+                           "from a nominal pressure of {:.4g} Pa on.",
+                           touching),
+               "The exact solution of a flat end does not hold there: steps "
+               "of this pressure and above are not compared with it."});
+          return;
+        }
+  }
 }
 
 /// Warns if steps of methods other than theories converged, all without load.
@@ -155,6 +195,8 @@ std::vector<Warning> warnings_of(const Result& result,
                                  const cases::Case& contact_case) {
   std::vector<Warning> warnings;
   add_locking(result, contact_case, warnings);
+  add_interpolation(result, contact_case, warnings);
+  add_recess(result, contact_case, warnings);
   add_no_contact(result, warnings);
   const mechanics::SurfaceKind kind = contact_case.surface.kind;
   const bool is_measured = kind == mechanics::SurfaceKind::measured;

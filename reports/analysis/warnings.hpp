@@ -17,7 +17,9 @@ namespace asperity::reports {
 /// One assumption that a surface or a method violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
-                           ///< scan_lines, windowed, locking or no_contact
+                           ///< scan_lines, windowed, locking,
+                           ///< oscillating_heights, recess_touches or
+                           ///< no_contact
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
 };

@@ -1,6 +1,7 @@
 // Tests of reports/analysis/exact.hpp: curves from textbook formulas, which are
 // written out here, have no error; a known offset is the error that is found.
 #include "reports/analysis/exact.hpp"
+#include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 
@@ -156,6 +157,49 @@ TEST(ExactQuantities, FindTheRelativeErrorOfAPunch) {
   EXPECT_NEAR(summary.quantities.at("contact_radius_error").value, 0.0, 1e-12);
   EXPECT_FALSE(tilted.quantities.at("approach_error").has_value());
   EXPECT_NEAR(tilted.quantities.at("area_error").value, 0.0, 1e-12);
+}
+
+// The surface around the end, 1e-7 m behind it, touches above an approach of
+// 1.17e-7 m. Steps above are not compared, and the remark says from which load
+// on. Tolerance: roundoff.
+TEST(ExactQuantities, StopWhereTheRecessOfAPunchTouches) {
+  cases::Case punch = sphere_case();
+  punch.surface.kind = mechanics::SurfaceKind::punch;
+  punch.surface.radius = 0.1e-3;
+  punch.surface.recess = 1e-7;
+  std::vector<results::CurvePoint> points;
+  for (const double approach : {1e-7, 1.2e-7}) {
+    results::CurvePoint point;
+    point.nominal_pressure = 2.0 * contact_modulus * 0.1e-3 * approach / 1e-6;
+    point.area_fraction_corrected =
+        approach > 1.1e-7 ? 0.9 : std::numbers::pi * 0.01;
+    points.push_back(point);
+  }
+  results::Result both = result_of(points);
+  results::Result above = result_of({points.back()});
+  results::Result below = result_of({points.front()});
+
+  const Estimate some = summary_of(both, punch).quantities.at("area_error");
+  const Estimate none = summary_of(above, punch).quantities.at("area_error");
+  const Estimate all = summary_of(below, punch).quantities.at("area_error");
+
+  EXPECT_NEAR(some.value, 0.0, 1e-12);
+  EXPECT_EQ(some.remark.find("largest over the load steps below "), 0U)
+      << some.remark;
+  EXPECT_NE(some.remark.find("where the recess of the punch touches"),
+            std::string::npos);
+  EXPECT_FALSE(none.has_value());
+  EXPECT_EQ(none.remark.find("there is no load step below "), 0U)
+      << none.remark;
+  EXPECT_EQ(all.remark, "largest over the load steps");
+  const auto names = [&](const results::Result& result) {
+    std::string keys;
+    for (const Warning& warning : warnings_of(result, punch))
+      keys += warning.kind + " ";
+    return keys;
+  };
+  EXPECT_NE(names(both).find("recess_touches"), std::string::npos);
+  EXPECT_EQ(names(below).find("recess_touches"), std::string::npos);
 }
 
 MethodSummary stiffness_of(const results::Result& result,

@@ -103,5 +103,31 @@ TEST(Punches, RefuseWhatIsOutsideTheirRange) {
   EXPECT_THROW(FlatPunch(1.0, 1.0).moment(NAN), std::domain_error);
 }
 
+// Potentials of unit charges on a square lattice of period 1 and a neutralising
+// background: -3.90026492 at a charge due to all others, and -1.61554263 midway
+// between four charges, which is minus the sum of (-1)^(i+j)/|R| of a chequered
+// lattice (Borwein, Borwein and Taylor, J. Math. Phys. 26, 2999, 1985).
+// Tolerance: the printed digits.
+TEST(FlatPunch, SinksToItsRecessInAnArray) {
+  const double radius = 0.1, modulus = 2.0, period = 1.0, recess = 1e-3;
+  const FlatPunch punch(radius, modulus);
+
+  const double load = punch.touching_load_in_array(recess, period);
+
+  const double scale = load / (std::numbers::pi * modulus * period);
+  const double at_punch = punch.contact(load).approach - 3.90026492 * scale;
+  const double midway = -1.61554263 * scale;
+  EXPECT_NEAR((at_punch - midway) / recess, 1.0, 1e-8);
+}
+
+TEST(FlatPunch, SinksToItsRecessAtADistance) {
+  const FlatPunch punch(0.1, 2.0);
+
+  const double load = punch.touching_load(1e-3, 0.5);
+
+  EXPECT_NEAR(punch.contact(load).approach - punch.displacement(load, 0.5),
+              1e-3, 1e-15);
+}
+
 } // namespace
 } // namespace asperity::theory

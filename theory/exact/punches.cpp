@@ -1,6 +1,7 @@
 #include "theory/exact/punches.hpp"
 
 #include "base/require.hpp"
+#include "theory/exact/hertz.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -36,6 +37,22 @@ double FlatPunch::displacement(double load, double radius) const {
   if (radius <= punch_radius_)
     return approach;
   return 2.0 / pi * approach * std::asin(punch_radius_ / radius);
+}
+
+double FlatPunch::touching_load_in_array(double recess, double period) const {
+  require_positive("recess", recess, "m");
+  if (!(period > 2.0 * punch_radius_))
+    refuse_argument("period", period, "larger than two punch radii [m]");
+  const double images =
+      (2.0 - std::numbers::sqrt2) * square_array_constant() / (pi * period);
+  return recess * contact_modulus_ / (0.5 / punch_radius_ - images);
+}
+
+double FlatPunch::touching_load(double recess, double radius) const {
+  require_positive("recess", recess, "m");
+  if (!(radius > punch_radius_))
+    refuse_argument("radius", radius, "larger than the punch radius [m]");
+  return recess / (contact(1.0).approach - displacement(1.0, radius));
 }
 
 double FlatPunch::moment(double angle) const {

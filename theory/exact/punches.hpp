@@ -38,6 +38,25 @@ public:
   /// @param angle  [rad], finite
   double moment(double angle) const;
 
+  /// The load under which a surface that lies `recess` behind the flat end
+  /// touches midway between four punches of a square array, where it touches
+  /// first: F of
+  ///
+  ///     F/(2 E* a) - (2 - sqrt 2) S F/(pi E* L) = recess
+  ///
+  /// with S = square_array_constant() of hertz.hpp. The displacement at a punch
+  /// by all others, -S F/(pi E* L), and midway, (1 - sqrt 2) S F/(pi E* L), are
+  /// potentials of the square lattice, which is the union of two lattices of
+  /// sqrt(2) times its period.
+  /// @param recess  [m] > 0
+  /// @param period  L [m] > 2 a
+  /// @par Accuracy  (a/L)^3
+  double touching_load_in_array(double recess, double period) const;
+
+  /// The same for one punch, at a distance r from its middle.
+  /// @param radius  r [m] > a
+  double touching_load(double recess, double radius) const;
+
 private:
   double punch_radius_;
   double contact_modulus_;
