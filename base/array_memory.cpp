@@ -4,6 +4,7 @@
 #include <cstdlib> // defines __GLIBC__ where it is
 #include <new>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #ifdef __GLIBC__
@@ -50,6 +51,12 @@ void* allocated(std::size_t bytes) {
 }
 #endif
 
+/// Whether the process may not have addresses that it does not use.
+bool are_addresses_limited() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
 } // namespace
 
 bool has_aligned_arrays() {
@@ -68,6 +75,8 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, kept);
   mallopt(M_MMAP_MAX, default_mappings);    // Open MPI sets it to 0
   mallopt(M_MMAP_THRESHOLD, 32 * megabyte); // the largest value accepted
+  if (are_addresses_limited())
+    return;
   // The addresses of all of it, because a page that was used before huge ones
   // were asked for stays small.
   auto* const first = static_cast<std::byte*>(sbrk(0));

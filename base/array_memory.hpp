@@ -24,8 +24,9 @@ bool has_aligned_arrays();
 /// Lets the process keep freed memory, up to 256 MB, for its next arrays, and
 /// asks for huge pages for it. Without this, a solver that allocates the same
 /// fields at every step has each page returned to the system and cleared again,
-/// which takes a twentieth of the time of a step. To be called from main(); it
-/// has no effect if the C library is not glibc.
+/// which takes a twentieth of the time of a step. The addresses are taken at
+/// once, unless RLIMIT_AS limits them. To be called from main(); it has no
+/// effect if the C library is not glibc.
 void keep_freed_memory();
 
 } // namespace asperity

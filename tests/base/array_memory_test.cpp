@@ -1,4 +1,5 @@
 #include "base/array_memory.hpp"
+#include "base/available_memory.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <new>
+#include <sys/resource.h>
 #include <vector>
 
 namespace asperity {
@@ -13,6 +15,25 @@ namespace {
 
 bool begins_at_cache_line(const void* array) {
   return reinterpret_cast<std::uintptr_t>(array) % cache_line == 0;
+}
+
+// Claim: where addresses are limited, the process takes none that it does not
+// use. Tolerance: half of the memory that it would keep. This is the first
+// test, because later ones let it keep memory.
+TEST(ArrayMemory, TakesNoAddressesWhereTheyAreLimited) {
+  if (!has_aligned_arrays())
+    GTEST_SKIP() << "a sanitizer needs more addresses";
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  rlimit low = before;
+  low.rlim_cur = rlim_t{1} << 30U;
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &low), 0);
+  const double left = available_memory();
+
+  keep_freed_memory();
+
+  EXPECT_GT(available_memory(), left - 128e6);
+  setrlimit(RLIMIT_AS, &before);
 }
 
 // Claim: large arrays of any size begin at a cache line, alone, after a small
