@@ -30,7 +30,12 @@ std::vector<std::size_t> divided(std::size_t n_blocks, std::size_t n_ranks) {
 
 template <class Real>
 SharedConvolution<Real>::SharedConvolution(const SharedRows& rows, int threads)
-    : rows_(rows), threads_(threads) {
+    : SharedConvolution(rows, rows.grid(), threads) {}
+
+template <class Real>
+SharedConvolution<Real>::SharedConvolution(const SharedRows& rows,
+                                           const Grid& grid, int threads)
+    : rows_(rows), grid_(grid), threads_(threads) {
   if (rows.ranks() == nullptr)
     refuse_argument("number of ranks", 0.0, "at least 1");
   for (std::size_t r = 0; r + 1 < rows.bounds().size(); ++r)
@@ -38,10 +43,10 @@ SharedConvolution<Real>::SharedConvolution(const SharedRows& rows, int threads)
       refuse_argument("first row of a rank", rows.bounds()[r], "even");
   n_ranks_ = static_cast<std::size_t>(rows.ranks()->size());
   own_ = static_cast<std::size_t>(rows.ranks()->rank());
-  const Grid& grid = rows.grid();
-  is_dense_ = rows.count() % 2 == 0 && grid.points_x % 2 == 0;
-  transforms_ = std::make_unique<PairTransforms<Real>>(
-      grid, rows.count(), grid.points_x, is_dense_);
+  const int width = rows.grid().points_x;
+  is_dense_ = rows.count() % 2 == 0 && width % 2 == 0 && grid.points_x == width;
+  transforms_ = std::make_unique<PairTransforms<Real>>(grid, rows.count(),
+                                                       width, is_dense_);
   first_blocks_ = divided(transforms_->n_columns() / block_width, n_ranks_);
   n_columns_ = grid.half_spectrum_columns();
   std::size_t most = 1; // blocks of a rank
@@ -84,7 +89,7 @@ template <class Real>
 void SharedConvolution<Real>::take_column(std::size_t k,
                                           const MultiplierAt& multiplier_at,
                                           Real* half) const {
-  const double normalise = 1.0 / static_cast<double>(rows_.grid().size());
+  const double normalise = 1.0 / static_cast<double>(grid_.size());
   const int jx = static_cast<int>(columns().first + k);
   for (std::size_t jy = 0; jy < half_height(); ++jy)
     half[jy] =
@@ -144,7 +149,7 @@ void SharedConvolution<Real>::transform(std::span<const Real> field,
   assert(field.size() == rows_.size() && answer.size() == rows_.size());
   Complex* const spectrum = prepared(answer);
   const std::size_t stride = transforms_->column_stride();
-  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  const auto height = static_cast<std::size_t>(grid_.points_y);
   const std::size_t block_size = block_width * stride;
   multipliers_.resize(static_cast<std::size_t>(threads_) * block_size);
   transforms_->forward(field, threads_, pairs_.data(), spectrum);
@@ -169,7 +174,7 @@ void SharedConvolution<Real>::synthesise(const FillColumn& fill,
   assert(answer.size() == rows_.size());
   Complex* const spectrum = prepared(answer);
   const std::size_t stride = transforms_->column_stride();
-  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  const auto height = static_cast<std::size_t>(grid_.points_y);
   each_round(
       spectrum, {false, true},
       [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
@@ -188,7 +193,7 @@ void SharedConvolution<Real>::analyse(std::span<const Real> field,
   assert(field.size() == rows_.size());
   Complex* const spectrum = prepared({});
   const std::size_t stride = transforms_->column_stride();
-  const auto height = static_cast<std::size_t>(rows_.grid().points_y);
+  const auto height = static_cast<std::size_t>(grid_.points_y);
   transforms_->forward(field, threads_, pairs_.data(), spectrum);
   each_round(
       spectrum, {true, false},
@@ -284,6 +289,8 @@ template <class Change>
 void SharedConvolution<Real>::change_own(const Blocks& own, const Ways& ways,
                                          const Change& change) {
   const std::size_t stride = transforms_->column_stride();
+  const auto held = static_cast<std::size_t>(rows_.grid().points_y);
+  const auto height = static_cast<std::size_t>(grid_.points_y);
   parallel_turns(
       static_cast<int>(own.count), threads_, [&](int turn, int worker_number) {
         const auto block = static_cast<std::size_t>(turn);
@@ -295,6 +302,9 @@ void SharedConvolution<Real>::change_own(const Blocks& own, const Ways& ways,
                      [&](Complex* piece, std::size_t at, std::size_t rows) {
                        std::copy_n(piece, rows, columns + at);
                      });
+          for (std::size_t k = 0; k < n; ++k)
+            std::fill(columns + k * stride + held,
+                      columns + k * stride + height, Complex{});
           std::fill(columns + n * stride, columns + block_width * stride,
                     Complex{});
         }
@@ -305,7 +315,8 @@ void SharedConvolution<Real>::change_own(const Blocks& own, const Ways& ways,
                      [&](Complex* piece, std::size_t at, std::size_t rows) {
                        std::copy_n(columns + at, rows, piece);
                        if (rows % 2 != 0) // the row that completes a pair
-                         piece[rows] = {};
+                         piece[rows] =
+                             held < height ? columns[at + rows] : Complex{};
                      });
       });
 }

@@ -15,12 +15,21 @@
 
 namespace asperity {
 
+/// Adjacent columns of a half spectrum.
+struct SpectrumColumns {
+  std::size_t first = 0, count = 0;
+};
+
 /// As Convolution, with bitwise the same answer on any number of ranks. Each
 /// rank transforms its pairs of rows and owns some blocks of columns. The
 /// columns are exchanged in rounds of a few blocks per rank, transformed,
 /// multiplied, transformed back and returned. The spectrum of the own rows is
 /// in the memory of the answer if points_x and the number of rows are even, so
 /// that a rank only holds the blocks of one round beside its fields.
+///
+/// A field may occupy the first rows and columns of a larger grid only, as in
+/// Convolution. The other rows, which are 0, are neither sent nor stored, but
+/// the spectrum then has memory of its own.
 template <class Real>
 class SharedConvolution {
 public:
@@ -35,16 +44,20 @@ public:
   /// @param threads  >= 1, used by each rank
   /// @throws std::domain_error  the rows are of no group, or a bound is odd
   SharedConvolution(const SharedRows& rows, int threads);
+
+  /// @param rows  of the part that the fields occupy; the lengths of its grid
+  ///              are not read
+  /// @param grid  of the convolution, of at least as many points
+  SharedConvolution(const SharedRows& rows, const Grid& grid, int threads);
   ~SharedConvolution();
   SharedConvolution(const SharedConvolution&) = delete;
   SharedConvolution& operator=(const SharedConvolution&) = delete;
 
   int threads() const { return threads_; }
 
-  /// Adjacent columns of the half spectrum.
-  struct Columns {
-    std::size_t first = 0, count = 0;
-  };
+  const Grid& grid() const { return grid_; }
+
+  using Columns = SpectrumColumns;
 
   /// The columns that this rank multiplies.
   Columns columns() const;
@@ -109,7 +122,7 @@ private:
 
   /// Values of a column of a symbol.
   std::size_t half_height() const {
-    return static_cast<std::size_t>(rows_.grid().points_y) / 2 + 1;
+    return static_cast<std::size_t>(grid_.points_y) / 2 + 1;
   }
 
   /// The multipliers of the own column k that are stored in a symbol.
@@ -141,6 +154,7 @@ private:
                   const Copy& copy);
 
   const SharedRows& rows_;
+  Grid grid_; ///< of the convolution
   int threads_;
   std::unique_ptr<PairTransforms<Real>> transforms_;
   std::size_t n_ranks_, own_;

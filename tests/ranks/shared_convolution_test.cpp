@@ -19,6 +19,7 @@
 namespace asperity {
 namespace {
 
+/// @param grid  or the part of a grid that a field occupies
 std::vector<double> uneven_field(const Grid& grid) {
   std::vector<double> field(grid.size());
   for (std::size_t i = 0; i < field.size(); ++i)
@@ -32,14 +33,14 @@ double symbol_at(const Grid& grid, int jx, int jy) {
 }
 
 template <class Real>
-std::vector<Real> in_one_process(const Grid& grid) {
-  const Convolution<Real> convolution(grid);
+std::vector<Real> in_one_process(const Grid& grid, const Grid& held) {
+  const Convolution<Real> convolution(grid, held, 1);
   typename Convolution<Real>::Scratch scratch;
   std::vector<double> symbol;
   for (int jy = 0; jy < grid.points_y; ++jy)
     for (int jx = 0; jx <= grid.points_x / 2; ++jx)
       symbol.push_back(symbol_at(grid, jx, jy));
-  const std::vector<double> field = uneven_field(grid);
+  const std::vector<double> field = uneven_field(held);
   std::vector<Real> answer(field.begin(), field.end());
   convolution.apply(answer, convolution.arranged(symbol), scratch, answer);
   return answer;
@@ -55,13 +56,14 @@ std::vector<int> uneven_bounds(const Grid& grid, int n) {
 }
 
 template <class Real>
-std::vector<Real> on_ranks(const Grid& grid, int n, int threads) {
-  std::vector<Real> answer(grid.size());
+std::vector<Real> on_ranks(const Grid& grid, const Grid& held, int n,
+                           int threads) {
+  std::vector<Real> answer(held.size());
   tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-    const SharedRows rows(grid, ranks, uneven_bounds(grid, n));
-    SharedConvolution<Real> convolution(rows, threads);
-    const std::vector<double> field = uneven_field(grid);
-    const auto first = static_cast<std::ptrdiff_t>(grid.index(0, rows.first()));
+    const SharedRows rows(held, ranks, uneven_bounds(held, n));
+    SharedConvolution<Real> convolution(rows, grid, threads);
+    const std::vector<double> field = uneven_field(held);
+    const auto first = static_cast<std::ptrdiff_t>(held.index(0, rows.first()));
     std::vector<Real> own(field.begin() + first,
                           field.begin() + first +
                               static_cast<std::ptrdiff_t>(rows.size()));
@@ -89,10 +91,28 @@ TEST(SharedConvolution, HasTheBitsOfOneProcess) {
         SCOPED_TRACE(testing::Message()
                      << grid.points_x << " x " << grid.points_y << ", " << n
                      << " ranks, " << threads << " threads");
-        EXPECT_EQ(on_ranks<float>(grid, n, threads),
-                  in_one_process<float>(grid));
-        EXPECT_EQ(on_ranks<double>(grid, n, threads),
-                  in_one_process<double>(grid));
+        EXPECT_EQ(on_ranks<float>(grid, grid, n, threads),
+                  in_one_process<float>(grid, grid));
+        EXPECT_EQ(on_ranks<double>(grid, grid, n, threads),
+                  in_one_process<double>(grid, grid));
+      }
+}
+
+// Claim: so has a field that occupies a part of the grid of the convolution.
+TEST(SharedConvolution, HasTheBitsOfOneProcessForAPartOfTheGrid) {
+  for (const Grid& held : shared_grids)
+    for (const Grid& grid :
+         {Grid{2 * held.points_x, 2 * held.points_y, 1.0, 1.0},
+          Grid{held.points_x, held.points_y + 3, 1.0, 1.0}})
+      for (int n = 1; n <= 4; ++n) {
+        SCOPED_TRACE(testing::Message()
+                     << held.points_x << " x " << held.points_y << " of "
+                     << grid.points_x << " x " << grid.points_y << ", " << n
+                     << " ranks");
+        EXPECT_EQ(on_ranks<float>(grid, held, n, 2),
+                  in_one_process<float>(grid, held));
+        EXPECT_EQ(on_ranks<double>(grid, held, n, 1),
+                  in_one_process<double>(grid, held));
       }
 }
 
