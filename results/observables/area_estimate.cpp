@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "ranks/chunked_sum.hpp"
+#include "ranks/rank_sums.hpp"
 
 namespace asperity::results {
 namespace {
@@ -109,7 +111,7 @@ private:
           return sums;
         });
     if (border_ == Border::free)
-      add_free_squares(all);
+      all.twists += free_twists();
     return all;
   }
 
@@ -119,7 +121,8 @@ private:
   void add_row(std::size_t row, std::size_t first, std::size_t last,
                const AddShare& add_share, ContactSums& sums) const {
     const bool is_free = border_ == Border::free;
-    const bool has_above = !is_free || row + width_ < pressure_.size();
+    const bool has_above =
+        !is_free || row + width_ < pressure_.size() || !ends_at_border();
     const double* const own = pressure_.data() + row;
     const double* const above =
         row + width_ < pressure_.size() ? own + width_ : pressure_above_.data();
@@ -145,17 +148,35 @@ private:
     }
   }
 
-  /// Adds the squares before the first nodes of the rows and columns, whose
-  /// other nodes lie beyond a free border.
-  void add_free_squares(ContactSums& sums) const {
+  /// Whether the last row of this process is that of the grid.
+  bool ends_at_border() const {
+    const SharedRows* const rows = workers_.rows;
+    return rows == nullptr || rows->first() + rows->count() == grid_.points_y;
+  }
+
+  /// n_1 - n_3 of the squares before the first nodes of the rows and columns,
+  /// whose other nodes lie beyond a free border. Collective.
+  long free_twists() const {
+    const int rows = static_cast<int>(pressure_.size() / width_);
     const auto holds = [&](int ix, int iy) {
-      return ix >= 0 && iy >= 0 && ix < grid_.points_x && iy < grid_.points_y &&
+      return ix >= 0 && ix < grid_.points_x &&
              pressure_[grid_.index(ix, iy)] > 0.0;
     };
-    for (int ix = -1; ix < grid_.points_x; ++ix)
-      sums.twists += twist(holds(ix, 0) + holds(ix + 1, 0));
-    for (int iy = 0; iy < grid_.points_y; ++iy)
-      sums.twists += twist(holds(0, iy) + holds(0, iy + 1));
+    long twists = 0;
+    if (workers_.rows == nullptr || workers_.rows->first() == 0)
+      for (int ix = -1; ix < grid_.points_x; ++ix)
+        twists += twist(holds(ix, 0) + holds(ix + 1, 0));
+    for (int iy = 0; iy < rows; ++iy) {
+      const bool above =
+          iy + 1 < rows ? holds(0, iy + 1)
+                        : !ends_at_border() && pressure_above_.front() > 0.0;
+      twists += twist(holds(0, iy) + above);
+    }
+    RankGroup* const ranks =
+        workers_.rows != nullptr ? workers_.rows->ranks() : nullptr;
+    const std::vector<long> all =
+        values_of_ranks<long>(ranks, std::span<const long>(&twists, 1));
+    return std::accumulate(all.begin(), all.end(), 0L);
   }
 
   std::vector<double> row_above(std::span<const double> own) const {

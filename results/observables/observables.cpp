@@ -66,22 +66,23 @@ BoundaryPairCount pairs_in_map(std::size_t width,
       });
 }
 
-/// Replaces the pairs across the border, as nodes in contact at a free border
-/// have an edge there.
+/// Adds the edges of nodes in contact at a free border which a periodic border
+/// does not have: two for each pair at opposite borders.
 void free_border(const Grid& grid, std::span<const double> pressure,
-                 BoundaryPairCount& pairs) {
-  const auto replace = [&](std::size_t& count, std::size_t last,
-                           std::size_t first) {
-    const bool at_last = pressure[last] > 0.0, at_first = pressure[first] > 0.0;
-    count += static_cast<std::size_t>(at_last) + at_first;
-    count -= at_last != at_first;
-  };
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    replace(pairs.along_x, grid.index(grid.points_x - 1, iy),
-            grid.index(0, iy));
-  for (int ix = 0; ix < grid.points_x; ++ix)
-    replace(pairs.along_y, grid.index(ix, grid.points_y - 1),
-            grid.index(ix, 0));
+                 const Workers& workers, BoundaryPairCount& pairs) {
+  const SharedRows rows =
+      workers.rows != nullptr ? *workers.rows : SharedRows(grid);
+  const std::vector<double> after = rows.row_after(pressure);
+  const bool ends = rows.first() + rows.count() == grid.points_y;
+  std::size_t both_x = 0, both_y = 0;
+  for (int iy = 0; iy < rows.count(); ++iy)
+    both_x += pressure[grid.index(0, iy)] > 0.0 &&
+              pressure[grid.index(grid.points_x - 1, iy)] > 0.0;
+  for (std::size_t ix = 0; ends && ix < rows.width(); ++ix)
+    both_y +=
+        after[ix] > 0.0 && pressure[rows.size() - rows.width() + ix] > 0.0;
+  pairs.along_x += 2 * total_count(workers, both_x);
+  pairs.along_y += 2 * total_count(workers, both_y);
 }
 
 } // namespace
@@ -115,7 +116,7 @@ double contact_perimeter(const Grid& grid, std::span<const double> pressure,
           ? pairs_in_map(width, pressure, rows->row_after(pressure), workers)
           : pairs_in_map(width, pressure, pressure.first(width), workers);
   if (border == Border::free)
-    free_border(grid, pressure, pairs);
+    free_border(grid, pressure, workers, pairs);
   return (static_cast<double>(pairs.along_x) * grid.spacing_y() +
           static_cast<double>(pairs.along_y) * grid.spacing_x()) /
          grid.area();

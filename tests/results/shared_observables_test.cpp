@@ -41,16 +41,16 @@ Maps patchy(const Grid& grid) {
 }
 
 struct Numbers {
-  double mean, area, perimeter, corrected, elastic, contact, fit, variance,
-      moment, centre_x, centre_y;
+  double mean, area, perimeter, corrected, free_perimeter, free_corrected,
+      elastic, contact, fit, variance, moment, centre_x, centre_y;
 
   bool operator==(const Numbers&) const = default;
 };
 
 Observed corrected(const Grid& grid, const Maps& maps, double modulus,
-                   const Workers& workers) {
+                   const Workers& workers, Border border = Border::periodic) {
   return corrected_area_fraction(grid, maps.pressure, maps.gap,
-                                 {modulus, halfspace_area_coefficients},
+                                 {modulus, halfspace_area_coefficients, border},
                                  workers);
 }
 
@@ -62,6 +62,8 @@ Numbers observed(const Grid& grid, const Maps& maps, const Workers& workers) {
           counted_area_fraction(p, {}, workers),
           contact_perimeter(grid, p, Border::periodic, workers),
           corrected(grid, maps, 2.0, workers).value,
+          contact_perimeter(grid, p, Border::free, workers),
+          corrected(grid, maps, 2.0, workers, Border::free).value,
           elastic_energy(p, maps.displacement, {}, workers),
           contact_energy(p, 0.7, {}, workers),
           fit.area_fraction,
@@ -86,6 +88,8 @@ void expect_bits_of_one_process(const Grid& grid,
   const Maps maps = patchy(grid);
   const Numbers alone = observed(grid, maps, {1, grid});
   EXPECT_GT(alone.perimeter, 0.0);
+  EXPECT_GT(alone.free_perimeter, alone.perimeter);
+  EXPECT_NE(alone.free_corrected, alone.corrected);
   EXPECT_TRUE(std::isfinite(alone.fit) && std::isfinite(alone.corrected));
   EXPECT_TRUE(observed(grid, maps, {3, grid}) == alone) << "3 threads";
   for (const std::vector<int>& bounds : shares)
