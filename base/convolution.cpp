@@ -250,6 +250,26 @@ auto Convolution<Real>::arranged(std::span<const double> multiplier) const
 }
 
 template <class Real>
+auto Convolution<Real>::arranged(const MultiplierAt& multiplier_at) const
+    -> Symbol {
+  const auto rows = static_cast<std::size_t>(grid_.points_y);
+  const std::size_t stride = transforms_->column_stride();
+  const double normalise = 1.0 / static_cast<double>(grid_.size());
+  Symbol symbol;
+  symbol.values_.resize(transforms_->n_columns() * stride);
+  const int columns = static_cast<int>(grid_.half_spectrum_columns());
+  parallel_rows(columns, threads_, [&](int jx) {
+    Real* const column = &symbol.values_[static_cast<std::size_t>(jx) * stride];
+    for (std::size_t jy = 0; jy <= rows / 2; ++jy) {
+      column[jy] = static_cast<Real>(normalise *
+                                     multiplier_at(jx, static_cast<int>(jy)));
+      column[(rows - jy) % rows] = column[jy];
+    }
+  });
+  return symbol;
+}
+
+template <class Real>
 void Convolution<Real>::prepare(Scratch& scratch) const {
   const auto workers = static_cast<std::size_t>(threads_);
   scratch.spectrum_.resize(transforms_->spectrum_size());

@@ -7,6 +7,7 @@
 #include "base/grid.hpp"
 
 #include <complex>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -148,6 +149,13 @@ public:
   /// @param multiplier  grid.half_spectrum_size() values in the order of
   ///                    Grid::half_spectrum_size
   Symbol arranged(std::span<const double> multiplier) const;
+
+  /// The value of the modes (jx, jy) and (jx, -jy), jx = 0..points_x/2, jy =
+  /// 0..points_y/2. Threads call it at the same time.
+  using MultiplierAt = std::function<double(int jx, int jy)>;
+
+  /// The same for multipliers that are even in jy.
+  Symbol arranged(const MultiplierAt& multiplier_at) const;
 
   /// Applies the convolution.
   /// @param field   held.size() values, by default grid.size()

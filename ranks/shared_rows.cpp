@@ -153,6 +153,17 @@ std::vector<double> SharedRows::rows_at(std::span<const double> own, int first,
   return result;
 }
 
+std::vector<std::size_t> SharedRows::rows_on(const SharedRows& other) const {
+  const auto row = [](int at) { return static_cast<std::size_t>(at); };
+  const Part own{row(bounds_[own_]), row(bounds_[own_ + 1])};
+  std::vector<std::size_t> counts;
+  for (std::size_t r = 0; r + 1 < other.bounds_.size(); ++r)
+    counts.push_back(
+        common(own, {row(other.bounds_[r]), row(other.bounds_[r + 1])})
+            .count());
+  return counts;
+}
+
 std::vector<double> SharedRows::gathered(std::span<const double> own) const {
   if (own.size() != size())
     refuse_argument("own.size()", static_cast<double>(own.size()),

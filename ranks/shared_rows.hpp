@@ -106,6 +106,12 @@ public:
   /// @param all  grid().size() values on rank 0; not read on the others
   std::vector<double> scattered(std::span<const double> all) const;
 
+  /// Rows of this process that the ranks of another division hold: row i of
+  /// this grid is row i of the other.
+  /// @param other  of the same ranks; its grid may have fewer or more rows
+  /// @return       number of rows for each rank
+  std::vector<std::size_t> rows_on(const SharedRows& other) const;
+
 private:
   /// Place of the first node of a rank, and number of its nodes.
   std::size_t first_of(std::size_t rank) const {

@@ -72,7 +72,7 @@ double lift_error(SurfaceOperator& elasticity, const Weighted& weighted,
                   double duality_gap) {
   if (elasticity.is_periodic())
     return 0.0;
-  const std::vector<double> ones(elasticity.grid().size(), 1.0);
+  const std::vector<double> ones(elasticity.n_nodes(), 1.0);
   std::vector<double> displacement(ones.size());
   elasticity.displacement(ones, displacement);
   return std::sqrt(duality_gap * weighted.mean_of(displacement));

@@ -1,25 +1,20 @@
 #include "contact/operators/free_halfspace.hpp"
 
-#include "base/fourier.hpp"
 #include "base/require.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <utility>
+
+#include "ranks/one_rank.hpp"
 
 namespace asperity::contact {
 namespace {
 
 /// Points per side of a coarse grid, at least.
 constexpr int least_coarse_points = 32;
-
-/// Twice the points and lengths in both directions.
-Grid padded(const Grid& grid) {
-  return {2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
-          2.0 * grid.length_y};
-}
 
 /// The points of the wide grid along a line of n: a quarter more, which was as
 /// good as twice as many, see docs/numerics/solver.md. The wide
@@ -31,35 +26,11 @@ int with_margin(int n) {
   return n + (n / halvings + 3) / 4 * halvings;
 }
 
-Grid with_margin(const Grid& grid) {
-  const int x = with_margin(grid.points_x);
-  const int y = with_margin(grid.points_y);
-  return {x, y, x * grid.spacing_x(), y * grid.spacing_y()};
-}
-
-/// The symbol of a convolution on a periodic grid: the transform of the
-/// displacement around one pressed cell, which is real because the displacement
-/// is even in x and y. It is positive: that of the continuum, which is, differs
-/// from it by a few per cent at long and by half at the shortest waves.
-std::vector<double> rectangle_symbol(const Grid& wide, double contact_modulus) {
-  std::vector<double> kernel(wide.size());
-  for (int iy = 0; iy <= wide.points_y / 2; ++iy)
-    for (int ix = 0; ix <= wide.points_x / 2; ++ix) {
-      const double displacement = rectangle_displacement(
-          ix * wide.spacing_x(), iy * wide.spacing_y(), wide.spacing_x(),
-          wide.spacing_y(), contact_modulus);
-      for (const int y : {iy, (wide.points_y - iy) % wide.points_y})
-        for (const int x : {ix, (wide.points_x - ix) % wide.points_x})
-          kernel[wide.index(x, y)] = displacement;
-    }
-  const RealFourier fourier(wide); // the same bits on any number of threads
-  std::vector<std::complex<double>> spectrum(wide.half_spectrum_size());
-  fourier.forward(kernel, spectrum);
-  std::vector<double> symbol;
-  symbol.reserve(spectrum.size());
-  for (const std::complex<double>& value : spectrum)
-    symbol.push_back(value.real());
-  return symbol;
+/// The symbol of a periodic grid in this process alone.
+EvenSymbol rectangle_symbol(const Grid& wide, double contact_modulus,
+                            int threads) {
+  return {wide, *rows_of_one(wide).ranks(),
+          rectangle_kernel(wide, contact_modulus), all_columns(wide), threads};
 }
 
 } // namespace
@@ -85,10 +56,31 @@ double rectangle_displacement(double x, double y, double side_x, double side_y,
          (std::numbers::pi * contact_modulus);
 }
 
+Grid padded_grid(const Grid& grid) {
+  return {2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
+          2.0 * grid.length_y};
+}
+
+Grid grid_with_margin(const Grid& grid) {
+  const int x = with_margin(grid.points_x);
+  const int y = with_margin(grid.points_y);
+  return {x, y, x * grid.spacing_x(), y * grid.spacing_y()};
+}
+
+EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
+                                       double contact_modulus) {
+  return [=](int iy, std::span<double> of_ix) {
+    for (std::size_t ix = 0; ix < of_ix.size(); ++ix)
+      of_ix[ix] = rectangle_displacement(
+          static_cast<double>(ix) * wide.spacing_x(), iy * wide.spacing_y(),
+          wide.spacing_x(), wide.spacing_y(), contact_modulus);
+  };
+}
+
 struct FreeHalfspace::Shared {
   Grid grid;
-  std::vector<double> compliance;      ///< symbol on the padded grid [m/Pa] > 0
-  std::vector<double> wide_compliance; ///< the same on the wide grid
+  EvenSymbol compliance;      ///< symbol on the padded grid [m/Pa] > 0
+  EvenSymbol wide_compliance; ///< the same on the wide grid
   Convolution<double> exact;
   Convolution<float> convolution;
   Convolution<float> wide_convolution;
@@ -97,23 +89,29 @@ struct FreeHalfspace::Shared {
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
   mutable std::shared_ptr<const Shared> coarse;
 
-  Shared(const Grid& grid_, std::vector<double> compliance_,
-         std::vector<double> wide_compliance_, int threads)
+  Shared(const Grid& grid_, EvenSymbol compliance_, EvenSymbol wide_compliance_,
+         int threads)
       : grid(grid_),
         compliance(std::move(compliance_)),
         wide_compliance(std::move(wide_compliance_)),
-        exact(padded(grid_), grid_, threads),
-        convolution(padded(grid_), grid_, threads),
-        wide_convolution(with_margin(grid_), threads),
-        exact_symbol(exact.arranged(compliance)),
-        symbol(convolution.arranged(compliance)) {}
+        exact(padded_grid(grid_), grid_, threads),
+        convolution(padded_grid(grid_), grid_, threads),
+        wide_convolution(grid_with_margin(grid_), threads),
+        exact_symbol(exact.arranged(std::cref(compliance))),
+        symbol(convolution.arranged(std::cref(compliance))) {}
 };
 
 FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
                              int threads)
+    : FreeHalfspace(
+          grid, rectangle_symbol(padded_grid(grid), contact_modulus, threads),
+          rectangle_symbol(grid_with_margin(grid), contact_modulus, threads),
+          threads) {}
+
+FreeHalfspace::FreeHalfspace(const Grid& grid, EvenSymbol compliance,
+                             EvenSymbol wide_compliance, int threads)
     : FreeHalfspace(std::make_shared<const Shared>(
-          grid, rectangle_symbol(padded(grid), contact_modulus),
-          rectangle_symbol(with_margin(grid), contact_modulus), threads)) {}
+          grid, std::move(compliance), std::move(wide_compliance), threads)) {}
 
 FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
     : shared_(std::move(shared)) {}
@@ -131,8 +129,7 @@ int FreeHalfspace::threads() const {
 }
 
 double FreeHalfspace::short_wave_compliance() const {
-  return shared_
-      ->compliance[static_cast<std::size_t>(shared_->grid.points_x) / 2];
+  return shared_->compliance(shared_->grid.points_x / 2, 0);
 }
 
 void FreeHalfspace::displacement(std::span<const double> pressure,
@@ -150,14 +147,13 @@ void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
 void FreeHalfspace::Inverse::apply(std::span<const float> gap,
                                    double local_compliance,
                                    const Convolution<float>& convolution,
-                                   std::span<const double> compliance,
+                                   const EvenSymbol& compliance,
                                    std::span<float> pressure) {
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   if (local_compliance_ != local_compliance) {
-    std::vector<double> inverse(compliance.begin(), compliance.end());
-    for (double& value : inverse)
-      value = 1.0 / (value + local_compliance);
-    symbol_ = convolution.arranged(inverse);
+    symbol_ = convolution.arranged([&](int jx, int jy) {
+      return 1.0 / (compliance(jx, jy) + local_compliance);
+    });
     local_compliance_ = local_compliance;
   }
   convolution.apply(gap, symbol_, scratch_, pressure);
@@ -187,12 +183,13 @@ std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
   if (!coarse)
     return nullptr;
   std::call_once(shared_->coarse_is_made, [&] {
+    const auto kept = [](const EvenSymbol& symbol, const Grid& grid) {
+      return symbol.coarsened(grid, *rows_of_one(grid).ranks(),
+                              all_columns(grid));
+    };
     shared_->coarse = std::make_shared<const Shared>(
-        *coarse,
-        coarse_spectrum(padded(fine), padded(*coarse), shared_->compliance),
-        coarse_spectrum(with_margin(fine), with_margin(*coarse),
-                        shared_->wide_compliance),
-        threads());
+        *coarse, kept(shared_->compliance, padded_grid(*coarse)),
+        kept(shared_->wide_compliance, grid_with_margin(*coarse)), threads());
   });
   return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
 }

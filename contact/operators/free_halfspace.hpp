@@ -4,6 +4,7 @@
 // pressed inside a rectangle only: free boundaries, without periodic images.
 
 #include "base/convolution.hpp"
+#include "contact/operators/even_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <memory>
@@ -19,6 +20,21 @@ namespace asperity::contact {
 double rectangle_displacement(double x, double y, double side_x, double side_y,
                               double contact_modulus);
 
+/// Twice the points and lengths in both directions: the grid of the convolution
+/// without periodic images.
+Grid padded_grid(const Grid& grid);
+
+/// A quarter more points and lengths in both directions, for the
+/// preconditioner. That of a coarse grid is the coarse one of this.
+Grid grid_with_margin(const Grid& grid);
+
+/// rectangle_displacement() around one pressed cell of a periodic grid. Its
+/// transform is positive: that of the continuum, which is, differs from it by a
+/// few per cent at long and by half at the shortest waves.
+/// @param contact_modulus  E* [Pa] > 0
+EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
+                                       double contact_modulus);
+
 /// The half-space under a pressure that is 0 outside the rectangle of the grid
 /// and uniform in the cell around each node. The displacement, which vanishes
 /// at infinity, is the sum of rectangle_displacement() over the nodes, without
@@ -32,6 +48,12 @@ public:
   /// @param threads          as for FourierOperator
   /// @throws std::domain_error  an argument is outside its range
   FreeHalfspace(const Grid& grid, double contact_modulus, int threads = 1);
+
+  /// The same for known symbols [m/Pa] > 0, with all of their columns.
+  /// @param compliance       on padded_grid()
+  /// @param wide_compliance  on grid_with_margin()
+  FreeHalfspace(const Grid& grid, EvenSymbol compliance,
+                EvenSymbol wide_compliance, int threads);
 
   std::unique_ptr<SurfaceOperator> clone() const override;
 
@@ -76,7 +98,7 @@ private:
     /// @param compliance  [m/Pa] > 0 of each wavevector of the convolution
     void apply(std::span<const float> gap, double local_compliance,
                const Convolution<float>& convolution,
-               std::span<const double> compliance, std::span<float> pressure);
+               const EvenSymbol& compliance, std::span<float> pressure);
 
   private:
     Convolution<float>::Scratch scratch_;

@@ -107,6 +107,11 @@ public:
   /// points, whose first columns and rows are the nodes of grid().
   virtual const Grid& wide_grid() const { return grid(); }
 
+  /// The rows of wide_grid() that this process holds, as shared_rows(). The
+  /// last ones of a rank may lie beyond those of grid(), and the others may be
+  /// on other ranks there.
+  virtual const SharedRows* wide_shared_rows() const { return shared_rows(); }
+
   /// As pressure_estimate(), on the surface of wide_grid(), whose C is about
   /// the same between the nodes of grid().
   virtual void wide_pressure_estimate(std::span<const float> gap,

@@ -49,6 +49,12 @@ double between(double before, double left, double right, double after) {
 constexpr std::size_t ghosts_before = 1, ghosts_after = 2;
 constexpr std::size_t n_ghosts = ghosts_before + ghosts_after;
 
+/// Value of a line beyond its end by linear extrapolation from the last values.
+/// @param spacings  from the end
+double beyond(double end, double inner, double spacings) {
+  return (1.0 + spacings) * end - spacings * inner;
+}
+
 /// Sets the values beyond the ends of a line of coarse values: those at the
 /// other end of a periodic surface, otherwise by linear extrapolation.
 /// @param value  value(i), i from 0: the i-th of the line with its ghosts
@@ -60,9 +66,9 @@ void set_ghosts(std::size_t n, bool is_periodic, const Value& value) {
     value(last + 1) = value(first);
     value(last + 2) = value(first + 1);
   } else {
-    value(0) = 2.0 * value(first) - value(first + 1);
-    value(last + 1) = 2.0 * value(last) - value(last - 1);
-    value(last + 2) = 3.0 * value(last) - 2.0 * value(last - 1);
+    value(0) = beyond(value(first), value(first + 1), 1.0);
+    value(last + 1) = beyond(value(last), value(last - 1), 1.0);
+    value(last + 2) = beyond(value(last), value(last - 1), 2.0);
   }
 }
 
@@ -81,19 +87,17 @@ void put_positive(std::span<const double> coarse, std::span<double> fine) {
 /// The rows of a field that this process holds and those beside them.
 class RowsWithGhosts {
 public:
-  /// @param field  the rows of this process, or all rows; must outlive this
-  RowsWithGhosts(const SharedRows& rows, std::span<const double> field,
+  /// @param own  the rows of this process; must outlive this
+  RowsWithGhosts(const SharedRows& rows, std::span<const double> own,
                  bool is_periodic)
-      : count_(rows.count()), width_(rows.width()) {
-    own_ = field.size() == rows.size()
-               ? field
-               : field.subspan(static_cast<std::size_t>(rows.first()) * width_,
-                               rows.size());
-    ghosts_.resize(n_ghosts * width_);
+      : count_(rows.count()),
+        width_(rows.width()),
+        own_(own),
+        ghosts_(n_ghosts * width_) {
     if (rows.ranks() == nullptr)
       set_from_own(is_periodic);
     else
-      receive(rows);
+      receive(rows, is_periodic);
   }
 
   /// @param iy  from ghosts_before rows before the first of this process to
@@ -124,16 +128,33 @@ private:
     }
   }
 
-  void receive(const SharedRows& rows) {
+  /// Collective.
+  void receive(const SharedRows& rows, bool is_periodic) {
+    const bool begins = !is_periodic && rows.first() == 0;
+    const bool ends =
+        !is_periodic && rows.first() + count_ == rows.grid().points_y;
     const SharedRows::RowsBeside beside = rows.rows_beside(own_);
-    std::ranges::copy(beside.before, ghosts_.begin());
-    const std::span<double> after = std::span(ghosts_).last(2 * width_);
-    std::ranges::copy(beside.after, after.begin());
+    std::ranges::copy(beside.before, ghost(0));
+    std::ranges::copy(beside.after, ghost(1));
+    if (begins)
+      extrapolate(row(0), row(1), 1.0, ghost(0));
+    if (ends)
+      extrapolate(row(count_ - 1), row(count_ - 2), 1.0, ghost(1));
     // The second row of the next rank, or the row after its only one.
     const std::span<const double> second(row(1), width_);
     rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
-                       std::as_writable_bytes(after.last(width_)));
+                       std::as_writable_bytes(std::span(ghosts_).last(width_)));
+    if (ends)
+      extrapolate(row(count_ - 1), row(count_ - 2), 2.0, ghost(2));
   }
+
+  void extrapolate(const double* end, const double* inner, double spacings,
+                   double* to) const {
+    for (std::size_t ix = 0; ix < width_; ++ix)
+      to[ix] = beyond(end[ix], inner[ix], spacings);
+  }
+
+  double* ghost(std::size_t i) { return &ghosts_[i * width_]; }
 
   int count_;
   std::size_t width_;
@@ -170,6 +191,13 @@ std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
   return result;
 }
 
+/// The rows of this process in a field of these rows, or of all rows.
+std::span<double> own_rows(const SharedRows& rows, std::span<double> field) {
+  return field.size() == rows.size()
+             ? field
+             : field.subspan(rows.grid().index(0, rows.first()), rows.size());
+}
+
 /// The pressure where there is one, otherwise minus a pressure that would close
 /// the gap if it varied on the scale of the grid. Interpolation finds the
 /// boundary of the contact between the two.
@@ -200,18 +228,20 @@ std::vector<double> punch_pressure(int n) {
   return line;
 }
 
-/// Multiplies a field by the pressure of a punch at the borders of the grid, or
-/// divides it, so that what is interpolated is smooth there.
-void multiply_by_punch(const Grid& grid, bool divides, int threads,
+/// Multiplies own rows by the pressure of a punch at the borders of the grid,
+/// or divides it, so that what is interpolated is smooth there.
+void multiply_by_punch(const SharedRows& rows, bool divides, int threads,
                        std::span<double> field) {
+  const Grid& grid = rows.grid();
   std::vector<double> along_x = punch_pressure(grid.points_x);
   std::vector<double> along_y = punch_pressure(grid.points_y);
   for (std::vector<double>* line : {&along_x, &along_y})
     for (double& value : *line)
       value = divides ? 1.0 / value : value;
-  parallel_rows(grid.points_y, threads, [&](int iy) {
+  const auto first = static_cast<std::size_t>(rows.first());
+  parallel_rows(rows.count(), threads, [&](int iy) {
     double* const row = &field[grid.index(0, iy)];
-    const double of_row = along_y[static_cast<std::size_t>(iy)];
+    const double of_row = along_y[first + static_cast<std::size_t>(iy)];
     for (std::size_t ix = 0; ix < along_x.size(); ++ix)
       row[ix] *= of_row * along_x[ix];
   });
@@ -243,14 +273,16 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   std::vector<double> field =
       signed_pressure(std::move(solution), elasticity.short_wave_compliance() +
                                                problem.local_compliance);
+  const std::span<double> own = own_rows(coarse_rows, field);
   const bool is_periodic = elasticity.is_periodic();
+  const int threads = elasticity.threads();
   if (!is_periodic)
-    multiply_by_punch(coarse_rows.grid(), true, elasticity.threads(), field);
+    multiply_by_punch(coarse_rows, true, threads, own);
   std::vector<double> start =
-      interpolated(RowsWithGhosts(coarse_rows, field, is_periodic),
+      interpolated(RowsWithGhosts(coarse_rows, own, is_periodic),
                    coarse_rows.count(), fine_rows, elasticity);
   if (!is_periodic)
-    multiply_by_punch(fine_rows.grid(), false, elasticity.threads(), start);
+    multiply_by_punch(fine_rows, false, threads, start);
   return start;
 }
 

@@ -14,6 +14,7 @@
 
 #include "ranks/chunked_sum.hpp"
 #include "tests/contact/problems.hpp"
+#include "tests/contact/solved.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::contact {
@@ -26,36 +27,6 @@ mechanics::ElasticBlock block_of(double thickness) {
 }
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Everything that a solution says, with the fields of all rows.
-struct Solved {
-  std::vector<double> pressure, gap, displacement;
-  double nominal_pressure, mean_gap, gap_error;
-  int iterations, transforms;
-  bool converged;
-  std::string note;
-
-  bool operator==(const Solved&) const = default;
-};
-
-Solved all_rows(const ContactSolution& own, const SharedRows& rows) {
-  return {rows.gathered(own.pressure),
-          rows.gathered(own.gap),
-          rows.gathered(own.displacement),
-          own.nominal_pressure,
-          own.mean_gap,
-          own.gap_error,
-          own.iterations,
-          own.transforms,
-          own.converged,
-          own.note};
-}
-
-std::span<const double> rows_in(const SharedRows& rows,
-                                std::span<const double> field) {
-  return field.subspan(static_cast<std::size_t>(rows.first()) * rows.width(),
-                       rows.size());
-}
 
 struct Setting {
   Grid grid;
