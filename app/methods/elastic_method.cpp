@@ -25,6 +25,11 @@ mechanics::ContactInterface interface_of(const ContactSettings& settings,
   return {settings.law, is_hard ? 0.0 : settings.penalty.in_si(scales)};
 }
 
+bool has_free_boundaries(const cases::MethodSpec& method) {
+  const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
+  return half != nullptr && half->has_free_boundaries;
+}
+
 /// Applies the contact solver to any surface operator.
 class OperatorSolver final : public StepSolver {
 public:
@@ -81,24 +86,30 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
       boundary_modulus(continuum, surface.scales.spacing);
   observation.has_middle = surface.has_middle;
   const Grid& grid = surface.record.grid;
+  if (has_free_boundaries(method))
+    observation.area_coefficients = results::free_area_coefficients;
   if (is_shared_by_ranks(method, grid, workforce.ranks)) {
     setting.threads = workforce.threads_a_rank;
     return std::make_unique<OperatorSolver>(
         make_shared_load_steps(
-            surface,
-            block != nullptr ? SharedBlock(fem::load_fem_module().text_of(
-                                   request(*block, surface, setting.threads)))
-                             : SharedBlock(continuum),
-            setting),
+            surface, shared_block(method, surface, setting.threads), setting),
         0.0);
   }
   Face face = shared_operator(method, surface, workforce.threads);
-  if (!face.elasticity->is_periodic())
-    observation.area_coefficients = results::free_area_coefficients;
   return std::make_unique<OperatorSolver>(
       make_load_steps(std::move(face.elasticity), surface.record.heights,
                       setting),
       face.saved_setup_time);
+}
+
+SharedBlock SolverFactory::shared_block(const cases::MethodSpec& method,
+                                        const SurfaceOfCase& surface,
+                                        int threads) const {
+  if (const auto* block = std::get_if<FemSettings>(&method.settings))
+    return fem::load_fem_module().text_of(request(*block, surface, threads));
+  if (has_free_boundaries(method))
+    return FreeBlock{material_.contact_modulus};
+  return continuum_of(method, material_, surface.scales);
 }
 
 SolverFactory::Face
@@ -118,12 +129,11 @@ SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
                               const SurfaceOfCase& surface, int threads) {
   const Grid& grid = surface.record.grid;
-  const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
-  if (half != nullptr && half->has_free_boundaries)
+  if (has_free_boundaries(method))
     return {std::make_unique<contact::FreeHalfspace>(
                 grid, material_.contact_modulus, threads),
             0.0};
-  if (half != nullptr)
+  if (std::holds_alternative<HalfspaceSettings>(method.settings))
     return {std::make_unique<contact::FourierOperator>(
                 grid,
                 contact::block_compliance(

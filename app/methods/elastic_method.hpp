@@ -6,6 +6,7 @@
 
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
+#include "app/methods/shared_load_steps.hpp"
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -72,6 +73,9 @@ private:
                        const SurfaceOfCase& surface, int threads);
   Face build_operator(const cases::MethodSpec& method,
                       const SurfaceOfCase& surface, int threads);
+
+  SharedBlock shared_block(const cases::MethodSpec& method,
+                           const SurfaceOfCase& surface, int threads) const;
 
   fem::BlockRequest request(const mechanics::FemSettings& settings,
                             const SurfaceOfCase& surface, int threads) const;

@@ -4,6 +4,7 @@
 #include "app/methods/shared_surface.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
+#include "contact/operators/shared_free_halfspace.hpp"
 #include "fem/plugin.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,10 @@ elasticity_in(const json& command, const Grid& grid, int threads) {
   const fem::FemModule& fem_module = fem::load_fem_module();
   if (command.contains("request"))
     return fem_module.condensed_on_ranks(command.at("request"), threads);
+  if (command.contains("free_modulus"))
+    return std::make_unique<contact::SharedFreeHalfspace>(
+        grid, fem_module.rank_group(), command.at("free_modulus").get<double>(),
+        threads);
   return std::make_unique<contact::SharedFourierOperator>(
       grid, fem_module.rank_group(),
       contact::compliance_column(grid, block_in(command.at("block"))), threads);
@@ -223,6 +228,8 @@ public:
                      grid.length_y};
     if (const auto* request = std::get_if<std::string>(&block))
       build["request"] = *request;
+    else if (const auto* free = std::get_if<FreeBlock>(&block))
+      build["free_modulus"] = free->contact_modulus;
     else
       build["block"] = json_of_block(std::get<mechanics::ElasticBlock>(block));
     add_setting(setting, build);
@@ -302,8 +309,8 @@ bool is_for_ranks(const cases::MethodSpec& method, const Grid& grid) {
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
-  const bool has_columns = (half != nullptr && !half->has_free_boundaries) ||
-                           (block != nullptr && !is_full_block(method));
+  const bool has_columns =
+      half != nullptr || (block != nullptr && !is_full_block(method));
   return has_columns && grid.size() >= least_shared_nodes;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Load steps of a periodic half-space or condensed block that all ranks of
-// mpirun solve together.
+// Load steps of a half-space or condensed block that all ranks of mpirun solve
+// together.
 
 #include "app/methods/load_steps.hpp"
 #include "cases/types/case.hpp"
@@ -20,8 +20,8 @@ namespace asperity::app {
 inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
 
 /// Returns whether the ranks share the rows of a method on this grid: it is a
-/// periodic half-space or slab or a condensed block, with at least
-/// least_shared_nodes nodes, and the rows can be divided among so many ranks.
+/// half-space or slab or a condensed block, with at least least_shared_nodes
+/// nodes, and the rows can be divided among so many ranks.
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks);
 
@@ -30,9 +30,16 @@ bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
 std::string obstacle_to_sharing(const cases::MethodSpec& method,
                                 const Grid& grid, int n_ranks);
 
-/// The elastic block whose rows are shared: a continuum, or the text of a
-/// request of a condensed block (fem::FemModule::text_of).
-using SharedBlock = std::variant<mechanics::ElasticBlock, std::string>;
+/// A half-space with free boundaries.
+struct FreeBlock {
+  double contact_modulus = 0.0; ///< E* [Pa] > 0
+};
+
+/// The elastic block whose rows are shared: a periodic continuum, one with free
+/// boundaries, or the text of a request of a condensed block
+/// (fem::FemModule::text_of).
+using SharedBlock =
+    std::variant<mechanics::ElasticBlock, FreeBlock, std::string>;
 
 /// The way of a continuum to the other ranks, as a part of a command.
 nlohmann::json json_of_block(const mechanics::ElasticBlock& block);

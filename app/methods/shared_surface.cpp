@@ -218,7 +218,10 @@ bool has_surfaces_by_rows(const cases::Case& contact_case,
     return false;
   const Grid grid = surfaces::surface_grid(contact_case.surface);
   return std::ranges::all_of(methods, [&](const cases::MethodSpec& method) {
-    return !method.has_fields() || is_shared_by_ranks(method, grid, n_ranks);
+    return !method.has_fields() ||
+           (n_ranks <= most_ranks(grid) &&
+            is_shared_by_ranks(method, pressed_grid(contact_case, method, grid),
+                               n_ranks));
   });
 }
 

@@ -3,6 +3,7 @@
 #include "app/methods/chosen.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/build.hpp"
+#include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -34,13 +35,21 @@ bool presses_single_map(const cases::Case& contact_case,
 /// and spectrum are those of the continuation: a step at the border, which no
 /// method presses, would dominate them.
 SurfaceOfCase single_map(const cases::Case& contact_case,
-                         const SurfaceOfCase& continued) {
-  surfaces::HeightMap map = surfaces::levelled_map(contact_case.surface);
-  surfaces::remove_mean(map);
+                         const SurfaceOfCase& continued,
+                         const BuildByRows& by_rows) {
+  mechanics::SurfaceSpec alone = contact_case.surface;
+  alone.edges = mechanics::Edges::periodic; // the map as it is
   SurfaceOfCase surface = continued;
-  surface.record.grid = map.grid;
-  surface.record.heights = std::move(map.heights);
-  surface.scales.length = map.grid.length_x;
+  if (by_rows) {
+    const SurfaceOfCase rows = by_rows({alone, 0});
+    surface.record.grid = rows.record.grid;
+    surface.source = rows.source;
+  } else {
+    surfaces::HeightMap map = surfaces::build_surface(alone, 0);
+    surface.record.grid = map.grid;
+    surface.record.heights = std::move(map.heights);
+  }
+  surface.scales.length = surface.record.grid.length_x;
   surface.has_middle = true;
   return surface;
 }
@@ -50,6 +59,17 @@ SurfaceOfCase single_map(const cases::Case& contact_case,
 bool has_own_surface(const cases::Case& contact_case,
                      const cases::MethodSpec& method) {
   return method.magnification || presses_single_map(contact_case, method);
+}
+
+Grid pressed_grid(const cases::Case& contact_case,
+                  const cases::MethodSpec& method, const Grid& grid) {
+  const mechanics::Edges edges = contact_case.surface.edges;
+  const bool is_continued =
+      surfaces::grid_with_edges(grid, edges).points_x > grid.points_x;
+  if (!presses_single_map(contact_case, method) || !is_continued)
+    return grid;
+  return {grid.points_x / 2, grid.points_y / 2, grid.length_x / 2.0,
+          grid.length_y / 2.0};
 }
 
 SurfaceOfCase described_surface(const Grid& grid,
@@ -107,7 +127,7 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
   if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
       }))
-    single_map_ = single_map(contact_case, whole_.front());
+    single_map_ = single_map(contact_case, whole_.front(), by_rows);
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || !method.needs_surface() ||
         magnified_.contains(*method.magnification))

@@ -73,6 +73,11 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 bool has_own_surface(const cases::Case& contact_case,
                      const cases::MethodSpec& method);
 
+/// Returns the grid of the surface that a method presses.
+/// @param grid  of the surface of the case
+Grid pressed_grid(const cases::Case& contact_case,
+                  const cases::MethodSpec& method, const Grid& grid);
+
 using BuildByRows = std::function<SurfaceOfCase(const SurfaceSource& source)>;
 
 /// The surfaces of a case: one per realisation, one more per realisation for

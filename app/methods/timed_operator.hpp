@@ -35,6 +35,7 @@ public:
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
   const Grid& wide_grid() const override;
+  const SharedRows* wide_shared_rows() const override;
   void wide_pressure_estimate(std::span<const float> gap,
                               double local_compliance,
                               std::span<float> pressure) override;

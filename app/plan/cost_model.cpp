@@ -66,6 +66,9 @@ constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
 /// states of two steps, once for the next step and once on their way to the
 /// cache; docs/numerics/shared-rows.md.
 constexpr double arrays_per_rank = 13.0;
+/// Further ones of a half-space with free boundaries: spectra of rows of twice
+/// the points, symbols, and fields of the wide grid.
+constexpr double more_arrays_of_free = 7.0;
 /// Further ones of a condensed Q2 block: its compliance and its inverse take
 /// 16 bytes per node, nodal areas 8, and the spectra of the node classes 6.
 constexpr double more_arrays_of_q2 = 4.0;
@@ -206,11 +209,15 @@ MethodCost cost_of(const cases::Case& contact_case,
 
 double memory_of_rank(const cases::MethodSpec& method, const Grid& grid,
                       int ranks) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
-  const bool is_q2 =
-      block != nullptr && block->block.element == mechanics::Element::q2;
-  return (arrays_per_rank + (is_q2 ? more_arrays_of_q2 : 0.0)) *
-         sizeof(double) * nodes(grid) / ranks;
+  double arrays = arrays_per_rank;
+  if (half != nullptr && half->has_free_boundaries)
+    arrays += more_arrays_of_free;
+  if (block != nullptr && block->block.element == mechanics::Element::q2)
+    arrays += more_arrays_of_q2;
+  return arrays * sizeof(double) * nodes(grid) / ranks;
 }
 
 double study_time(const cases::Case& contact_case, MachineRates& rates) {

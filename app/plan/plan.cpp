@@ -46,16 +46,17 @@ int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
 
 /// Lets the ranks of mpirun share the rows of a method, if they do: the memory
 /// is then that of the ranks on this machine.
-void share_by_ranks(const MethodSpec& method, const RunOptions& options,
-                    PlannedMethod& planned) {
+/// @param grid  that the method presses
+void share_by_ranks(const MethodSpec& method, const Grid& grid,
+                    const RunOptions& options, PlannedMethod& planned) {
   if (!method.has_fields())
     return;
-  planned.why_alone = obstacle_to_sharing(method, planned.grid, options.ranks);
-  if (!is_shared_by_ranks(method, planned.grid, options.ranks))
+  planned.why_alone = obstacle_to_sharing(method, grid, options.ranks);
+  if (!is_shared_by_ranks(method, grid, options.ranks))
     return;
   planned.ranks = options.ranks;
   planned.runs_alone = true;
-  planned.rank_memory = memory_of_rank(method, planned.grid, options.ranks);
+  planned.rank_memory = memory_of_rank(method, grid, options.ranks);
   planned.memory = options.ranks_on_machine * planned.rank_memory +
                    (options.ranks_on_machine - 1) * base_memory(true);
 }
@@ -265,7 +266,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
     planned.step_time = left > 0 ? left * cost.step_time : 0.0;
     planned.memory = cost.memory;
     planned.runs_alone = describe(method, contact_case.material).runs_alone;
-    share_by_ranks(method, options, planned);
+    share_by_ranks(method, pressed_grid(contact_case, method, grid), options,
+                   planned);
     if (!method.needs_surface())
       planned.grid = {};
     uses_fem |= left > 0 &&

@@ -32,7 +32,7 @@ element = "Q1"
 [fem]
 element = "Q2"
 """)
-SHARED = ["fem", "fem.q1", "halfspace", "halfspace.thin"]
+SHARED = ["fem", "fem.q1", "halfspace", "halfspace.island", "halfspace.thin"]
 PATIENCE = 200.0  # [s]
 
 
@@ -145,15 +145,20 @@ def check_other_surfaces(runner):
         "gwy": ('"map.gwy"\nedges = "periodic"', "2 ranks read the rows of the surface"),
         "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface")}
     cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
+    # The map itself is pressed once, and its continuation by no method.
+    cases["island"] = tuple(text.replace("periodic", "mirror") for text in cases["npy"])
+    cases["island-sent"] = cases["sent"]
     cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'
                      'wavelength = "0.5 um"', "2 ranks generate the rows of the surface")
     for name, (surface, line) in cases.items():
         (runner.folder / f"{name}.toml").write_text(case_with(surface))
-        ask = ["run", f"{name}.toml", "--methods", "halfspace,halfspace.thin", "--exactly",
+        methods = "halfspace.island" if "island" in name else "halfspace,halfspace.thin"
+        ask = ["run", f"{name}.toml", "--methods", methods, "--exactly",
                "--no-cache", "--no-report", "--set", 'load.nominal_pressure=["0.001 E*"]']
         runner.run(*ask, "--out", f"{name}-alone")
         output = runner.run(*ask, "--out", f"{name}-2", ranks=2)
         assert line in output, output
+        assert len(shared_by(output)) == len(methods.split(",")), output
         runner.run("diff", f"{name}-alone", f"{name}-2", "--tolerance", "0")
         runner.expect_same_maps(f"{name}-alone", f"{name}-2")
 

@@ -4,13 +4,16 @@
 // docs/numerics/shared-rows.md are made with it.
 //
 // Arguments: points per side, or as 600x500, threads per rank, "ranks" or
-// "alone" (one process without MPI); then "q1" or "q2" for a block, or "fail"
-// to let the last rank fail in its tenth transform.
+// "alone" (one process without MPI); then "q1" or "q2" for a block, "free" for
+// a half-space with free boundaries, or "fail" to let the last rank fail in its
+// tenth transform.
 #include "base/content_hash.hpp"
 #include "base/cpu_clock.hpp"
 #include "base/peak_memory.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
+#include "contact/operators/shared_free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
@@ -231,7 +234,8 @@ fem::LayeredBlock layered_block(const Grid& grid) {
 struct Asked {
   Grid grid;
   int threads = 1;
-  bool is_alone = false, fails = false, is_q1 = false, is_q2 = false;
+  bool is_alone = false, fails = false, is_q1 = false, is_q2 = false,
+       is_free = false;
 };
 
 std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
@@ -239,6 +243,11 @@ std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
       1.0, 0.3, std::numeric_limits<double>::infinity(),
       mechanics::FarBoundary::clamped};
   const Grid& grid = asked.grid;
+  if (asked.is_free && asked.is_alone)
+    return std::make_unique<contact::FreeHalfspace>(grid, 1.0, asked.threads);
+  if (asked.is_free)
+    return std::make_unique<contact::SharedFreeHalfspace>(
+        grid, counting_group(), 1.0, asked.threads);
   if (asked.is_q2 && asked.is_alone)
     return std::make_unique<fem::Q2Operator>(
         fem::condensed_compliance_q2(grid, layered_block(grid), asked.threads),
@@ -337,13 +346,15 @@ void on_all_ranks(const std::function<void()>& share) {
 int main(int argc, char** argv) {
   using namespace asperity;
   if (argc < 4) {
-    fmt::print(stderr, "arguments: points threads ranks|alone [q1|q2|fail]\n");
+    fmt::print(stderr,
+               "arguments: points threads ranks|alone [q1|q2|free|fail]\n");
     return 2;
   }
   const std::string kind = argc > 4 ? argv[4] : "";
   const Asked asked{
       grid_of(argv[1]), std::atoi(argv[2]), std::string(argv[3]) == "alone",
-      kind == "fail",   kind == "q1",       kind == "q2"};
+      kind == "fail",   kind == "q1",       kind == "q2",
+      kind == "free"};
   if (asked.is_alone)
     solve(asked);
   else

@@ -24,7 +24,9 @@ def main(program, mpirun):
 
     for points, block, on in (("256", [], ((1, 1), (2, 2), (3, 1))), ("600x500", [], ((2, 1), )),
                               ("256", ["q1"], ((2, 1), )), ("251x301", ["q1"], ((3, 2), )),
-                              ("256", ["q2"], ((2, 2), )), ("300x250", ["q2"], ((3, 1), ))):
+                              ("256", ["q2"], ((2, 2), )), ("300x250", ["q2"], ((3, 1), )),
+                              ("256", ["free"], ((1, 1), (2, 1), (4, 1))),
+                              ("300x250", ["free"], ((3, 2), ))):
         alone = run([program, points, "1", "alone", *block])
         assert alone.returncode == 0 and "converged true" in alone.stdout, alone.stdout
         answer = alone.stdout.splitlines()[0]
