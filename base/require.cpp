@@ -14,7 +14,7 @@ std::string number_text(double value) {
 std::string number_text(double value, double limit, int digits) {
   constexpr int all_digits = 17;
   for (; digits < all_digits && value != limit; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::string text = fmt::format("{:.{}g}", value, digits);
     if (text != fmt::format("{:.{}g}", limit, digits))
       return text;
   }

@@ -35,9 +35,8 @@ void require_points(const char* name, int points, double wavevector_high,
   if (points < needed)
     refuse_argument(name, points,
                     fmt::format(">= {} to resolve the shortest wavelength of "
-                                "{} m over {} m",
-                                needed, number_text(two_pi / wavevector_high),
-                                number_text(length)));
+                                "{:.6g} m over {:.6g} m",
+                                needed, two_pi / wavevector_high, length));
 }
 
 /// a_q for the mode of the pair (q, -q) that owns the draw.
@@ -112,10 +111,10 @@ std::vector<double> realize_rows(const IsotropicSpectrum& spectrum,
           heights);
   if (rank_max(rows.ranks(), has_modes ? 1.0 : 0.0) == 0.0)
     throw std::domain_error(fmt::format(
-        "the band from {} to {} rad/m contains no wavevector that fits "
-        "the periodic cell of {} m by {} m",
-        number_text(spectrum.wavevector_low()), number_text(wavevector_high),
-        number_text(grid.length_x), number_text(grid.length_y)));
+        "the band from {:.6g} to {:.6g} rad/m contains no wavevector that fits "
+        "the periodic cell of {:.6g} m by {:.6g} m",
+        spectrum.wavevector_low(), wavevector_high, grid.length_x,
+        grid.length_y));
   return heights;
 }
 

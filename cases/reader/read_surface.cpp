@@ -1,4 +1,3 @@
-#include "base/require.hpp"
 #include "cases/reader/read_parts.hpp"
 #include "cases/reader/table_reader.hpp"
 
@@ -158,9 +157,9 @@ void SurfaceReader::check_order(const std::string& low, double q_low,
     return;
   table.complain(
       table.node(),
-      fmt::format("has its wavevectors in the wrong order: {} = {} 1/m, "
-                  "but must not exceed {} = {} 1/m",
-                  low, number_text(q_low), high, number_text(q_high)));
+      fmt::format("has its wavevectors in the wrong order: {} = {:.6g} 1/m, "
+                  "but must not exceed {} = {:.6g} 1/m",
+                  low, q_low, high, q_high));
 }
 
 void SurfaceReader::check_wavevectors() {
@@ -177,16 +176,18 @@ void SurfaceReader::check_wavevectors() {
   if (low < longest * (1.0 - printed_rounding))
     table.refuse(
         node_of("wavevector_low", "wavelength_long"),
-        fmt::format("the longest wavelength that fits is \"1 length\", {} 1/m",
-                    number_text(longest)));
+        fmt::format(
+            "the longest wavelength that fits is \"1 length\", {:.7g} 1/m",
+            longest));
   if (!spec.points)
     return;
   const double nyquist = std::numbers::pi * *spec.points / *spec.length;
   if (high > nyquist * (1.0 + printed_rounding))
     table.refuse(
         node_of("wavevector_high", "wavelength_short"),
-        fmt::format("the shortest wavelength of the grid is \"2 h\", {} 1/m",
-                    number_text(nyquist)));
+        fmt::format(
+            "the shortest wavelength of the grid is \"2 h\", {:.7g} 1/m",
+            nyquist));
 }
 
 /// Reads the edges of a surface that is periodic by itself.
@@ -210,8 +211,8 @@ void SurfaceReader::read_wave() {
   if (std::abs(waves - std::round(waves)) > printed_rounding * waves)
     table.refuse(*table.node().find("wavelength"),
                  fmt::format("surface.length must be a whole multiple of it, "
-                             "but is {} times it",
-                             number_text(waves)));
+                             "but is {:.7g} times it",
+                             waves));
 }
 
 void SurfaceReader::read_punch() {

@@ -88,7 +88,7 @@ void add_inclusion(const mechanics::MaterialInclusion& inclusion,
                     fmt::format("larger than the radius, {} m, and less than "
                                 "{} m, where it lies below the block",
                                 number_text(radius),
-                                number_text(depth + radius)));
+                                number_text(depth + radius, centre, 6)));
   field.set_sphere({grid.length_x / 2.0, grid.length_y / 2.0, centre}, radius,
                    moduli(inclusion.moduli));
 }

@@ -156,7 +156,8 @@ TEST(InterfaceRefusal, NamesTheArgument) {
   const Interaction law = paper_atoms();
 
   EXPECT_EQ(build(law, layer, lattice(16, 26.1 * angstrom), heights, 1),
-            "length of the substrate = 2.61e-09, but must be 2.6e-09 m, the "
+            "length of the substrate = 2.6100000000000003e-09, but must be "
+            "2.6e-09 m, the "
             "length of the layer");
   Interaction far = law;
   far.cutoff = 13.1 * angstrom;
