@@ -41,8 +41,9 @@ void require_between(const char* name, double value, double low, double high,
                      const char* unit) {
   if (!(value >= low && value <= high))
     refuse_argument(name, value,
-                    fmt::format("between {} and {} [{}]", number_text(low),
-                                number_text(high), unit));
+                    fmt::format("between {} and {} [{}]",
+                                number_text(low, value, 6),
+                                number_text(high, value, 6), unit));
 }
 
 } // namespace asperity
