@@ -49,9 +49,9 @@ struct StoredNumbers {
 std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
                                 int count);
 
-/// Opens an .npy file, a dataset of an HDF5 file, an SDF file, an X3P file whose
-/// points are not in main.xml, a .gwy file, a matrix of numbers as text, or a
-/// list x y z.
+/// Opens an .npy file, a dataset of an HDF5 file, an SDF file, an X3P file
+/// whose points are not in main.xml, a .gwy file, a matrix of numbers as text,
+/// or a list x y z.
 /// @return  nothing if the file is of another kind, or if read_scan() would
 ///          refuse the channel
 /// @throws input::InputError  as read_scan(), if the header is malformed or a

@@ -10,8 +10,8 @@ import shutil
 import signal
 import subprocess
 import sys
-import zipfile
 import time
+import zipfile
 from pathlib import Path
 
 from rough_case import rough_case

@@ -117,6 +117,7 @@ TEST(BinaryRows, AreRefusedAsInOneProcess) {
                    gwy_part("/0/mask", 'o', gwy_field("", {1, 2}, 2, 1))))),
       measured(file_of("scales.gwy", gwy))};
   for (const SurfaceSpec& surface : refused) {
+    SCOPED_TRACE(surface.file);
     const std::string expected = tests::message_of<input::InputError>(
         [&] { build_surface(surface, 0); });
     ASSERT_NE(expected, "");

@@ -48,6 +48,12 @@ TEST(SdfRows, OfALongLineAreThoseOfTheWholeFile) {
       header(700, 300, "\r\n") + numbers(count, count, " \r \r\n");
   ASSERT_GT(text.size(), 2000000U);
   expect_rows_of(written("long.sdf", text + "*"), {});
+  std::string blanks;
+  while (blanks.size() < 3500000)
+    blanks += " \r";
+  expect_rows_of(
+      written("blanks.sdf", header(7, 6, "\n") + numbers(42, 50, "") + blanks),
+      {});
   const std::string path = written("late.sdf", text + "7");
   EXPECT_EQ(refusal_of(path, {}),
             path + ":10: more than the 210000 numbers of the header");

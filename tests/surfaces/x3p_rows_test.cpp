@@ -106,8 +106,8 @@ std::string positions(std::size_t moved_x, std::size_t moved_y) {
   for (std::size_t i = 0; i < n_points; ++i) {
     const auto x = static_cast<double>(i % n_columns);
     const auto y = static_cast<double>(i / n_columns);
-    bytes += little_endian(1e-6 * (x + (i == moved_x ? 0.03 : 0.01)));
-    bytes += little_endian(-2e-6 * (y + (i == moved_y ? 0.03 : 0.01)));
+    bytes += little_endian(1e-6 * (x + (i == moved_x ? 0.05 : 0.01)));
+    bytes += little_endian(-2e-6 * (y + (i == moved_y ? 0.05 : 0.01)));
     bytes += little_endian(1e-9 * height_of(i));
   }
   return bytes;
