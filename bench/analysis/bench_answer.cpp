@@ -87,12 +87,12 @@ std::vector<double> hertz_differences(const results::Curve& curve,
         [&](std::size_t first, const auto& values) {
           double piece_difference = 0.0, piece_expected = 0.0;
           for (std::size_t k = 0; k < values[0].size(); ++k) {
-            const double x =
-                static_cast<double>((first + k) % columns) * grid.spacing_x() -
-                0.5 * grid.length_x;
-            const double y =
-                static_cast<double>((first + k) / columns) * grid.spacing_y() -
-                0.5 * grid.length_y;
+            const std::size_t row = (first + k) / columns;
+            const std::size_t column = (first + k) % columns;
+            const double x = static_cast<double>(column) * grid.spacing_x() -
+                             0.5 * grid.length_x;
+            const double y = static_cast<double>(row) * grid.spacing_y() -
+                             0.5 * grid.length_y;
             const double hertzian =
                 theory::hertz_pressure(hertz, std::hypot(x, y));
             piece_expected += hertzian;
