@@ -29,4 +29,10 @@ bool has_aligned_arrays();
 /// effect if the C library is not glibc.
 void keep_freed_memory();
 
+/// Frees the memory of vectors. The assignment of {} would keep it.
+template <class... Vector>
+void free_memory(Vector&... vectors) {
+  ((vectors = Vector()), ...);
+}
+
 } // namespace asperity

@@ -1,5 +1,6 @@
 #include "results/joined_result.hpp"
 
+#include "base/array_memory.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -149,11 +150,11 @@ void write_part(const Result& part, ResultWriter& writer) {
 /// Frees the maps in memory, which have been written.
 void drop_maps(Result& part) {
   for (SurfaceRecord& surface : part.surfaces)
-    surface.heights = {};
+    free_memory(surface.heights);
   for (MethodRecord& method : part.methods)
     for (Curve& curve : method.realizations) {
       if (curve.own_surface)
-        curve.own_surface->heights = {};
+        free_memory(curve.own_surface->heights);
       std::erase_if(curve.fields, [](const Fields& fields) {
         return !fields.stored_pressure.read;
       });

@@ -2,6 +2,7 @@
 
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
+#include "base/array_memory.hpp"
 #include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
 #include "reports/pages/published_json.hpp"
@@ -150,7 +151,7 @@ ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
   for (SubmittedLoad& load : answer.submission.loads) {
     answer.loads.push_back(
         imported(elasticity, problem, surface, answer.submission, load));
-    load.pressure = {};
+    free_memory(load.pressure);
   }
   std::ranges::sort(answer.loads, {},
                     [](const ImportedLoad& load) { return load.field.step; });

@@ -1,5 +1,6 @@
 #include "app/methods/curve_row.hpp"
 
+#include "base/array_memory.hpp"
 #include "base/field_sums.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
@@ -85,7 +86,7 @@ void distrust_non_finite(StepAnswer& answer) {
     add_note(row, "the mean gap or the nominal pressure is not finite");
   if (!has_maps) {
     add_note(row, "the fields are not finite and were not saved");
-    answer.pressure = answer.gap = {};
+    free_memory(answer.pressure, answer.gap);
     answer.rows = {};
   }
 }

@@ -1,6 +1,7 @@
 #include "app/methods/load_steps.hpp"
 
 #include "app/methods/timed_operator.hpp"
+#include "base/array_memory.hpp"
 #include "base/cpu_clock.hpp"
 #include "base/field_sums.hpp"
 #include "contact/certificate/certificate.hpp"
@@ -42,7 +43,7 @@ public:
       answer.has_finite_fields =
           total_count(observation_.workers, is_finite ? 0 : 1) == 0;
       if (!target.needs_maps)
-        answer.gap = {};
+        free_memory(answer.gap);
     }
     certify(answer);
     answer.row.observation_time = clock.seconds();

@@ -2,6 +2,7 @@
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/shared_surface.hpp"
+#include "base/array_memory.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/operators/shared_fourier_operator.hpp"
 #include "contact/operators/shared_free_halfspace.hpp"
@@ -127,7 +128,7 @@ void build_part(const json& command, std::span<const double> heights) {
 /// needed.
 StepAnswer solve_part(const json& command) {
   RankPart& part = part_in(command);
-  part.pressure = part.gap = {};
+  free_memory(part.pressure, part.gap);
   const bool needs_maps = command.at("needs_maps");
   StepAnswer answer = part.steps->solve(
       {{static_cast<mechanics::Control>(command.at("control").get<int>()),
@@ -138,7 +139,7 @@ StepAnswer solve_part(const json& command) {
     part.pressure = std::move(answer.pressure);
     part.gap = std::move(answer.gap);
   }
-  answer.pressure = answer.gap = {};
+  free_memory(answer.pressure, answer.gap);
   return answer;
 }
 

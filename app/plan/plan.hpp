@@ -24,9 +24,9 @@ struct PlannedMethod {
   double step_time = 0.0;  ///< CPU, total of all steps that are not cached [s]
   double memory = 0.0;     ///< per running realisation [B]
   bool runs_alone = false;
-  int ranks = 1;            ///< that share the rows of the surface
-  double rank_memory = 0.0; ///< of each of several ranks [B]
-  std::string why_alone;    ///< see obstacle_to_sharing()
+  int ranks = 1;              ///< that share the rows of the surface
+  double rank_memory = 0.0;   ///< of each of several ranks [B]
+  std::string why_alone = {}; ///< see obstacle_to_sharing()
 };
 
 /// The plan of a run. Times and sizes are predictions; NaN where no prediction

@@ -5,6 +5,7 @@
 #include "app/methods/theory_method.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/mpi_world.hpp"
+#include "base/array_memory.hpp"
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
 
@@ -293,7 +294,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   context_.tally.failed_steps += has_failed(row);
   answer.row = row;
   if (!needs_maps(step)) {
-    answer.pressure = answer.gap = {};
+    free_memory(answer.pressure, answer.gap);
     answer.rows = {};
   }
   CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};

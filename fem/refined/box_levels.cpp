@@ -1,5 +1,7 @@
 #include "fem/refined/box_levels.hpp"
 
+#include "base/array_memory.hpp"
+
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -235,8 +237,7 @@ bool BoxLevel::is_constrained(std::size_t unknown) const {
 void BoxLevel::release_cells() {
   boxes = {};
   mesh.nodes = {};
-  mesh.edges = {};
-  mesh.moduli = {};
+  free_memory(mesh.edges, mesh.moduli);
 }
 
 } // namespace asperity::fem

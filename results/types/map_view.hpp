@@ -3,6 +3,8 @@
 // This file defines maps that are read by pieces, whether they are in memory or
 // were left in a result file.
 
+#include "base/array_memory.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -65,7 +67,7 @@ public:
       return values_.subspan(first, count);
     const std::size_t width = stored_->columns;
     const std::size_t row = first / width;
-    read = {}; // before the next values are read
+    free_memory(read); // before the next values are read
     read = stored_->read(row, (first + count + width - 1) / width - row);
     return std::span<const double>(read).subspan(first - row * width, count);
   }

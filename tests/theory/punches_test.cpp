@@ -109,13 +109,13 @@ TEST(Punches, RefuseWhatIsOutsideTheirRange) {
 // lattice (Borwein, Borwein and Taylor, J. Math. Phys. 26, 2999, 1985).
 // Tolerance: the printed digits.
 TEST(FlatPunch, SinksToItsRecessInAnArray) {
-  const double radius = 0.1, modulus = 2.0, period = 1.0, recess = 1e-3;
-  const FlatPunch punch(radius, modulus);
+  const double radius = 0.1, soft = 2.0, period = 1.0, recess = 1e-3;
+  const FlatPunch punch(radius, soft);
 
-  const double load = punch.touching_load_in_array(recess, period);
+  const double touching = punch.touching_load_in_array(recess, period);
 
-  const double scale = load / (std::numbers::pi * modulus * period);
-  const double at_punch = punch.contact(load).approach - 3.90026492 * scale;
+  const double scale = touching / (std::numbers::pi * soft * period);
+  const double at_punch = punch.contact(touching).approach - 3.90026492 * scale;
   const double midway = -1.61554263 * scale;
   EXPECT_NEAR((at_punch - midway) / recess, 1.0, 1e-8);
 }
@@ -123,9 +123,10 @@ TEST(FlatPunch, SinksToItsRecessInAnArray) {
 TEST(FlatPunch, SinksToItsRecessAtADistance) {
   const FlatPunch punch(0.1, 2.0);
 
-  const double load = punch.touching_load(1e-3, 0.5);
+  const double touching = punch.touching_load(1e-3, 0.5);
 
-  EXPECT_NEAR(punch.contact(load).approach - punch.displacement(load, 0.5),
+  EXPECT_NEAR(punch.contact(touching).approach -
+                  punch.displacement(touching, 0.5),
               1e-3, 1e-15);
 }
 
