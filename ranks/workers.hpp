@@ -22,9 +22,9 @@ struct Workers {
 
   Workers(int threads_) : threads(threads_) {}
 
-  /// @param rows_  not null
-  Workers(int threads_, const SharedRows* rows_)
-      : Workers(threads_, rows_->grid(), rows_) {}
+  /// @param rows_  must outlive this object
+  Workers(int threads_, const SharedRows& rows_)
+      : Workers(threads_, rows_.grid(), &rows_) {}
 
   /// @param rows_  of the grid; null for a process that holds all nodes
   Workers(int threads_, const Grid& grid, const SharedRows* rows_ = nullptr)

@@ -31,8 +31,8 @@ Preconditioner::Preconditioner(const SurfaceOperator& elasticity)
       wide_rows_(
           rows_or_all(elasticity.wide_shared_rows(), elasticity.wide_grid())),
       threads_(elasticity.threads()),
-      extension_(elasticity.wide_grid(),
-                 {threads_, elasticity.wide_shared_rows()}) {
+      extension_(elasticity.wide_grid(), {threads_, elasticity.wide_grid(),
+                                          elasticity.wide_shared_rows()}) {
   if (wide_rows_.grid() == rows_.grid())
     return;
   const std::size_t nodes = wide_rows_.size();

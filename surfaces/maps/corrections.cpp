@@ -218,7 +218,7 @@ std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
       heights[i] = std::numeric_limits<double>::quiet_NaN();
       ++count;
     }
-  return total_count({1, &rows}, count);
+  return total_count({1, rows}, count);
 }
 
 } // namespace asperity::surfaces

@@ -126,7 +126,7 @@ MissingPoints missing_points(const SharedRows& rows,
 
 std::size_t count_missing(const SharedRows& rows,
                           std::span<const double> heights) {
-  return total_count({1, &rows},
+  return total_count({1, rows},
                      static_cast<std::size_t>(std::ranges::count_if(
                          heights, [](double h) { return !std::isfinite(h); })));
 }

@@ -295,9 +295,9 @@ TEST(SharedRows, GiveTheBitsOfOneProcessToSumsOfManyChunks) {
   for (const int n : {1, 3, 4})
     tests::on_thread_ranks(n, [&](RankGroup& ranks) {
       const SharedRows rows(grid, ranks, row_bounds(grid, n));
-      EXPECT_EQ(sum_of(grid.index(0, rows.first()), rows.size(), {1, &rows}),
+      EXPECT_EQ(sum_of(grid.index(0, rows.first()), rows.size(), {1, rows}),
                 alone);
-      EXPECT_EQ(total_count({1, &rows}, 1), static_cast<std::size_t>(n));
+      EXPECT_EQ(total_count({1, rows}, 1), static_cast<std::size_t>(n));
     });
 }
 

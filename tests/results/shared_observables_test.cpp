@@ -96,7 +96,7 @@ void expect_bits_of_one_process(const Grid& grid,
     tests::on_thread_ranks(
         static_cast<int>(bounds.size()) - 1, [&](RankGroup& ranks) {
           const SharedRows rows(grid, ranks, bounds);
-          EXPECT_TRUE(observed(grid, rows_in(rows, maps), {2, &rows}) == alone)
+          EXPECT_TRUE(observed(grid, rows_in(rows, maps), {2, rows}) == alone)
               << bounds.size() - 1 << " ranks";
         });
 }
@@ -178,7 +178,7 @@ TEST(SharedObservables, FailOnAllRanks) {
   EXPECT_NE(alone.find("gap_outside"), std::string::npos) << alone;
   tests::on_thread_ranks(3, [&](RankGroup& ranks) {
     const SharedRows rows(grid, ranks, {0, 64, 128, 256});
-    EXPECT_EQ(message_of(rows_in(rows, maps), {1, &rows}), alone);
+    EXPECT_EQ(message_of(rows_in(rows, maps), {1, rows}), alone);
   });
 }
 
