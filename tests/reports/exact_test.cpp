@@ -191,7 +191,7 @@ TEST(ExactQuantities, StopWhereTheRecessOfAPunchTouches) {
   EXPECT_FALSE(none.has_value());
   EXPECT_EQ(none.remark.find("there is no load step below "), 0U)
       << none.remark;
-  EXPECT_EQ(all.remark, "largest over the load steps");
+  EXPECT_EQ(all.remark, "largest over the loads with an exact solution");
   const auto names = [&](const results::Result& result) {
     std::string keys;
     for (const Warning& warning : warnings_of(result, punch))
@@ -315,8 +315,8 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
 // whose open area is too small by up to a relative 0.5 (1 - P), and between the
 // two where neither limit applies. Tolerance: these fractions, and a tenth of
 // them for "some".
-// Hertz' radius is (3 F R / (4 E*))^(1/3), here 0.49 and 0.51 of the length: the
-// contact of the second load reaches the periodic images.
+// Hertz' radius is (3 F R / (4 E*))^(1/3), here 0.49 and 0.51 of the length:
+// the contact of the second load reaches the periodic images.
 TEST(ExactPoint, OfASphereNeedsAContactInsideTheSquare) {
   const mechanics::SurfaceSpec surface = sphere_case().surface;
   const auto exact = [&](double radius_over_length) {
