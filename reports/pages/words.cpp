@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace asperity::reports {
 namespace {
 
@@ -46,10 +48,37 @@ std::string surface_words(const mechanics::SurfaceSpec& surface) {
                               : "");
 }
 
-std::string grid_words(const results::Result& result) {
+/// The surface whose numbers are stated: a map that is pressed once has its
+/// mirror images in the result as well, for other methods.
+const results::SurfaceRecord& stated_surface(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
+  if (!result.case_text.empty() &&
+      entry.contact_case->surface.edges == mechanics::Edges::free)
+    for (const results::MethodRecord& method : result.methods)
+      if (!method.realizations.empty() &&
+          method.realizations.front().own_surface)
+        return *method.realizations.front().own_surface;
+  return result.surfaces.front();
+}
+
+/// Whether a method presses the mirror images of a map that another one presses
+/// without them.
+bool has_pressed_images(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
+  return !result.surfaces.empty() &&
+         &stated_surface(entry) != &result.surfaces.front() &&
+         std::ranges::any_of(
+             result.methods, [](const results::MethodRecord& method) {
+               return method.kind != "theory" && !method.realizations.empty() &&
+                      !method.realizations.front().own_surface;
+             });
+}
+
+std::string grid_words(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
   if (result.surfaces.empty())
     return "";
-  const results::SurfaceRecord& surface = result.surfaces.front();
+  const results::SurfaceRecord& surface = stated_surface(entry);
   std::string words = fmt::format(
       "; {} × {} points over {:.4g} × {:.4g} µm, rms height {:.4g} nm, rms "
       "slope {:.3g}",
@@ -109,9 +138,11 @@ std::string surface_sentence(const ReportEntry& entry) {
       entry.contact_case->surface.edges == mechanics::Edges::mirror &&
       entry.contact_case->surface.kind == SurfaceKind::measured)
     words += ", continued by its mirror images";
+  if (has_pressed_images(entry))
+    words += ", continued by its mirror images where boundaries are periodic";
   if (result.surfaces.empty())
     return words + ".";
-  const results::SurfaceRecord& surface = result.surfaces.front();
+  const results::SurfaceRecord& surface = stated_surface(entry);
   words += fmt::format(
       ". {} {} × {} points over {:.4g} × {:.4g} µm, with rms height {:.4g} nm "
       "and rms slope {:.3g}{}.",
@@ -147,7 +178,7 @@ std::string case_sentence(const ReportEntry& entry) {
       entry.result->case_text.empty()
           ? "surface"
           : surface_words(entry.contact_case->surface),
-      grid_words(*entry.result), load_words(*entry.result));
+      grid_words(entry), load_words(*entry.result));
 }
 
 } // namespace asperity::reports

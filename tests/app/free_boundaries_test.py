@@ -107,6 +107,9 @@ def check_map():
     assert numpy.all(difference > 1e-3) and numpy.all(difference < 0.3), difference
     page = (FOLDER / "map" / "report.html").read_text()
     assert "Free and periodic boundaries" in page
+    assert "; 48 × 32 points over " in page, "the map itself is described"
+    text = (FOLDER / "map" / "methods.txt").read_text()
+    assert "continued by its mirror images where boundaries are periodic. It had 48 × 32" in text
     assert f"{100 * free[1]:.3g} %" in page and f"{100 * mirror[1]:.3g} %" in page
     again = asperity("run", "map.toml", "--out", "again", "--no-report")
     assert "0 computed, 12 from the cache" in again, again
