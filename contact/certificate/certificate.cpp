@@ -1,5 +1,6 @@
 #include "contact/certificate/certificate.hpp"
 
+#include "base/array_memory.hpp"
 #include "contact/certificate/feasible.hpp"
 #include "contact/solvers/solver.hpp"
 
@@ -114,7 +115,7 @@ Solved flat_punch(SurfaceOperator& elasticity, const SubmittedField& problem,
   const Workers workers = elasticity.workers();
   const double depth = 1e3 * (largest_size(contact.displacement, workers) +
                               largest_size(problem.heights, workers));
-  contact.displacement = std::vector<double>();
+  free_memory(contact.displacement);
   std::vector<double> face(contact.pressure.size());
   for (std::size_t i = 0; i < face.size(); ++i)
     face[i] = contact.pressure[i] > 0.0 ? 0.0 : -depth;
@@ -193,8 +194,7 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
       std::isfinite(submitted.mean_gap)
           ? submitted.mean_gap
           : answer.pressure_excess(weighted) / load + answer.lift - mean_height;
-  // Fields are freed before each solver; assigning {} would keep their memory.
-  answer.displacement = std::vector<double>();
+  free_memory(answer.displacement); // as all fields before a solver
   Solved further = polish(elasticity, submitted, answer);
   answer = feasible(elasticity, submitted, std::move(further.pressure));
   if (first_gap < duality_gap(answer, weighted, load))

@@ -144,26 +144,13 @@ void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
                              displacement_change);
 }
 
-void FreeHalfspace::Inverse::apply(std::span<const float> gap,
-                                   double local_compliance,
-                                   const Convolution<float>& convolution,
-                                   const EvenSymbol& compliance,
-                                   std::span<float> pressure) {
-  require_not_negative("local_compliance", local_compliance, "m/Pa");
-  if (local_compliance_ != local_compliance) {
-    symbol_ = convolution.arranged([&](int jx, int jy) {
-      return 1.0 / (compliance(jx, jy) + local_compliance);
-    });
-    local_compliance_ = local_compliance;
-  }
-  convolution.apply(gap, symbol_, scratch_, pressure);
-}
-
 void FreeHalfspace::pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
                                       std::span<float> pressure) {
-  inverse_.apply(gap, local_compliance, shared_->convolution,
-                 shared_->compliance, pressure);
+  shared_->convolution.apply(
+      gap,
+      inverse_.of(shared_->convolution, shared_->compliance, local_compliance),
+      scratch_, pressure);
 }
 
 const Grid& FreeHalfspace::wide_grid() const {
@@ -173,8 +160,11 @@ const Grid& FreeHalfspace::wide_grid() const {
 void FreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
                                            double local_compliance,
                                            std::span<float> pressure) {
-  wide_inverse_.apply(gap, local_compliance, shared_->wide_convolution,
-                      shared_->wide_compliance, pressure);
+  shared_->wide_convolution.apply(gap,
+                                  wide_inverse_.of(shared_->wide_convolution,
+                                                   shared_->wide_compliance,
+                                                   local_compliance),
+                                  wide_scratch_, pressure);
 }
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {

@@ -4,7 +4,7 @@
 // pressed inside a rectangle only: free boundaries, without periodic images.
 
 #include "base/convolution.hpp"
-#include "contact/operators/even_symbol.hpp"
+#include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <memory>
@@ -91,25 +91,10 @@ private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FreeHalfspace(std::shared_ptr<const Shared> shared);
 
-  /// The inverse of a convolution and a local compliance.
-  class Inverse {
-  public:
-    /// pressure = (compliance + local_compliance)^-1 gap
-    /// @param compliance  [m/Pa] > 0 of each wavevector of the convolution
-    void apply(std::span<const float> gap, double local_compliance,
-               const Convolution<float>& convolution,
-               const EvenSymbol& compliance, std::span<float> pressure);
-
-  private:
-    Convolution<float>::Scratch scratch_;
-    double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
-    Convolution<float>::Symbol symbol_;
-  };
-
   std::shared_ptr<const Shared> shared_;
   Convolution<double>::Scratch exact_scratch_;
-  Convolution<float>::Scratch scratch_;
-  Inverse inverse_, wide_inverse_;
+  Convolution<float>::Scratch scratch_, wide_scratch_;
+  InverseSymbol<Convolution<float>> inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact

@@ -129,33 +129,22 @@ void SharedFreeHalfspace::displacement_change(
   convolution_.apply(pressure_change, symbols_->symbol, displacement_change);
 }
 
-void SharedFreeHalfspace::Inverse::apply(std::span<const float> gap,
-                                         double local_compliance,
-                                         SharedConvolution<float>& convolution,
-                                         const EvenSymbol& compliance,
-                                         std::span<float> pressure) {
-  require_not_negative("local_compliance", local_compliance, "m/Pa");
-  if (local_compliance_ != local_compliance) {
-    symbol_ = convolution.arranged([&](int jx, int jy) {
-      return 1.0 / (compliance(jx, jy) + local_compliance);
-    });
-    local_compliance_ = local_compliance;
-  }
-  convolution.apply(gap, symbol_, pressure);
-}
-
 void SharedFreeHalfspace::pressure_estimate(std::span<const float> gap,
                                             double local_compliance,
                                             std::span<float> pressure) {
-  inverse_.apply(gap, local_compliance, convolution_, symbols_->compliance,
-                 pressure);
+  convolution_.apply(
+      gap, inverse_.of(convolution_, symbols_->compliance, local_compliance),
+      pressure);
 }
 
 void SharedFreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
                                                  double local_compliance,
                                                  std::span<float> pressure) {
-  wide_inverse_.apply(gap, local_compliance, wide_convolution_,
-                      symbols_->wide_compliance, pressure);
+  wide_convolution_.apply(gap,
+                          wide_inverse_.of(wide_convolution_,
+                                           symbols_->wide_compliance,
+                                           local_compliance),
+                          pressure);
 }
 
 } // namespace asperity::contact

@@ -3,7 +3,7 @@
 // This file contains the half-space with free boundaries whose rows of nodes
 // are shared by several ranks.
 
-#include "contact/operators/even_symbol.hpp"
+#include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <memory>
@@ -77,19 +77,6 @@ private:
     SharedConvolution<float>::Symbol symbol; ///< of `compliance`
   };
 
-  /// The inverse of a convolution and a local compliance.
-  class Inverse {
-  public:
-    /// pressure = (compliance + local_compliance)^-1 gap
-    void apply(std::span<const float> gap, double local_compliance,
-               SharedConvolution<float>& convolution,
-               const EvenSymbol& compliance, std::span<float> pressure);
-
-  private:
-    double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
-    SharedConvolution<float>::Symbol symbol_;
-  };
-
   /// Without symbols.
   SharedFreeHalfspace(std::shared_ptr<const Rows> rows, int threads);
   void keep(EvenSymbol compliance, EvenSymbol wide_compliance);
@@ -100,7 +87,7 @@ private:
   SharedConvolution<double> exact_;
   SharedConvolution<float> convolution_, wide_convolution_;
   std::shared_ptr<const Symbols> symbols_;
-  Inverse inverse_, wide_inverse_;
+  InverseSymbol<SharedConvolution<float>> inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact
