@@ -24,15 +24,6 @@ using std::numbers::pi;
 
 constexpr double modulus = 2.0;
 
-std::vector<double> random_field(std::size_t size) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> value(-1.0, 1.0);
-  std::vector<double> field(size);
-  for (double& one : field)
-    one = value(random);
-  return field;
-}
-
 /// A paraboloid of radius 10 with its apex at (x, y), on a square of side 1.
 std::vector<double> paraboloid(const Grid& grid, double x, double y) {
   std::vector<double> heights(grid.size());
@@ -74,7 +65,7 @@ TEST(FreeHalfspaceOperator, IsTheSumOverPressedCells) {
   const Grid grid{9, 6, 1.8, 0.6}; // cells of 0.2 by 0.1
   FreeHalfspace elasticity(grid, modulus);
   EXPECT_FALSE(elasticity.is_periodic());
-  const std::vector<double> pressure = random_field(grid.size());
+  const std::vector<double> pressure = problems::random_field(grid.size());
   std::vector<double> displacement(grid.size());
   elasticity.displacement(pressure, displacement);
   const std::vector<float> change(pressure.begin(), pressure.end());
@@ -136,7 +127,7 @@ TEST(FreeHalfspaceOperator, HasAPositivePreconditionerOnTheWideGrid) {
 
 TEST(FreeHalfspaceOperator, HasTheSameBitsOnAnyNumberOfThreads) {
   const Grid grid{50, 38, 1.0, 1.0};
-  const std::vector<double> pressure = random_field(grid.size());
+  const std::vector<double> pressure = problems::random_field(grid.size());
   std::vector<double> one(grid.size()), three(grid.size());
   FreeHalfspace(grid, modulus, 1).displacement(pressure, one);
   FreeHalfspace(grid, modulus, 3).clone()->displacement(pressure, three);
@@ -233,7 +224,7 @@ TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
   ASSERT_TRUE(exact.converged);
   for (const double noise : {0.0, 1e-3, 0.1}) {
     std::vector<double> pressure = exact.pressure;
-    const std::vector<double> random = random_field(pressure.size());
+    const std::vector<double> random = problems::random_field(pressure.size());
     for (std::size_t i = 0; i < pressure.size(); ++i)
       pressure[i] *= 1.0 + noise * random[i];
     const SubmittedField field{heights, 0.0, 0.1, pressure};

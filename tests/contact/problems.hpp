@@ -22,6 +22,16 @@ struct Roughness {
   unsigned seed = 1;
 };
 
+/// Numbers between -1 and 1.
+inline std::vector<double> random_field(std::size_t size) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  std::vector<double> field(size);
+  for (double& one : field)
+    one = value(random);
+  return field;
+}
+
 /// Self-affine heights on a square grid, with random phases, mean 0 and rms
 /// slope 1.
 inline std::vector<double> rough_heights(const Grid& grid,

@@ -28,15 +28,6 @@ using Kind = mechanics::Control;
 
 constexpr double modulus = 1.0;
 
-std::vector<double> random_field(std::size_t size) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> value(-1.0, 1.0);
-  std::vector<double> field(size);
-  for (double& one : field)
-    one = value(random);
-  return field;
-}
-
 /// What an operator makes of fields, with all rows.
 struct Applied {
   std::vector<double> displacement, change, estimate, wide_estimate;
@@ -58,8 +49,9 @@ Applied applied(SurfaceOperator& elasticity) {
   const SharedRows wide = elasticity.wide_shared_rows() != nullptr
                               ? *elasticity.wide_shared_rows()
                               : SharedRows(elasticity.wide_grid());
-  const std::vector<double> all = random_field(rows.grid().size());
-  const std::vector<double> all_wide = random_field(wide.grid().size());
+  const std::vector<double> all = problems::random_field(rows.grid().size());
+  const std::vector<double> all_wide =
+      problems::random_field(wide.grid().size());
   const auto own = rows_in(rows, all), own_wide = rows_in(wide, all_wide);
   const std::vector<float> field(own.begin(), own.end());
   const std::vector<float> wide_field(own_wide.begin(), own_wide.end());
@@ -224,26 +216,15 @@ TEST(SharedFreeContact, GivesTheBitsOfOneProcessToOtherSolvers) {
 TEST(SharedFreeContact, GivesTheBitsOfOneProcessToTheCertificate) {
   const Grid grid{256, 128, 1.0, 0.5};
   const std::vector<double> heights = problems::rough_heights(grid, {});
-  const auto numbers = [&](SurfaceOperator& elasticity,
-                           std::span<const double> own) {
-    std::vector<double> pressure(own.begin(), own.end());
-    for (double& value : pressure) // with some tension
-      value = std::max(-1e-3, value) + 1e-4;
-    const FieldCheck c =
-        check_field(elasticity, {own, 0.02, 1e-3, pressure, 0.01});
-    return std::vector<double>{c.load_error,  c.largest_tension,
-                               c.mean_gap,    c.elastic_energy,
-                               c.duality_gap, c.mean_gap_error};
-  };
   FreeHalfspace whole(grid, modulus);
-  const std::vector<double> alone = numbers(whole, heights);
+  const std::vector<double> alone = certificate_of(whole, heights);
   EXPECT_GT(alone[1], 0.0);
   for (const int n : {1, 2, 3})
     tests::on_thread_ranks(n, [&](RankGroup& ranks) {
       SharedFreeHalfspace elasticity(grid, ranks, modulus);
-      EXPECT_EQ(
-          numbers(elasticity, rows_in(*elasticity.shared_rows(), heights)),
-          alone);
+      EXPECT_EQ(certificate_of(elasticity,
+                               rows_in(*elasticity.shared_rows(), heights)),
+                alone);
     });
 }
 

@@ -3,8 +3,10 @@
 // What a contact solver finds on rows that ranks share, to be compared with the
 // answer of one process bit by bit.
 
+#include "contact/certificate/certificate.hpp"
 #include "contact/solvers/solver.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +37,23 @@ inline Solved all_rows(const ContactSolution& own, const SharedRows& rows) {
           own.transforms,
           own.converged,
           own.note};
+}
+
+/// What the certificate finds for heights as a pressure with some tension.
+/// @param own  heights of the rows of the operator
+inline std::vector<double> certificate_of(SurfaceOperator& elasticity,
+                                          std::span<const double> own) {
+  std::vector<double> pressure(own.begin(), own.end());
+  for (double& value : pressure)
+    value = std::max(-1e-3, value) + 1e-4;
+  const FieldCheck c =
+      check_field(elasticity, {own, 0.02, 1e-3, pressure, 0.01});
+  return {c.load_error,      c.largest_tension,
+          c.mean_gap,        c.area_fraction,
+          c.complementarity, c.largest_penetration,
+          c.rms_penetration, c.elastic_energy,
+          c.duality_gap,     c.pressure_error,
+          c.mean_gap_error,  static_cast<double>(c.nodes_in_tension)};
 }
 
 /// The rows of this process in a field of all rows.
