@@ -1,6 +1,5 @@
 #include "surfaces/formats/x3p_points.hpp"
 
-#include "base/content_hash.hpp"
 #include "base/plain_text.hpp"
 #include "surfaces/formats/byte_reader.hpp"
 #include "surfaces/formats/known_file.hpp"
@@ -8,15 +7,15 @@
 #include "surfaces/formats/own_readers.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 namespace asperity::surfaces {
 namespace {
 
-const std::string link_path = "Record3/DataLink/";
 constexpr double x3p_missing = std::numeric_limits<double>::quiet_NaN();
 
 /// Points that are decoded at a time.
@@ -31,67 +30,6 @@ double take_coordinate(const X3pAxis& axis, ByteReader& bytes) {
   return axis.offset + axis.increment * number;
 }
 
-/// @param member  in words
-void refuse_other_sum(const std::string& name, const std::string& member,
-                      std::string stated, const std::string& found) {
-  for (char& digit : stated)
-    digit = static_cast<char>(std::tolower(static_cast<unsigned char>(digit)));
-  if (stated != found)
-    throw input::InputError(fmt::format(
-        "{}: {} has the MD5 checksum {}, but the file states {}; it is "
-        "damaged or was changed",
-        name, printable(member), found, printable(stated)));
-}
-
-/// A member that main.xml names, with its checksum.
-class LinkedMember {
-public:
-  LinkedMember(const X3pFile& file, const char* link, const char* sum)
-      : file_(&file),
-        name_(file.document.text_at(link_path + link)),
-        stated_(file.document.text_at(link_path + sum)),
-        member_(file.archive->open(name_)),
-        sum_(std::make_unique<ContentHash>(HashMethod::md5)) {}
-
-  const std::string& name() const { return name_; }
-
-  /// Name of file and member, for messages.
-  std::string full_name() const {
-    return file_->name + ": " + printable(name_);
-  }
-
-  std::uint64_t size() const { return member_.size(); }
-
-  /// Reads bytes, fewer only at the end.
-  std::string_view read(std::size_t count) {
-    buffer_.resize(count);
-    const std::size_t n = member_.read(buffer_);
-    const std::string_view bytes = std::string_view(buffer_).substr(0, n);
-    if (!stated_.empty())
-      sum_->add(bytes);
-    return bytes;
-  }
-
-  /// Reads to the end and compares the checksum.
-  void finish() {
-    while (!read(std::size_t{1} << 16).empty()) {
-    }
-  }
-
-  void compare_sum() const {
-    if (!stated_.empty())
-      refuse_other_sum(file_->name, name_, stated_, sum_->text());
-  }
-
-private:
-  const X3pFile* file_;
-  std::string name_;
-  std::string stated_; ///< checksum; may be empty
-  ZipMember member_;
-  std::unique_ptr<ContentHash> sum_;
-  std::string buffer_;
-};
-
 } // namespace
 
 /// The points one after the other: of a member of the archive, with the bits of
@@ -104,7 +42,7 @@ public:
       return;
     }
     points_.emplace(file, "PointDataLink", "MD5ChecksumPointData");
-    if (!file.document.text_at(link_path + "ValidPointsLink").empty())
+    if (!file.document.text_at(x3p_link_path + "ValidPointsLink").empty())
       valid_.emplace(file, "ValidPointsLink", "MD5ChecksumValidPoints");
   }
 
@@ -245,34 +183,13 @@ private:
   }
 
   const X3pFile* file_;
-  std::optional<LinkedMember> points_;
-  std::optional<LinkedMember> valid_;
+  std::optional<X3pMember> points_;
+  std::optional<X3pMember> valid_;
   std::vector<std::string> listed_; ///< if there is no member
   std::size_t next_ = 0;
   std::string bits_; ///< of the valid points, from the byte bits_begin_
   std::size_t bits_begin_ = 0;
 };
-
-X3pFile::X3pFile(std::unique_ptr<ZipArchive> opened, std::string file_name)
-    : name(std::move(file_name)),
-      archive(std::move(opened)),
-      text(archive->member("main.xml")),
-      document(text, name),
-      header(document.header()) {}
-
-bool X3pFile::are_points_listed() const {
-  return document.text_at(link_path + "PointDataLink").empty();
-}
-
-void X3pFile::check_sum_of_document() const {
-  const std::string member = document.text_at("Record4/ChecksumFile");
-  if (member.empty() || !archive->has(member))
-    return;
-  const std::string line = archive->member(member);
-  refuse_other_sum(name, "main.xml",
-                   line.substr(0, line.find_first_of(" \t\r\n*")),
-                   md5_hash(text));
-}
 
 X3pPoints::X3pPoints(const X3pFile& file) : file_(&file) {}
 

@@ -5,43 +5,15 @@
 // in memory.
 
 #include "base/grid.hpp"
-#include "surfaces/formats/x3p_document.hpp"
-#include "surfaces/formats/zip_archive.hpp"
+#include "surfaces/formats/x3p_file.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace asperity::surfaces {
-
-/// An archive and what its main.xml says.
-struct X3pFile {
-  /// @param name  of the file, for messages
-  /// @throws input::InputError  there is no main.xml, or it is malformed
-  X3pFile(std::unique_ptr<ZipArchive> opened, std::string name);
-
-  std::size_t count() const {
-    return static_cast<std::size_t>(header.size_x * header.size_y);
-  }
-
-  /// Whether the points are in main.xml itself.
-  bool are_points_listed() const;
-
-  /// Compares main.xml with the file of its checksum, if there is one.
-  /// @throws input::InputError  they differ
-  void check_sum_of_document() const;
-
-  std::string name;
-  std::unique_ptr<ZipArchive> archive;
-  std::string text; ///< of main.xml
-  X3pDocument document;
-  X3pHeader header;
-};
 
 /// One point; x and y are 0 unless their axes are absolute [m].
 struct X3pPoint {
