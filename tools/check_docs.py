@@ -7,8 +7,12 @@ backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
 must list every figure that the program can draw, and docs/index.md and
 mkdocs.yml every page of docs/. A page of docs/ that a source names must exist.
 Prints every line that names something missing and exits 1. Proves on itself first that it can fail.
+
+Only what git tracks is read, so that outputs, builds and other files that a user
+keeps in the checkout are not examined; where there is no checkout, all files are.
 """
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -42,8 +46,27 @@ def anchors(text):
                 yield anchor
 
 
-def missing(folder, root, text):
-    """(line number, name) of each file that `text`, a page in `folder`, names in vain."""
+def tracked_files(root):
+    """The files of the project, relative to `root`: tracked by git, or all of an unpacked archive."""
+    git = ["git", "-c", f"safe.directory={root}", "-C", str(root)]
+    try:
+        top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
+        if top.returncode == 0 and Path(top.stdout.rstrip("\n")).resolve() == root:
+            names = subprocess.run([*git, "ls-files", "-z"], capture_output=True, text=True, check=True)
+            return [Path(name) for name in sorted(names.stdout.split("\0"))
+                    if name and (root / name).is_file()]
+    except FileNotFoundError:  # no git
+        pass
+    found = (path.relative_to(root) for path in sorted(root.rglob("*")) if path.is_file())
+    return [path for path in found if not {"build", "out"} & set(path.parts[:1])]
+
+
+def missing(folder, root, modules, text):
+    """(line number, name) of each file that `text`, a page in `folder`, names in vain.
+
+    A path between backquotes counts if it begins with one of the `modules`, the
+    top-level folders of the project: others, such as out/, are a user's.
+    """
     for number, line in enumerate(text.splitlines(), start=1):
         for target in LINK.findall(line):
             path, _, anchor = target.partition("#")
@@ -55,7 +78,7 @@ def missing(folder, root, text):
             elif anchor and anchor not in anchors(page.read_text() if path else text):
                 yield number, target
         for path in PATH.findall(line):
-            if (root / path.split("/")[0]).is_dir() and not (root / path).exists():
+            if path.split("/")[0] in modules and not (root / path).exists():
                 yield number, path
 
 
@@ -71,12 +94,6 @@ def unknown_figures(known, text):
         for name in FIGURE.findall(line):
             if name not in known and not any(k.endswith("-") and name.startswith(k) for k in known):
                 yield number, name + ".svg"
-
-
-def pages(root):
-    for path in sorted(root.rglob("*.md")):
-        if not {"build", "out", "corpus"} & set(path.relative_to(root).parts):
-            yield path
 
 
 def unknown_pages(root, text):
@@ -95,19 +112,16 @@ def not_in_reach(root, entrance):
             yield name
 
 
-def sources(root):
-    for path in sorted(root.rglob("*")):
-        if path.suffix in {".cpp", ".hpp", ".py", ".txt", ".cmake", ".toml", ".csv"} \
-                and not {"build", "out", "corpus"} & set(path.relative_to(root).parts):
-            yield path
+SOURCES = {".cpp", ".hpp", ".py", ".txt", ".cmake", ".toml", ".csv"}
 
 
 def check_itself(root):
     for wrong in ("[a page](no/such/page.md)", "see `tools/no_such_tool.py`", "# A b\n[x](#a-c)",
                   "[x](README.md#no-such-section)"):
-        assert list(missing(root, root, wrong)), wrong
-    for right in ("[this](tools/check_docs.py) [x](https://a.b/#c)", "# A `b`, c\n[x](#a-b-c)"):
-        assert not list(missing(root, root, right)), right
+        assert list(missing(root, root, {"tools"}, wrong)), wrong
+    for right in ("[this](tools/check_docs.py) [x](https://a.b/#c)", "# A `b`, c\n[x](#a-b-c)",
+                  "`out/no-such/case.toml`"):
+        assert not list(missing(root, root, {"tools"}, right)), right
     assert list(unknown_pages(root, "// see docs/no-such.md")), "cannot fail"
     assert not list(unknown_pages(root, "// see docs/index.md")), "cannot pass"
     assert "glossary.md" in not_in_reach(root, "[g](other-glossary.md)"), "cannot fail"
@@ -120,13 +134,15 @@ def main(root):
     check_itself(root)
     figures = drawn_figures(root)
     found = 0
-    for page in pages(root):
+    files = [name for name in tracked_files(root) if "corpus" not in name.parts]
+    modules = {name.parts[0] for name in files if len(name.parts) > 1}
+    for page in (root / name for name in files if name.suffix == ".md"):
         text = page.read_text()
         unknown = unknown_figures(figures, text) if root / "docs" in page.parents else []
-        for number, name in [*missing(page.parent, root, text), *unknown]:
+        for number, name in [*missing(page.parent, root, modules, text), *unknown]:
             print(f"{page.relative_to(root)}:{number}: {name} does not exist")
             found += 1
-    for source in sources(root):
+    for source in (root / name for name in files if name.suffix in SOURCES):
         if source == Path(__file__).resolve():
             continue
         for number, name in unknown_pages(root, source.read_text(errors="replace")):
