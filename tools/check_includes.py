@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
-"""Refuse an include that points against the direction of the tree, and a folder
-with too many sources.
+"""Refuse an include that points against the direction of the tree.
 
 Prints every offending line and exits 1. Proves on itself first that it can fail.
 """
 import re
 import sys
-from collections import Counter
 from pathlib import Path
 
 # Which other modules a module may include; a path allows these files alone.
@@ -59,9 +57,6 @@ ORDER = {
 EXTRA = {("app", "cli"): {"bench", "robustness"}}
 HIDDEN = {"bench": {("app", "cli")}}
 
-# More than this in one folder, and a reader cannot see what it is about.
-MOST_SOURCES = 40
-
 INCLUDE = re.compile(r'^\s*#\s*include\s*"((?:[a-z_]+/)+[a-z_0-9]+\.[a-z]+)"')
 
 
@@ -92,12 +87,6 @@ def offences(source, lines):
             yield number, line.strip()
 
 
-def folders(root):
-    """How many sources each folder of a module holds."""
-    paths = [path for module in MAY_INCLUDE for path in (root / module).rglob("*.[ch]pp")]
-    return Counter(str(path.parent.relative_to(root)) for path in paths)
-
-
 def table():
     """The rows of the table in docs/architecture.md."""
     for module in MAY_INCLUDE:
@@ -114,10 +103,6 @@ def main(root):
     assert not list(offences("app/cli/a.cpp", ['#include "bench/runs/bench.hpp"'])), "cannot pass"
     assert not list(offences("fem/block/a.hpp", ['#include "meshes/box.hpp"'])), "cannot pass"
     found = 0
-    for folder, sources in sorted(folders(root).items()):
-        if sources > MOST_SOURCES:
-            print(f"{folder} holds {sources} source files; at most {MOST_SOURCES}")
-            found += 1
     page = (root / "docs/architecture.md").read_text()
     for row in table():
         if row not in page:
