@@ -5,16 +5,18 @@ Reads every Markdown file of the tree: the targets of its links, also the
 section behind a #, each path of a source, a script or a case between
 backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
 must list every figure that the program can draw, and docs/index.md and
-mkdocs.yml every page of docs/. A page of docs/ that a source names must exist.
+mkdocs.yml every page of docs/, and README.md every shipped case. A page of docs/
+that a source names must exist.
 Prints every line that names something missing and exits 1. Proves on itself first that it can fail.
 
 Only what git tracks is read, so that outputs, builds and other files that a user
 keeps in the checkout are not examined; where there is no checkout, all files are.
 """
 import re
-import subprocess
 import sys
 from pathlib import Path
+
+from tracked_files import tracked_files
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(r"`((?:[a-z0-9_-]+/)+[a-z0-9_-]+\.(?:cpp|hpp|py|md|toml|csv))`")
@@ -44,21 +46,6 @@ def anchors(text):
             anchor = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
             if "--" not in anchor:
                 yield anchor
-
-
-def tracked_files(root):
-    """The files of the project, relative to `root`: tracked by git, or all of an unpacked archive."""
-    git = ["git", "-c", f"safe.directory={root}", "-C", str(root)]
-    try:
-        top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
-        if top.returncode == 0 and Path(top.stdout.rstrip("\n")).resolve() == root:
-            names = subprocess.run([*git, "ls-files", "-z"], capture_output=True, text=True, check=True)
-            return [Path(name) for name in sorted(names.stdout.split("\0"))
-                    if name and (root / name).is_file()]
-    except FileNotFoundError:  # no git
-        pass
-    found = (path.relative_to(root) for path in sorted(root.rglob("*")) if path.is_file())
-    return [path for path in found if not {"build", "out"} & set(path.parts[:1])]
 
 
 def missing(folder, root, modules, text):
@@ -153,6 +140,12 @@ def main(root):
         why = "not listed" if name in figures else "never drawn"
         print(f"docs/reference/figures.md: {name} is {why}")
         found += 1
+    readme = (root / "README.md").read_text()
+    for name in sorted({name.parts[1] for name in files if name.parts[0] == "cases"
+                        and name.name in {"case.toml", "collection.toml"}}):
+        if f"`{name}`" not in readme:
+            print(f"README.md: the case {name} is not listed")
+            found += 1
     for entrance in ("docs/index.md", "mkdocs.yml"):
         for name in not_in_reach(root, (root / entrance).read_text()):
             print(f"{entrance}: docs/{name} is not listed")

@@ -138,18 +138,29 @@ std::vector<std::string> quick_overrides(const fs::path& file) {
   return overrides;
 }
 
+namespace {
+
+// Returns the title of the case or sweep `word`. An unfinished case does not
+// hide the others.
+std::string title_of(const std::string& word) {
+  const std::string file =
+      (shipped_cases_folder() / word / "case.toml").string();
+  try {
+    return cases::is_sweep(file) ? cases::read_sweep(file).title
+                                 : cases::read_case(file).title;
+  } catch (const input::InputError&) {
+    return fmt::format("(cannot be read; see 'asperity describe {}')", word);
+  }
+}
+
+} // namespace
+
 std::vector<ShippedCase> shipped_cases() {
   std::vector<ShippedCase> found;
-  for (const std::string& word : shipped_words()) {
-    const fs::path folder = shipped_cases_folder() / word;
-    if (is_collection(folder))
-      found.push_back({word, "collection of all the parts below"});
-    else if (const std::string file = (folder / "case.toml").string();
-             cases::is_sweep(file))
-      found.push_back({word, cases::read_sweep(file).title});
-    else
-      found.push_back({word, cases::read_case(file).title});
-  }
+  for (const std::string& word : shipped_words())
+    found.push_back({word, is_collection(shipped_cases_folder() / word)
+                               ? "collection of all the parts below"
+                               : title_of(word)});
   return found;
 }
 

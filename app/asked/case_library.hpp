@@ -60,7 +60,8 @@ struct ShippedCase {
 };
 
 /// Returns the folders of cases/ that contain a case.toml, sorted by name, then
-/// each collection followed by its parts.
+/// each collection followed by its parts. The title of a case that cannot be
+/// read says so.
 std::vector<ShippedCase> shipped_cases();
 
 } // namespace asperity::app

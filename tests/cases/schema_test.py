@@ -1,18 +1,21 @@
 """Every shipped case is valid against `asperity schema`, and violations of the schema
 are detected.
 
-Arguments: asperity, the folder of the cases. A case with a base
+Arguments: asperity, the top-level folder. A case with a base
 (`base = ...`) contains changes only: its keys and values are checked, but neither
 what "" takes away nor that nothing is missing.
 """
 import copy
-import glob
 import json
 import subprocess
 import sys
 import tomllib
+from pathlib import Path
 
 import jsonschema
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools"))
+from tracked_files import tracked_files  # noqa: E402  (found by the line above)
 
 
 def without_required(schema):
@@ -40,8 +43,10 @@ def main(program, folder):
     done = subprocess.run([program, "schema"], stdout=subprocess.PIPE, check=True)
     schema = json.loads(done.stdout)
     jsonschema.Draft202012Validator.check_schema(schema)
-    files = sorted(glob.glob(f"{folder}/**/case.toml", recursive=True))
-    assert len(files) > 20, f"only {len(files)} cases under {folder}"
+    root = Path(folder).resolve()
+    files = [root / name for name in tracked_files(root)
+             if name.parts[0] == "cases" and name.name == "case.toml"]
+    assert len(files) > 20, f"only {len(files)} cases in {root}"
     n_wrong = 0
     for file in files:
         with open(file, "rb") as stream:

@@ -85,27 +85,33 @@ std::vector<std::string> quick_lines(const std::string& folder) {
   return quick;
 }
 
-TEST(ShippedCases, AreTheFoldersThatAreThere) {
+/// True if `folder` has all of `names`; a user may keep more cases beside them.
+bool has_folders(const std::string& folder,
+                 const std::set<std::string>& names) {
+  return std::ranges::includes(folders_in(folder), names);
+}
+
+TEST(ShippedCases, AreFolders) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(full_blocks.begin(), full_blocks.end());
   expected.insert({"board", "paper", "peers", "sweep-hurst"});
 
-  EXPECT_EQ(folders_in("cases"), expected);
-  EXPECT_EQ(folders_in("cases/board"), parts_of_board);
-  EXPECT_EQ(folders_in("cases/peers"), parts_of_peers);
-  for (const std::string& part : parts_of_paper)
-    EXPECT_TRUE(folders_in("cases/paper").contains(part)) << part;
+  EXPECT_TRUE(has_folders("cases", expected));
+  EXPECT_TRUE(has_folders("cases/board", parts_of_board));
+  EXPECT_TRUE(has_folders("cases/peers", parts_of_peers));
+  EXPECT_TRUE(has_folders("cases/paper", parts_of_paper));
+  EXPECT_FALSE(has_folders("cases", {"no-such-case"}));
 }
 
 // Every part of the collection has its claim, its figures and its published
 // numbers, and is read in full and with its quick.set. A series of parts has
 // the figures of its first.
 TEST(ShippedCases, ReadThePaperPartByPart) {
-  const std::set<std::string> folders = folders_in("cases/paper");
-  const Collection collection = read_collection(
-      "cases/paper/collection.toml", {folders.begin(), folders.end()});
-  for (const std::string& part : folders) {
+  const Collection collection =
+      read_collection("cases/paper/collection.toml",
+                      {parts_of_paper.begin(), parts_of_paper.end()});
+  for (const std::string& part : parts_of_paper) {
     const std::string folder = "cases/paper/" + part;
     const std::vector<std::string> quick = quick_lines(folder);
     std::ostringstream readme;
