@@ -22,9 +22,11 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <fcntl.h>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <unistd.h>
 
 #include "bench/runs/bench.hpp"
 
@@ -288,6 +290,21 @@ int run(int argc, char** argv) {
   return action();
 }
 
+/// Opens /dev/null for those of standard input, output and error that are
+/// closed. Otherwise files that are opened later would take their numbers, and
+/// text for a terminal would be written into them.
+void open_standard_descriptors() {
+  for (int number = 0; number <= STDERR_FILENO; ++number)
+    if (fcntl(number, F_GETFD) < 0) // open() returns the least free number
+      static_cast<void>(open("/dev/null", number == 0 ? O_RDONLY : O_WRONLY));
+}
+
+/// Prints why the program ends. That standard error cannot be written changes
+/// nothing.
+void complain(const std::string& text) {
+  std::fputs((text + "\n").c_str(), stderr);
+}
+
 /// A name that no file can have is a mistake of the user.
 ExitCode exit_of(const std::error_code& error) {
   return error == std::errc::filename_too_long ||
@@ -300,6 +317,8 @@ ExitCode exit_of(const std::error_code& error) {
 } // namespace asperity::app
 
 int main(int argc, char** argv) {
+  using asperity::app::complain;
+  asperity::app::open_standard_descriptors();
   asperity::keep_freed_memory();
   std::signal(SIGXFSZ, SIG_IGN); // exceeding a file size limit is an ordinary
                                  // error
@@ -312,17 +331,17 @@ int main(int argc, char** argv) {
                               "cannot write standard output");
     return end;
   } catch (const asperity::UnusableFolder& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    complain(error.what());
   } catch (const asperity::input::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    complain(error.what());
   } catch (const std::domain_error& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    complain(error.what());
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "asperity: {}: {}\n", error.path1().string(),
-               error.code().message());
+    complain(fmt::format("asperity: {}: {}", error.path1().string(),
+                         error.code().message()));
     return asperity::app::exit_of(error.code());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "asperity: {}\n", error.what());
+    complain(fmt::format("asperity: {}", error.what()));
     return asperity::app::exit_internal;
   }
   return asperity::app::exit_bad_input;

@@ -9,6 +9,12 @@
 namespace asperity::results {
 namespace {
 
+/// The library must not write at the end of the process: after a write that
+/// failed, e.g. on a full disk, its exit handler crashes on what is left of
+/// the file. Every file that is written is closed explicitly. The function has
+/// an effect only before all others of the library.
+[[maybe_unused]] const herr_t without_exit_handler = H5dont_atexit();
+
 /// Returns creation properties of groups and files that preserve the order of
 /// links and attributes, without times of creation, so that equal data have
 /// equal bytes.
@@ -119,10 +125,26 @@ std::string hdf5_version() {
   return fmt::format("{}.{}.{}", major, minor, release);
 }
 
+namespace {
+
+/// Returns the system's words in a reason such as "file write failed: time =
+/// ..., error message = 'File too large', buf = ...", which has several lines.
+std::string without_details(const std::string& reason) {
+  constexpr std::string_view before = "error message = '";
+  const std::size_t found = reason.find(before);
+  if (found == std::string::npos)
+    return reason.substr(0, reason.find('\n'));
+  const std::size_t begin = found + before.size();
+  return reason.substr(begin, reason.find('\'', begin) - begin);
+}
+
+} // namespace
+
 void refuse_hdf5(const std::string& place, const std::string& what) {
   std::string reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &reason);
   H5Eclear2(H5E_DEFAULT);
+  reason = without_details(reason);
   throw Hdf5Error(place + ": cannot " + what +
                   (reason.empty() ? "" : ": " + reason));
 }
@@ -273,7 +295,7 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Mode mode)
 
 void Hdf5File::close() {
   if (!handle_.reset())
-    refuse_hdf5(place_, "close this file");
+    refuse_hdf5(place_, "write this file");
 }
 
 } // namespace asperity::results

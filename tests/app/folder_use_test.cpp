@@ -37,6 +37,19 @@ protected:
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
+  /// The output of the program, followed by "exit CODE", where no file may have
+  /// more than this number of KiB.
+  std::string with_small_files(const std::string& arguments, int kibibytes) {
+    const std::string command = "cd " + folder.string() +
+                                " && { ASPERITY_CACHE=cache bash -c 'ulimit "
+                                "-f " +
+                                std::to_string(kibibytes) +
+                                "; exec " ASPERITY_PROGRAM " " + arguments +
+                                "'; echo exit $?; } 2>&1 | cat > log.txt";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return text_of(folder / "log.txt");
+  }
+
   std::size_t rows(const std::string& name) const {
     std::size_t rows = 0;
     for (const results::MethodRecord& method : result(name).methods)
@@ -187,6 +200,65 @@ TEST_F(FolderUse, AFullDiskIsAnErrorAndLosesNothing) {
   const Ended done = run(run_it + " --resume");
   ASSERT_EQ(done.exit_code, 0) << done.output;
   expect_same_bits(whole, result("one"));
+}
+
+/// A map of 32 x 32 points, of which none is flat.
+std::string matrix() {
+  std::string text;
+  for (int i = 0; i < 32 * 32; ++i)
+    text += std::to_string(7 * i % 11) + (i % 32 == 31 ? "\n" : " ");
+  return text;
+}
+
+// The limit takes effect at the head of a file, in the middle, or when the last
+// changes are written.
+TEST_F(FolderUse, AWriteThatFailsAnywhereIsAnErrorThatNamesTheFile) {
+  write("map.txt", matrix());
+  const std::string run_it =
+      "run small.toml --methods halfspace --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it + " --set surface.points=32").exit_code, 0);
+  const Result whole = result("one");
+  const auto expect_error = [&](const std::string& arguments, int limit,
+                                const std::string& file) {
+    const std::string output = with_small_files(arguments, limit);
+    EXPECT_NE(output.find("exit 4"), std::string::npos) << limit << output;
+    EXPECT_NE(output.find("File too large"), std::string::npos)
+        << limit << output;
+    EXPECT_NE(output.find(file), std::string::npos) << limit << output;
+  };
+  for (const int limit : {0, 1, 2, 4, 8, 16, 64, 200})
+    expect_error(run_it, limit, "one/");
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+
+  const std::string convert = "surface map.txt --length 1e-6 --height-unit nm "
+                              "--no-report --write ";
+  for (const char* ending : {"h5", "npy", "gwy", "txt"})
+    for (const int limit : {0, 1, 2, 4}) {
+      const std::string file = std::string("copy.") + ending;
+      expect_error(convert + file, limit, file);
+      EXPECT_FALSE(fs::exists(folder / file)) << ending;
+    }
+}
+
+// Otherwise a file that is opened gets the number of standard error, and text
+// for the terminal is written into it.
+TEST_F(FolderUse, ClosedDescriptorsChangeNothing) {
+  const std::string program = "cd " + folder.string() +
+                              " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM " ";
+  const auto exit_code = [&](const std::string& command) {
+    const int status = std::system((program + command).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  };
+  for (const std::string command :
+       {"list", "schema", "describe small.toml", "completion bash", "cache",
+        "run small.toml --methods halfspace --no-cache --out one", "report one",
+        "certify one", "diff one one", "run no-such-case"})
+    EXPECT_EQ(exit_code(command + " <&- >&- 2>&-"),
+              exit_code(command + " < /dev/null > /dev/null 2> /dev/null"))
+        << command;
+  EXPECT_EQ(result("one").status, "complete");
+  EXPECT_EQ(exit_code("run no-such-case > /dev/full 2> /dev/full"), 2);
 }
 
 TEST_F(FolderUse, AFileInPlaceOfAFolderIsNamed) {
