@@ -82,6 +82,20 @@ std::vector<std::string> own_environment() {
   return variables;
 }
 
+std::vector<std::string> environment_for_mpi() {
+  std::vector<std::string> variables = own_environment();
+  std::erase_if(variables, [](const std::string& variable) {
+    return variable.starts_with("OMPI_") || variable.starts_with("ORTE_") ||
+           variable.starts_with("PMIX_") || variable.starts_with("PMI_");
+  });
+  variables.emplace_back("OMPI_MCA_mpi_yield_when_idle=1");
+  if (::geteuid() == 0) {
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
+    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
+  }
+  return variables;
+}
+
 ChildProcess::ChildProcess(const ChildCommand& command)
     : limits_(command.limits) {
   captured_ = open_output(command);

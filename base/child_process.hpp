@@ -23,6 +23,13 @@ std::filesystem::path program_on_path(const std::string& name);
 /// The environment of this process, "NAME=value" for each variable.
 std::vector<std::string> own_environment();
 
+/// The environment for a program that may start MPI itself: without the
+/// variables by which mpirun and srun tell a process which rank it is, and
+/// with those that Open MPI needs of the root user. Ranks that wait yield
+/// their core, because other work may share it: a rank that spins takes a
+/// whole time slice from the one that it waits for.
+std::vector<std::string> environment_for_mpi();
+
 /// Limits on a child; 0 means no limit.
 struct ChildLimits {
   double wall_time = 0.0;       ///< time after which it is killed [s]

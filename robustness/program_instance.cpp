@@ -20,21 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the environment of this process without the variables that an MPI
-/// started here has set: a second mpirun would take them for its own.
-std::vector<std::string> environment_of_the_program() {
-  std::vector<std::string> environment = own_environment();
-  std::erase_if(environment, [](const std::string& variable) {
-    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_") ||
-           variable.starts_with("ORTE_");
-  });
-  for (const char* variable :
-       {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-        "OMPI_MCA_mpi_yield_when_idle=1", "OMP_NUM_THREADS=1"})
-    environment.emplace_back(variable);
-  return environment;
-}
-
 ChildAnswer run_case_in(const fs::path& folder, const fs::path& program,
                         const Instance& instance) {
   ChildCommand command;
@@ -47,7 +32,8 @@ ChildAnswer run_case_in(const fs::path& folder, const fs::path& program,
   command.words.push_back(std::to_string(instance.threads));
   if (instance.path != Path::report)
     command.words.emplace_back("--no-report");
-  command.environment = environment_of_the_program();
+  command.environment = environment_for_mpi();
+  command.environment.emplace_back("OMP_NUM_THREADS=1");
   return run_child(command);
 }
 

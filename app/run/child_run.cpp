@@ -4,22 +4,10 @@
 #include "input/input_error.hpp"
 
 #include <csignal>
-#include <unistd.h>
 #include <utility>
 
 namespace asperity::app {
 namespace {
-
-/// Returns the environment without the variables by which mpirun and srun tell
-/// a process which rank it is.
-std::vector<std::string> environment_without_mpi() {
-  std::vector<std::string> environment = own_environment();
-  std::erase_if(environment, [](const std::string& variable) {
-    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_") ||
-           variable.starts_with("PMI_");
-  });
-  return environment;
-}
 
 std::string own_program() {
   return std::filesystem::read_symlink("/proc/self/exe").string();
@@ -39,7 +27,7 @@ ChildEnd run_to_end(const ChildCommand& command) {
 
 ChildEnd run_self(const std::vector<std::string>& words,
                   const std::filesystem::path& log) {
-  ChildCommand command{{own_program()}, {}, log, environment_without_mpi()};
+  ChildCommand command{{own_program()}, {}, log, environment_for_mpi()};
   command.words.insert(command.words.end(), words.begin(), words.end());
   return run_to_end(command);
 }
@@ -54,12 +42,8 @@ ChildEnd run_self_on_ranks(int ranks, const std::vector<std::string>& words,
                         "--oversubscribe", own_program()},
                        {},
                        log,
-                       environment_without_mpi()};
+                       environment_for_mpi()};
   command.words.insert(command.words.end(), words.begin(), words.end());
-  if (::geteuid() == 0) { // Open MPI requires both of them of root
-    command.environment.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
-    command.environment.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
-  }
   // mpirun ends its ranks if it is asked to end, but not if it is killed.
   command.death_signal = SIGTERM;
   return run_to_end(command);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
 #include <utility>
 
 namespace asperity::md {
@@ -14,28 +13,13 @@ namespace {
 
 constexpr double seconds_between_looks = 0.25;
 
-/// Returns the environment of this process without the variables that an MPI
-/// started in this process has set and, for the root user, with the two
-/// variables that Open MPI then requires.
-std::vector<std::string> lammps_environment() {
-  std::vector<std::string> variables = own_environment();
-  std::erase_if(variables, [](const std::string& variable) {
-    return variable.starts_with("OMPI_") || variable.starts_with("PMIX_");
-  });
-  variables.emplace_back("OMP_NUM_THREADS=1");
-  if (::geteuid() == 0) {
-    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT=1");
-    variables.emplace_back("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1");
-  }
-  return variables;
-}
-
 /// Builds the command. mpirun terminates its ranks if it is asked to terminate,
 /// but not if it is killed.
 ChildCommand lammps_command(std::vector<std::string> words,
                             const std::filesystem::path& folder,
                             const std::filesystem::path& output) {
-  ChildCommand command{std::move(words), folder, output, lammps_environment()};
+  ChildCommand command{std::move(words), folder, output, environment_for_mpi()};
+  command.environment.emplace_back("OMP_NUM_THREADS=1");
   command.death_signal = SIGTERM;
   return command;
 }

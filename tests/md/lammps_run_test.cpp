@@ -83,6 +83,19 @@ TEST_F(LammpsRunTest, IsIndependentOfAnMpiOfThisProcess) {
   ::unsetenv("ASPERITY_SEEN");
 }
 
+// Ranks that spin while they wait take whole time slices from the rank that
+// they wait for, once other work shares the cores.
+TEST_F(LammpsRunTest, RanksThatWaitYieldTheirCore) {
+  write("lmp", "#!/bin/sh\necho \"$OMPI_MCA_mpi_yield_when_idle\"\nexit 3\n");
+  std::filesystem::permissions(folder / "lmp", std::filesystem::perms::all);
+
+  const LammpsRun run =
+      run_lammps({folder / "lmp", {}, 1, {}}, folder, "in", "log");
+
+  EXPECT_EQ(run.note, "LAMMPS ended with exit code 3: 1 (see " +
+                          (folder / "log").string() + ")");
+}
+
 TEST_F(LammpsRunTest, VersionIsADate) {
   NEEDS_LAMMPS();
 
