@@ -22,6 +22,10 @@ namespace {
 /// observed to need more than 60.
 constexpr int stagnation_iterations = 150;
 
+/// An error this many times the smallest one diverges. It must not grow until
+/// single precision overflows, at a size that depends on the units.
+constexpr double divergence = 0x1p30;
+
 /// Stagnation criterion: tells when an error has stopped falling.
 class StagnationCriterion {
 public:
@@ -30,7 +34,8 @@ public:
       best_ = error;
       since_ = iteration;
     }
-    return iteration - since_ > stagnation_iterations;
+    return iteration - since_ > stagnation_iterations ||
+           error > divergence * best_;
   }
 
 private:

@@ -119,6 +119,17 @@ TEST(Slice, KeepsAFlatSurfaceSeparated) {
   }
 }
 
+// A thin plate with a free back, on which conjugate gradients diverge. They
+// must end at an error that does not depend on the units, and not where single
+// precision overflows.
+TEST(Slice, EndsDivergenceInAnyUnits) {
+  const InstanceReport report = run_instance(draw_instance(90125, 441));
+
+  EXPECT_EQ(report.outcome, Outcome::verified)
+      << report.check << ": " << report.reason;
+  EXPECT_TRUE(report.has_same_bits);
+}
+
 // An instance with a flaw that is in fact valid is not refused, which must be
 // detected.
 TEST(Slice, DetectsAMissingRefusal) {
