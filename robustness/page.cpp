@@ -1,5 +1,7 @@
 #include "robustness/page.hpp"
 
+#include "base/shown_number.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -191,7 +193,7 @@ std::string locking_html(const std::vector<LockingRow>& locking) {
                     "class=\"n\">{:g}</td><td class=\"n\">{:+.2f} %</td><td "
                     "class=\"n\">{:+.2f} %</td></tr>\n",
                     row.thickness, 32 / row.waves, row.poisson_ratio,
-                    100.0 * row.q1, 100.0 * row.q2);
+                    Shown{100.0 * row.q1}, Shown{100.0 * row.q2});
   return html + "</table>\n";
 }
 

@@ -1,5 +1,7 @@
 #include "app/answers/certified_field.hpp"
 
+#include "base/shown_number.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -54,10 +56,10 @@ std::string certificate_line(const CertifiedField& field, std::size_t width) {
       "  {:<{}} {:>4} {:>11.4e} {:>+9.1e} {:>9.1e} {:>9.1e} {:>9.1e} {:>9.1e} "
       "{:>10.1e} {:>+10.6f} {:>9.1e}\n",
       field.method, width, field.step, load / field.contact_modulus,
-      check.load_error, check.largest_tension / load,
+      Shown{check.load_error}, check.largest_tension / load,
       check.largest_penetration / height, check.complementarity / height,
       check.duality_gap / load / height, check.pressure_error,
-      field.mean_gap / height, field.bounds.error / height);
+      Shown{field.mean_gap / height}, field.bounds.error / height);
 }
 
 std::string broken_claims(const CertifiedField& field) {

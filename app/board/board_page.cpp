@@ -1,6 +1,7 @@
 #include "app/board/board_page.hpp"
 
 #include "app/board/board_template.hpp"
+#include "base/shown_number.hpp"
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
@@ -57,8 +58,9 @@ Value section_data(const BoardSection& section) {
 BoardCell number_cell(double value, const char* format) {
   BoardCell cell;
   cell.is_number = true;
-  cell.text =
-      std::isfinite(value) ? fmt::format(fmt::runtime(format), value) : "–";
+  cell.text = std::isfinite(value)
+                  ? fmt::format(fmt::runtime(format), Shown{value})
+                  : "–";
   cell.key = std::isfinite(value) ? fmt::format("{:.17g}", value) : "1e999";
   return cell;
 }

@@ -3,6 +3,7 @@
 #include "app/answers/reference_answers.hpp"
 #include "app/asked/asked_cases.hpp"
 #include "base/folder_lock.hpp"
+#include "base/shown_number.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>
@@ -26,10 +27,11 @@ void print_answers(const AnsweredProblem& answered) {
   for (std::size_t i = 0; i < answered.answers.size(); ++i) {
     const exchange::ProblemAnswer& answer = answered.answers[i];
     fmt::print("{:>12.5g} {:>12.8f} {:>9.1e} {:>10.6f}",
-               answer.nominal_pressure, answer.mean_gap / height,
+               answer.nominal_pressure, Shown{answer.mean_gap / height},
                answer.mean_gap_error / height, answer.area_fraction);
     if (i < answered.continuum.size())
-      fmt::print(" {:>12.8f} {:>9.1e}", answered.continuum[i].mean_gap / height,
+      fmt::print(" {:>12.8f} {:>9.1e}",
+                 Shown{answered.continuum[i].mean_gap / height},
                  answered.continuum[i].mean_gap_error / height);
     fmt::print("\n");
   }

@@ -1,5 +1,7 @@
 #include "app/run/progress.hpp"
 
+#include "base/shown_number.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,7 +101,7 @@ void Progress::step_done(const std::string& method, int realization,
              is_terminal_ ? "\r\033[K" : "", work_.steps_done(), work_.steps(),
              method, realization, point.step,
              point.nominal_pressure / contact_modulus_,
-             point.mean_gap / rms_height, 100.0 * point.area_fraction,
+             Shown{point.mean_gap / rms_height}, 100.0 * point.area_fraction,
              point.iterations, point.residual, point.cpu_time,
              has_failed           ? "  NOT CONVERGED: "
              : point.note.empty() ? ""

@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/analysis/area_scale.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -44,10 +45,10 @@ std::string area_caption(const Series* fitted) {
   if (fitted == nullptr)
     return caption;
   if (quantity(*fitted, "area_excess").has_value())
-    caption += fmt::format(" The counted area of {} differs by {:+.0f} % from "
-                           "the theory at light load.",
-                           fitted->label,
-                           100.0 * quantity(*fitted, "area_excess").value);
+    caption += fmt::format(
+        " The counted area of {} differs by {:+.0f} % from "
+        "the theory at light load.",
+        fitted->label, Shown{100.0 * quantity(*fitted, "area_excess").value});
   if (quantity(*fitted, "area_scale").has_value())
     caption += scale_words(*fitted);
   return caption;
@@ -201,9 +202,10 @@ std::string excess_words(std::span<const Series> series) {
     if (!one.is_drawn || !counted.has_value())
       continue;
     words += fmt::format("{}{} counted {:+.0f} %", words.empty() ? "" : "; ",
-                         one.label, 100.0 * counted.value);
+                         one.label, Shown{100.0 * counted.value});
     if (fitted.has_value())
-      words += fmt::format(", by Eq. (21) {:+.0f} %", 100.0 * fitted.value);
+      words +=
+          fmt::format(", by Eq. (21) {:+.0f} %", Shown{100.0 * fitted.value});
   }
   return words.empty() ? "" : " Above the theory at light load: " + words + ".";
 }

@@ -1,5 +1,6 @@
 #include "reports/figures/height_figure.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/plot_parts.hpp"
 
@@ -66,7 +67,7 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
         r, method_color(r), gnuplot_text(name)));
     figure.caption += fmt::format(
         " {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} h_rms.",
-        capital(name), surface.skewness, surface.kurtosis,
+        capital(name), Shown{surface.skewness}, surface.kurtosis,
         surface.highest / surface.rms_height);
   };
   const auto& surfaces = entry.result->surfaces;

@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/analysis/two_surfaces.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/map_image.hpp"
@@ -218,7 +219,7 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       "{:.2f}.",
       surface.grid.length_x * 1e6, surface.grid.length_y * 1e6,
       surface.grid.points_x, surface.grid.points_y, surface.rms_height * 1e9,
-      surface.rms_slope, surface.skewness, surface.kurtosis);
+      surface.rms_slope, Shown{surface.skewness}, surface.kurtosis);
   figure.script = fmt::format(
       "{}{}{}set lmargin at screen 0.14\nset rmargin at screen 0.74\nset "
       "cblabel 'height [nm]'\nset xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",

@@ -1,5 +1,6 @@
 #include "reports/numbers/number_text.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
@@ -18,13 +19,18 @@ int decimals_for(double uncertainty) {
   return static_cast<int>(std::clamp(digits, 0.0, 6.0));
 }
 
+std::string fixed(double value, const char* sign, int decimals) {
+  return fmt::format(fmt::runtime(fmt::format("{{:{}.{}f}}", sign, decimals)),
+                     Shown{value});
+}
+
 } // namespace
 
 std::string number_text(const Estimate& estimate) {
   if (!estimate.has_value())
     return undetermined_word;
   if (!estimate.has_interval())
-    return fmt::format("{:.4g}", estimate.value);
+    return fmt::format("{:.4g}", Shown{estimate.value});
   const double size = std::abs(estimate.value);
   if (estimate.half_width < 1e-4 * size) // too small to be worth printing
     return fmt::format("{:.4g} ± {:.0e}", estimate.value, estimate.half_width);
@@ -32,8 +38,8 @@ std::string number_text(const Estimate& estimate) {
     return fmt::format("{:.3g} ± {:.1g}", estimate.value, estimate.half_width);
   const int decimals =
       std::min(decimals_for(estimate.half_width), decimals_for(size * 1e-3));
-  return fmt::format("{:.{}f} ± {:.{}f}", estimate.value, decimals,
-                     estimate.half_width, decimals);
+  return fixed(estimate.value, "", decimals) + " ± " +
+         fixed(estimate.half_width, "", decimals);
 }
 
 std::string percent_text(const Estimate& estimate) {
@@ -41,11 +47,11 @@ std::string percent_text(const Estimate& estimate) {
     return undetermined_word;
   if (!estimate.has_interval())
     return std::abs(estimate.value) < 1.0
-               ? fmt::format("{:.2g} %", 100.0 * estimate.value)
-               : fmt::format("{:.0f} %", 100.0 * estimate.value);
+               ? fmt::format("{:.2g} %", Shown{100.0 * estimate.value})
+               : fmt::format("{:.0f} %", Shown{100.0 * estimate.value});
   const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));
-  return fmt::format("{:+.{}f} ± {:.{}f} %", 100.0 * estimate.value, decimals,
-                     100.0 * estimate.half_width, decimals);
+  return fixed(100.0 * estimate.value, "+", decimals) + " ± " +
+         fixed(100.0 * estimate.half_width, "", decimals) + " %";
 }
 
 } // namespace asperity::reports

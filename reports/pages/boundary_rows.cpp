@@ -1,5 +1,6 @@
 // This file compares half-spaces with free and with periodic boundaries on the
 // same surface, as rows of the page.
+#include "base/shown_number.hpp"
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
@@ -35,11 +36,12 @@ kainjow::mustache::data boundary_row(const CurvePoint& free,
   row.set("area_periodic", percent(periodic.area_fraction));
   row.set(
       "area_ratio",
-      fmt::format("{:+.2g} %",
-                  100.0 * (periodic.area_fraction / free.area_fraction - 1.0)));
-  row.set("gap_free", fmt::format("{:.4g}", free.mean_gap / rms_height));
+      fmt::format(
+          "{:+.2g} %",
+          Shown{100.0 * (periodic.area_fraction / free.area_fraction - 1.0)}));
+  row.set("gap_free", fmt::format("{:.4g}", Shown{free.mean_gap / rms_height}));
   row.set("gap_periodic",
-          fmt::format("{:.4g}", periodic.mean_gap / rms_height));
+          fmt::format("{:.4g}", Shown{periodic.mean_gap / rms_height}));
   row.set("iterations_free", std::to_string(free.iterations));
   row.set("iterations_periodic", std::to_string(periodic.iterations));
   return row;

@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/methods_text.hpp"
@@ -27,8 +28,8 @@ void set_fitted(Value& row, const char* column, const char* name,
                 std::vector<std::string>& reasons) {
   const FittedValue shown = determined(fitted, range);
   const bool has_value = std::isfinite(shown.value);
-  row.set(column,
-          has_value ? fmt::format("{:.3g}", shown.value) : undetermined_word);
+  row.set(column, has_value ? fmt::format("{:.3g}", Shown{shown.value})
+                            : undetermined_word);
   if (!has_value && !shown.reason.empty())
     reasons.push_back(fmt::format("{}: {}", name, shown.reason));
 }
@@ -61,10 +62,10 @@ Value fit_row(const Series& series, std::size_t realization,
                            : "–");
   const bool has_window = window.points > 0;
   const double height = fits.scales.rms_height;
-  row.set("window",
-          has_window ? fmt::format("{:.2f} … {:.2f}", window.gap_low / height,
-                                   window.gap_high / height)
-                     : "–");
+  row.set("window", has_window ? fmt::format("{:.2f} … {:.2f}",
+                                             Shown{window.gap_low / height},
+                                             Shown{window.gap_high / height})
+                               : "–");
   row.set("rows", has_window ? std::to_string(window.points) : "–");
   row.set("deviation", has_window
                            ? fmt::format("{:.2g} of {:.2g}",

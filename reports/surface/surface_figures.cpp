@@ -1,5 +1,6 @@
 #include "reports/surface/surface_figures.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -93,7 +94,7 @@ Figure heights_figure(const surfaces::MapAnalysis& map) {
       "Skewness {:+.2f}, kurtosis {:.2f}; the highest point is {:.2f} Sq above "
       "the mean, the lowest {:.2f} Sq below. Line: the Gaussian of the same "
       "Sq.",
-      map.heights.ssk, map.heights.sku, map.heights.sp / rms,
+      Shown{map.heights.ssk}, map.heights.sku, map.heights.sp / rms,
       map.heights.sv / rms);
   figure.script = fmt::format(
       "set xlabel 'h / Sq'\nset ylabel 'probability density × Sq'\nset "

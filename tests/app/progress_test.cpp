@@ -2,6 +2,8 @@
 // and of messages during long steps.
 #include "app/run/method_job.hpp"
 #include "app/run/progress.hpp"
+#include "base/shown_number.hpp"
+#include "base/special_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +82,30 @@ TEST(Progress, DrawsLinesShorterThanTheTerminal) {
     EXPECT_LT(bar_line(0, 0, words + words + words, columns).size(),
               static_cast<std::size_t>(columns))
         << columns;
+}
+
+// In full contact the mean gap is roundoff of either sign.
+TEST(Progress, ShowsNoNegativeZero) {
+  testing::internal::CaptureStdout();
+  {
+    Progress progress(mixed_work(), 1.0);
+    progress.step_done("dear", 0, {.nominal_pressure = 1.0, .mean_gap = -1e-9},
+                       1.0);
+  }
+  const std::string printed = testing::internal::GetCapturedStdout();
+
+  EXPECT_NE(printed.find("u = +0.0000 h_rms"), std::string::npos) << printed;
+}
+
+TEST(ShownNumber, HasTheSignOfWhatIsPrinted) {
+  EXPECT_EQ(fmt::format("{:+.2f}|{:.0f}|{:g}", Shown{-0.001}, Shown{-0.4},
+                        Shown{-0.0}),
+            "+0.00|0|0");
+  EXPECT_EQ(fmt::format("{:+9.2f}|{:.1e}|{}", Shown{-0.006}, Shown{-2e-9},
+                        Shown{-1.5}),
+            "    -0.01|-2.0e-09|-1.5");
+  EXPECT_EQ(fmt::format("{:.1e}|{:.2f}", Shown{-0.0}, Shown{-infinity}),
+            "0.0e+00|-inf");
 }
 
 // A long step is mentioned in a pipe. The test waits for the line as long as
