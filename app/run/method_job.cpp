@@ -49,6 +49,17 @@ std::string in_one_line(std::string lines) {
   return lines;
 }
 
+/// The part of a step of a full block that is done; 0 if it is not known, as on
+/// an adaptive mesh, where finer meshes follow.
+double share_of(const cases::Case& contact_case,
+                const cases::MethodSpec& method, double residual) {
+  const auto& fem = std::get<mechanics::FemSettings>(method.settings);
+  return fem.full.uses_case_mesh &&
+                 contact_case.mesh.kind == mechanics::MeshKind::adaptive
+             ? 0.0
+             : share_done(residual, fem.contact.tolerance);
+}
+
 } // namespace
 
 MethodJob::MethodJob(const RunContext& context, const cases::MethodSpec& method,
@@ -319,8 +330,9 @@ Resources MethodJob::resources() const {
           n_mpi_ranks(),
           std::max(1, context_.pool.threads() / n_ranks_on_machine()),
           [this](const fem::BlockProgress& work) {
-            context_.progress.at_work(method_.name, realization_,
-                                      words_on(work));
+            context_.progress.at_work(
+                method_.name, realization_, words_on(work),
+                share_of(context_.contact_case, method_, work.residual));
           }};
 }
 

@@ -125,7 +125,7 @@ std::string Progress::job_text(const std::string& method, int realization) {
 }
 
 void Progress::at_work(const std::string& method, int realization,
-                       const std::string& words) {
+                       const std::string& words, double share) {
   const std::lock_guard lock(mutex_);
   const std::string job = job_text(method, realization);
   const auto found = std::ranges::find_if(running_, [&](const auto& entry) {
@@ -134,8 +134,10 @@ void Progress::at_work(const std::string& method, int realization,
   if (found == running_.end())
     return;
   Running& running = found->second;
+  running.method = method;
   running.brief = fmt::format("{} r{}", method, realization);
   running.words = words;
+  running.share = share;
   const auto now = Clock::now();
   if (!is_terminal_ || now - last_drawn_ < shortest_pause)
     return;
@@ -186,8 +188,12 @@ std::string Progress::brief_text(const Running& running,
 }
 
 std::string Progress::remaining(Clock::time_point now) const {
-  return remaining_text(work_.seconds_left(seconds_between(start_, now),
-                                           seconds_between(last_done_, now)));
+  StepAtWork step;
+  if (const Running* const activity = longest_activity())
+    step = {activity->method, seconds_between(activity->since, now),
+            activity->share};
+  return remaining_text(work_.seconds_left(
+      seconds_between(start_, now), seconds_between(last_done_, now), step));
 }
 
 void Progress::draw_bar(const std::string& words) const {

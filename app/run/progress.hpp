@@ -66,8 +66,9 @@ public:
   /// is shown a few times per second on a terminal, and in a pipe with the next
   /// line on the activity.
   /// @param words  "Newton step 3, residual 1e-3"
+  /// @param share  part of the step that is done, 0 to 1; 0: not known
   void at_work(const std::string& method, int realization,
-               const std::string& words);
+               const std::string& words, double share = 0.0);
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -75,8 +76,10 @@ private:
   struct Running {
     std::string what;
     Clock::time_point since;
+    std::string method = {};
     std::string brief = {}; ///< "fem r0"
     std::string words = {}; ///< of at_work(); may be empty
+    double share = 0.0;     ///< of at_work()
   };
 
   /// Shows unfinished work until the destructor ends it.

@@ -13,7 +13,16 @@ namespace {
 /// by their overhead.
 constexpr double least_share = 0.02;
 
+/// Part of a step from which on its residual tells more than the prediction.
+constexpr double least_share_of_step = 0.1;
+
 } // namespace
+
+double share_done(double residual, double tolerance) {
+  if (!(residual > 0.0 && residual < 1.0 && tolerance > 0.0 && tolerance < 1.0))
+    return 0.0;
+  return std::min(1.0, std::log(residual) / std::log(tolerance));
+}
 
 RemainingWork::RemainingWork(const std::map<std::string, MethodWork>& methods,
                              double wall_per_cpu)
@@ -47,16 +56,23 @@ void RemainingWork::add_kept(const std::string& method, int n_steps) {
   total_ -= n_steps * weight(method);
 }
 
-std::optional<double> RemainingWork::seconds_left(double elapsed,
-                                                  double since_last) const {
+std::optional<double>
+RemainingWork::seconds_left(double elapsed, double since_last,
+                            const StepAtWork& step) const {
   const double left = std::max(total_ - done_, 0.0);
   if (left == 0.0)
     return 0.0;
   const bool is_measured = done_ > 0.0 && done_ >= least_share * total_;
-  const double seconds = is_measured ? (elapsed - since_last) / done_ * left
-                                     : wall_per_cpu_ * left;
-  const double now = done_ > 0.0 ? since_last : elapsed;
-  return seconds > now ? std::optional<double>(seconds - now) : std::nullopt;
+  const double speed =
+      is_measured ? (elapsed - since_last) / done_ : wall_per_cpu_;
+  const double predicted = speed * left - (done_ > 0.0 ? since_last : elapsed);
+  const double after = std::max(left - weight(step.method), 0.0);
+  const double observed =
+      step.share >= least_share_of_step
+          ? step.elapsed * (1.0 / step.share - 1.0) + speed * after
+          : 0.0;
+  const double seconds = std::max(predicted, observed);
+  return seconds > 0.0 ? std::optional<double>(seconds) : std::nullopt;
 }
 
 std::string duration_text(double seconds) {

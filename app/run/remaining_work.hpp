@@ -17,6 +17,18 @@ struct MethodWork {
                           ///< set-up [s]; NaN: not predicted
 };
 
+/// The unfinished step of a run that takes longest.
+struct StepAtWork {
+  std::string method = {};
+  double elapsed = 0.0; ///< wall time since it began [s]
+  double share = 0.0;   ///< part that is done, 0 to 1; 0: not known
+};
+
+/// Returns the part of an iteration that is done, 0 to 1: the orders of
+/// magnitude by which its residual, which was about 1, has fallen, over those
+/// of the tolerance. It is 0 if the residual is not known.
+double share_done(double residual, double tolerance);
+
 /// The work of a run by method.
 class RemainingWork {
 public:
@@ -35,11 +47,13 @@ public:
   int steps_done() const { return n_done_; }
 
   /// Returns the predicted remaining wall time [s]; empty where the step at
-  /// work takes longer than predicted.
+  /// work takes longer than predicted, and its share is not known. A known
+  /// share that promises a longer time than the prediction replaces it.
   ///
   /// @param elapsed     wall time since the beginning [s]
   /// @param since_last  of this, since the last finished step [s]
-  std::optional<double> seconds_left(double elapsed, double since_last) const;
+  std::optional<double> seconds_left(double elapsed, double since_last,
+                                     const StepAtWork& step = {}) const;
 
 private:
   double weight(const std::string& method) const;

@@ -63,6 +63,22 @@ TEST(RemainingWork, CountsStepsWithoutAPrediction) {
   EXPECT_DOUBLE_EQ(work.seconds_left(2.0, 0.0).value(), 6.0);
 }
 
+// A step whose residual has fallen by a quarter of the orders of magnitude
+// takes three times as long again, and the steps after it as predicted.
+TEST(RemainingWork, FollowsTheResidualOfAStepAtWork) {
+  const RemainingWork work = mixed_work();
+  const StepAtWork step{"dear", 20.0, share_done(1e-2, 1e-8)};
+
+  EXPECT_DOUBLE_EQ(step.share, 0.25);
+  EXPECT_DOUBLE_EQ(work.seconds_left(20.0, 20.0, step).value(), 60.0 + 6.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(1.0, 1.0, {"dear", 0.1, 0.25}).value(),
+                   10.0)
+      << "the prediction is longer";
+  EXPECT_EQ(share_done(NAN, 1e-8), 0.0);
+  EXPECT_EQ(share_done(3.0, 1e-8), 0.0);
+  EXPECT_EQ(share_done(1e-9, 1e-8), 1.0);
+}
+
 TEST(RemainingWork, HasReadableUnits) {
   EXPECT_EQ(remaining_text(8.2), "about 8 s left");
   EXPECT_EQ(remaining_text(240.0), "about 4 min left");
