@@ -54,29 +54,54 @@ void find_gap_errors(const Feasible& answer, const Weighted& weighted,
   check.largest_penetration = std::max(0.0, answer.separation - at.separation);
 }
 
-/// The largest |<p, g*> + <p - p*, C p>|/p_0 that G allows, since <p, g*> and
-/// |p - p*|^2 are parts of it.
-double separation_error(double duality_gap, double twice_stored,
-                        double mean_pressure) {
-  const double distance = std::sqrt(duality_gap);
-  const double size = std::sqrt(twice_stored);
-  const double work = 2.0 * distance <= size
-                          ? distance * size
-                          : duality_gap + 0.25 * twice_stored;
-  return work / mean_pressure;
-}
-
-/// Bounds |<C (p - p*)>|, by which G leaves the mean gap undetermined besides
-/// the separation: it is the product of p - p* and 1 in the energy norm. 0 on a
-/// periodic surface.
-double lift_error(SurfaceOperator& elasticity, const Weighted& weighted,
-                  double duality_gap) {
+/// C 1: the displacement of a uniform pressure 1 [m/Pa]. Empty on a periodic
+/// surface, where it is 0.
+std::vector<double> uniform_displacement(SurfaceOperator& elasticity) {
   if (elasticity.is_periodic())
-    return 0.0;
+    return {};
   const std::vector<double> ones(elasticity.n_nodes(), 1.0);
   std::vector<double> displacement(ones.size());
   elasticity.displacement(ones, displacement);
-  return std::sqrt(duality_gap * weighted.mean_of(displacement));
+  return displacement;
+}
+
+double mean_or_0(const Weighted& weighted, std::span<const double> field) {
+  return field.empty() ? 0.0 : weighted.mean_of(field);
+}
+
+/// Weighted means of a pressure a and of its displacement w = (C + c) a.
+struct PressureMeans {
+  double product, pressure, displacement; ///< <a, w>, <a>, <w>
+
+  /// |a - <a>|^2.
+  /// @param of_uniform  <1, (C + c) 1>
+  double square_variation(double of_uniform) const {
+    return std::max(0.0, product - 2.0 * pressure * displacement +
+                             pressure * pressure * of_uniform);
+  }
+};
+
+PressureMeans means_of(const Weighted& weighted, std::span<const double> a,
+                       std::span<const double> w) {
+  const std::array<double, 3> means =
+      weighted.means<3>(a.size(), [&](std::size_t i) {
+        return std::array{a[i] * w[i], a[i], w[i]};
+      });
+  return {means[0], means[1], means[2]};
+}
+
+/// The largest |U_p - U*| that G allows, by (3) of
+/// docs/numerics/certificate.md.
+/// @param of_uniform  <1, (C + c) 1>
+double separation_error(const Feasible& answer, const PressureMeans& means,
+                        double duality_gap, double of_uniform) {
+  const double square = means.square_variation(of_uniform) +
+                        4.0 * answer.roundoff * means.pressure;
+  const double distance = std::sqrt(duality_gap);
+  const double size = std::sqrt(square);
+  const double work =
+      2.0 * distance <= size ? distance * size : duality_gap + 0.25 * square;
+  return work / means.pressure;
 }
 
 ContactSolution solve(SurfaceOperator& elasticity,
@@ -108,25 +133,31 @@ Solved polish(SurfaceOperator& elasticity, const SubmittedField& problem,
   return {std::move(further.pressure), further.iterations};
 }
 
-/// The pressure of a flat punch whose face is where `contact` has a pressure.
-/// The displacement of `contact` is freed in between.
-Solved flat_punch(SurfaceOperator& elasticity, const SubmittedField& problem,
-                  Feasible& contact) {
+/// The pressure whose displacement differs from that of a uniform one by a
+/// constant where `contact` has a pressure, and which is 0 elsewhere: that of a
+/// flat punch if the surface is periodic. The displacement of `contact` is
+/// freed in between.
+/// @param uniform  p_0 C 1; empty: 0
+Solved punch_pressure(SurfaceOperator& elasticity,
+                      const SubmittedField& problem, Feasible& contact,
+                      std::span<const double> uniform) {
   const Workers workers = elasticity.workers();
+  std::vector<double> face(uniform.begin(), uniform.end());
+  face.resize(contact.pressure.size());
   const double depth = 1e3 * (largest_size(contact.displacement, workers) +
-                              largest_size(problem.heights, workers));
+                              largest_size(problem.heights, workers) +
+                              largest_size(face, workers));
   free_memory(contact.displacement);
-  std::vector<double> face(contact.pressure.size());
   for (std::size_t i = 0; i < face.size(); ++i)
-    face[i] = contact.pressure[i] > 0.0 ? 0.0 : -depth;
+    face[i] -= contact.pressure[i] > 0.0 ? 0.0 : depth;
   ContactSolution pressed = solve(elasticity, problem, face,
                                   4.0 * contact.roundoff, contact.pressure);
   return {std::move(pressed.pressure), pressed.iterations};
 }
 
-/// Returns the least a + max(b, b') G/p_0 with nu <= b' p and
-/// kappa - C nu <= a + b g at every node, over a series of b >= b'.
-/// @param top  largest displacement of the punch [m]
+/// Returns the least a + max(b, b') G/p_0 of (6), over a series of b >= b'.
+/// @param punch  nu, and its displacement less that of a uniform pressure
+/// @param top    kappa [m]
 double excess_of_high(const Feasible& answer, const Feasible& punch, double top,
                       double gap_over_load) {
   double ratio = 0.0; // b'
@@ -139,11 +170,44 @@ double excess_of_high(const Feasible& answer, const Feasible& punch, double top,
   for (double b = ratio; std::isfinite(b) && b < 1e12 * ratio; b *= 2.0) {
     double a = 0.0;
     for (std::size_t i = 0; i < answer.pressure.size(); ++i)
-      a = std::max(a, top - punch.displacement[i] -
-                          b * (answer.separation - answer.excess(i)));
+      a = std::max(a, top - punch.displacement[i] - b * answer.gap(i));
     // The roundoff of the gap enters with the factor b.
     const double roundoff = 2.0 * punch.roundoff + 2.0 * b * answer.roundoff;
     least = std::min(least, a + roundoff + b * gap_over_load);
+  }
+  return least;
+}
+
+/// Returns the least bound of U* - U by (4), over a series of 0 < t <= 1.
+/// @param punch       nu
+/// @param of_uniform  <1, (C + c) 1>
+double excess_of_unloading(SurfaceOperator& elasticity,
+                           const SubmittedField& problem,
+                           const Feasible& answer, const Feasible& punch,
+                           double of_uniform) {
+  const std::size_t nodes = answer.pressure.size();
+  const Weighted weighted(elasticity.nodal_weights(), elasticity.workers());
+  std::vector<double> change(nodes), displacement(nodes);
+  double least = std::numeric_limits<double>::infinity();
+  double last = least;
+  for (double t = 1.0; t > 1e-12 && !(last > 16.0 * least); t *= 0.25) {
+    for (std::size_t i = 0; i < nodes; ++i)
+      change[i] = -std::min(t * punch.pressure[i], answer.pressure[i]);
+    elasticity.displacement(change, displacement);
+    for (std::size_t i = 0; i < nodes; ++i)
+      displacement[i] += problem.local_compliance * change[i];
+    const PressureMeans means = means_of(weighted, change, displacement);
+    const double removed = -means.pressure;
+    const double work = weighted.mean(nodes, [&](std::size_t i) {
+      return answer.gap(i) * (answer.pressure[i] + change[i]);
+    });
+    // The roundoff of g enters with <q> and <p*>, and that of d.
+    const double roundoff =
+        2.0 * answer.roundoff * (1.0 + problem.nominal_pressure / removed) +
+        2.0 * t * punch.roundoff;
+    last =
+        (work + 0.25 * means.square_variation(of_uniform)) / removed + roundoff;
+    least = std::min(least, last);
   }
   return least;
 }
@@ -156,6 +220,7 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   const Workers workers = elasticity.workers();
   const Weighted weighted(elasticity.nodal_weights(), workers);
   const double load = submitted.nominal_pressure;
+  const double compliance = submitted.local_compliance;
   FieldCheck check;
   check.load_error = weighted.mean_of(submitted.pressure) / load - 1.0;
   check.largest_tension = defects.largest_tension;
@@ -167,7 +232,7 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   check.mean_gap = separation + answer.lift - means.height;
   const double twice_stored = means.pressure_displacement;
   check.elastic_energy =
-      0.5 * (twice_stored - submitted.local_compliance * means.square_pressure);
+      0.5 * (twice_stored - compliance * means.square_pressure);
   check.duality_gap = duality_gap(answer, means.pressure_excess, load);
   check.pressure_error = std::sqrt(2.0 * check.duality_gap / twice_stored);
   find_gap_errors(answer, weighted, {separation, load}, check);
@@ -175,9 +240,13 @@ FieldCheck check_field(SurfaceOperator& elasticity,
                                ? std::abs(submitted.mean_gap - check.mean_gap) +
                                      2.0 * answer.roundoff
                                : 0.0;
+  const double of_uniform =
+      compliance + mean_or_0(weighted, uniform_displacement(elasticity));
   check.mean_gap_error =
-      deviation + separation_error(check.duality_gap, twice_stored, load) +
-      lift_error(elasticity, weighted, check.duality_gap);
+      deviation +
+      separation_error(answer,
+                       {twice_stored, load, answer.lift + compliance * load},
+                       check.duality_gap, of_uniform);
   return check;
 }
 
@@ -188,12 +257,15 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const Weighted weighted(elasticity.nodal_weights(), workers);
   const double load = submitted.nominal_pressure;
   const double mean_height = weighted.mean_of(submitted.heights);
+  const auto mean_gap_by = [&](const Feasible& pressed) { // U_p
+    return pressed.pressure_excess(weighted) / load + pressed.lift -
+           mean_height;
+  };
   Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
   const double first_gap = duality_gap(answer, weighted, load);
-  const double claimed =
-      std::isfinite(submitted.mean_gap)
-          ? submitted.mean_gap
-          : answer.pressure_excess(weighted) / load + answer.lift - mean_height;
+  const double claimed = std::isfinite(submitted.mean_gap)
+                             ? submitted.mean_gap
+                             : mean_gap_by(answer);
   free_memory(answer.displacement); // as all fields before a solver
   Solved further = polish(elasticity, submitted, answer);
   answer = feasible(elasticity, submitted, std::move(further.pressure));
@@ -201,21 +273,44 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
     answer = feasible(elasticity, submitted, pressure_of(submitted));
   SeparationBounds bounds;
   bounds.polished_gap = duality_gap(answer, weighted, load);
-  Solved pressed = flat_punch(elasticity, submitted, answer);
+  std::vector<double> uniform = uniform_displacement(elasticity);
+  const double of_uniform =
+      submitted.local_compliance + mean_or_0(weighted, uniform);
+  for (double& value : uniform)
+    value *= load;
+  Solved pressed = punch_pressure(elasticity, submitted, answer, uniform);
   bounds.solver_iterations = further.iterations + pressed.iterations;
-  const Feasible punch =
-      feasible(elasticity, submitted, std::move(pressed.pressure));
+  Feasible punch = feasible(elasticity, submitted, std::move(pressed.pressure));
   displace(elasticity, submitted, answer);
 
-  const double top = largest_of(punch.displacement, workers);
-  const double low =
+  // (3)
+  const double error =
+      4.0 * answer.roundoff +
+      separation_error(answer,
+                       means_of(weighted, answer.pressure, answer.displacement),
+                       bounds.polished_gap, of_uniform);
+  bounds.low = mean_gap_by(answer) - error;
+  bounds.high = mean_gap_by(answer) + error;
+  // (4)
+  bounds.high =
+      std::min(bounds.high, answer.separation + answer.lift - mean_height +
+                                4.0 * answer.roundoff +
+                                excess_of_unloading(elasticity, submitted,
+                                                    answer, punch, of_uniform));
+
+  // (5) and (6)
+  for (std::size_t i = 0; i < uniform.size(); ++i)
+    punch.displacement[i] -= uniform[i];
+  const double top = largest_of(punch.displacement, workers); // kappa
+  const double by_punch =
       weighted.product(punch.pressure, submitted.heights) / load - top -
-      mean_height + answer.lift;
-  const double roundoff = 2.0 * punch.roundoff +
-                          lift_error(elasticity, weighted, bounds.polished_gap);
-  bounds.low = low - roundoff;
-  bounds.high = low + roundoff +
-                excess_of_high(answer, punch, top, bounds.polished_gap / load);
+      mean_height;
+  const double roundoff = 4.0 * punch.roundoff;
+  bounds.low = std::max(bounds.low, by_punch - roundoff);
+  bounds.high =
+      std::min(bounds.high, by_punch + roundoff +
+                                excess_of_high(answer, punch, top,
+                                               bounds.polished_gap / load));
   bounds.error =
       std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
   return bounds;

@@ -77,8 +77,9 @@ FieldCheck check_field(SurfaceOperator& elasticity,
 
 /// Computes the bounds of the mean separation by two contact problems whose
 /// solutions need not be trusted: the submitted pressure solved further, and a
-/// flat punch on its contact area. Costs some 50 to 100 iterations of the
-/// solver.
+/// flat punch on its contact area. The best of several bounds is reported, one
+/// of which stays close where contact is undecided, as at the load of first
+/// full contact. Costs some 50 to 100 iterations of the solver.
 /// @throws std::domain_error  as check_field()
 SeparationBounds bound_separation(SurfaceOperator& elasticity,
                                   const SubmittedField& submitted);

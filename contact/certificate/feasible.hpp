@@ -62,6 +62,10 @@ struct Feasible {
     return heights[i] - displacement[i];
   }
 
+  double gap(std::size_t i) const { ///< g >= 0 at that separation [m]
+    return separation - excess(i);
+  }
+
   double pressure_excess(const Weighted& weighted) const { ///< <p, excess>
     return weighted.mean(pressure.size(), [this](std::size_t i) {
       return pressure[i] * excess(i);

@@ -234,7 +234,7 @@ TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
     const SeparationBounds bounds = bound_separation(elasticity, field);
     EXPECT_LE(bounds.low, exact.mean_gap);
     EXPECT_GE(bounds.high, exact.mean_gap);
-    EXPECT_LE(bounds.high - bounds.low, 1e-4 * problems::rms(heights));
+    EXPECT_LE(bounds.high - bounds.low, 1e-6 * problems::rms(heights));
   }
 }
 
