@@ -88,7 +88,7 @@ public:
       return std::make_unique<Q2Operator>(
           request.grid, mpi_group(),
           condensed_column_q2(request.grid, layers_of(request)), threads);
-    return std::make_unique<contact::SharedFourierOperator>(
+    return std::make_unique<contact::FourierOperator>(
         request.grid, mpi_group(),
         condensed_column_q1(request.grid, layers_of(request)), threads);
   }

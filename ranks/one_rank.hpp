@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the group of one rank, with which one process calls what
-// is written for several.
+// The group of one rank, with which one process calls what is written for
+// several.
 
 #include <algorithm>
 
@@ -36,10 +36,15 @@ public:
   }
 };
 
+/// The group that shares the rows, or this process alone.
+inline RankGroup& group_of(const SharedRows& rows) {
+  static OneRank alone;
+  return rows.ranks() != nullptr ? *rows.ranks() : alone;
+}
+
 /// All rows of a grid as those of a group of one rank.
 inline SharedRows rows_of_one(const Grid& grid) {
-  static OneRank group;
-  return {grid, group, {0, grid.points_y}};
+  return {grid, group_of(SharedRows(grid)), {0, grid.points_y}};
 }
 
 } // namespace asperity

@@ -76,6 +76,15 @@ bool holds_whole_groups(const Grid& grid, std::span<const int> bounds) {
              bounds.end();
 }
 
+SharedRows coarse_rows(const SharedRows& rows, const Grid& coarse) {
+  std::vector<int> bounds = rows.bounds();
+  for (int& bound : bounds)
+    bound /= 2;
+  if (rows.ranks() == nullptr || !holds_whole_groups(coarse, bounds))
+    return SharedRows(coarse);
+  return {coarse, *rows.ranks(), bounds};
+}
+
 std::vector<std::byte> gathered_sums(const SharedRows& rows,
                                      std::span<const std::byte> own,
                                      std::size_t bytes) {

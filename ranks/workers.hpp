@@ -48,6 +48,11 @@ int most_ranks(const Grid& grid);
 /// Whether bounds are of this kind on this grid.
 bool holds_whole_groups(const Grid& grid, std::span<const int> bounds);
 
+/// The rows of a grid of every second node: half of those of each rank if these
+/// then hold whole groups, otherwise all rows on each rank.
+/// @param coarse  half the points of the grid of `rows`, which are even
+SharedRows coarse_rows(const SharedRows& rows, const Grid& coarse);
+
 /// Gathers the sums of the groups of all ranks. Collective.
 /// @param own  sums of the groups of this rank, each of `bytes` bytes
 std::vector<std::byte> gathered_sums(const SharedRows& rows,

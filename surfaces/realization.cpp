@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "ranks/convolution.hpp"
 #include "ranks/one_rank.hpp"
 #include "ranks/rank_sums.hpp"
-#include "ranks/shared_convolution.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -102,7 +102,7 @@ std::vector<double> realize_rows(const IsotropicSpectrum& spectrum,
 
   std::vector<double> heights(rows.size());
   std::atomic<bool> has_modes = false;
-  SharedConvolution<double>(rows, threads)
+  Convolution<double>(rows, threads)
       .synthesise(
           [&](int jx, std::span<std::complex<double>> column) {
             if (draw_column(spectrum, grid, key, amplitudes, jx, column))

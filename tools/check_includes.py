@@ -31,7 +31,7 @@ MAY_INCLUDE = {
     "app": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "meshes",
             "contact", "results", "exchange", "reports", "fem/plugin.hpp",
             "md/contact/atomic_contact.hpp", "md/engines.hpp"},
-    "bench": {"base", "input", "mechanics", "cases", "surfaces", "theory", "results",
+    "bench": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "results",
               "reports", "app"},
 }
 

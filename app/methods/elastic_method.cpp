@@ -136,7 +136,7 @@ SolverFactory::build_operator(const cases::MethodSpec& method,
   if (std::holds_alternative<HalfspaceSettings>(method.settings))
     return {std::make_unique<contact::FourierOperator>(
                 grid,
-                contact::block_compliance(
+                contact::compliance_column(
                     grid, continuum_of(method, material_, surface.scales)),
                 threads),
             0.0};

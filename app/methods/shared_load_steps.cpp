@@ -3,9 +3,8 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/shared_surface.hpp"
 #include "base/array_memory.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
-#include "contact/operators/shared_fourier_operator.hpp"
-#include "contact/operators/shared_free_halfspace.hpp"
 #include "fem/plugin.hpp"
 
 #include <fmt/format.h>
@@ -46,10 +45,10 @@ elasticity_in(const json& command, const Grid& grid, int threads) {
   if (command.contains("request"))
     return fem_module.condensed_on_ranks(command.at("request"), threads);
   if (command.contains("free_modulus"))
-    return std::make_unique<contact::SharedFreeHalfspace>(
+    return std::make_unique<contact::FreeHalfspace>(
         grid, fem_module.rank_group(), command.at("free_modulus").get<double>(),
         threads);
-  return std::make_unique<contact::SharedFourierOperator>(
+  return std::make_unique<contact::FourierOperator>(
       grid, fem_module.rank_group(),
       contact::compliance_column(grid, block_in(command.at("block"))), threads);
 }

@@ -3,7 +3,6 @@
 #include "app/run/child_run.hpp"
 #include "app/run/exit_code.hpp"
 #include "app/run/interrupt.hpp"
-#include "base/convolution.hpp"
 #include "base/cpu_clock.hpp"
 #include "results/result_reader.hpp"
 
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "bench/analysis/bench_answer.hpp"
+#include "ranks/convolution.hpp"
 
 namespace asperity::app {
 namespace {
@@ -182,17 +182,17 @@ double BenchRunner::transform_pair(const Grid& grid) {
       transform_pairs_.try_emplace({grid.points_x, grid.points_y}, 0.0);
   if (!is_new)
     return known->second;
-  const Convolution<float> convolution(grid);
-  const std::vector<double> ones(grid.half_spectrum_size(),
-                                 1.0 / static_cast<double>(grid.size()));
-  const Convolution<float>::Symbol symbol = convolution.arranged(ones);
-  Convolution<float>::Scratch scratch;
+  Convolution<float> convolution{SharedRows(grid)};
+  const Convolution<float>::Symbol symbol =
+      convolution.arranged([](int /*jx*/, std::span<double> of_jy) {
+        std::ranges::fill(of_jy, 1.0);
+      });
   std::vector<float> field(grid.size(), 1.0F);
   std::vector<double> times;
   constexpr int tries = 9; // the first is the warm-up
   for (int i = 0; i < tries; ++i) {
     const CpuClock clock;
-    convolution.apply(field, symbol, scratch, field);
+    convolution.apply(field, symbol, field);
     times.push_back(clock.seconds());
   }
   known->second = time_of({times.begin() + 1, times.end()}).median;

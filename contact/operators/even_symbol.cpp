@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <limits>
 
 #include "ranks/rank_sums.hpp"
 
@@ -76,6 +77,23 @@ EvenSymbol::EvenSymbol(const Grid& grid, RankGroup& ranks,
   ranks.exchange(std::as_bytes(std::span(rows)), sent,
                  std::as_writable_bytes(std::span(by_ranks)), received);
   transform_columns(by_ranks, bounds, threads);
+}
+
+EvenSymbol::EvenSymbol(const Grid& grid, const EvenColumn& columns,
+                       SpectrumColumns own, int threads)
+    : EvenSymbol(grid, own) {
+  parallel_rows(static_cast<int>(own.count), threads, [&](int k) {
+    columns(static_cast<int>(own.first) + k,
+            std::span(values_).subspan(static_cast<std::size_t>(k) * height(),
+                                       height()));
+  });
+}
+
+double EvenSymbol::value_on_all(int jx, int jy, RankGroup* ranks) const {
+  const auto at = static_cast<std::size_t>(jx);
+  const bool has_column = at >= own_.first && at < own_.first + own_.count;
+  return rank_max(ranks, has_column ? column(jx)[static_cast<std::size_t>(jy)]
+                                    : -std::numeric_limits<double>::infinity());
 }
 
 std::vector<double> EvenSymbol::transformed_rows(const KernelRow& kernel,

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the symbol of a convolution whose kernel is even in both
-// directions, divided among ranks by columns.
+// The symbol of a convolution that is even in both directions, divided among
+// ranks by columns.
 
 #include "base/grid.hpp"
 
@@ -10,15 +10,15 @@
 #include <span>
 #include <vector>
 
+#include "ranks/convolution.hpp"
 #include "ranks/rank_group.hpp"
-#include "ranks/shared_convolution.hpp"
 
 namespace asperity::contact {
 
-/// Some columns of the transform of a real kernel that is even in x and y: it
-/// is real and even, so that the values of jx = 0..points_x/2 and jy =
-/// 0..points_y/2 are all. Each rank has the columns that it multiplies. It is
-/// immutable.
+/// Some columns of a symbol that is real and even in q_x and q_y, as the
+/// transform of a real and even kernel is: the values of jx = 0..points_x/2 and
+/// jy = 0..points_y/2 are all. Each rank has the columns that it multiplies. It
+/// is immutable.
 class EvenSymbol {
 public:
   /// The kernel at iy and ix = 0..points_x/2. Threads call it at the same time.
@@ -34,6 +34,11 @@ public:
   EvenSymbol(const Grid& grid, RankGroup& ranks, const KernelRow& kernel,
              SpectrumColumns own, int threads);
 
+  /// A symbol whose columns are known.
+  /// @param own  columns of this process
+  EvenSymbol(const Grid& grid, const EvenColumn& columns, SpectrumColumns own,
+             int threads);
+
   /// The part that a grid of half the points resolves. Collective.
   /// @param coarse  half the points of grid(), which are even
   /// @param own     columns of this rank, which others may have as well
@@ -42,12 +47,19 @@ public:
 
   const Grid& grid() const { return grid_; }
 
+  /// The values for jy = 0..points_y/2.
   /// @param jx  of a column of this rank
-  /// @param jy  0..points_y/2
-  double operator()(int jx, int jy) const {
-    return values_[(static_cast<std::size_t>(jx) - own_.first) * height() +
-                   static_cast<std::size_t>(jy)];
+  std::span<const double> column(int jx) const {
+    return std::span(values_).subspan(
+        (static_cast<std::size_t>(jx) - own_.first) * height(), height());
   }
+
+  /// The value (jx, 0) or (0, jy) on every rank. Collective.
+  /// @param ranks  null for this process alone
+  double value_on_all(int jx, int jy, RankGroup* ranks) const;
+
+  /// The values of all columns of this process, one after the other.
+  std::span<const double> values() const { return values_; }
 
 private:
   EvenSymbol(const Grid& grid, SpectrumColumns own);

@@ -4,85 +4,128 @@
 
 #include <algorithm>
 #include <mutex>
-#include <stdexcept>
 #include <utility>
 
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
+
 namespace asperity::contact {
-
-struct FourierOperator::Shared {
-  std::vector<double> compliance;
-  double softest;    ///< largest C(q) [m/Pa], that of the longest wavelength
-  double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
-  Convolution<double> exact;
-  Convolution<float> convolution;
-  Convolution<double>::Symbol exact_symbol;
-  Convolution<float>::Symbol symbol;
-  mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
-  mutable std::shared_ptr<const Shared> coarse;
-
-  Shared(const Grid& grid, std::vector<double> values, int threads);
-};
-
 namespace {
 
-void require_compliance(const Grid& grid, std::span<const double> compliance) {
+/// Checks the values of C, and sets that of the uniform mode to 0.
+EvenColumn checked(const EvenColumn& compliance) {
+  return [&compliance](int jx, std::span<double> of_jy) {
+    compliance(jx, of_jy);
+    if (jx == 0)
+      of_jy[0] = 0.0;
+    for (const double value : of_jy.subspan(jx == 0 ? 1 : 0))
+      require_positive("compliance", value, "m/Pa");
+  };
+}
+
+EvenColumn column_of(const Grid& grid, const std::vector<double>& compliance) {
   if (compliance.size() != grid.half_spectrum_size())
     refuse_argument("compliance.size()", static_cast<double>(compliance.size()),
                     "the size of the grid's half spectrum");
-  for (std::size_t j = 1; j < compliance.size(); ++j)
-    require_positive("compliance", compliance[j], "m/Pa");
+  return [&compliance, columns = grid.half_spectrum_columns()](
+             int jx, std::span<double> of_jy) {
+    for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
+      of_jy[jy] = compliance[jy * columns + static_cast<std::size_t>(jx)];
+  };
 }
 
 } // namespace
 
-FourierOperator::Shared::Shared(const Grid& grid, std::vector<double> values,
-                                int threads)
-    : compliance(std::move(values)),
-      softest(1.0),
-      exact(grid, threads),
-      convolution(grid, threads) {
-  if (compliance.size() > 1)
-    softest = *std::max_element(compliance.begin() + 1, compliance.end());
-  // (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
-  const std::size_t columns = grid.half_spectrum_columns();
-  const std::size_t half_nyquist =
-      grid.points_x >= 4
-          ? static_cast<std::size_t>(grid.points_x) / 4
-          : columns * (static_cast<std::size_t>(grid.points_y) / 4);
-  short_wave = half_nyquist > 0 ? compliance[half_nyquist] : softest;
-  compliance[0] = 0.0;
-  exact_symbol = exact.arranged(compliance);
-  symbol = convolution.arranged(compliance);
-}
+struct FourierOperator::Shared {
+  SharedRows rows;
+  Convolution<double> exact;
+  Convolution<float> convolution;
+  EvenSymbol
+      compliance;    ///< C(q) of the columns of this rank [m/Pa]; 0 at q = 0
+  double softest;    ///< largest C(q) [m/Pa], that of the longest wavelength
+  double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
+  Convolution<float>::Symbol symbol;
+  mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
+  mutable std::shared_ptr<const Shared> coarse = nullptr;
+
+  /// @param make  finds the symbol of some columns of the grid
+  template <class Make>
+  Shared(SharedRows rows_, int threads, const Make& make)
+      : rows(std::move(rows_)),
+        exact(rows, threads),
+        convolution(rows, threads),
+        compliance(make(convolution.columns())),
+        softest(largest()),
+        short_wave(at_half_nyquist()),
+        symbol(convolution.arranged(columns())) {}
+
+  double largest() const {
+    const std::span<const double> own = compliance.values();
+    return rows.grid().size() == 1 // there is only the uniform mode
+               ? 1.0
+               : rank_max(rows.ranks(),
+                          own.empty() ? 0.0 : std::ranges::max(own));
+  }
+
+  EvenColumn columns() const {
+    return [this](int jx, std::span<double> of_jy) {
+      std::ranges::copy(compliance.column(jx).first(of_jy.size()),
+                        of_jy.begin());
+    };
+  }
+
+  /// (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
+  double at_half_nyquist() const {
+    const Grid& grid = rows.grid();
+    const bool is_along_x = grid.points_x >= 4;
+    const int quarter = (is_along_x ? grid.points_x : grid.points_y) / 4;
+    return quarter == 0 ? softest
+                        : compliance.value_on_all(is_along_x ? quarter : 0,
+                                                  is_along_x ? 0 : quarter,
+                                                  rows.ranks());
+  }
+};
+
+FourierOperator::FourierOperator(const Grid& grid, const EvenColumn& compliance,
+                                 int threads)
+    : FourierOperator(SharedRows(grid), compliance, threads) {}
 
 FourierOperator::FourierOperator(const Grid& grid,
-                                 std::vector<double> compliance, int threads) {
-  require_compliance(grid, compliance);
-  shared_ =
-      std::make_shared<const Shared>(grid, std::move(compliance), threads);
-}
+                                 const std::vector<double>& compliance,
+                                 int threads)
+    : FourierOperator(grid, column_of(grid, compliance), threads) {}
+
+FourierOperator::FourierOperator(const Grid& grid, RankGroup& ranks,
+                                 const EvenColumn& compliance, int threads)
+    : FourierOperator(SharedRows(grid, ranks, row_bounds(grid, ranks.size())),
+                      compliance, threads) {}
+
+FourierOperator::FourierOperator(SharedRows rows, const EvenColumn& compliance,
+                                 int threads)
+    : FourierOperator(std::make_shared<const Shared>(
+          rows, threads, [&](SpectrumColumns own) {
+            return EvenSymbol(rows.grid(), checked(compliance), own, threads);
+          })) {}
 
 FourierOperator::FourierOperator(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)) {}
+    : shared_(std::move(shared)),
+      exact_(shared_->exact),
+      convolution_(shared_->convolution) {}
 
 std::unique_ptr<SurfaceOperator> FourierOperator::clone() const {
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_));
 }
 
 const Grid& FourierOperator::grid() const {
-  return shared_->exact.grid();
+  return shared_->rows.grid();
+}
+
+const SharedRows* FourierOperator::shared_rows() const {
+  return shared_->rows.ranks() != nullptr ? &shared_->rows : nullptr;
 }
 
 double FourierOperator::short_wave_compliance() const {
   return shared_->short_wave;
-}
-
-int FourierOperator::threads() const {
-  return shared_->exact.threads();
-}
-
-std::span<const double> FourierOperator::compliance() const {
-  return shared_->compliance;
 }
 
 std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
@@ -91,40 +134,44 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
     return nullptr;
   std::call_once(shared_->coarse_is_made, [&] {
     shared_->coarse = std::make_shared<const Shared>(
-        *coarse, coarse_spectrum(grid(), *coarse, shared_->compliance),
-        threads());
+        coarse_rows(shared_->rows, *coarse), threads(),
+        [&](SpectrumColumns own) {
+          return shared_->compliance.coarsened(*coarse, group_of(shared_->rows),
+                                               own);
+        });
   });
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_->coarse));
 }
 
 void FourierOperator::displacement(std::span<const double> pressure,
                                    std::span<double> displacement) {
-  shared_->exact.apply(pressure, shared_->exact_symbol, exact_scratch_,
-                       displacement);
+  // A step needs it two or three times: ranks, which share what one of them
+  // cannot hold, keep nothing for it, nor for the other convolution meanwhile.
+  if (shared_rows() != nullptr)
+    convolution_.free_scratch();
+  exact_.apply(pressure, shared_->columns(), displacement);
+  if (shared_rows() != nullptr)
+    exact_.free_scratch();
 }
 
 void FourierOperator::displacement_change(
     std::span<const float> pressure_change,
     std::span<float> displacement_change) {
-  shared_->convolution.apply(pressure_change, shared_->symbol, scratch_,
-                             displacement_change);
+  convolution_.apply(pressure_change, shared_->symbol, displacement_change);
 }
 
 void FourierOperator::pressure_estimate(std::span<const float> gap,
                                         double local_compliance,
                                         std::span<float> pressure) {
-  require_not_negative("local_compliance", local_compliance, "m/Pa");
-  if (inverted_compliance_ != local_compliance) {
-    std::vector<double> inverse = shared_->compliance;
-    // The compliance of the uniform mode is undefined here; that of the longest
-    // wavelength replaces it.
-    inverse[0] = shared_->softest;
-    for (double& value : inverse)
-      value = 1.0 / (value + local_compliance);
-    inverse_ = shared_->convolution.arranged(inverse);
-    inverted_compliance_ = local_compliance;
-  }
-  shared_->convolution.apply(gap, inverse_, scratch_, pressure);
+  // The compliance of the uniform mode is undefined here; that of the longest
+  // wavelength replaces it.
+  const EvenColumn compliance = [&](int jx, std::span<double> of_jy) {
+    shared_->columns()(jx, of_jy);
+    if (jx == 0)
+      of_jy[0] = shared_->softest;
+  };
+  convolution_.apply(
+      gap, inverse_.of(convolution_, compliance, local_compliance), pressure);
 }
 
 } // namespace asperity::contact

@@ -1,35 +1,64 @@
 #pragma once
 
-// This file contains the surface operator of a laterally homogeneous block: a
-// convolution with one real compliance per wavevector. The operator owns its
-// transforms.
+// The surface operator of a laterally homogeneous block: a convolution with one
+// real compliance per wavevector.
 
-#include "base/convolution.hpp"
+#include "contact/operators/even_symbol.hpp"
+#include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
 #include <memory>
 #include <vector>
 
+#include "ranks/convolution.hpp"
+
 namespace asperity::contact {
 
 /// The operator displacement(q) = C(q) pressure(q), used for the half-space,
-/// the elastic slab, the condensed linear finite-element block and the atomic
-/// lattice.
+/// the elastic slab and the condensed linear finite-element block. C is even in
+/// q_x and q_y.
+///
+/// If ranks share the rows, each holds its rows of the fields and C(q) of its
+/// columns of the spectrum, and the numbers have the bits of one process. All
+/// calls but grid(), shared_rows(), short_wave_compliance() and threads() are
+/// then collective, also the construction.
 class FourierOperator final : public SurfaceOperator {
 public:
-  /// @param compliance  C(q) [m/Pa], grid.half_spectrum_size() values in the
-  ///                    order of Grid::half_spectrum_size; > 0 and finite
-  ///                    except for the uniform mode (0, 0), which is not read
+  /// All rows in this process.
+  /// @param compliance  C [m/Pa] of the grid, > 0 and finite; the value at (0,
+  /// 0)
+  ///                    is not read
   /// @param threads     number used by each application, >= 1; the result does
   ///                    not depend on it
-  /// @throws std::domain_error  an array has the wrong size or a value is
-  ///                            outside its range
-  FourierOperator(const Grid& grid, std::vector<double> compliance,
+  /// @throws std::domain_error  a compliance is outside its range
+  FourierOperator(const Grid& grid, const EvenColumn& compliance,
                   int threads = 1);
+
+  /// All rows in this process, and known values.
+  /// @param compliance  grid.half_spectrum_size() values in the order of
+  ///                    Grid::half_spectrum_size; those of jy > points_y/2 are
+  ///                    not read
+  /// @throws std::domain_error  also if the array has the wrong size
+  FourierOperator(const Grid& grid, const std::vector<double>& compliance,
+                  int threads = 1);
+
+  /// The rows of this rank.
+  /// @param ranks    share the rows by row_bounds(); must outlive the operator
+  ///                 and its clones
+  /// @param threads  number used by each rank, >= 1
+  /// @throws std::domain_error  also if the grid has more ranks than
+  /// most_ranks()
+  FourierOperator(const Grid& grid, RankGroup& ranks,
+                  const EvenColumn& compliance, int threads = 1);
+
+  /// The same for rows that hold whole groups of chunks (ranks/workers.hpp), or
+  /// all rows.
+  FourierOperator(SharedRows rows, const EvenColumn& compliance, int threads);
 
   std::unique_ptr<SurfaceOperator> clone() const override;
 
   const Grid& grid() const override;
+  const SharedRows* shared_rows() const override;
 
   std::span<const double> nodal_weights() const override { return {}; }
 
@@ -43,25 +72,23 @@ public:
 
   bool is_shift_invariant() const override { return true; }
 
-  int threads() const override;
+  int threads() const override { return convolution_.threads(); }
 
   /// The operator on half the points per side, which keeps C(q) of the
-  /// wavevectors that the coarse grid resolves. Null if the number of points is
-  /// odd or the coarse grid would have fewer than 32 points per side.
+  /// wavevectors that the coarse grid resolves. It is shared if the ranks then
+  /// hold whole groups of chunks; otherwise each rank has that of all rows.
+  /// Null if the number of points is odd or the coarse grid would have fewer
+  /// than 32 points per side.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
-
-  /// C(q) [m/Pa] as given; the value at (0, 0) has no meaning.
-  std::span<const double> compliance() const;
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FourierOperator(std::shared_ptr<const Shared> shared);
 
   std::shared_ptr<const Shared> shared_;
-  Convolution<double>::Scratch exact_scratch_;
-  Convolution<float>::Scratch scratch_;
-  double inverted_compliance_ = -1.0; ///< local compliance in inverse_ [m/Pa]
-  Convolution<float>::Symbol inverse_;
+  Convolution<double> exact_;
+  Convolution<float> convolution_;
+  InverseSymbol inverse_;
 };
 
 } // namespace asperity::contact

@@ -2,11 +2,13 @@
 
 #include "base/require.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <mutex>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include "ranks/one_rank.hpp"
 
@@ -26,11 +28,27 @@ int with_margin(int n) {
   return n + (n / halvings + 3) / 4 * halvings;
 }
 
-/// The symbol of a periodic grid in this process alone.
-EvenSymbol rectangle_symbol(const Grid& wide, double contact_modulus,
-                            int threads) {
-  return {wide, *rows_of_one(wide).ranks(),
-          rectangle_kernel(wide, contact_modulus), all_columns(wide), threads};
+/// Bounds of the rows of a wide grid: nearly equal shares that begin at
+/// multiples of a power of two, so that the ranks also share rows of cells of
+/// BoundaryExtension.
+std::vector<int> wide_bounds(const Grid& wide, int n_ranks) {
+  constexpr int least_steps = 16; // of a rank
+  int step = 2;
+  while (2 * step * least_steps * n_ranks <= wide.points_y)
+    step *= 2;
+  const int steps = (wide.points_y + step - 1) / step;
+  std::vector<int> bounds(static_cast<std::size_t>(n_ranks) + 1, wide.points_y);
+  for (int r = 0; r < n_ranks; ++r)
+    bounds[static_cast<std::size_t>(r)] = steps * r / n_ranks * step;
+  return bounds;
+}
+
+/// Rows of the wide grid of the ranks that share `rows`.
+SharedRows wide_rows(const SharedRows& rows) {
+  const Grid wide = grid_with_margin(rows.grid());
+  if (rows.ranks() == nullptr)
+    return SharedRows(wide);
+  return {wide, *rows.ranks(), wide_bounds(wide, rows.ranks()->size())};
 }
 
 } // namespace
@@ -78,110 +96,143 @@ EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
 }
 
 struct FreeHalfspace::Shared {
-  Grid grid;
+  SharedRows rows, wide;
+  Convolution<double> exact;
+  Convolution<float> convolution, wide_convolution;
   EvenSymbol compliance;      ///< symbol on the padded grid [m/Pa] > 0
   EvenSymbol wide_compliance; ///< the same on the wide grid
-  Convolution<double> exact;
-  Convolution<float> convolution;
-  Convolution<float> wide_convolution;
-  Convolution<double>::Symbol exact_symbol;
+  double short_wave;          ///< C at half the Nyquist wavevector [m/Pa]
   Convolution<float>::Symbol symbol;
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
-  mutable std::shared_ptr<const Shared> coarse;
+  mutable std::shared_ptr<const Shared> coarse = nullptr;
 
-  Shared(const Grid& grid_, EvenSymbol compliance_, EvenSymbol wide_compliance_,
-         int threads)
-      : grid(grid_),
-        compliance(std::move(compliance_)),
-        wide_compliance(std::move(wide_compliance_)),
-        exact(padded_grid(grid_), grid_, threads),
-        convolution(padded_grid(grid_), grid_, threads),
-        wide_convolution(grid_with_margin(grid_), threads),
-        exact_symbol(exact.arranged(std::cref(compliance))),
-        symbol(convolution.arranged(std::cref(compliance))) {}
+  /// @param make  finds the symbols of some columns of the padded grid and of
+  /// the
+  ///              wide grid
+  template <class Make>
+  Shared(SharedRows rows_, int threads, const Make& make)
+      : rows(std::move(rows_)),
+        wide(wide_rows(rows)),
+        exact(rows, padded_grid(rows.grid()), threads),
+        convolution(rows, padded_grid(rows.grid()), threads),
+        wide_convolution(wide, threads),
+        compliance(make(convolution, false)),
+        wide_compliance(make(wide_convolution, true)),
+        // A quarter of the points of the padded grid.
+        short_wave(
+            compliance.value_on_all(rows.grid().points_x / 2, 0, rows.ranks())),
+        symbol(convolution.arranged(columns(compliance))) {}
+
+  static EvenColumn columns(const EvenSymbol& of) {
+    return [&of](int jx, std::span<double> of_jy) {
+      std::ranges::copy(of.column(jx).first(of_jy.size()), of_jy.begin());
+    };
+  }
 };
 
 FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
                              int threads)
-    : FreeHalfspace(
-          grid, rectangle_symbol(padded_grid(grid), contact_modulus, threads),
-          rectangle_symbol(grid_with_margin(grid), contact_modulus, threads),
-          threads) {}
+    : FreeHalfspace(SharedRows(grid), contact_modulus, threads) {}
 
-FreeHalfspace::FreeHalfspace(const Grid& grid, EvenSymbol compliance,
-                             EvenSymbol wide_compliance, int threads)
+FreeHalfspace::FreeHalfspace(const Grid& grid, RankGroup& ranks,
+                             double contact_modulus, int threads)
+    : FreeHalfspace(SharedRows(grid, ranks, row_bounds(grid, ranks.size())),
+                    contact_modulus, threads) {}
+
+FreeHalfspace::FreeHalfspace(const SharedRows& rows, double contact_modulus,
+                             int threads)
     : FreeHalfspace(std::make_shared<const Shared>(
-          grid, std::move(compliance), std::move(wide_compliance), threads)) {}
+          rows, threads,
+          [&](const Convolution<float>& convolution, bool /*is_wide*/) {
+            const Grid& grid = convolution.grid();
+            return EvenSymbol(grid, group_of(rows),
+                              rectangle_kernel(grid, contact_modulus),
+                              convolution.columns(), threads);
+          })) {}
 
 FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)) {}
+    : shared_(std::move(shared)),
+      exact_(shared_->exact),
+      convolution_(shared_->convolution),
+      wide_convolution_(shared_->wide_convolution) {}
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::clone() const {
   return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_));
 }
 
 const Grid& FreeHalfspace::grid() const {
-  return shared_->grid;
+  return shared_->rows.grid();
 }
 
-int FreeHalfspace::threads() const {
-  return shared_->exact.threads();
+const Grid& FreeHalfspace::wide_grid() const {
+  return shared_->wide.grid();
+}
+
+const SharedRows* FreeHalfspace::shared_rows() const {
+  return shared_->rows.ranks() != nullptr ? &shared_->rows : nullptr;
+}
+
+const SharedRows* FreeHalfspace::wide_shared_rows() const {
+  return shared_->rows.ranks() != nullptr ? &shared_->wide : nullptr;
 }
 
 double FreeHalfspace::short_wave_compliance() const {
-  return shared_->compliance(shared_->grid.points_x / 2, 0);
+  return shared_->short_wave;
+}
+
+std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
+  const std::optional<Grid> coarse = coarse_grid(grid());
+  if (!coarse)
+    return nullptr;
+  std::call_once(shared_->coarse_is_made, [&] {
+    shared_->coarse = std::make_shared<const Shared>(
+        coarse_rows(shared_->rows, *coarse), threads(),
+        [&](const Convolution<float>& convolution, bool is_wide) {
+          const EvenSymbol& fine =
+              is_wide ? shared_->wide_compliance : shared_->compliance;
+          return fine.coarsened(convolution.grid(), group_of(shared_->rows),
+                                convolution.columns());
+        });
+  });
+  return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
 }
 
 void FreeHalfspace::displacement(std::span<const double> pressure,
                                  std::span<double> displacement) {
-  shared_->exact.apply(pressure, shared_->exact_symbol, exact_scratch_,
-                       displacement);
+  // As in FourierOperator, ranks keep no memory for it.
+  if (shared_rows() != nullptr) {
+    convolution_.free_scratch();
+    wide_convolution_.free_scratch();
+  }
+  exact_.apply(pressure, Shared::columns(shared_->compliance), displacement);
+  if (shared_rows() != nullptr)
+    exact_.free_scratch();
 }
 
 void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
                                         std::span<float> displacement_change) {
-  shared_->convolution.apply(pressure_change, shared_->symbol, scratch_,
-                             displacement_change);
+  convolution_.apply(pressure_change, shared_->symbol, displacement_change);
 }
 
 void FreeHalfspace::pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
                                       std::span<float> pressure) {
-  shared_->convolution.apply(
-      gap,
-      inverse_.of(shared_->convolution, shared_->compliance, local_compliance),
-      scratch_, pressure);
-}
-
-const Grid& FreeHalfspace::wide_grid() const {
-  return shared_->wide_convolution.grid();
+  convolution_.apply(gap,
+                     inverse_.of(convolution_,
+                                 Shared::columns(shared_->compliance),
+                                 local_compliance),
+                     pressure);
 }
 
 void FreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
                                            double local_compliance,
                                            std::span<float> pressure) {
-  shared_->wide_convolution.apply(gap,
-                                  wide_inverse_.of(shared_->wide_convolution,
-                                                   shared_->wide_compliance,
-                                                   local_compliance),
-                                  wide_scratch_, pressure);
-}
-
-std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
-  const Grid& fine = grid();
-  const std::optional<Grid> coarse = coarse_grid(fine);
-  if (!coarse)
-    return nullptr;
-  std::call_once(shared_->coarse_is_made, [&] {
-    const auto kept = [](const EvenSymbol& symbol, const Grid& grid) {
-      return symbol.coarsened(grid, *rows_of_one(grid).ranks(),
-                              all_columns(grid));
-    };
-    shared_->coarse = std::make_shared<const Shared>(
-        *coarse, kept(shared_->compliance, padded_grid(*coarse)),
-        kept(shared_->wide_compliance, grid_with_margin(*coarse)), threads());
-  });
-  return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
+  wide_convolution_.apply(
+      gap,
+      wide_inverse_.of(wide_convolution_,
+                       Shared::columns(shared_->wide_compliance),
+                       local_compliance),
+      pressure);
 }
 
 } // namespace asperity::contact

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains the surface operator of an infinite half-space that is
-// pressed inside a rectangle only: free boundaries, without periodic images.
+// The surface operator of an infinite half-space that is pressed inside a
+// rectangle only: free boundaries, without periodic images.
 
-#include "base/convolution.hpp"
+#include "contact/operators/even_symbol.hpp"
 #include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
@@ -40,6 +40,13 @@ EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
 /// at infinity, is the sum of rectangle_displacement() over the nodes, without
 /// approximation: the convolution is periodic on a grid of twice as many points
 /// in both directions, whose added nodes have no pressure.
+///
+/// If ranks share the rows, each holds its rows of the fields, its rows of the
+/// wide grid, and the columns of both symbols that it multiplies, and the
+/// numbers have the bits of one process. The rows of zeros around the grid are
+/// neither held nor sent. All calls but grid(), wide_grid(), shared_rows(),
+/// wide_shared_rows(), short_wave_compliance() and threads() are then
+/// collective, also the construction.
 /// @see  R. W. Hockney, Methods Comput. Phys. 9, 135 (1970); S. Liu, Q. Wang,
 ///       G. Liu, Wear 243, 101 (2000)
 class FreeHalfspace final : public SurfaceOperator {
@@ -49,15 +56,19 @@ public:
   /// @throws std::domain_error  an argument is outside its range
   FreeHalfspace(const Grid& grid, double contact_modulus, int threads = 1);
 
-  /// The same for known symbols [m/Pa] > 0, with all of their columns.
-  /// @param compliance       on padded_grid()
-  /// @param wide_compliance  on grid_with_margin()
-  FreeHalfspace(const Grid& grid, EvenSymbol compliance,
-                EvenSymbol wide_compliance, int threads);
+  /// The rows of this rank.
+  /// @param ranks  share the rows by row_bounds(); must outlive the operator
+  /// and
+  ///               its clones
+  /// @throws std::domain_error  also if the grid has more ranks than
+  /// most_ranks()
+  FreeHalfspace(const Grid& grid, RankGroup& ranks, double contact_modulus,
+                int threads = 1);
 
   std::unique_ptr<SurfaceOperator> clone() const override;
 
   const Grid& grid() const override;
+  const SharedRows* shared_rows() const override;
 
   bool is_periodic() const override { return false; }
 
@@ -76,25 +87,27 @@ public:
   /// A quarter more points in both directions: the displacements of pressures
   /// at distances up to 5/8 of the lengths are those of grid().
   const Grid& wide_grid() const override;
+  const SharedRows* wide_shared_rows() const override;
   void wide_pressure_estimate(std::span<const float> gap,
                               double local_compliance,
                               std::span<float> pressure) override;
   double short_wave_compliance() const override;
-  int threads() const override;
+
+  int threads() const override { return exact_.threads(); }
 
   /// The operator with the same C of the wavevectors that it resolves, on half
-  /// the points per side; null if the number of points is odd or the coarse
-  /// grid would have fewer than 32 points per side.
+  /// the points per side, as that of FourierOperator.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FreeHalfspace(std::shared_ptr<const Shared> shared);
+  FreeHalfspace(const SharedRows& rows, double contact_modulus, int threads);
 
   std::shared_ptr<const Shared> shared_;
-  Convolution<double>::Scratch exact_scratch_;
-  Convolution<float>::Scratch scratch_, wide_scratch_;
-  InverseSymbol<Convolution<float>> inverse_, wide_inverse_;
+  Convolution<double> exact_;
+  Convolution<float> convolution_, wide_convolution_;
+  InverseSymbol inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact

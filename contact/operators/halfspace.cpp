@@ -93,21 +93,8 @@ compliance_function(const mechanics::ElasticBlock& block) {
   return [stack = LayerStack(block)](double q) { return stack.compliance(q); };
 }
 
-std::vector<double> block_compliance(const Grid& grid,
-                                     const mechanics::ElasticBlock& block) {
-  const std::function<double(double)> compliance = compliance_function(block);
-  std::vector<double> values(grid.half_spectrum_size(), 0.0);
-  const int columns = grid.points_x / 2 + 1;
-  std::size_t at = 0;
-  for (int jy = 0; jy < grid.points_y; ++jy)
-    for (int jx = 0; jx < columns; ++jx, ++at)
-      if (at > 0)
-        values[at] = compliance(wavevector_size(grid, jx, jy));
-  return values;
-}
-
-ComplianceColumn compliance_column(const Grid& grid,
-                                   const mechanics::ElasticBlock& block) {
+EvenColumn compliance_column(const Grid& grid,
+                             const mechanics::ElasticBlock& block) {
   return [grid, compliance = compliance_function(block)](
              int jx, std::span<double> of_jy) {
     for (std::size_t jy = jx == 0 ? 1 : 0; jy < of_jy.size(); ++jy)
@@ -118,7 +105,7 @@ ComplianceColumn compliance_column(const Grid& grid,
 FourierOperator halfspace_operator(const Grid& grid,
                                    const mechanics::ElasticBlock& block,
                                    int threads) {
-  return FourierOperator(grid, block_compliance(grid, block), threads);
+  return FourierOperator(grid, compliance_column(grid, block), threads);
 }
 
 } // namespace asperity::contact

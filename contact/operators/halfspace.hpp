@@ -6,11 +6,9 @@
 
 #include "base/grid.hpp"
 #include "contact/operators/fourier_operator.hpp"
-#include "contact/operators/shared_fourier_operator.hpp"
 #include "mechanics/elastic_block.hpp"
 
 #include <functional>
-#include <vector>
 
 namespace asperity::contact {
 
@@ -41,17 +39,12 @@ double slab_compliance_factor(double reduced_wavevector,
 std::function<double(double)>
 compliance_function(const mechanics::ElasticBlock& block);
 
-/// C(q) [m/Pa] on the half spectrum of the grid. The uniform mode is set to 0.
+/// C(q) [m/Pa] of the wavevectors of a grid. The uniform mode is left as it is.
 /// @throws std::domain_error  a number of the block is outside its range
-std::vector<double> block_compliance(const Grid& grid,
-                                     const mechanics::ElasticBlock& block);
+EvenColumn compliance_column(const Grid& grid,
+                             const mechanics::ElasticBlock& block);
 
-/// The same numbers, one column of wavevectors at a time.
-/// @throws std::domain_error  a number of the block is outside its range
-ComplianceColumn compliance_column(const Grid& grid,
-                                   const mechanics::ElasticBlock& block);
-
-/// The operator with the compliance block_compliance().
+/// The operator with this compliance.
 FourierOperator halfspace_operator(const Grid& grid,
                                    const mechanics::ElasticBlock& block,
                                    int threads = 1);

@@ -110,7 +110,7 @@ StressInside::StressInside(SharedRows rows,
                            std::span<const double> pressure, int threads)
     : rows_(std::make_unique<const SharedRows>(std::move(rows))),
       stack_(block),
-      fourier_(std::make_unique<SharedConvolution<double>>(*rows_, threads)) {
+      fourier_(std::make_unique<Convolution<double>>(*rows_, threads)) {
   if (pressure.size() != rows_->size())
     refuse_argument("pressure.size()", static_cast<double>(pressure.size()),
                     "the number of grid nodes");
@@ -157,7 +157,7 @@ StressInside::waves_of(std::size_t mode) const {
 StressPlane StressInside::stress_in(const Plane& place) const {
   const Grid& grid = rows_->grid();
   std::vector<Components> stresses(spectrum_.size());
-  const SharedConvolution<double>::Columns own = fourier_->columns();
+  const SpectrumColumns own = fourier_->columns();
   if (own.first == 0 && own.count > 0) { // the mean
     const double lateral = stack_.layer(place.layer).lateral_ratio;
     stresses[0] = {-lateral, -lateral, -1.0, 0.0, 0.0, 0.0};

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "ranks/shared_convolution.hpp"
+#include "ranks/convolution.hpp"
 #include "ranks/shared_rows.hpp"
 
 namespace asperity::contact {
@@ -123,7 +123,7 @@ private:
 
   std::unique_ptr<const SharedRows> rows_; ///< referred to by fourier_
   LayerStack stack_;
-  std::unique_ptr<SharedConvolution<double>> fourier_;
+  std::unique_ptr<Convolution<double>> fourier_;
   /// Of the pressure, column by column of this rank [Pa].
   std::vector<Complex> spectrum_;
   /// Layer amplitudes of each mode, layers contiguous; empty for the

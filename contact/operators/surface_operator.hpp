@@ -25,24 +25,6 @@ inline std::optional<Grid> coarse_grid(const Grid& fine) {
               fine.length_y};
 }
 
-/// The part of a half spectrum that a grid of half the points resolves, in the
-/// order of Grid::half_spectrum_size.
-inline std::vector<double> coarse_spectrum(const Grid& fine, const Grid& coarse,
-                                           std::span<const double> spectrum) {
-  const std::size_t columns = coarse.half_spectrum_columns();
-  std::vector<double> kept;
-  kept.reserve(coarse.half_spectrum_size());
-  for (int jy = 0; jy < coarse.points_y; ++jy) {
-    const int wavenumber = signed_wavenumber(jy, coarse.points_y);
-    const auto row = static_cast<std::size_t>(
-        wavenumber < 0 ? wavenumber + fine.points_y : wavenumber);
-    const std::span<const double> from =
-        spectrum.subspan(row * fine.half_spectrum_columns(), columns);
-    kept.insert(kept.end(), from.begin(), from.end());
-  }
-  return kept;
-}
-
 /// A linear, symmetric surface compliance, positive definite on fields of zero
 /// mean.
 ///

@@ -72,8 +72,7 @@ FourModes along_y(const Grid& grid, int mode_x, int first, int last) {
 
 } // namespace
 
-contact::ComplianceColumn condensed_column_q1(const Grid& grid,
-                                              const LayeredBlock& block) {
+EvenColumn condensed_column_q1(const Grid& grid, const LayeredBlock& block) {
   const auto layers =
       std::make_shared<const BlockSymbol>(symbol_of(grid, block));
   return [=, far_boundary = block.far_boundary](int mode_x,

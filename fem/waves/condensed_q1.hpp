@@ -4,10 +4,11 @@
 // the finite-element discretisation, computed for one lateral wavevector at a
 // time.
 
-#include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/waves/elastic_layers.hpp"
 
 #include <vector>
+
+#include "ranks/convolution.hpp"
 
 namespace asperity::fem {
 
@@ -41,7 +42,6 @@ std::vector<double> condensed_compliance_q1(const Grid& grid,
 /// The same numbers, bit by bit, for one column of wavevectors at a time, so
 /// that each of several ranks computes those of its own columns.
 /// @throws std::domain_error  as above
-contact::ComplianceColumn condensed_column_q1(const Grid& grid,
-                                              const LayeredBlock& block);
+EvenColumn condensed_column_q1(const Grid& grid, const LayeredBlock& block);
 
 } // namespace asperity::fem

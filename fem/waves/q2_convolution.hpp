@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "ranks/shared_convolution.hpp"
+#include "ranks/convolution.hpp"
 
 namespace asperity::fem {
 
@@ -34,9 +34,7 @@ public:
   Q2Convolution(const SharedRows& nodes, const SharedRows& cells, int threads);
 
   /// The columns jx of cell wavevectors that this rank multiplies.
-  typename SharedConvolution<Real>::Columns columns() const {
-    return transforms_.columns();
-  }
+  SpectrumColumns columns() const { return transforms_.columns(); }
 
   /// Collective.
   /// @param blocks  G of the columns of this rank, jy = 0..cells/2 of each
@@ -65,7 +63,7 @@ private:
   const SharedRows& cells_;
   int threads_;
   std::size_t height_; ///< cells in y, of all ranks
-  SharedConvolution<Real> transforms_;
+  Convolution<Real> transforms_;
   std::array<Real, node_classes> factors_; ///< w_k/cells
   std::vector<Complex> turns_y_;           ///< exp(i q_y d_y) of each jy
   std::vector<Real> values_;               ///< of one class

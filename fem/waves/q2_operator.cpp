@@ -3,7 +3,6 @@
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
-#include "contact/operators/shared_fourier_operator.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 
 #include <Eigen/Cholesky>
@@ -86,7 +85,6 @@ Q2Convolution<float>::Block inverse_of(const Eigen::Matrix4d& block,
 struct Q2Operator::Shared {
   SharedRows nodes, cells;
   int threads;
-  bool is_alone; ///< this process holds all rows
   Q2Column column;
   std::vector<double> class_weights = relative_nodal_areas(2);
   std::vector<double> nodal_weights = {}; ///< of the nodes of this process
@@ -112,7 +110,7 @@ struct Q2Operator::Shared {
 
 /// Computes the blocks of the columns of this rank.
 void Q2Operator::Shared::find_blocks() {
-  const SharedConvolution<float> transforms(cells, threads);
+  const Convolution<float> transforms(cells, threads);
   first_column = transforms.columns().first;
   const std::size_t n = transforms.columns().count;
   blocks.resize(n * height());
@@ -178,7 +176,7 @@ std::vector<double> Q2Operator::Shared::all_long_waves() const {
        of_ranks(cells.ranks(), static_cast<double>(own.size())))
     bytes.push_back(static_cast<std::size_t>(n) * sizeof(double));
   std::vector<double> columns_of_all(width * height());
-  cells.ranks()->gather_to_all(
+  group_of(cells).gather_to_all(
       std::as_bytes(std::span(own)), bytes,
       std::as_writable_bytes(std::span(columns_of_all)));
   std::vector<double> symbol(width * rows);
@@ -209,8 +207,8 @@ Q2Operator::Q2Operator(const Q2Compliance& compliance, int threads)
         const Grid& grid = compliance.grid;
         require_cells(grid, 2);
         auto shared = std::make_shared<Shared>(
-            Shared{rows_of_one(grid), rows_of_one(grid_of_cells(grid)), threads,
-                   true, column_of(compliance)});
+            Shared{SharedRows(grid), SharedRows(grid_of_cells(grid)), threads,
+                   column_of(compliance)});
         shared->find_blocks();
         shared->column = nullptr; // all columns are stored
         return std::shared_ptr<const Shared>(std::move(shared));
@@ -224,7 +222,7 @@ Q2Operator::Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
         auto shared = std::make_shared<Shared>(
             Shared{SharedRows(grid, ranks, bounds),
                    SharedRows(grid_of_cells(grid), ranks, halved(bounds)),
-                   threads, false, std::move(blocks)});
+                   threads, std::move(blocks)});
         shared->find_blocks();
         return std::shared_ptr<const Shared>(std::move(shared));
       }()) {}
@@ -243,7 +241,7 @@ const Grid& Q2Operator::grid() const {
 }
 
 const SharedRows* Q2Operator::shared_rows() const {
-  return shared_->is_alone ? nullptr : &shared_->nodes;
+  return shared_->nodes.ranks() != nullptr ? &shared_->nodes : nullptr;
 }
 
 std::span<const double> Q2Operator::nodal_weights() const {
@@ -252,7 +250,7 @@ std::span<const double> Q2Operator::nodal_weights() const {
 
 void Q2Operator::displacement(std::span<const double> pressure,
                               std::span<double> displacement) {
-  // A step needs it two or three times, so that nothing is kept for it.
+  // As in contact::FourierOperator, ranks keep no memory for it.
   convolution_.free_scratch();
   exact_.apply(shared_->blocks, pressure, displacement);
   exact_.free_scratch();
@@ -294,11 +292,12 @@ std::unique_ptr<contact::SurfaceOperator> Q2Operator::coarsened() const {
   const Grid& coarse = shared_->cells.grid();
   if (coarse.points_x < 32 || coarse.points_y < 32)
     return nullptr;
-  if (shared_->is_alone || !holds_whole_groups(coarse, shared_->cells.bounds()))
+  const SharedRows& cells = shared_->cells;
+  if (cells.ranks() == nullptr || !holds_whole_groups(coarse, cells.bounds()))
     return std::make_unique<contact::FourierOperator>(
         coarse, shared_->all_long_waves(), threads());
-  return std::make_unique<contact::SharedFourierOperator>(
-      shared_->cells,
+  return std::make_unique<contact::FourierOperator>(
+      cells,
       [shared = shared_](int jx, std::span<double> of_jy) {
         shared->take_long_waves(jx, of_jy);
       },

@@ -1,13 +1,13 @@
 #include "surfaces/maps/mode_power.hpp"
 
-#include "base/convolution.hpp"
 #include "base/fourier.hpp"
+#include "base/pair_transforms.hpp"
 #include "base/parallel_rows.hpp"
 
 #include <algorithm>
 #include <memory>
 
-#include "ranks/shared_convolution.hpp"
+#include "ranks/convolution.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -80,7 +80,7 @@ void each_column(
     const SharedRows& rows, std::span<const double> heights, int threads,
     const std::function<void(int jx, std::span<const double> power)>& take) {
   const Grid& grid = rows.grid();
-  SharedConvolution<double>(rows, threads)
+  Convolution<double>(rows, threads)
       .analyse(heights, [&](int jx, std::span<const Complex> own) {
         take(jx, power_of(grid, jx, own));
       });

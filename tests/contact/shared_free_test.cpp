@@ -3,7 +3,6 @@
 // threads. Tolerance: none.
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
-#include "contact/operators/shared_free_halfspace.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
@@ -79,7 +78,7 @@ TEST(SharedFreeHalfspace, HasTheBitsOfOneProcess) {
   for (int n = 1; n <= 4; ++n)
     for (const int threads : {1, 3})
       tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-        SharedFreeHalfspace shared(grid, ranks, modulus, threads);
+        FreeHalfspace shared(grid, ranks, modulus, threads);
         const auto coarse = shared.coarsened();
         const auto coarser = coarse->coarsened();
         EXPECT_EQ(coarse->shared_rows() == nullptr, n == 3) << n;
@@ -125,9 +124,9 @@ std::vector<Solved> expect_same_on_all_ranks(const Setting& setting,
     EXPECT_TRUE(one.converged) << one.note;
   for (const int n : ranks)
     tests::on_thread_ranks(n, [&](RankGroup& group) {
-      EXPECT_TRUE(solved(setting, std::make_unique<SharedFreeHalfspace>(
-                                      square, group, modulus, threads)) ==
-                  alone)
+      EXPECT_TRUE(solved(setting,
+                         std::make_unique<FreeHalfspace>(square, group, modulus,
+                                                         threads)) == alone)
           << n << " ranks";
     });
   return alone;
@@ -207,7 +206,7 @@ TEST(SharedFreeContact, GivesTheBitsOfOneProcessToOtherSolvers) {
     const Solved alone = solve(whole, SharedRows(grid));
     EXPECT_TRUE(alone.converged) << alone.note;
     tests::on_thread_ranks(3, [&](RankGroup& ranks) {
-      SharedFreeHalfspace elasticity(grid, ranks, modulus);
+      FreeHalfspace elasticity(grid, ranks, modulus);
       EXPECT_TRUE(solve(elasticity, *elasticity.shared_rows()) == alone);
     });
   }
@@ -221,7 +220,7 @@ TEST(SharedFreeContact, GivesTheBitsOfOneProcessToTheCertificate) {
   EXPECT_GT(alone[1], 0.0);
   for (const int n : {1, 2, 3})
     tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-      SharedFreeHalfspace elasticity(grid, ranks, modulus);
+      FreeHalfspace elasticity(grid, ranks, modulus);
       EXPECT_EQ(certificate_of(elasticity,
                                rows_in(*elasticity.shared_rows(), heights)),
                 alone);
@@ -232,7 +231,7 @@ TEST(SharedFreeContact, RefusesAPrescribedMeanGap) {
   const Grid grid{128, 128, 1.0, 1.0};
   const std::vector<double> heights = problems::rough_heights(grid, {});
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    SharedFreeHalfspace elasticity(grid, ranks, modulus);
+    FreeHalfspace elasticity(grid, ranks, modulus);
     EXPECT_THROW(
         solve_contact(elasticity,
                       {rows_in(*elasticity.shared_rows(), heights), 0.0, 1e-9},

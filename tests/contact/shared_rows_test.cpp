@@ -1,7 +1,6 @@
 // Tests of the contact solver on rows that several ranks share: every number of
 // ranks gives the bits of one process. The ranks are threads.
 #include "contact/certificate/certificate.hpp"
-#include "contact/operators/shared_fourier_operator.hpp"
 #include "contact/solvers/load_sequence.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +57,7 @@ std::vector<Solved> solved_on(int n_ranks, const Setting& setting,
   }
   std::mutex mutex;
   tests::on_thread_ranks(n_ranks, [&](RankGroup& ranks) {
-    auto elasticity = std::make_unique<SharedFourierOperator>(
+    auto elasticity = std::make_unique<FourierOperator>(
         setting.grid, ranks, compliance_column(setting.grid, block), threads);
     const SharedRows rows = *elasticity->shared_rows();
     const auto own = rows_in(rows, heights);
@@ -158,8 +157,8 @@ TEST(SharedRows, GiveTheBitsOfOneProcessToTheReferenceSolver) {
   const Solved alone = solve(whole, SharedRows(grid));
   EXPECT_TRUE(alone.converged);
   tests::on_thread_ranks(3, [&](RankGroup& ranks) {
-    SharedFourierOperator elasticity(
-        grid, ranks, compliance_column(grid, block_of(infinite)));
+    FourierOperator elasticity(grid, ranks,
+                               compliance_column(grid, block_of(infinite)));
     EXPECT_TRUE(solve(elasticity, *elasticity.shared_rows()) == alone);
   });
 }
@@ -171,8 +170,8 @@ void expect_equal_bits_of_certificate(const Grid& grid) {
   EXPECT_GT(alone[1], 0.0);
   for (const int n : {1, 2, 3})
     tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-      SharedFourierOperator elasticity(
-          grid, ranks, compliance_column(grid, block_of(infinite)));
+      FourierOperator elasticity(grid, ranks,
+                                 compliance_column(grid, block_of(infinite)));
       EXPECT_EQ(certificate_of(elasticity,
                                rows_in(*elasticity.shared_rows(), heights)),
                 alone);
@@ -197,7 +196,7 @@ void expect_equal_bits_of_stalled(double pressure, bool has_few_nodes) {
     return solve_contact(elasticity, {own, 0.0, tolerance, 400},
                          {Kind::nominal_pressure, pressure});
   };
-  FourierOperator of_one(grid, block_compliance(grid, plate));
+  FourierOperator of_one = halfspace_operator(grid, plate);
   const Solved alone = all_rows(solved(of_one, heights), SharedRows(grid));
   EXPECT_NE(alone.note.find("finished by the active-set method"),
             std::string::npos)
@@ -205,8 +204,7 @@ void expect_equal_bits_of_stalled(double pressure, bool has_few_nodes) {
   EXPECT_EQ(alone.note.find("too many") == std::string::npos, has_few_nodes)
       << alone.note;
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    SharedFourierOperator elasticity(grid, ranks,
-                                     compliance_column(grid, plate));
+    FourierOperator elasticity(grid, ranks, compliance_column(grid, plate));
     const SharedRows& rows = *elasticity.shared_rows();
     const Solved shared =
         all_rows(solved(elasticity, rows_in(rows, heights)), rows);
@@ -248,8 +246,8 @@ TEST(SharedRows, HoldWholeGroupsOfChunks) {
 TEST(SharedRows, StaySharedOnCoarserGrids) {
   const Grid grid{1024, 1024, 1.0, 1.0};
   tests::on_thread_ranks(2, [&](RankGroup& ranks) {
-    const SharedFourierOperator fine(
-        grid, ranks, compliance_column(grid, block_of(infinite)));
+    const FourierOperator fine(grid, ranks,
+                               compliance_column(grid, block_of(infinite)));
     const auto half = fine.coarsened();
     ASSERT_NE(half->shared_rows(), nullptr);
     EXPECT_EQ(half->shared_rows()->count(), 256);

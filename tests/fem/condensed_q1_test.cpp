@@ -164,7 +164,7 @@ TEST(Q1, GivesTheSameBitsByColumns) {
     const LayeredBlock block =
         layered_block(grid.spacing_x(), 1e-6, FarBoundary::sliding);
     const std::vector<double> whole = condensed_compliance_q1(grid, block);
-    const contact::ComplianceColumn column = condensed_column_q1(grid, block);
+    const EvenColumn column = condensed_column_q1(grid, block);
     for (const int length : {1, 3, grid.points_y / 2 + 1})
       for (int jx = 0; jx <= grid.points_x / 2; ++jx) {
         std::vector<double> of_jy(static_cast<std::size_t>(length));

@@ -12,8 +12,6 @@
 #include "base/peak_memory.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
-#include "contact/operators/shared_fourier_operator.hpp"
-#include "contact/operators/shared_free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
@@ -246,8 +244,8 @@ std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
   if (asked.is_free && asked.is_alone)
     return std::make_unique<contact::FreeHalfspace>(grid, 1.0, asked.threads);
   if (asked.is_free)
-    return std::make_unique<contact::SharedFreeHalfspace>(
-        grid, counting_group(), 1.0, asked.threads);
+    return std::make_unique<contact::FreeHalfspace>(grid, counting_group(), 1.0,
+                                                    asked.threads);
   if (asked.is_q2 && asked.is_alone)
     return std::make_unique<fem::Q2Operator>(
         fem::condensed_compliance_q2(grid, layered_block(grid), asked.threads),
@@ -257,17 +255,18 @@ std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
         grid, counting_group(),
         fem::condensed_column_q2(grid, layered_block(grid)), asked.threads);
   if (!asked.is_alone)
-    return std::make_unique<contact::SharedFourierOperator>(
+    return std::make_unique<contact::FourierOperator>(
         grid, counting_group(),
         asked.is_q1 ? fem::condensed_column_q1(grid, layered_block(grid))
                     : contact::compliance_column(grid, half_space),
         asked.threads);
+  if (asked.is_q1)
+    return std::make_unique<contact::FourierOperator>(
+        grid,
+        fem::condensed_compliance_q1(grid, layered_block(grid), asked.threads),
+        asked.threads);
   return std::make_unique<contact::FourierOperator>(
-      grid,
-      asked.is_q1 ? fem::condensed_compliance_q1(grid, layered_block(grid),
-                                                 asked.threads)
-                  : contact::block_compliance(grid, half_space),
-      asked.threads);
+      contact::halfspace_operator(grid, half_space, asked.threads));
 }
 
 void print(const char* what, const std::vector<double>& numbers,

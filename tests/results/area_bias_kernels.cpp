@@ -22,7 +22,7 @@ std::unique_ptr<contact::SurfaceOperator> halfspace(const Grid& grid) {
   block.poisson_ratio = poisson_ratio;
   block.thickness = grid.length_x; // like that of the finite elements
   return std::make_unique<contact::FourierOperator>(
-      grid, contact::block_compliance(grid, block));
+      contact::halfspace_operator(grid, block));
 }
 
 fem::LayeredBlock block(const Grid& grid, double surface_cell,

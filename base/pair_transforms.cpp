@@ -1,10 +1,9 @@
-#include "base/convolution.hpp"
+#include "base/pair_transforms.hpp"
 
 #include "base/fourier_plans.hpp"
 #include "base/parallel_rows.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace asperity {
 namespace {
@@ -212,111 +211,7 @@ void PairTransforms<Real>::convolve(Complex* columns,
   transform_columns_back(columns);
 }
 
-template <class Real>
-Convolution<Real>::Convolution(const Grid& grid, int threads)
-    : Convolution(grid, grid, threads) {}
-
-template <class Real>
-Convolution<Real>::Convolution(const Grid& grid, const Grid& held, int threads)
-    : grid_(grid),
-      held_(held),
-      threads_(threads),
-      transforms_(std::make_unique<PairTransforms<Real>>(grid, held.points_y,
-                                                         held.points_x)) {}
-
-template <class Real>
-Convolution<Real>::~Convolution() = default;
-template <class Real>
-Convolution<Real>::Convolution(Convolution&&) noexcept = default;
-template <class Real>
-Convolution<Real>&
-Convolution<Real>::operator=(Convolution&&) noexcept = default;
-
-template <class Real>
-auto Convolution<Real>::arranged(std::span<const double> multiplier) const
-    -> Symbol {
-  assert(multiplier.size() == grid_.half_spectrum_size());
-  const std::size_t columns = grid_.half_spectrum_columns();
-  const auto rows = static_cast<std::size_t>(grid_.points_y);
-  const std::size_t stride = transforms_->column_stride();
-  const double normalise = 1.0 / static_cast<double>(grid_.size());
-  Symbol symbol;
-  symbol.values_.resize(transforms_->n_columns() * stride);
-  for (std::size_t jy = 0; jy < rows; ++jy)
-    for (std::size_t jx = 0; jx < columns; ++jx)
-      symbol.values_[jx * stride + jy] =
-          static_cast<Real>(normalise * multiplier[jy * columns + jx]);
-  return symbol;
-}
-
-template <class Real>
-auto Convolution<Real>::arranged(const MultiplierAt& multiplier_at) const
-    -> Symbol {
-  const auto rows = static_cast<std::size_t>(grid_.points_y);
-  const std::size_t stride = transforms_->column_stride();
-  const double normalise = 1.0 / static_cast<double>(grid_.size());
-  Symbol symbol;
-  symbol.values_.resize(transforms_->n_columns() * stride);
-  const int columns = static_cast<int>(grid_.half_spectrum_columns());
-  parallel_rows(columns, threads_, [&](int jx) {
-    Real* const column = &symbol.values_[static_cast<std::size_t>(jx) * stride];
-    for (std::size_t jy = 0; jy <= rows / 2; ++jy) {
-      column[jy] = static_cast<Real>(normalise *
-                                     multiplier_at(jx, static_cast<int>(jy)));
-      column[(rows - jy) % rows] = column[jy];
-    }
-  });
-  return symbol;
-}
-
-template <class Real>
-void Convolution<Real>::prepare(Scratch& scratch) const {
-  const auto workers = static_cast<std::size_t>(threads_);
-  scratch.spectrum_.resize(transforms_->spectrum_size());
-  scratch.columns_.resize(workers * block_width * transforms_->column_stride());
-  scratch.pairs_.resize(workers * transforms_->pair_stride());
-}
-
-template <class Real>
-void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
-                              Scratch& scratch, std::span<Real> answer) const {
-  assert(field.size() == held_.size() && answer.size() == held_.size());
-  prepare(scratch);
-  transforms_->forward(field, threads_, scratch.pairs_.data(),
-                       scratch.spectrum_.data());
-  transform_columns(symbol, scratch);
-  transforms_->backward(scratch.spectrum_.data(), threads_,
-                        scratch.pairs_.data(), answer);
-}
-
-template <class Real>
-void Convolution<Real>::transform_columns(const Symbol& symbol,
-                                          Scratch& scratch) const {
-  const std::size_t stride = transforms_->column_stride();
-  const std::size_t n_modes = grid_.half_spectrum_columns();
-  const auto held_rows = static_cast<std::size_t>(held_.points_y);
-  const auto height = static_cast<std::size_t>(grid_.points_y);
-  const int blocks = static_cast<int>(transforms_->n_columns() / block_width);
-  parallel_turns(blocks, threads_, [&](int turn, int worker) {
-    const std::size_t first = static_cast<std::size_t>(turn) * block_width;
-    const std::size_t n = std::min(block_width, n_modes - first);
-    std::complex<Real>* const columns =
-        &scratch
-             .columns_[static_cast<std::size_t>(worker) * block_width * stride];
-    transforms_->separate(scratch.spectrum_.data(), first, n, stride, columns);
-    for (std::size_t k = 0; k < n; ++k)
-      std::fill(columns + k * stride + held_rows, columns + k * stride + height,
-                std::complex<Real>{});
-    std::fill(columns + n * stride, columns + block_width * stride,
-              std::complex<Real>{});
-    transforms_->convolve(columns, &symbol.values_[first * stride]);
-    transforms_->join(columns, first, n, stride, scratch.spectrum_.data());
-  });
-}
-
 template class PairTransforms<float>;
 template class PairTransforms<double>;
-template class Convolution<float>;
-template class Convolution<double>;
 
 } // namespace asperity

@@ -1,6 +1,6 @@
-// Tests of ranks/shared_convolution.hpp and ranks/shared_rows.hpp: any number
-// of ranks and threads gives the bits of the convolution in one process.
-#include "base/convolution.hpp"
+// Tests of ranks/convolution.hpp and ranks/shared_rows.hpp: the convolution
+// equals the transform pair of RealFourier for any size, and any number of
+// ranks and threads gives the bits of one process.
 #include "base/fourier.hpp"
 
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <numeric>
 #include <vector>
 
+#include "ranks/convolution.hpp"
 #include "ranks/one_rank.hpp"
 #include "ranks/rows_from_rank_0.hpp"
-#include "ranks/shared_convolution.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity {
@@ -27,23 +27,84 @@ std::vector<double> uneven_field(const Grid& grid) {
   return field;
 }
 
-double symbol_at(const Grid& grid, int jx, int jy) {
-  return 1.0 /
-         (1.0 + jx + 2.0 * std::abs(signed_wavenumber(jy, grid.points_y)));
+EvenColumn symbol_of() {
+  return [](int jx, std::span<double> of_jy) {
+    for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
+      of_jy[jy] = 1.0 / (1.0 + jx + 2.0 * static_cast<double>(jy));
+  };
 }
 
 template <class Real>
-std::vector<Real> in_one_process(const Grid& grid, const Grid& held) {
-  const Convolution<Real> convolution(grid, held, 1);
-  typename Convolution<Real>::Scratch scratch;
-  std::vector<double> symbol;
-  for (int jy = 0; jy < grid.points_y; ++jy)
-    for (int jx = 0; jx <= grid.points_x / 2; ++jx)
-      symbol.push_back(symbol_at(grid, jx, jy));
+std::vector<Real> in_one_process(const Grid& grid, const Grid& held,
+                                 int threads = 1) {
+  Convolution<Real> convolution(SharedRows(held), grid, threads);
   const std::vector<double> field = uneven_field(held);
   std::vector<Real> answer(field.begin(), field.end());
-  convolution.apply(answer, convolution.arranged(symbol), scratch, answer);
+  convolution.apply(answer, convolution.arranged(symbol_of()), answer);
   return answer;
+}
+
+std::vector<double> by_fourier(const Grid& grid) {
+  const RealFourier fourier(grid);
+  std::vector<std::complex<double>> modes(grid.half_spectrum_size());
+  std::vector<double> field = uneven_field(grid);
+  std::vector<double> symbol(static_cast<std::size_t>(grid.points_y) / 2 + 1);
+  fourier.forward(field, modes);
+  const std::size_t columns = grid.half_spectrum_columns();
+  for (std::size_t jx = 0; jx < columns; ++jx) {
+    symbol_of()(static_cast<int>(jx), symbol);
+    for (int jy = 0; jy < grid.points_y; ++jy)
+      modes[static_cast<std::size_t>(jy) * columns + jx] *=
+          symbol[static_cast<std::size_t>(
+              std::abs(signed_wavenumber(jy, grid.points_y)))] /
+          static_cast<double>(grid.size());
+  }
+  fourier.backward(modes, field);
+  return field;
+}
+
+const std::vector<Grid> grids{{16, 16, 1.0, 1.0}, {17, 12, 1.0, 2.0},
+                              {2, 9, 1.0, 1.0},   {1, 7, 1.0, 1.0},
+                              {40, 3, 1.0, 1.0},  {130, 66, 1.0, 1.0}};
+
+// Tolerance: log2 of the number of nodes in ulp of the largest value, 1.
+TEST(Convolution, IsTheTransformPair) {
+  for (const Grid& grid : grids) {
+    const std::vector<double> expected = by_fourier(grid);
+    const std::vector<double> in_double = in_one_process<double>(grid, grid);
+    const std::vector<float> in_single = in_one_process<float>(grid, grid);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_NEAR(in_double[i], expected[i], 14 * 2.3e-16);
+      ASSERT_NEAR(static_cast<double>(in_single[i]), expected[i], 14 * 1.2e-7);
+    }
+  }
+}
+
+TEST(Convolution, ThreadsChangeNoBit) {
+  for (const Grid& grid : grids)
+    for (const int threads : {2, 3}) {
+      EXPECT_EQ(in_one_process<double>(grid, grid, threads),
+                in_one_process<double>(grid, grid));
+      EXPECT_EQ(in_one_process<float>(grid, grid, threads),
+                in_one_process<float>(grid, grid));
+    }
+}
+
+// A copy has no scratch memory of the original, and one application leaves
+// nothing behind; multipliers need not be stored.
+TEST(Convolution, CopiesGiveTheSameBits) {
+  const Grid grid{130, 66, 1.0, 1.0};
+  const std::vector<double> field = uneven_field(grid);
+  std::vector<double> by_copy(grid.size()), unstored(grid.size());
+  Convolution<double> convolution(SharedRows(grid), 2);
+  const auto symbol = convolution.arranged(symbol_of());
+  convolution.apply(field, symbol, unstored);
+
+  Convolution<double>(convolution).apply(field, symbol, by_copy);
+  convolution.apply(field, symbol_of(), unstored);
+
+  EXPECT_EQ(by_copy, in_one_process<double>(grid, grid));
+  EXPECT_EQ(unstored, by_copy);
 }
 
 /// Unequal shares with even bounds.
@@ -61,14 +122,13 @@ std::vector<Real> on_ranks(const Grid& grid, const Grid& held, int n,
   std::vector<Real> answer(held.size());
   tests::on_thread_ranks(n, [&](RankGroup& ranks) {
     const SharedRows rows(held, ranks, uneven_bounds(held, n));
-    SharedConvolution<Real> convolution(rows, grid, threads);
+    Convolution<Real> convolution(rows, grid, threads);
     const std::vector<double> field = uneven_field(held);
     const auto first = static_cast<std::ptrdiff_t>(held.index(0, rows.first()));
     std::vector<Real> own(field.begin() + first,
                           field.begin() + first +
                               static_cast<std::ptrdiff_t>(rows.size()));
-    const auto symbol = convolution.arranged(
-        [&](int jx, int jy) { return symbol_at(grid, jx, jy); });
+    const auto symbol = convolution.arranged(symbol_of());
     for (int twice = 0; twice < 2; ++twice) {
       std::vector<Real> found(own.size());
       convolution.apply(own, symbol, found);
@@ -84,7 +144,7 @@ const std::vector<Grid> shared_grids{{16, 64, 1.0, 1.0},
                                      {300, 34, 1.0, 1.0},
                                      {300, 41, 1.0, 1.0}};
 
-TEST(SharedConvolution, HasTheBitsOfOneProcess) {
+TEST(Convolution, HasTheBitsOfOneProcess) {
   for (const Grid& grid : shared_grids)
     for (int n = 1; n <= 4; ++n)
       for (const int threads : {1, 3}) {
@@ -99,7 +159,7 @@ TEST(SharedConvolution, HasTheBitsOfOneProcess) {
 }
 
 // Claim: so has a field that occupies a part of the grid of the convolution.
-TEST(SharedConvolution, HasTheBitsOfOneProcessForAPartOfTheGrid) {
+TEST(Convolution, HasTheBitsOfOneProcessForAPartOfTheGrid) {
   for (const Grid& held : shared_grids)
     for (const Grid& grid :
          {Grid{2 * held.points_x, 2 * held.points_y, 1.0, 1.0},
@@ -129,7 +189,7 @@ ThereAndBack there_and_back(const Grid& grid, int n, int threads) {
       std::vector<std::complex<double>>(grid.half_spectrum_size()),
       std::vector<double>(grid.size())};
   const auto act = [&](const SharedRows& rows) {
-    SharedConvolution<double> transform(rows, threads);
+    Convolution<double> transform(rows, threads);
     const std::vector<double> field = uneven_field(grid);
     const std::size_t first = grid.index(0, rows.first());
     const auto height = static_cast<std::size_t>(grid.points_y);
@@ -159,7 +219,7 @@ ThereAndBack there_and_back(const Grid& grid, int n, int threads) {
 
 // Expected: the transforms of FFTW in two dimensions. Tolerance: roundoff, some
 // eps log2 N times the largest value.
-TEST(SharedConvolution, TransformsThereAndBackWithTheSameBits) {
+TEST(Convolution, TransformsThereAndBackWithTheSameBits) {
   for (const Grid& grid : shared_grids) {
     const ThereAndBack alone = there_and_back(grid, 0, 1);
     const std::vector<double> field = uneven_field(grid);
@@ -183,10 +243,10 @@ TEST(SharedConvolution, TransformsThereAndBackWithTheSameBits) {
   }
 }
 
-TEST(SharedConvolution, RefusesOddBounds) {
+TEST(Convolution, RefusesOddBounds) {
   tests::on_thread_ranks(2, [](RankGroup& ranks) {
     const SharedRows rows({8, 8, 1.0, 1.0}, ranks, {0, 3, 8});
-    EXPECT_THROW(SharedConvolution<float>(rows, 1), std::domain_error);
+    EXPECT_THROW(Convolution<float>(rows, 1), std::domain_error);
   });
 }
 
