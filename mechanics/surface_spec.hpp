@@ -31,6 +31,8 @@ enum class MapFormat {
   npy,
   hdf5,
   gwy,
+  sur,
+  wsxm,
   convert
 };
 enum class Levelling { none, plane, bow, sphere, cylinder };
@@ -79,7 +81,9 @@ struct SurfaceSpec {
   std::optional<std::string> channel; ///< title, or path of a dataset
   std::optional<double> length_y;     ///< period in y > 0; empty: square pixels
   std::optional<double> length_unit;  ///< m per unit of x and y of a list
-  std::optional<MapWindow> crop;      ///< part of the map that is used
+  std::optional<double> missing_value; ///< number in the file at points
+                                       ///< without a height
+  std::optional<MapWindow> crop;       ///< part of the map that is used
   LineAlignment align_lines = LineAlignment::none;
   std::optional<double> spikes;     ///< threshold in robust standard deviations
   Filling fill = Filling::harmonic; ///< of missing points

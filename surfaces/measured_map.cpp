@@ -8,6 +8,7 @@
 #include "surfaces/maps/levelling.hpp"
 #include "surfaces/maps/missing_points.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "surfaces/missing_values.hpp"
 
 #include <fmt/format.h>
 
@@ -105,7 +106,8 @@ ScanRequest request_of_map(const SurfaceSpec& surface) {
   return {surface.format,
           surface.channel,
           {surface.length, surface.height_unit, surface.length_y,
-           surface.length_unit}};
+           surface.length_unit},
+          surface.missing_value};
 }
 
 PixelWindow window_of_map(const SurfaceSpec& surface, const Grid& grid) {
@@ -141,11 +143,13 @@ void require_few_missing(const SurfaceSpec& surface, std::size_t count,
 }
 
 MapFacts prepare_rows(const SurfaceSpec& surface, const SharedRows& rows,
-                      std::span<double> heights) {
+                      std::span<double> heights, const FileNumbers& numbers) {
   MapFacts facts;
   facts.missing = count_missing(rows, heights);
   if (facts.missing == rows.grid().size())
     require_few_missing(surface, facts.missing, rows.grid().size());
+  if (!surface.missing_value && !numbers.has_own_marks)
+    refuse_marks(rows, heights, numbers, surface.file);
   if (surface.align_lines == mechanics::LineAlignment::median)
     align_lines(rows, heights);
   if (surface.spikes)
@@ -164,8 +168,8 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
       scan.map.heights[i] = std::numeric_limits<double>::quiet_NaN();
   if (surface.crop)
     crop(scan.map, window_of_map(surface, scan.map.grid));
-  const MapFacts facts =
-      prepare_rows(surface, SharedRows(scan.map.grid), scan.map.heights);
+  const MapFacts facts = prepare_rows(surface, SharedRows(scan.map.grid),
+                                      scan.map.heights, scan.numbers);
   return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
           facts.spikes};
 }

@@ -28,8 +28,9 @@ struct MeasuredMap {
 /// alignment of scan lines, removal of spikes, filling of missing points, and
 /// levelling ([surface] crop_x ..., align_lines, remove_spikes, fill, level).
 /// @throws input::InputError  the file is not a map, the window is not inside
-///                            it, more points are missing than max_missing, or
-///                            the map is flat
+///                            it, more points are missing than max_missing, a
+///                            number marks missing points (missing_values.hpp),
+///                            or the map is flat
 MeasuredMap measured_map(const mechanics::SurfaceSpec& surface);
 
 /// Roughness of a map that need not be periodic: the slope is computed from
@@ -59,11 +60,13 @@ struct MapFacts {
 
 /// Prepares the rows of this process of a cropped map, as measured_map() does,
 /// with the bits of one process. Collective.
+/// @param numbers  of the file
 /// @param heights  rows.size() values [m], not finite at missing points
 /// @return  numbers of missing points and spikes
 /// @throws input::InputError  on every rank, as measured_map()
 MapFacts prepare_rows(const mechanics::SurfaceSpec& surface,
-                      const SharedRows& rows, std::span<double> heights);
+                      const SharedRows& rows, std::span<double> heights,
+                      const FileNumbers& numbers);
 
 /// What a case says about its map file.
 ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);

@@ -133,7 +133,8 @@ std::vector<double> measured_rows(const SurfaceSpec& surface,
   const SharedRows map_rows = rows_of_map(reader->grid(), rows);
   std::vector<double> heights =
       reader->measured(map_rows.first(), map_rows.count());
-  MapFacts found = prepare_rows(surface, map_rows, heights);
+  MapFacts found =
+      prepare_rows(surface, map_rows, heights, reader->file().numbers);
   const bool has_effect =
       facts != nullptr && surface.edges == mechanics::Edges::window;
   if (has_effect)

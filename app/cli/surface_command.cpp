@@ -163,6 +163,9 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
                       "e.g. \"20 um\"");
   command->add_option("--height-unit", surface.height_unit,
                       "unit of the heights of such a file, e.g. nm");
+  command->add_option("--missing-value", surface.missing_value,
+                      "number at points of such a file that were not\n"
+                      "measured, e.g. -9999");
   add_overrides(command, surface.overrides);
   command->add_option("--channel", surface.channel,
                       "channel of the file, by its title");

@@ -20,6 +20,7 @@ struct SurfaceCommand {
   bool is_periodic = false;    ///< --edges periodic
   std::string length;          ///< "20 um"; empty: the file states it
   std::string height_unit;     ///< "nm"; empty: the file states it
+  std::string missing_value;   ///< "-9999"; empty: no number marks a point
   std::string channel;         ///< title; empty: the one with heights
   std::string tip_radius;      ///< "10 nm"; empty: not known
   std::string contact_modulus; ///< "2 GPa"; empty: no theory

@@ -38,6 +38,8 @@ cases::Case case_of_file(const std::string& file,
   if (!command.height_unit.empty())
     overrides.push_back("surface.height_unit=" +
                         with_number(command.height_unit));
+  if (!command.missing_value.empty())
+    overrides.push_back("surface.missing_value=" + command.missing_value);
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return cases::read_case_text(map_case_text({file, "1 Pa"}), file, overrides);
@@ -119,6 +121,8 @@ SurfaceInput file_input(const std::string& file,
         message.find("surface.height_unit is missing") != std::string::npos)
       throw input::InputError(message +
                               "\ngive --length \"20 um\" and --height-unit nm");
+    if (message.find("surface.missing_value =") != std::string::npos)
+      throw input::InputError(message + "\ngive --missing-value NUMBER");
     throw;
   }
 }

@@ -49,6 +49,7 @@ json json_of(const mechanics::SurfaceSpec& surface) {
                {"height_unit", or_null(surface.height_unit)},
                {"length_y", or_null(surface.length_y)},
                {"length_unit", or_null(surface.length_unit)},
+               {"missing_value", or_null(surface.missing_value)},
                {"align_lines", static_cast<int>(surface.align_lines)},
                {"spikes", or_null(surface.spikes)},
                {"fill", static_cast<int>(surface.fill)},
@@ -94,6 +95,7 @@ mechanics::SurfaceSpec surface_in(const json& text) {
   surface.height_unit = number_in(text.at("height_unit"));
   surface.length_y = number_in(text.at("length_y"));
   surface.length_unit = number_in(text.at("length_unit"));
+  surface.missing_value = number_in(text.at("missing_value"));
   surface.align_lines =
       enumerator_in<mechanics::LineAlignment>(text.at("align_lines"));
   surface.spikes = number_in(text.at("spikes"));

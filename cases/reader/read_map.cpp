@@ -58,6 +58,8 @@ bool is_self_describing(mechanics::MapFormat format) {
          format == mechanics::MapFormat::sdf ||
          format == mechanics::MapFormat::x3p ||
          format == mechanics::MapFormat::gwy ||
+         format == mechanics::MapFormat::sur ||
+         format == mechanics::MapFormat::wsxm ||
          format == mechanics::MapFormat::convert;
 }
 
@@ -72,9 +74,11 @@ void read_map(TableReader& table, mechanics::SurfaceSpec& spec) {
   read_window(table, spec);
   if (table.has("channel"))
     spec.channel = table.text("channel");
-  for (const auto& [key, value] : {std::pair("height_unit", &spec.height_unit),
-                                   std::pair("length_y", &spec.length_y),
-                                   std::pair("length_unit", &spec.length_unit)})
+  for (const auto& [key, value] :
+       {std::pair("height_unit", &spec.height_unit),
+        std::pair("length_y", &spec.length_y),
+        std::pair("length_unit", &spec.length_unit),
+        std::pair("missing_value", &spec.missing_value)})
     if (table.has(key))
       *value = table.number(key);
   read_corrections(table, spec);

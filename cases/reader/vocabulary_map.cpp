@@ -18,7 +18,7 @@ std::vector<Key> file_keys() {
       {.name = "format",
        .type = ValueType::word,
        .words = {"auto", "plain", "gwyddion", "xyz", "sdf", "x3p", "npy",
-                 "hdf5", "gwy", "convert"},
+                 "hdf5", "gwy", "sur", "wsxm", "convert"},
        .kinds = kind,
        .fallback = "\"auto\"",
        .example = "\"auto\"",
@@ -100,6 +100,14 @@ std::vector<Key> edge_and_scale_keys() {
        .show = Show::no,
        .description = "Length that corresponds to the number 1 in the columns "
                       "x and y of a list."},
+      {.name = "missing_value",
+       .kinds = kind,
+       .example = "-9999",
+       .show = Show::no,
+       .description =
+           "Number that the file contains where a point was not measured; in "
+           "metres for files that state their units. Without this key, a file "
+           "with such a number is refused."},
   };
 }
 

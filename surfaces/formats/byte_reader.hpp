@@ -7,9 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -42,13 +43,21 @@ public:
     return taken;
   }
 
-  /// Takes a little-endian number.
+  /// Numbers are big-endian from here on.
+  void expect_big_endian() { is_big_endian_ = true; }
+
+  /// Skips the next `count` bytes.
+  void skip(std::size_t count) { (void)take_bytes(count); }
+
+  /// Takes a number, little-endian unless expect_big_endian() was called.
   template <class Number>
   Number take() {
     static_assert(std::endian::native == std::endian::little);
-    Number number{};
-    std::memcpy(&number, take_bytes(sizeof(Number)).data(), sizeof(Number));
-    return number;
+    std::array<char, sizeof(Number)> taken{};
+    std::ranges::copy(take_bytes(taken.size()), taken.begin());
+    if (is_big_endian_)
+      std::ranges::reverse(taken);
+    return std::bit_cast<Number>(taken);
   }
 
   /// Takes a text that ends with a zero byte, which is taken too.
@@ -72,6 +81,7 @@ private:
   std::string name_;
   std::size_t start_;
   std::size_t at_ = 0;
+  bool is_big_endian_ = false;
 };
 
 } // namespace asperity::surfaces

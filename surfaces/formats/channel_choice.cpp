@@ -11,13 +11,6 @@
 namespace asperity::surfaces {
 namespace {
 
-std::string lower_case(std::string text) {
-  for (char& letter : text)
-    if (letter >= 'A' && letter <= 'Z')
-      letter = static_cast<char>(letter - 'A' + 'a');
-  return text;
-}
-
 bool contains_any(const std::string& title,
                   std::span<const std::string_view> words) {
   const std::string lower = lower_case(title);

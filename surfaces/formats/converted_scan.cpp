@@ -3,12 +3,17 @@
 #include "base/temporary_folder.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
+#include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/scan_formats.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 namespace asperity::surfaces {
 namespace {
@@ -61,6 +66,69 @@ std::string converted(const std::string& program, const std::string& path,
   return input::read_input_file(target, 2 * input::largest_number_file);
 }
 
+/// Lengths that the header of a file states in words behind a key.
+struct StatedLength {
+  std::string_view key;
+  bool is_along_x;
+};
+
+/// The lengths behind a key, which several channels may state [m].
+std::vector<double> stated_lengths(std::string_view header,
+                                   std::string_view key) {
+  constexpr std::string_view blanks = " \t\r\n=:";
+  std::vector<double> lengths;
+  for (std::size_t at = header.find(key); at != std::string_view::npos;
+       at = header.find(key, at + 1)) {
+    std::string_view rest = header.substr(at + key.size());
+    rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+    const double number =
+        number_of_text(line.substr(0, line.find_first_of(" \t")));
+    const std::string_view unit =
+        line.substr(std::min(line.find_last_of(" \t"), line.size() - 1) + 1);
+    if (std::isfinite(number))
+      lengths.push_back(number * length_unit(unit).value_or(1.0));
+  }
+  return lengths;
+}
+
+/// Refuses a map whose sides are none of those that the header of its file
+/// states in words.
+void require_stated_lengths(std::string_view header, const Grid& grid,
+                            const std::string& path) {
+  static constexpr StatedLength keys[] = {
+      {"X Amplitude:", true}, {"Y Amplitude:", false}, // WSxM
+      {"\\Scan Size:", true},                          // Nanoscope
+      {"xLength ", true},     {"yLength ", false},     // Agilent
+      {":SCAN_RANGE:", true},                          // Nanonis
+      {"XReal", true},        {"YReal", false}};       // Gwyddion
+  constexpr double rounding = 0.01;
+  for (const auto& [key, is_along_x] : keys) {
+    const double side = is_along_x ? grid.length_x : grid.length_y;
+    const std::vector<double> stated = stated_lengths(header, key);
+    if (!stated.empty() && std::ranges::none_of(stated, [&](double length) {
+          return std::abs(side - length) <= rounding * length;
+        }))
+      throw input::InputError(fmt::format(
+          "{}: Gwyddion reads a side of {:.6g} m along {}, but the header of "
+          "the file states '{}' {:.6g} m",
+          path, side, is_along_x ? 'x' : 'y',
+          printable(trimmed(std::string(key))), stated.front()));
+  }
+}
+
+/// Gwyddion takes the special points of Digital Surf files for heights.
+void refuse_special_points(std::string_view beginning,
+                           const std::string& path) {
+  constexpr std::size_t place = 86;
+  if (recognised_format(beginning) == mechanics::MapFormat::sur &&
+      beginning.size() > place + 1 &&
+      (beginning[place] != '\0' || beginning[place + 1] != '\0'))
+    throw input::InputError(
+        path + ": its header announces special points, whose numbers Gwyddion "
+               "takes for heights; format = \"sur\" is our own reader");
+}
+
 } // namespace
 
 FileContent read_converted_file(const std::string& path,
@@ -71,11 +139,20 @@ FileContent read_converted_file(const std::string& path,
         "{}: no own reader knows this format{}; it can be read where the "
         "program gwyddion is installed (Debian: apt-get install gwyddion)",
         path, name_in_brackets(path)));
+  constexpr std::size_t longest_header = std::size_t{1} << 16;
+  const std::string original =
+      input::read_input_file(path, input::largest_number_file);
+  const std::string_view header =
+      std::string_view(original).substr(0, longest_header);
+  refuse_special_points(header, path);
   const TemporaryFolder folder("asperity-map");
   const std::string bytes = converted(program, path, folder.path());
   if (!bytes.starts_with("GWYP"))
     throw input::InputError(path + ": Gwyddion wrote no .gwy file");
   FileContent content = read_gwy_file(bytes, path, request, asked);
+  if (asked == Asked::scan)
+    require_stated_lengths(header, content.scan.map.grid, path);
+  content.scan.numbers.is_converted = true;
   content.scan.reader = version_of(program, folder.path());
   return content;
 }

@@ -55,6 +55,7 @@ Scan scan_of_channel(const GwyChannel& channel, const std::string& name) {
   scan.map.grid = grid_of(field, name);
   scan.map.heights.resize(scan.map.grid.size());
   const double unit = *length_unit(field.unit_z);
+  scan.numbers.unit = unit;
   for (std::size_t i = 0; i < scan.map.heights.size(); ++i)
     scan.map.heights[i] = unit * gwy_value(field, i);
   if (channel.mask) {
@@ -126,6 +127,7 @@ std::optional<RowFile> gwy_row_file(const std::string& path,
   RowFile file{grid_of(*channel.field, path), channel.title, gwy_reader, {}};
   const StoredNumbers heights = stored_in(path, mapped.bytes(), *channel.field,
                                           *length_unit(channel.field->unit_z));
+  file.numbers.unit = heights.height_unit;
   if (!channel.mask) {
     file.rows = [heights](int first, int count) {
       return stored_rows(heights, first, count);

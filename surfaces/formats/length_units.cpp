@@ -73,6 +73,14 @@ std::optional<double> length_of_text(std::string_view text) {
   return number * *metres;
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower)
+    if (letter >= 'A' && letter <= 'Z')
+      letter = static_cast<char>(letter - 'A' + 'a');
+  return lower;
+}
+
 double number_of_text(std::string_view word) {
   if (word.find(',') != std::string_view::npos) {
     const std::string pointed = with_decimal_point(word);

@@ -4,6 +4,7 @@
 // spellings and character sets.
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace asperity::surfaces {
@@ -19,6 +20,9 @@ std::optional<double> length_unit(std::string_view unit);
 /// Reads "20.0 um" or, if decimal commas are allowed, "20,0 um" [m]; empty if
 /// the text is anything else or the number is not finite.
 std::optional<double> length_of_text(std::string_view text);
+
+/// With small letters for the capital ones of ASCII.
+std::string lower_case(std::string_view text);
 
 /// The number represented by the whole word, with a decimal point or with one
 /// decimal comma; NaN if it represents none. Infinities are numbers.

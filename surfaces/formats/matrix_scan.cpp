@@ -251,6 +251,7 @@ RowFile rows_of_matrix(RowFile numbers, const std::string& path,
     }
   RowFile file = std::move(numbers);
   file.grid = grid_by_scale(file.grid, name, what, scale);
+  file.numbers.unit = *scale.height_unit;
   file.rows = [rows = std::move(file.rows),
                unit = *scale.height_unit](int first, int count) {
     std::vector<double> heights = rows(first, count);

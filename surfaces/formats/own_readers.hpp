@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,7 @@ struct TextMatrix {
   double height_unit = 1.0; ///< [m] per unit of the numbers
   std::string channel;      ///< may be empty
   std::string reader;
+  std::optional<double> missing_value = {}; ///< number that the header names
 };
 
 /// @param table    which is no list; its numbers are not read
@@ -88,6 +90,15 @@ FileContent read_hdf5_file(const std::string& path, const ScanRequest& request,
 /// The same dataset, read by rows.
 std::optional<RowFile> hdf5_row_file(const std::string& path,
                                      const ScanRequest& request);
+/// Digital Surf .sur: one uncompressed surface.
+/// @param beginning  of the file, at least its header
+RowFile sur_row_file(const std::string& path, std::string_view beginning,
+                     const ScanRequest& request);
+/// WSxM .top, .stp and others: a header of lines, then numbers. The whole file
+/// is read once for its least and largest number.
+/// @param beginning  of the file, at least its header
+RowFile wsxm_row_file(const std::string& path, std::string_view beginning,
+                      const ScanRequest& request);
 /// Any other format through the program Gwyddion.
 FileContent read_converted_file(const std::string& path,
                                 const ScanRequest& request, Asked asked);
@@ -108,6 +119,17 @@ Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
 /// Refuses keys of the case for what the file itself says.
 /// @throws input::InputError  a member of scale is given
 void refuse_scale(const MapScale& scale, const std::string& name);
+
+/// @throws input::InputError  the case asks for another channel than the only
+///                            one of a file
+void refuse_channel(const ScanRequest& request, const std::string& channel,
+                    const std::string& name);
+
+/// Makes those points missing that have the number of the case or the one that
+/// the header of the file names, to six digits, because files round it.
+/// @param heights  [m], set to NaN
+void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
+                        const std::optional<double>& missing_value);
 
 /// Marks every height that is not finite as missing and sets it to 0.
 /// @throws input::InputError  all points are missing

@@ -146,8 +146,11 @@ std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
   return heights;
 }
 
-std::optional<RowFile> row_file(const std::string& path,
-                                const ScanRequest& request) {
+namespace {
+
+/// The file without regard to numbers that mark missing points.
+std::optional<RowFile> row_file_of_format(const std::string& path,
+                                          const ScanRequest& request) {
   try {
     require_regular_file(path, input::largest_number_file);
   } catch (const FileError& error) {
@@ -170,10 +173,32 @@ std::optional<RowFile> row_file(const std::string& path,
     return gwy_row_file(path, request);
   if (format == MapFormat::sdf)
     return sdf_row_file(path, beginning, request);
+  if (format == MapFormat::sur)
+    return sur_row_file(path, beginning, request);
+  if (format == MapFormat::wsxm)
+    return wsxm_row_file(path, beginning, request);
   if (format == MapFormat::automatic || format == MapFormat::plain ||
       format == MapFormat::gwyddion || format == MapFormat::xyz)
     return text_row_file(path, request);
   return std::nullopt;
+}
+
+} // namespace
+
+std::optional<RowFile> row_file(const std::string& path,
+                                const ScanRequest& request) {
+  std::optional<RowFile> file = row_file_of_format(path, request);
+  if (!file || (!request.missing_value && !file->numbers.missing))
+    return file;
+  file->missing.reset();
+  file->missing_in = {};
+  file->rows = [rows = std::move(file->rows), numbers = file->numbers,
+                value = request.missing_value](int first, int count) {
+    std::vector<double> heights = rows(first, count);
+    mark_missing_value(heights, numbers, value);
+    return heights;
+  };
+  return file;
 }
 
 } // namespace asperity::surfaces

@@ -30,6 +30,7 @@ struct RowFile {
   /// Counts the points without a height in a part of the map, if that takes
   /// less time than reading its rows by pieces; else empty.
   std::function<std::size_t(const PixelWindow&)> missing_in = {};
+  FileNumbers numbers = {};
 };
 
 /// Numbers of a map that a file stores one after the other, row by row.
@@ -50,8 +51,8 @@ std::vector<double> stored_rows(const StoredNumbers& numbers, int first,
                                 int count);
 
 /// Opens an .npy file, a dataset of an HDF5 file, an SDF file, an X3P file
-/// whose points are not in main.xml, a .gwy file, a matrix of numbers as text,
-/// or a list x y z.
+/// whose points are not in main.xml, a .gwy, Digital Surf or WSxM file, a
+/// matrix of numbers as text, or a list x y z.
 /// @return  nothing if the file is of another kind, or if read_scan() would
 ///          refuse the channel
 /// @throws input::InputError  as read_scan(), if the header is malformed or a

@@ -15,9 +15,15 @@ namespace {
 
 using mechanics::MapFormat;
 
+/// Formats whose only reader yields rows of a file.
+bool is_read_by_rows(MapFormat format) {
+  return format == MapFormat::sur || format == MapFormat::wsxm;
+}
+
 /// Formats that read_scan_bytes reads by itself.
 bool is_read_from_bytes(MapFormat format) {
-  return format != MapFormat::hdf5 && format != MapFormat::convert;
+  return format != MapFormat::hdf5 && format != MapFormat::convert &&
+         !is_read_by_rows(format);
 }
 
 bool is_text(MapFormat format) {
@@ -30,11 +36,23 @@ MapFormat format_of(std::string_view bytes, const ScanRequest& request) {
                                                 : request.format;
 }
 
-void refuse_channel(const ScanRequest& request, const Scan& scan,
-                    const std::string& name) {
-  if (request.channel && *request.channel != scan.channel)
-    throw input::InputError(fmt::format(
-        "surface.channel must be left out: {} has only one channel", name));
+/// All rows of a file.
+Scan scan_of_rows(const RowFile& file, const std::string& name) {
+  Scan scan{{file.grid, file.rows(0, file.grid.points_y)},
+            {},
+            file.channel,
+            file.reader,
+            file.numbers};
+  mark_missing(scan, name);
+  return scan;
+}
+
+/// The points that have the number of missing ones are missing.
+Scan without_missing_value(Scan scan, const ScanRequest& request,
+                           const std::string& name) {
+  mark_missing_value(scan.map.heights, scan.numbers, request.missing_value);
+  mark_missing(scan, name);
+  return scan;
 }
 
 Scan scan_of_bytes(std::string_view bytes, const std::string& name,
@@ -51,7 +69,7 @@ Scan scan_of_bytes(std::string_view bytes, const std::string& name,
     scan = format == MapFormat::sdf ? read_sdf_scan(bytes, name)
                                     : read_x3p_scan(bytes, name);
   }
-  refuse_channel(request, scan, name);
+  refuse_channel(request, scan.channel, name);
   return scan;
 }
 
@@ -79,7 +97,9 @@ FileContent read_file_of(const std::string& path, const ScanRequest& request,
     content.channels = {npy_channel(bytes, path)};
     return content;
   }
-  content.scan = scan_of_bytes(bytes, path, request, format);
+  content.scan = is_read_by_rows(format)
+                     ? scan_of_rows(row_file(path, request).value(), path)
+                     : scan_of_bytes(bytes, path, request, format);
   const Grid& grid = content.scan.map.grid;
   content.channels.push_back(
       {content.scan.channel, "m", grid.points_x, grid.points_y});
@@ -93,11 +113,13 @@ Scan read_scan_bytes(std::string_view bytes, const std::string& name,
   const MapFormat format = format_of(bytes, request);
   if (!is_read_from_bytes(format))
     throw input::InputError(name + ": this format is read from files only");
-  return scan_of_bytes(bytes, name, request, format);
+  return without_missing_value(scan_of_bytes(bytes, name, request, format),
+                               request, name);
 }
 
 Scan read_scan(const std::string& path, const ScanRequest& request) {
-  return read_file_of(path, request, Asked::scan).scan;
+  return without_missing_value(read_file_of(path, request, Asked::scan).scan,
+                               request, path);
 }
 
 std::vector<ChannelInfo> list_channels(const std::string& path) {

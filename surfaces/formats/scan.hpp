@@ -23,6 +23,17 @@ struct MapScale {
   std::optional<double> length_unit = {};
 };
 
+/// What the numbers of a file are.
+struct FileNumbers {
+  double unit = 1.0; ///< [m] per unit of the numbers in the file > 0
+  /// Number at points without a height, if the header names it.
+  std::optional<double> missing = {};
+  /// Whether the format has a mark for points without a height, which its
+  /// reader knows.
+  bool has_own_marks = false;
+  bool is_converted = false; ///< by the program Gwyddion
+};
+
 /// One channel of an instrument file as measured: not levelled, and missing
 /// points not filled.
 struct Scan {
@@ -33,6 +44,7 @@ struct Scan {
   std::vector<char> is_missing;
   std::string channel; ///< title of the channel; may be empty
   std::string reader;  ///< which reader answered, e.g. "own reader of X3P"
+  FileNumbers numbers = {};
 };
 
 /// What a case says about its map file.
@@ -42,6 +54,8 @@ struct ScanRequest {
   /// contains heights.
   std::optional<std::string> channel = {};
   MapScale scale = {};
+  /// Number in the file at points without a height [FileNumbers::unit].
+  std::optional<double> missing_value = {};
 };
 
 /// One channel of a file, for lists.

@@ -1,5 +1,7 @@
 #include "surfaces/formats/scan_formats.hpp"
 
+#include "surfaces/formats/length_units.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
@@ -81,7 +83,10 @@ MapFormat recognised_format(std::string_view bytes) {
       {"aISO-1.0", MapFormat::sdf},
       {"bISO-1.0", MapFormat::sdf},
       {"aBCR-1.0", MapFormat::sdf},
-      {"bBCR-1.0", MapFormat::sdf}};
+      {"bBCR-1.0", MapFormat::sdf},
+      {"DIGITAL SURF", MapFormat::sur},
+      {"DSCOMPRESSED", MapFormat::sur},
+      {"WSxM file", MapFormat::wsxm}};
   for (const auto& [beginning, format] : beginnings)
     if (bytes.starts_with(beginning))
       return format;
@@ -93,10 +98,8 @@ MapFormat recognised_format(std::string_view bytes) {
 }
 
 std::string name_in_brackets(const std::string& path) {
-  std::string ending = std::filesystem::path(path).extension().string();
-  for (char& letter : ending)
-    if (letter >= 'A' && letter <= 'Z')
-      letter = static_cast<char>(letter - 'A' + 'a');
+  const std::string ending =
+      lower_case(std::filesystem::path(path).extension().string());
   for (const auto& [known, name] : foreign_formats)
     if (ending == known)
       return " (" + std::string(name) + ")";

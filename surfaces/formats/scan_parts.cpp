@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity::surfaces {
@@ -18,6 +19,18 @@ std::size_t count_missing(const Scan& scan) {
 void multiply_heights(Scan& scan, double factor) {
   for (double& height : scan.map.heights)
     height *= factor;
+}
+
+void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
+                        const std::optional<double>& missing_value) {
+  constexpr double rounding = 1.5e-6;
+  for (const std::optional<double>& number : {missing_value, numbers.missing})
+    if (number) {
+      const double marked = *number * numbers.unit;
+      for (double& height : heights)
+        if (std::abs(height - marked) <= rounding * std::abs(marked))
+          height = std::numeric_limits<double>::quiet_NaN();
+    }
 }
 
 void mark_missing(Scan& scan, const std::string& name) {
@@ -63,7 +76,8 @@ Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
   Scan scan{{grid_by_scale(points, name, what, scale), std::move(numbers)},
             {},
             "",
-            ""};
+            "",
+            {.unit = *scale.height_unit}};
   multiply_heights(scan, *scale.height_unit);
   mark_missing(scan, name);
   return scan;
@@ -81,6 +95,13 @@ void refuse_scale(const MapScale& scale, const std::string& name) {
           fmt::format("surface.{} = {:.6g} m, but must be left out: {} itself "
                       "gives its lengths and its unit of height",
                       key, **value, name));
+}
+
+void refuse_channel(const ScanRequest& request, const std::string& channel,
+                    const std::string& name) {
+  if (request.channel && *request.channel != channel)
+    throw input::InputError(fmt::format(
+        "surface.channel must be left out: {} has only one channel", name));
 }
 
 namespace {

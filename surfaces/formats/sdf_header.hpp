@@ -30,6 +30,10 @@ struct SdfHeader {
 
   Grid grid() const;
 
+  FileNumbers file_numbers() const {
+    return {.unit = scale_z, .has_own_marks = true};
+  }
+
   /// The map of the numbers of the file.
   /// @throws input::InputError  all points are missing
   Scan scan(std::vector<double> numbers, const std::string& name,

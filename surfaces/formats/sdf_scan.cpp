@@ -106,6 +106,7 @@ Scan SdfHeader::scan(std::vector<double> numbers, const std::string& name,
   Scan scan;
   scan.map.grid = grid();
   scan.map.heights = std::move(numbers);
+  scan.numbers = file_numbers();
   multiply_heights(scan, scale_z);
   mark_missing(scan, name);
   scan.reader = reader;
@@ -130,6 +131,7 @@ std::optional<RowFile> sdf_row_file(const std::string& path,
   const SdfType type =
       take_header(bytes, std::filesystem::file_size(path), header);
   RowFile file{header.grid(), "", binary_reader, {}};
+  file.numbers = header.file_numbers();
   file.rows = [numbers = StoredNumbers{
                    path, bytes.offset(), type.bytes,
                    static_cast<std::size_t>(header.points), header.scale_z,

@@ -256,6 +256,7 @@ RowFile sdf_text_rows(const std::string& path) {
   const auto index =
       known_of_file<SdfIndex>(path, 0, [&] { return index_of_sdf(path); });
   RowFile file{index->header.grid(), "", text_reader, {}};
+  file.numbers = index->header.file_numbers();
   file.rows = [path, index](int first, int count) {
     return rows_of_sdf(path, *index, first, count);
   };

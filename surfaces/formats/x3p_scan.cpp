@@ -56,6 +56,7 @@ Scan read_x3p_scan(std::string_view bytes, const std::string& name) {
                                 heights.end());
       });
   mark_missing(scan, name);
+  scan.numbers.has_own_marks = true;
   scan.reader = x3p_reader;
   return scan;
 }
@@ -78,6 +79,7 @@ std::optional<RowFile> x3p_row_file(const std::string& path,
     return rows;
   };
   file.missing = known->missing;
+  file.numbers.has_own_marks = true;
   return file;
 }
 

@@ -58,10 +58,67 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
 }
 
 TEST(MeasuredMap, RefusesHeightsWhoseSquaresAreNoNumbers) {
-  const mechanics::SurfaceSpec surface = surface_of("huge", "1e200", "0");
+  mechanics::SurfaceSpec surface = surface_of("huge", "1e200", "0");
+  surface.missing_value = -9999.0; // all numbers are heights
   EXPECT_EQ(refusal_of(surface),
             surface.file + ": heights of up to 9.98e+190 m, but they must be "
                            "below 1e+100 m; check their unit");
+}
+
+/// A message about a number that marks missing points.
+std::string mark_message(const mechanics::SurfaceSpec& surface,
+                         const std::string& points, const std::string& number,
+                         const std::string& reason) {
+  return surface.file + ": " + points + " point(s) have the number " + number +
+         ", which " + reason +
+         " and probably marks missing points; surface.missing_value = " +
+         number +
+         " takes it for that, and another value, such as 1e99, takes all "
+         "numbers for heights";
+}
+
+// The numbers are those of Surfer (1.70141e38), geographic grids (-9999),
+// 16-bit integers, and single precision.
+TEST(MeasuredMap, RefusesNumbersThatMarkMissingPoints) {
+  for (const char* const number :
+       {"-9999", "-32768", "32767", "65535", "-99999", "-2147483648"}) {
+    const mechanics::SurfaceSpec surface = surface_of("mark", number, number);
+    EXPECT_EQ(refusal_of(surface),
+              mark_message(surface, "2",
+                           number == std::string("-2147483648")
+                               ? "-2.147484e+09"
+                               : number,
+                           "is far from all others"));
+  }
+  for (const char* const number :
+       {"1.70141e+38", "1e+30", "-3.402823e+38", "1e+20"}) {
+    const mechanics::SurfaceSpec surface = surface_of("mark", "0.5", number);
+    EXPECT_EQ(refusal_of(surface),
+              mark_message(surface, "1", number, "is larger than any height"));
+  }
+}
+
+TEST(MeasuredMap, TakesTheNumberOfTheCaseForMissingPoints) {
+  mechanics::SurfaceSpec surface = surface_of("value", "-9999", "-9999.0");
+  surface.missing_value = -9999.0;
+  EXPECT_EQ(measured_map(surface).missing, 2U);
+  // Surfer's number is written with more digits than the key.
+  surface = surface_of("surfer", "1.70141183460469e+38", "0.5");
+  surface.missing_value = 1.70141e38;
+  EXPECT_EQ(measured_map(surface).missing, 1U);
+  surface.missing_value = 1e99;
+  EXPECT_EQ(measured_map(surface).missing, 0U);
+}
+
+// The least number of a map whose other numbers are near it is a height.
+TEST(MeasuredMap, TakesUsualMarksWithinTheRangeForHeights) {
+  const mechanics::SurfaceSpec surface = surface_of("near");
+  std::ofstream map(surface.file);
+  for (int iy = 0; iy < 20; ++iy)
+    for (int ix = 0; ix < 20; ++ix)
+      map << -9999 + 10 * ix + iy * iy << (ix == 19 ? '\n' : ' ');
+  map.close();
+  EXPECT_EQ(measured_map(surface).missing, 0U);
 }
 
 // The map is cropped first, so that missing points outside the window do not

@@ -249,6 +249,7 @@ RowFile list_row_file(const ListSource& source,
   RowFile file{index->grid->scaled(source.name, scale), "", list_reader, {}};
   if (index->repeated != 0)
     refuse_repeated_point(source.name, index->repeated, index->first);
+  file.numbers.unit = *scale.height_unit;
   const KnownList list{source, index, *scale.height_unit,
                        FileStamp(source.path)};
   file.rows = [list](int first, int count) {

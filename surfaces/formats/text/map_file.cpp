@@ -130,7 +130,8 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
   Scan scan{{matrix.grid, std::move(table.numbers)},
             {},
             std::move(matrix.channel),
-            std::move(matrix.reader)};
+            std::move(matrix.reader),
+            {.unit = matrix.height_unit, .missing = matrix.missing_value}};
   multiply_heights(scan, matrix.height_unit);
   mark_missing(scan, table.name);
   return scan;

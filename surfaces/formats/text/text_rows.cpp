@@ -136,6 +136,7 @@ RowFile ordered_list_file(const std::string& path, const ScanRequest& request,
                           const std::shared_ptr<const TextIndex>& index) {
   RowFile file{index->list->grid(path, request.scale), "", list_reader, {}};
   const double unit = *request.scale.height_unit;
+  file.numbers.unit = unit;
   file.rows = [path, index, unit](int first, int count) {
     return list_rows(path, *index, unit, first, count);
   };
@@ -151,6 +152,8 @@ RowFile matrix_file(const std::string& path, const ScanRequest& request,
   file.grid = matrix.grid;
   file.channel = std::move(matrix.channel);
   file.reader = std::move(matrix.reader);
+  file.numbers = {.unit = matrix.height_unit,
+                  .missing = matrix.missing_value};
   file.rows = [path, index, unit = matrix.height_unit](int first, int count) {
     return text_rows(path, *index, unit, first, count);
   };

@@ -194,6 +194,7 @@ Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
     scan.map.heights[index] = table.number(row, 2) * *scale.height_unit;
   }
   mark_missing(scan, table.name);
+  scan.numbers.unit = *scale.height_unit;
   scan.reader = list_reader;
   return scan;
 }
