@@ -86,7 +86,16 @@ MapFormat recognised_format(std::string_view bytes) {
       {"bBCR-1.0", MapFormat::sdf},
       {"DIGITAL SURF", MapFormat::sur},
       {"DSCOMPRESSED", MapFormat::sur},
-      {"WSxM file", MapFormat::wsxm}};
+      {"WSxM file", MapFormat::wsxm},
+      // Texts with headers of their own, which Gwyddion reads.
+      {"Wyko ASCII Data File Format", MapFormat::convert},
+      {"ISO/TC 201 SPM data transfer format", MapFormat::convert},
+      {"Gwyddion XYZ Field 1.0", MapFormat::convert},
+      {"//Exported ASCII-File", MapFormat::convert},
+      {"# Daisy ", MapFormat::convert},
+      {"# Sensolytics: ", MapFormat::convert},
+      {"[Header Section]", MapFormat::convert},
+      {"\tX,nm\t0\t", MapFormat::convert}};
   for (const auto& [beginning, format] : beginnings)
     if (bytes.starts_with(beginning))
       return format;

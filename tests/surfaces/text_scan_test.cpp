@@ -26,6 +26,8 @@ std::string refusal(const std::string& text, const MapScale& scale = {},
       [&] { text_scan(text, scale, format); });
 }
 
+const MapScale list_scale{{}, 1e-9, {}, 1e-6};
+
 // Gwyddion's header is read in every language into which it is translated, with
 // decimal commas and with a no-break space before the unit.
 TEST(TextScan, ReadsTranslatedHeaders) {
@@ -61,6 +63,94 @@ TEST(TextScan, ReadsTheHeaderOfAMatrix) {
             "map.txt gives it");
 }
 
+// Lengths of SPIP are in nm.
+TEST(TextScan, ReadsTheHeaderOfSpip) {
+  const std::string header = "# File Format = ASCII\n# Created by SPIP\n"
+                             "# x-pixels = 3\n# y-pixels = 2\n"
+                             "# x-length = 2000\n# y-length = 500.5\n";
+  const std::string numbers = "# Start of Data:\n1 2 3\n4 5 6\n";
+  const Scan scan = text_scan(header + "# z-unit = pm\n" + numbers);
+  EXPECT_NEAR(scan.map.grid.length_x, 2e-6, 1e-20);
+  EXPECT_NEAR(scan.map.grid.length_y, 0.5005e-6, 1e-20);
+  EXPECT_NEAR(scan.map.heights[5], 6e-12, 1e-25);
+  EXPECT_NEAR(text_scan(header + "# Bit2nm = 0.5\n" + numbers).map.heights[5],
+              3e-9, 1e-22);
+  EXPECT_NE(refusal(header + numbers).find("surface.height_unit is missing"),
+            std::string::npos);
+  EXPECT_EQ(refusal(header + "# z-unit = nm\n1 2\n4 5\n"),
+            "map.txt:3: found 'x-pixels 3', but the file has 2 columns");
+  EXPECT_NE(
+      refusal(header + "# voidpixels = 7\n" + numbers).find("a second matrix"),
+      std::string::npos);
+}
+
+// The unit of a grid of ESRI is that of its map projection, which the file does
+// not state.
+TEST(TextScan, ReadsTheHeaderOfAnEsriGrid) {
+  const std::string grid = "ncols 3\nNROWS 2\nxllcorner 1000.5\n"
+                           "yllcorner -7\ncellsize 0.5\n"
+                           "NODATA_value -9999\n1 2 -9999\n4 5 6\n";
+  const MapScale scale{{}, 1e-3, {}, 1.0};
+  const Scan scan = text_scan(grid, scale);
+  EXPECT_NEAR(scan.map.grid.length_x, 1.5, 1e-15);
+  EXPECT_NEAR(scan.map.grid.length_y, 1.0, 1e-15);
+  EXPECT_NEAR(scan.map.heights[5], 6e-3, 1e-17);
+  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 0, 1, 0, 0, 0}));
+  EXPECT_EQ(refusal(grid, {{}, 1e-3}),
+            "surface.length_unit is missing: the header of map.txt gives "
+            "cellsize = 0.5 without a unit");
+  EXPECT_EQ(refusal(grid, {1.5, 1e-3, {}, 1.0}),
+            "surface.length = 1.5 m, but must be left out: the header of "
+            "map.txt gives it");
+  EXPECT_EQ(refusal(grid + "7 8 9\n", scale),
+            "map.txt:2: found 'nrows 2', but the file has 3 rows");
+}
+
+TEST(TextScan, ReadsTheHeaderOfKeyence) {
+  const std::string header = "\"XY Calibration\",\"250\",\"nm/pixel\"\n"
+                             "\"Horizontal\",\"3\"\n\"Unit\",\"um\"\n";
+  const Scan scan = text_scan(header + "1,2,3\n4,5,6\n");
+  EXPECT_NEAR(scan.map.grid.length_x, 750e-9, 1e-21);
+  EXPECT_NEAR(scan.map.heights[5], 6e-6, 1e-20);
+}
+
+// A header line that names a size or a unit is never ignored silently.
+TEST(TextScan, RefusesHeaderLinesThatItDoesNotUnderstand) {
+  const std::string numbers = "1 2 3\n4 5 6\n";
+  const MapScale scale{6e-6, 1e-9};
+  for (const std::string line :
+       {"# Scan size: 5 um", "x-length = 2000", "# dx = 0.1", "# pitch: 5",
+        "# 5um x 10um", "X [mm]", "Height unit: um", "# Magass\xC3\xA1g: 3 nm",
+        "# Scan size: 5 um\n# Z range: 200 nm\n# Unit: nm"}) {
+    const std::string first = line.substr(0, line.find('\n'));
+    EXPECT_NE(
+        refusal(line + "\n" + numbers, scale)
+            .find("map.txt:1: '" + first.substr(first.find_first_not_of("# "))),
+        std::string::npos)
+        << line;
+    EXPECT_EQ(text_scan(line + "\n" + numbers, scale, MapFormat::plain)
+                  .map.grid.length_x,
+              6e-6)
+        << line;
+  }
+  for (const std::string line :
+       {"# Scan size: 6 um", "# Size: 6 um x 4um", "# Heights [nm]",
+        "# made by a script on 3.4.2025 12:30", "# sample 12", "a b c",
+        "# Pixels of 2 um; heights in nm"})
+    EXPECT_EQ(refusal(line + "\n" + numbers, scale), "accepted") << line;
+}
+
+TEST(TextScan, ComparesTheUnitsOfTheColumnsOfAList) {
+  const std::string points = "0 0 1\n0 1 2\n1 0 3\n1 1 4\n";
+  EXPECT_EQ(refusal("x[um] y[um] z[nm]\n" + points, list_scale), "accepted");
+  for (const std::string line :
+       {"x[nm] y[nm] z[um]", "x[mm] y[mm] z[nm]", "# unit: mm"})
+    EXPECT_NE(refusal(line + "\n" + points, list_scale)
+                  .find("the case does not repeat"),
+              std::string::npos)
+        << line;
+}
+
 TEST(TextScan, TakesTheSidesOfPixelsThatAreNotSquare) {
   const Scan scan = text_scan("1 2 3\n4 5 6\n", {6e-6, 1e-9, 1e-6});
   EXPECT_EQ(scan.map.grid.length_x, 6e-6);
@@ -76,8 +166,6 @@ TEST(TextScan, MarksMissingPoints) {
   EXPECT_EQ(refusal("nan nan\nnan nan\n", {1.0, 1.0}),
             "map.txt: all points are missing");
 }
-
-const MapScale list_scale{{}, 1e-9, {}, 1e-6};
 
 // A list in any order is the map of its points; positions may be rounded,
 // spacings may differ, and absent points are missing.

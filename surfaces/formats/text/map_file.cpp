@@ -1,6 +1,7 @@
 #include "surfaces/formats/text/map_file.hpp"
 
 #include "base/plain_text.hpp"
+#include "base/require.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/own_readers.hpp"
@@ -75,8 +76,8 @@ TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
 }
 
 TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
-                        MapScale scale) {
-  const MatrixHeader header = matrix_header(table);
+                        MapScale scale, mechanics::MapFormat format) {
+  MatrixHeader header = matrix_header(table);
   const auto take = [&](std::optional<double>& given, const char* key,
                         const std::optional<double>& found) {
     if (given && found)
@@ -87,21 +88,37 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
     if (found)
       given = found;
   };
-  if (header.pixel_size) {
-    require_sound_lengths(table.name, {points.points_x, points.points_y,
-                                       *header.pixel_size * points.points_x,
-                                       *header.pixel_size * points.points_y});
-    take(scale.length, "length", *header.pixel_size * points.points_x);
-    take(scale.length_y, "length_y", *header.pixel_size * points.points_y);
-  }
-  take(scale.height_unit, "height_unit", header.height_unit);
-  if (scale.length_unit)
+  if (header.cell_size) {
+    if (!scale.length_unit)
+      throw input::InputError(fmt::format(
+          "surface.length_unit is missing: the header of {} gives cellsize = "
+          "{:.6g} without a unit",
+          table.name, *header.cell_size));
+    require_positive("length_unit", *scale.length_unit, "m");
+    const double cell = *header.cell_size * *scale.length_unit;
+    header.length_x = cell * points.points_x;
+    header.length_y = cell * points.points_y;
+  } else if (scale.length_unit) {
     throw input::InputError(fmt::format(
         "surface.length_unit = {:.6g} m, but must be left out: {} is a matrix, "
         "and only a list x y z has columns x and y",
         *scale.length_unit, table.name));
+  }
+  take(scale.length, "length", header.length_x);
+  take(scale.length_y, "length_y", header.length_y);
+  take(scale.height_unit, "height_unit", header.height_unit);
+  if (format != mechanics::MapFormat::plain) {
+    const double x = scale.length.value_or(0.0);
+    const double y =
+        scale.length_y.value_or(x * points.points_y / points.points_x);
+    require_understood(header.not_understood, table.name,
+                       {x, y, x / points.points_x, y / points.points_y},
+                       {scale.height_unit.value_or(0.0)});
+  }
   const Grid grid = grid_by_scale(points, table.name, "a plain matrix", scale);
-  return {grid, *scale.height_unit, "", "own reader of plain matrices"};
+  require_sound_lengths(table.name, grid);
+  return {grid, *scale.height_unit, "", "own reader of plain matrices",
+          header.missing_value};
 }
 
 HeightMap complete_map(Scan scan, const std::string& name) {
@@ -122,8 +139,12 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
   using mechanics::MapFormat;
   const bool is_plain = request.format == MapFormat::automatic &&
                         !is_gwyddion(table, request.format);
-  if (request.format == MapFormat::xyz || (is_plain && is_regular_list(table)))
+  if (request.format == MapFormat::xyz ||
+      (is_plain && is_regular_list(table))) {
+    if (is_plain)
+      require_list_header(table, request.scale);
     return scan_of_list(table, request.scale);
+  }
   if (is_plain)
     refuse_possible_list(table.name, table.columns, table.rows());
   TextMatrix matrix = text_matrix(table, request);
@@ -150,7 +171,7 @@ TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
   points.points_y = static_cast<int>(table.rows());
   return is_gwyddion(table, request.format)
              ? gwyddion_matrix(table, points, request.scale)
-             : plain_matrix(table, points, request.scale);
+             : plain_matrix(table, points, request.scale, request.format);
 }
 
 Scan read_text_scan(std::string_view bytes, const std::string& name,

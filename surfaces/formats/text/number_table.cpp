@@ -4,6 +4,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "surfaces/formats/length_units.hpp"
+#include "surfaces/formats/text/text_header.hpp"
 
 #include <fmt/format.h>
 
@@ -45,13 +46,11 @@ bool has_ambiguous_comma(std::string_view line) {
 }
 
 bool is_missing_word(std::string_view word) {
-  static constexpr std::string_view words[] = {"nan",  "-nan", "bad",
-                                               "void", "***",  "---"};
-  std::string lower(word);
-  for (char& letter : lower)
-    if (letter >= 'A' && letter <= 'Z')
-      letter = static_cast<char>(letter - 'A' + 'a');
-  return std::find(std::begin(words), std::end(words), lower) !=
+  static constexpr std::string_view words[] = {
+      "nan",     "-nan", "bad",     "void",    "***",    "---",
+      "na",      "n/a",  "#n/a",    "null",    "nodata", "no_data",
+      "missing", "--",   "1.#qnan", "-1.#ind", "1.#ind"};
+  return std::find(std::begin(words), std::end(words), lower_case(word)) !=
          std::end(words);
 }
 
@@ -101,7 +100,8 @@ NumberTable NumberTableReader::finish() {
 bool NumberTableReader::is_header(std::string_view line) const {
   if (style_ == NumberStyle::strict || !table_.lines.empty())
     return false;
-  if (line.find('=') != std::string_view::npos)
+  if (line.find('=') != std::string_view::npos ||
+      is_grid_key(line.substr(0, line.find_first_of(" \t"))))
     return true;
   const auto words = words_of(line, separators);
   return std::none_of(words.begin(), words.end(), [](std::string_view word) {

@@ -152,8 +152,7 @@ RowFile matrix_file(const std::string& path, const ScanRequest& request,
   file.grid = matrix.grid;
   file.channel = std::move(matrix.channel);
   file.reader = std::move(matrix.reader);
-  file.numbers = {.unit = matrix.height_unit,
-                  .missing = matrix.missing_value};
+  file.numbers = {.unit = matrix.height_unit, .missing = matrix.missing_value};
   file.rows = [path, index, unit = matrix.height_unit](int first, int count) {
     return text_rows(path, *index, unit, first, count);
   };
@@ -225,6 +224,7 @@ std::optional<RowFile> scattered_file(const std::string& path,
       return matrix_file(path, request, known_index(path, false));
     if (!index.is_list())
       refuse_possible_list(path, list_columns, index.points);
+    require_list_header(found->table, request.scale);
   }
   return list_row_file(text_source(path, nullptr), found->index, request.scale);
 }
@@ -245,11 +245,13 @@ std::optional<RowFile> text_row_file(const std::string& path,
     return std::nullopt;
   std::optional<RowFile> file;
   if (index->list && index->is_in_order &&
-      (is_list || gwyddion_header(index->table).width.line == 0))
+      (is_list || gwyddion_header(index->table).width.line == 0)) {
+    if (is_automatic)
+      require_list_header(index->table, request.scale);
     file = ordered_list_file(path, request, index);
-  else if (index->list)
+  } else if (index->list) {
     file = scattered_file(path, request);
-  else {
+  } else {
     if (is_list)
       require_list_columns(index->table);
     if (is_automatic && gwyddion_header(index->table).width.line == 0)
