@@ -7,7 +7,6 @@
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
-#include "meshes/mesh_file.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
@@ -98,8 +97,7 @@ meshes::BlockMesh mesh_of(const FullRequest& request) {
         cells_of(request.grid, degree_of(request.block.element)),
         request.block.depth.in_si(request.scales), spec.cells_a_level);
   if (spec.geometry == mechanics::MeshGeometry::file)
-    return meshes::read_mesh_file(spec.file, spec.file_unit,
-                                  request.full.sides);
+    return request.file_mesh.value();
   return meshes::gmsh_block(gmsh_parameters(request));
 }
 
@@ -160,7 +158,8 @@ LayeredBlock layered_block(const mechanics::BlockSettings& settings,
 
 BlockProblem problem_of(const FullRequest& request,
                         std::optional<meshes::BlockMesh> mesh) {
-  const auto& [grid, block, full, material, mesh_spec, scales] = request;
+  const auto& [grid, block, full, material, mesh_spec, scales, file_mesh] =
+      request;
   const int degree = degree_of(block.element);
   const mechanics::BodyModuli own = own_moduli(material, full.bodies);
   const bool is_layered =

@@ -23,6 +23,8 @@ struct FullRequest {
   mechanics::MaterialSpec material; ///< with poisson_ratio
   mechanics::MeshSpec mesh;
   mechanics::Scales scales;
+  /// The mesh of the file that `mesh` names, with fit_sides; otherwise empty.
+  std::optional<meshes::BlockMesh> file_mesh = {};
 };
 
 /// Builds the problem with the mesh that is requested: graded layers, cubes

@@ -65,10 +65,10 @@ template <typename Archive>
 void pass(Archive& archive, mechanics::MeshSpec& mesh) {
   auto& [kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
          geometry, cells, size_at_contact, size_far, fine_radius, file,
-         file_unit, counter] = mesh;
+         file_unit, allow_commands, counter] = mesh;
   archive(kind, cells_a_level, halvings, moduli_ratio, interface_halvings,
           geometry, cells, size_at_contact, size_far, fine_radius, file,
-          file_unit, counter);
+          file_unit, allow_commands, counter);
 }
 
 template <typename Archive>
@@ -99,7 +99,7 @@ void pass(Archive& archive, Grid& grid) {
 
 template <typename Archive>
 void pass(Archive& archive, FullRequest& request) {
-  auto& [grid, block, full, material, mesh, scales] = request;
+  auto& [grid, block, full, material, mesh, scales, file_mesh] = request;
   archive(grid, block, full, material, mesh, scales);
 }
 

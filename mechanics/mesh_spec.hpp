@@ -56,7 +56,9 @@ struct MeshSpec {
                                                     ///< surface [m]
   Quantity fine_radius{0.1, ReferenceUnit::length}; ///< for indentation [m]
   std::string file;                                 ///< as in MaterialVariation
-  double file_unit = 1.0; ///< metres per unit of the file
+  double file_unit = 1.0;      ///< metres per unit of the file
+  bool allow_commands = false; ///< a .geo file may start programs and write
+                               ///< files
   /// Empty: a meshed counter-body is the mirror image of the block.
   std::optional<CounterMeshSpec> counter = {};
 };

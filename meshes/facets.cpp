@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -133,6 +134,27 @@ std::optional<FaceGroup> lateral_side_of(const BlockMesh& mesh,
   if (lies_on_plane(mesh, facet, 1, mesh.length_y, tolerance))
     return FaceGroup::back;
   return std::nullopt;
+}
+
+double contact_area(const BlockMesh& mesh) {
+  const std::size_t n = vertices_per_facet(mesh.shape);
+  // Around a quadrilateral, whose vertices are numbered as those of a lattice.
+  constexpr std::array<std::size_t, 4> around{0, 1, 3, 2};
+  double area = 0.0;
+  for (const BoundaryFace& face : mesh.faces) {
+    if (face.group != FaceGroup::contact)
+      continue;
+    double twice = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t next = (i + 1) % n;
+      const Place& a = mesh.vertices[face.vertices[n == 4 ? around[i] : i]];
+      const Place& b =
+          mesh.vertices[face.vertices[n == 4 ? around[next] : next]];
+      twice += a[0] * b[1] - a[1] * b[0];
+    }
+    area += 0.5 * std::abs(twice);
+  }
+  return area;
 }
 
 std::string place_text(const Place& place) {

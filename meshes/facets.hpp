@@ -55,6 +55,9 @@ bool lies_on_plane(const BlockMesh& mesh, const Facet& facet,
 std::optional<FaceGroup> lateral_side_of(const BlockMesh& mesh,
                                          const Facet& facet, double tolerance);
 
+/// Area of the faces of the group contact, which must be flat [m^2].
+double contact_area(const BlockMesh& mesh);
+
 /// Formats a place for messages, such as "(1e-07, 2e-07, 0) m".
 std::string place_text(const Place& place);
 

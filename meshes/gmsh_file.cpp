@@ -5,15 +5,12 @@
 #include "meshes/facets.hpp"
 #include "meshes/gmsh_cells.hpp"
 #include "meshes/gmsh_session.hpp"
-#include "meshes/matching_sides.hpp"
-#include "meshes/valid_mesh.hpp"
 
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -51,9 +48,9 @@ bool has_cells() {
   return !types.empty();
 }
 
-void open_file(const std::filesystem::path& path) {
-  gmsh::open(path.string());
-  if (path.extension() == ".geo" && !has_cells())
+void open_file(const std::string& path) {
+  gmsh::open(path);
+  if (path.ends_with(".geo") && !has_cells())
     gmsh::model::mesh::generate(3);
   if (!has_cells())
     throw std::domain_error(
@@ -119,9 +116,11 @@ void add_groups(FileMesh& file) {
               : fmt::format("{}", fmt::join(file.surface_names, ", "))));
 }
 
-FileMesh file_mesh(const std::filesystem::path& path) {
+FileMesh file_mesh(const std::string& path,
+                   const std::function<void()>& begin) {
   FileMesh file;
   in_gmsh([&] {
+    begin();
     open_file(path);
     file.cells = cells_of_gmsh();
     add_groups(file);
@@ -232,26 +231,14 @@ void require_named_on_boundary(const BlockMesh& mesh,
 } // namespace
 
 BlockMesh gmsh_file(const std::string& path, double unit,
-                    mechanics::BlockSides sides) {
+                    const std::function<void()>& begin) {
   require_positive("unit", unit, "m");
-  const std::filesystem::path file_path = path;
-  try {
-    if (!std::filesystem::is_regular_file(file_path))
-      throw std::domain_error("there is no such file");
-    if (file_path.extension() != ".msh" && file_path.extension() != ".geo")
-      throw std::domain_error("a mesh must be read from a .msh or a .geo file");
-    const FileMesh file = file_mesh(file_path);
-    BlockMesh mesh = file.cells.mesh;
-    place(mesh, bounds_of_contact(file), unit);
-    add_faces(mesh, file.groups);
-    require_named_on_boundary(mesh, file.groups);
-    if (sides == mechanics::BlockSides::periodic)
-      align_sides(mesh);
-    require_valid_mesh(mesh, sides);
-    return mesh;
-  } catch (const std::domain_error& error) {
-    throw std::domain_error(path + ": " + error.what());
-  }
+  const FileMesh file = file_mesh(path, begin);
+  BlockMesh mesh = file.cells.mesh;
+  place(mesh, bounds_of_contact(file), unit);
+  add_faces(mesh, file.groups);
+  require_named_on_boundary(mesh, file.groups);
+  return mesh;
 }
 
 } // namespace asperity::meshes

@@ -38,7 +38,11 @@ VertexByPlace vertices_of(const BlockMesh& mesh, const Pair& pair,
         vertices.insert(face.vertices[i]);
   if (vertices.empty())
     throw std::domain_error(fmt::format(
-        "mesh: a periodic block needs the face {}, but has none", side.name));
+        "mesh: a periodic block needs the face {}, but has none: its sides "
+        "must "
+        "be planes through the edges of the contact surface; with sides = "
+        "\"free\" in [fem] they may have any shape",
+        side.name));
   VertexByPlace sorted;
   for (const unsigned int vertex : vertices)
     sorted.emplace(mesh.vertices[vertex][1 - pair.direction], vertex);

@@ -1,5 +1,6 @@
 #include "app/cache/case_keys.hpp"
 
+#include "app/cache/file_mesh.hpp"
 #include "app/cache/resolved_keys.hpp"
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
@@ -8,7 +9,6 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "md/engines.hpp"
-#include "meshes/geometry_files.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
@@ -199,12 +199,8 @@ input_hashes(const cases::Case& contact_case) {
   add(surface_file, contact_case.surface.file);
   if (contact_case.material.variation)
     add(variation_file, contact_case.material.variation->file);
-  if (!contact_case.mesh.file.empty()) {
-    std::string hashes;
-    for (const auto& path : meshes::geometry_files(contact_case.mesh.file))
-      hashes += hash_of_input(path);
-    inputs[mesh_file] = content_hash(hashes);
-  }
+  if (!contact_case.mesh.file.empty())
+    inputs[mesh_file] = hash_of_mesh(contact_case);
   return inputs;
 }
 

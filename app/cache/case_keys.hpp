@@ -73,10 +73,11 @@ private:
 std::string hash_of_file(const std::filesystem::path& path);
 
 /// Returns the SHA-256 hash of each file that the case names, by the key that
-/// names it: "surface.file", "material.variation.file" or "mesh.file". A base
-/// case is part of the text of the case.
+/// names it: "surface.file", "material.variation.file" or "mesh.file", which is
+/// that of the mesh that gmsh makes of the file (file_mesh.hpp). A base case is
+/// part of the text of the case.
 ///
-/// @throws input::InputError  a file cannot be read
+/// @throws input::InputError  a file cannot be read, or gives no mesh
 std::map<std::string, std::string>
 input_hashes(const cases::Case& contact_case);
 

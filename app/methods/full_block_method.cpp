@@ -1,5 +1,6 @@
 #include "app/methods/full_block_method.hpp"
 
+#include "app/cache/file_mesh.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
@@ -155,14 +156,22 @@ std::unique_ptr<StepSolver> make_full_block_solver(
     const std::filesystem::path& scratch, const fem::BlockWatch& watch) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
   return std::make_unique<FullBlockSolver>(
-      fem::load_fem_module().full({surface.record.grid, settings.block,
-                                   settings.full, contact_case.material,
-                                   contact_case.mesh, surface.scales}),
+      fem::load_fem_module().full(
+          {surface.record.grid, settings.block, settings.full,
+           contact_case.material, contact_case.mesh, surface.scales,
+           file_mesh(contact_case, method, surface.record.grid)}),
       method, surface,
       continuum_of(method, contact_case.material, surface.scales),
       realization == 0 ? extras_of(contact_case, method, surface, scratch)
                        : StepExtras{},
       watch);
+}
+
+void require_file_meshes(const cases::Case& contact_case,
+                         const std::vector<cases::MethodSpec>& methods,
+                         const Grid& grid) {
+  for (const cases::MethodSpec& method : methods)
+    file_mesh(contact_case, method, pressed_grid(contact_case, method, grid));
 }
 
 } // namespace asperity::app

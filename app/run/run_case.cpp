@@ -2,6 +2,7 @@
 
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
+#include "app/methods/full_block_method.hpp"
 #include "app/methods/shared_load_steps.hpp"
 #include "app/methods/shared_surface.hpp"
 #include "app/plan/memory_check.hpp"
@@ -302,6 +303,9 @@ RunOutcome run_case(const cases::Case& contact_case,
     if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
       md::require_engine(*md);
   require_memory(contact_case, options);
+  if (!contact_case.mesh.file.empty())
+    require_file_meshes(contact_case, methods,
+                        grid_of_case(contact_case, methods));
   return Run(contact_case, options, std::move(methods)).execute();
 }
 

@@ -70,6 +70,7 @@ mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
   mesh.size_far = table.quantity("size_far");
   mesh.fine_radius = table.quantity("fine_radius");
   mesh.file_unit = table.number("file_unit");
+  mesh.allow_commands = table.boolean("allow_commands");
   if (mesh.kind != mechanics::MeshKind::gmsh)
     return mesh;
   if (mesh.geometry == mechanics::MeshGeometry::file)

@@ -105,8 +105,12 @@ std::vector<Key> mesh_file_keys() {
        .when = "with geometry = \"file\"",
        .example = "\"block.msh\"",
        .show = Show::no,
-       .description = "A .msh or .geo file that defines the physical "
-                      "groups contact, fixed and, if it has any, sides."},
+       .description =
+           "A .msh file ($MeshFormat) or a .geo script of gmsh, with the "
+           "physical groups contact, fixed and, if it has any, sides. The "
+           "contact surface is a plane rectangle with its edges along x and "
+           "y, as large as the surface. A .geo is a program, which runs "
+           "confined: see allow_commands."},
       {.name = "file_unit",
        .dimension = Dimension::length,
        .range = positive(),
@@ -114,6 +118,15 @@ std::vector<Key> mesh_file_keys() {
        .example = "\"1 mm\"",
        .show = Show::no,
        .description = "Length that corresponds to the number 1 in the file."},
+      {.name = "allow_commands",
+       .type = ValueType::boolean,
+       .fallback = "false",
+       .example = "true",
+       .show = Show::no,
+       .description =
+           "With a .geo file: allow it to start programs (SystemCall and "
+           "others), to write files and to use the network, which is refused "
+           "otherwise. Only for files that you trust."},
   };
 }
 

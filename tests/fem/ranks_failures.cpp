@@ -9,6 +9,7 @@
 #include "fem/block_proxy.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "input/input_error.hpp"
+#include "meshes/mesh_file.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -91,13 +92,19 @@ void lead(const std::string& path, const BlockMaker& make_block) {
   const cases::Case contact_case = cases::read_case_text(text.str(), path);
   const auto& settings =
       std::get<mechanics::FemSettings>(contact_case.methods.at(0).settings);
-  const auto block = make_distributed_block({grid,
-                                             settings.block,
-                                             settings.full,
-                                             contact_case.material,
-                                             contact_case.mesh,
-                                             {2e9, 1e-6, 1.25e-7, 1e-9}},
-                                            make_block);
+  FullRequest request{grid,
+                      settings.block,
+                      settings.full,
+                      contact_case.material,
+                      contact_case.mesh,
+                      {2e9, 1e-6, 1.25e-7, 1e-9}};
+  if (const auto& mesh = contact_case.mesh; !mesh.file.empty()) {
+    request.file_mesh =
+        meshes::read_mesh_file({mesh.file, mesh.file_unit, mesh.allow_commands})
+            .mesh;
+    meshes::fit_sides(*request.file_mesh, settings.full.sides);
+  }
+  const auto block = make_distributed_block(request, make_block);
   std::vector<double> heights(grid.size(), 0.0);
   heights[9] = 1e-9;
   const BlockSolution found =

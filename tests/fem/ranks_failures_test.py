@@ -92,6 +92,7 @@ kind = "gmsh"
 geometry = "file"
 file = "block.geo"
 file_unit = "1 um"
+allow_commands = true
 """)
     write(f"{folder}/block.geo", GEO)
     write(f"{folder}/wrong.toml", CASE.format(material="""

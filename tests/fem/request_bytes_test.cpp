@@ -50,7 +50,8 @@ FullRequest unusual_request() {
                   {0.3, ReferenceUnit::spacing},
                   {0.7, ReferenceUnit::rms_height},
                   "block.msh",
-                  1e-3};
+                  1e-3,
+                  true};
   request.mesh.counter = {mechanics::CounterShape::cuboid,
                           {0.6, ReferenceUnit::length},
                           {},
@@ -100,6 +101,7 @@ TEST(RequestBytes, RestoreTheRequest) {
   EXPECT_EQ(got.mesh.fine_radius.reference, ReferenceUnit::rms_height);
   EXPECT_EQ(got.mesh.file, "block.msh");
   EXPECT_EQ(got.mesh.file_unit, 1e-3);
+  EXPECT_TRUE(got.mesh.allow_commands);
   ASSERT_TRUE(got.mesh.counter);
   EXPECT_EQ(got.mesh.counter->shape, mechanics::CounterShape::cuboid);
   EXPECT_FALSE(got.mesh.counter->height);

@@ -16,8 +16,6 @@
 namespace asperity::meshes {
 namespace {
 
-using mechanics::BlockSides;
-
 constexpr const char* coated = "tests/meshes/data/coated.geo";
 
 std::string answer_to(const std::string& ending, const std::string& text,
@@ -25,15 +23,13 @@ std::string answer_to(const std::string& ending, const std::string& text,
   const std::string path = testing::TempDir() + "asperity_limits" + ending;
   std::ofstream(path) << text;
   return tests::message_of<std::domain_error>(
-      [&] { read_mesh_file(path, 1.0, BlockSides::free, limits); });
+      [&] { read_mesh_file({path}, limits); });
 }
 
 // The mesh from the other process is the same to the last bit.
 TEST(ReadMeshFile, EqualsTheMeshOfTheOtherProcess) {
-  const std::string here =
-      bytes_of(gmsh_file(coated, 1e-3, BlockSides::periodic));
-  const std::string there =
-      bytes_of(read_mesh_file(coated, 1e-3, BlockSides::periodic));
+  const std::string here = bytes_of(gmsh_file(coated, 1e-3));
+  const std::string there = bytes_of(read_mesh_file({coated, 1e-3}).mesh);
 
   EXPECT_EQ(here, there);
   EXPECT_GT(here.size(), 1000U);
@@ -69,7 +65,7 @@ TEST(ReadMeshFile, StopsAFileThatNeedsAllMemory) {
 }
 
 TEST(MeshBytes, AreRefusedIfTruncatedOrTooLong) {
-  const std::string bytes = bytes_of(gmsh_file(coated, 1.0, BlockSides::free));
+  const std::string bytes = bytes_of(gmsh_file(coated, 1.0));
 
   EXPECT_EQ(bytes_of(mesh_of_bytes(bytes)), bytes);
   EXPECT_THROW(mesh_of_bytes(bytes + "x"), std::runtime_error);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/meshes/block_of_file.hpp"
 #include "tests/message_of.hpp"
 
 namespace asperity::meshes {
@@ -19,7 +20,7 @@ using mechanics::BlockSides;
 std::string answer(const std::string& path,
                    BlockSides sides = BlockSides::free) {
   return tests::message_of<std::domain_error>(
-      [&] { read_mesh_file(path, 1.0, sides); });
+      [&] { test::block_of_file(path, 1.0, sides); });
 }
 
 std::string answer_to_text(const std::string& ending, const std::string& text,
@@ -28,7 +29,9 @@ std::string answer_to_text(const std::string& ending, const std::string& text,
       testing::TempDir() + "asperity_mesh_file_refusals" + ending;
   std::ofstream(path) << text;
   const std::string found = answer(path, sides);
-  EXPECT_TRUE(found == "accepted" || found.starts_with(path + ": ")) << found;
+  EXPECT_TRUE(found == "accepted" || found.starts_with(path + ": ") ||
+              found.starts_with("mesh: "))
+      << found;
   return found;
 }
 
@@ -73,9 +76,31 @@ TEST(ReadMeshFileRefuses, FilesThatAreNoMesh) {
             std::string::npos);
 }
 
+// A .msh file is what it says in its first line, and a .geo file is a script.
+TEST(ReadMeshFileRefuses, FilesOfAnotherKindThanTheirName) {
+  EXPECT_NE(answer_to_text(".msh", "Point(1) = {0, 0, 0};\n")
+                .find("begins with \"Point(1) = {0, 0, 0};\", but a .msh file "
+                      "must begin with $MeshFormat"),
+            std::string::npos);
+  for (const char* text :
+       {"", "\n", " $MeshFormat\n", "$MeshFormatted\n",
+        "$NOD\n1\n1 0 0 0\n$ENDNOD\n", "solid\n", "View \"x\" {\n",
+        "ISO-10303-21;\n", "$PostFormat\n1.4 0 8\n$EndPostFormat\n"})
+    EXPECT_NE(answer_to_text(".msh", text).find("must begin with $MeshFormat"),
+              std::string::npos)
+        << text;
+  EXPECT_NE(answer_to_text(".geo", msh({})).find("is no script of gmsh"),
+            std::string::npos);
+  for (const char* ending : {".step", ".stl", ".brep", ".pos", ".geo.opt",
+                             ".geo_unrolled", ".MSH", ""})
+    EXPECT_NE(answer_to_text(ending, msh({})).find("a .msh or a .geo file"),
+              std::string::npos)
+        << ending;
+}
+
 TEST(ReadMeshFileRefuses, AnInvalidUnit) {
   try {
-    read_mesh_file("tests/meshes/data/coated.geo", 0.0, BlockSides::free);
+    read_mesh_file({"tests/meshes/data/coated.geo", 0.0});
     FAIL();
   } catch (const std::domain_error& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("unit = 0"));

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/meshes/block_of_file.hpp"
 #include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes {
@@ -34,7 +35,7 @@ std::set<FaceGroup> groups_of(const BlockMesh& mesh) {
 // origin and turned down, and x and y are unchanged: counts, extents, volumes
 // and areas are those of the text of the file. Tolerance: roundoff of sums.
 TEST(ReadMeshFile, MeshesAGeometry) {
-  const BlockMesh mesh = read_mesh_file(coated, mm, BlockSides::periodic);
+  const BlockMesh mesh = test::block_of_file(coated, mm, BlockSides::periodic);
 
   EXPECT_EQ(mesh.shape, CellShape::hexahedron);
   EXPECT_EQ(mesh.cells.size(), 4u * 2 * 5);
@@ -69,7 +70,7 @@ TEST(ReadMeshFile, KeepsTheFilesXAndY) {
     gmsh::write(path);
   });
 
-  const BlockMesh mesh = read_mesh_file(path, mm, BlockSides::periodic);
+  const BlockMesh mesh = test::block_of_file(path, mm, BlockSides::periodic);
 
   std::set<double> places;
   for (const Place& vertex : mesh.vertices)
@@ -83,7 +84,7 @@ TEST(ReadMeshFile, KeepsTheFilesXAndY) {
 // The four formats in which gmsh writes a mesh are read as one mesh. Tolerance:
 // 16 digits may be wrong by one ulp.
 TEST(ReadMeshFile, ReadsEveryVersion) {
-  const BlockMesh expected = read_mesh_file(punch, 1.0, BlockSides::free);
+  const BlockMesh expected = test::block_of_file(punch, 1.0, BlockSides::free);
   for (const double version : {2.2, 4.1})
     for (const int is_binary : {0, 1}) {
       const std::string path = testing::TempDir() + "asperity_mesh_file.msh";
@@ -95,7 +96,7 @@ TEST(ReadMeshFile, ReadsEveryVersion) {
         gmsh::write(path);
       });
 
-      const BlockMesh mesh = read_mesh_file(path, 1.0, BlockSides::free);
+      const BlockMesh mesh = test::block_of_file(path, 1.0, BlockSides::free);
 
       ASSERT_EQ(mesh.vertices.size(), expected.vertices.size());
       for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
@@ -111,7 +112,7 @@ TEST(ReadMeshFile, ReadsEveryVersion) {
 // less the segments that a polygon misses: with edges of at most 0.5, at most
 // 1/24 of it.
 TEST(ReadMeshFile, ReadsABlockOtherThanABox) {
-  const BlockMesh mesh = read_mesh_file(punch, 2e-9, BlockSides::free);
+  const BlockMesh mesh = test::block_of_file(punch, 2e-9, BlockSides::free);
 
   EXPECT_EQ(groups_of(mesh),
             (std::set{FaceGroup::contact, FaceGroup::far_boundary,
@@ -136,7 +137,7 @@ Physical Surface("contact") = {5};
 Physical Surface("fixed") = {4};
 )";
 
-  const BlockMesh mesh = read_mesh_file(path, 1.0, BlockSides::free);
+  const BlockMesh mesh = test::block_of_file(path, 1.0, BlockSides::free);
 
   EXPECT_EQ(mesh.group_names, std::vector<std::string>{"block"});
   EXPECT_EQ(groups_of(mesh),
