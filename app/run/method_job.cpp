@@ -4,6 +4,7 @@
 #include "app/methods/curve_row.hpp"
 #include "app/methods/theory_method.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/last_run.hpp"
 #include "app/run/mpi_world.hpp"
 #include "base/array_memory.hpp"
 #include "base/cpu_clock.hpp"
@@ -319,7 +320,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
 
 Resources MethodJob::resources() const {
   return {context_.pool.threads_per_job(),
-          context_.folder / fmt::format("{}-{}", method_.name, realization_),
+          context_.folder / files_of_method(method_.name, realization_),
           [this](const md::Progress& work) {
             context_.progress.at_work(
                 method_.name, realization_,

@@ -17,6 +17,7 @@
 #include "app/run/studies.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/locking.hpp"
+#include "input/input_error.hpp"
 #include "md/engines.hpp"
 #include "results/provenance.hpp"
 
@@ -25,7 +26,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
+#include <stdexcept>
 
 namespace asperity::app {
 namespace {
@@ -42,26 +45,35 @@ results::Inputs inputs_of(const cases::Case& contact_case) {
   return inputs;
 }
 
-/// Prepares the output folder: clears it for a new run, or leaves it for a run
-/// that is resumed. Returns the folder.
-const fs::path& prepared(const RunOptions& options) {
-  if (!options.resume)
-    put_last_run_aside(options.folder);
+/// Prepares the output folder: puts the output of the last run aside, or leaves
+/// it for a run that resumes it. Returns the folder.
+const fs::path& prepared(const cases::Case& contact_case,
+                         const RunOptions& options,
+                         const std::vector<MethodSpec>& methods,
+                         std::optional<LastRun>& last_run) {
+  std::vector<std::string> folders;
+  for (const MethodSpec& method : methods)
+    for (const int r :
+         realizations_of(contact_case, method, options.realizations))
+      folders.push_back(files_of_method(method.name, r));
+  if (!options.resume || !fs::exists(options.folder / "result.h5"))
+    last_run.emplace(options.folder, folders);
   return options.folder;
 }
 
 /// One run of a case, from the surfaces to the completed result file.
 class Run {
 public:
+  /// @param last_run  receives the output of the last run, unless it is resumed
   Run(const cases::Case& contact_case, const RunOptions& options,
-      std::vector<MethodSpec> methods)
+      std::vector<MethodSpec> methods, std::optional<LastRun>& last_run)
       : case_(contact_case),
         methods_(std::move(methods)),
         only_(options.realizations),
         pool_(options.threads),
         builds_by_rows_(has_surfaces_by_rows(case_, methods_, n_mpi_ranks())),
         surfaces_(case_, methods_, only_, build_by_rows()),
-        writer_(prepared(options),
+        writer_(prepared(case_, options, methods_, last_run),
                 {case_.name, case_.title, case_.text, cases::case_hash(case_),
                  case_.material.contact_modulus, options.reference,
                  inputs_of(case_)},
@@ -306,7 +318,28 @@ RunOutcome run_case(const cases::Case& contact_case,
   if (!contact_case.mesh.file.empty())
     require_file_meshes(contact_case, methods,
                         grid_of_case(contact_case, methods));
-  return Run(contact_case, options, std::move(methods)).execute();
+  std::optional<LastRun> last_run;
+  const auto put_back = [&] {
+    if (last_run)
+      last_run->put_back(options.cache != nullptr && options.cache->is_on());
+  };
+  try {
+    const RunOutcome outcome =
+        Run(contact_case, options, std::move(methods), last_run).execute();
+    if (last_run)
+      last_run->end();
+    return outcome;
+  } catch (const input::InputError&) { // after the result was closed
+    put_back();
+    throw;
+  } catch (const std::domain_error&) {
+    put_back();
+    throw;
+  } catch (...) {
+    if (last_run)
+      last_run->end();
+    throw;
+  }
 }
 
 } // namespace asperity::app

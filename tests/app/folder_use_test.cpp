@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <future>
+#include <map>
 #include <set>
 #include <thread>
 #include <unistd.h>
@@ -137,6 +138,55 @@ TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
   EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "result.h5",
                                          "result.previous.h5"}));
   EXPECT_TRUE(fs::exists(folder / "one/figures/notes.txt"));
+}
+
+// The full block of the second run is refused when its cells are assembled: the
+// factor is negative at the centres of the first layer only, which no check
+// before the run examines. The theory is computed before.
+class RefusedRun : public FolderUse {
+protected:
+  const std::string refused_late =
+      "run small.toml --no-cache --out one --set surface.points=16 --set "
+      "fem.contact=hard --set fem.solver=full --set fem.surface_cell_depth=0.7 "
+      "--set 'material.variation={ kind = \"function\", factor = \"1 - 2 * "
+      "(abs(z - 0.04375) < 1e-6)\" }' --set surface.wavelength_short=\"4 h\"";
+
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> texts;
+    if (fs::exists(folder / "one"))
+      for (const auto& entry : fs::recursive_directory_iterator(folder / "one"))
+        if (entry.is_regular_file())
+          texts[fs::relative(entry.path(), folder).string()] =
+              text_of(entry.path());
+    return texts;
+  }
+};
+
+TEST_F(RefusedRun, LeavesTheOutputOfTheLastOne) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --out one --no-cache").exit_code, 0);
+  fs::create_directories(folder / "one/fem-0");
+  std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
+  const auto before = files();
+  ASSERT_TRUE(before.contains("one/result.previous.h5"));
+
+  for (const char* more : {" --methods fem", "", " --no-report"}) {
+    const Ended refused = run(refused_late + more);
+
+    EXPECT_EQ(refused.exit_code, 2) << refused.output;
+    EXPECT_NE(refused.output.find("factor of the modulus"), std::string::npos)
+        << refused.output;
+    auto after = files();
+    after.erase("one/result.unfinished.h5"); // steps of the theory
+    EXPECT_EQ(after, before) << more;
+  }
+}
+
+TEST_F(RefusedRun, LeavesNoResultOfItsOwn) {
+  const Ended refused = run(refused_late + " --methods fem");
+
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_EQ(files(), (std::map<std::string, std::string>{}));
 }
 
 // A result that continued after its map changed would contain rows of two maps.
