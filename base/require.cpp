@@ -1,9 +1,11 @@
 #include "base/require.hpp"
 
+#include "base/refused_argument.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
+#include <utility>
 
 namespace asperity {
 
@@ -21,10 +23,17 @@ std::string number_text(double value, double limit, int digits) {
   return fmt::format("{:.{}g}", value, digits);
 }
 
+RefusedArgument::RefusedArgument(std::string name_, double value_,
+                                 std::string range_)
+    : std::domain_error(fmt::format("{} = {}, but must be {}", name_,
+                                    number_text(value_), range_)),
+      name(std::move(name_)),
+      value(value_),
+      range(std::move(range_)) {}
+
 void refuse_argument(const std::string& name, double value,
                      const std::string& range) {
-  throw std::domain_error(
-      fmt::format("{} = {}, but must be {}", name, number_text(value), range));
+  throw RefusedArgument(name, value, range);
 }
 
 void require_positive(const char* name, double value, const char* unit) {

@@ -6,7 +6,6 @@
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
-#include "meshes/layers/halvable_layers.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
@@ -23,40 +22,6 @@ Grid cells_of(const Grid& nodes, int degree) {
           nodes.length_y};
 }
 
-/// Depths of the interfaces between the material's layers [m].
-std::vector<double>
-interfaces_of(const std::vector<mechanics::MaterialLayer>& layers,
-              const mechanics::Scales& scales) {
-  std::vector<double> interfaces;
-  interfaces.reserve(layers.size());
-  double depth = 0.0;
-  for (const mechanics::MaterialLayer& layer : layers)
-    interfaces.push_back(depth += layer.thickness.in_si(scales));
-  return interfaces;
-}
-
-meshes::GmshBlock gmsh_parameters(const FullRequest& request) {
-  const mechanics::MeshSpec& spec = request.mesh;
-  const mechanics::Scales& scales = request.scales;
-  meshes::GmshBlock block;
-  block.geometry = spec.geometry;
-  block.cells = spec.cells;
-  block.length_x = request.grid.length_x;
-  block.length_y = request.grid.length_y;
-  block.depth = request.block.depth.in_si(scales);
-  block.size_at_contact = spec.size_at_contact.in_si(scales);
-  block.size_far = spec.size_far.in_si(scales);
-  block.is_periodic = request.full.sides == mechanics::BlockSides::periodic;
-  block.fine_radius = spec.fine_radius.in_si(scales);
-  if (spec.geometry == mechanics::MeshGeometry::layered)
-    block.interfaces = interfaces_of(request.material.layers, scales);
-  if (const auto& inclusion = request.material.inclusion) {
-    block.inclusion_radius = inclusion->radius.in_si(scales);
-    block.inclusion_depth = inclusion->depth.in_si(scales);
-  }
-  return block;
-}
-
 /// The coarsest cells of an adaptive mesh.
 meshes::BlockMesh coarsest_mesh_of(const FullRequest& request) {
   const auto& variation = request.material.variation;
@@ -65,27 +30,10 @@ meshes::BlockMesh coarsest_mesh_of(const FullRequest& request) {
     throw std::domain_error(
         "an adaptive mesh with random moduli needs material.variation.edge, "
         "because the factor of a cell would change when the cell is halved");
-  const int halvings = request.mesh.halvings;
-  require_between("halvings", halvings, 1, 12, "1");
-  const int step = degree_of(request.block.element) << halvings;
-  for (const int points : {request.grid.points_x, request.grid.points_y})
-    if (points % step != 0 || points / step < 2)
-      refuse_argument("points per side of an adaptive mesh", points,
-                      "a multiple of " + std::to_string(step) +
-                          ", the node spacings of a cell that is halved " +
-                          std::to_string(halvings) +
-                          " times, and at least twice as many");
-  const Grid columns{request.grid.points_x / step, request.grid.points_y / step,
-                     request.grid.length_x, request.grid.length_y};
-  const double depth = request.block.depth.in_si(request.scales);
-  const std::vector<double> interfaces =
-      interfaces_of(request.material.layers, request.scales);
-  if (interfaces.empty())
-    return meshes::equal_boxes(columns, depth);
-  return meshes::layered_mesh(
-      columns,
-      meshes::halvable_layers(0.5 * (columns.spacing_x() + columns.spacing_y()),
-                              halvings, interfaces, depth));
+  return meshes::halvable_boxes(
+      request.grid, degree_of(request.block.element), request.mesh.halvings,
+      meshes::interfaces_of(request.material.layers, request.scales),
+      request.block.depth.in_si(request.scales));
 }
 
 meshes::BlockMesh mesh_of(const FullRequest& request) {
@@ -98,7 +46,9 @@ meshes::BlockMesh mesh_of(const FullRequest& request) {
         request.block.depth.in_si(request.scales), spec.cells_a_level);
   if (spec.geometry == mechanics::MeshGeometry::file)
     return request.file_mesh.value();
-  return meshes::gmsh_block(gmsh_parameters(request));
+  return meshes::gmsh_block(meshes::gmsh_parameters(
+      spec, request.material, request.full.sides,
+      request.block.depth.in_si(request.scales), request.grid, request.scales));
 }
 
 /// Adds the mesh of a counter-body of its own and what the report says of it.
@@ -144,7 +94,7 @@ LayeredBlock layered_block(const mechanics::BlockSettings& settings,
   // Q2 alike.
   const double surface_cell = settings.surface_cell_depth *
                               degree_of(settings.element) * grid.spacing_x();
-  const std::vector<double> interfaces = interfaces_of(layers, scales);
+  const std::vector<double> interfaces = meshes::interfaces_of(layers, scales);
   std::vector<mechanics::BodyModuli> moduli;
   moduli.reserve(layers.size() + 1);
   for (const mechanics::MaterialLayer& layer : layers)

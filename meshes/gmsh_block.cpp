@@ -18,46 +18,6 @@ namespace {
 
 using mechanics::MeshGeometry;
 
-void check_geometry(const GmshBlock& block) {
-  const double half = 0.5 * std::min(block.length_x, block.length_y);
-  if (block.geometry == MeshGeometry::file)
-    throw std::domain_error("gmsh_block: a file is read by mesh_file");
-  if (block.geometry == MeshGeometry::indentation)
-    require_between("fine_radius", block.fine_radius, block.size_at_contact,
-                    0.8 * std::min(half, block.depth), "m");
-  if (block.geometry == MeshGeometry::layered) {
-    double above = 0.0;
-    for (const double interface : block.interfaces) {
-      require_between("depth of an interface", interface,
-                      above + 1e-6 * block.depth, block.depth * (1.0 - 1e-6),
-                      "m");
-      above = interface;
-    }
-  }
-  if (block.geometry == MeshGeometry::inclusion) {
-    require_positive("inclusion_radius", block.inclusion_radius, "m");
-    const double radius = block.inclusion_radius * (1.0 + 1e-3);
-    require_between("inclusion_radius", block.inclusion_radius, 0.0,
-                    half / (1.0 + 1e-3), "m");
-    require_between("inclusion_depth", block.inclusion_depth, radius,
-                    block.depth - radius, "m");
-  }
-}
-
-void check(const GmshBlock& block) {
-  require_positive("length_x", block.length_x, "m");
-  require_positive("length_y", block.length_y, "m");
-  require_positive("depth", block.depth, "m");
-  const double least = std::min({block.length_x, block.length_y, block.depth});
-  require_positive("size_at_contact", block.size_at_contact, "m");
-  require_between("size_at_contact", block.size_at_contact, 1e-4 * least,
-                  0.25 * least, "m");
-  require_positive("size_far", block.size_far, "m");
-  require_between("size_far", block.size_far, block.size_at_contact,
-                  std::max({block.length_x, block.length_y, block.depth}), "m");
-  check_geometry(block);
-}
-
 /// The block with every length divided by `unit`.
 GmshBlock in_units_of(GmshBlock block, double unit) {
   for (double* length :
@@ -135,7 +95,7 @@ double size_at_depth(const GmshBlock& block, double z) {
 }
 
 BlockMesh gmsh_block(const GmshBlock& block) {
-  check(block);
+  require_gmsh_block(block);
   const double unit = std::max({block.length_x, block.length_y, block.depth});
   const GmshBlock scaled = in_units_of(block, unit);
   BlockMesh mesh;

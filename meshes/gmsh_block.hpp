@@ -3,7 +3,10 @@
 // Blocks meshed by gmsh from a few parameters: the geometry, the cell sizes and
 // where they apply.
 
+#include "base/grid.hpp"
+#include "mechanics/material.hpp"
 #include "mechanics/mesh_spec.hpp"
+#include "mechanics/quantity.hpp"
 #include "meshes/block_mesh.hpp"
 
 #include <vector>
@@ -37,6 +40,22 @@ struct GmshBlock {
   double inclusion_radius = 0.0; ///< [m]
   double inclusion_depth = 0.0;  ///< of its centre [m]
 };
+
+/// Depths of the interfaces between the layers of a material [m].
+std::vector<double>
+interfaces_of(const std::vector<mechanics::MaterialLayer>& layers,
+              const mechanics::Scales& scales);
+
+/// Returns the parameters of the block of a case.
+/// @param depth  of the block [m]
+/// @param grid   of the surface
+GmshBlock gmsh_parameters(const mechanics::MeshSpec& spec,
+                          const mechanics::MaterialSpec& material,
+                          mechanics::BlockSides sides, double depth,
+                          const Grid& grid, const mechanics::Scales& scales);
+
+/// @throws std::domain_error  a parameter is outside its range
+void require_gmsh_block(const GmshBlock& block);
 
 /// Generates the mesh. The groups of cells are "block"; or "layer 1", "layer
 /// 2", ... from the contact surface inwards; or "block" and "inclusion".

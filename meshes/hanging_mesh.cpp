@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "meshes/layers/halvable_layers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,30 @@ BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
                                 coarse.edge);
   std::reverse(mesh.refine_below.begin(), mesh.refine_below.end());
   return mesh;
+}
+
+Grid halvable_columns(const Grid& nodes, int degree, int halvings) {
+  require_between("halvings", halvings, 1, 12, "1");
+  const int step = degree << halvings;
+  for (const int points : {nodes.points_x, nodes.points_y})
+    if (points % step != 0 || points / step < 2)
+      refuse_argument("points per side of an adaptive mesh", points,
+                      "a multiple of " + std::to_string(step) +
+                          ", the node spacings of a cell that is halved " +
+                          std::to_string(halvings) +
+                          " times, and at least twice as many");
+  return {nodes.points_x / step, nodes.points_y / step, nodes.length_x,
+          nodes.length_y};
+}
+
+BlockMesh halvable_boxes(const Grid& nodes, int degree, int halvings,
+                         const std::vector<double>& interfaces, double depth) {
+  const Grid columns = halvable_columns(nodes, degree, halvings);
+  if (interfaces.empty())
+    return equal_boxes(columns, depth);
+  return layered_mesh(columns, halvable_layers(0.5 * (columns.spacing_x() +
+                                                      columns.spacing_y()),
+                                               halvings, interfaces, depth));
 }
 
 } // namespace asperity::meshes

@@ -47,4 +47,22 @@ BlockMesh equal_boxes(const Grid& face, double depth);
 ///              uniform mesh.
 BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level);
 
+/// The grid with one point per column of halvable_boxes().
+/// @throws std::domain_error  as halvable_boxes()
+Grid halvable_columns(const Grid& nodes, int degree, int halvings);
+
+/// The coarsest boxes of a mesh whose cells are halved where the solution
+/// requires it, until the nodes of the contact surface are those of the grid.
+///
+/// @param nodes       grid with one point per node of the contact surface
+/// @param degree      of the elements, 1 or 2
+/// @param halvings    how often the cells can be halved, 1..12
+/// @param interfaces  depths of planes between cells [m], increasing
+/// @param depth       depth of the block [m] > 0
+/// @throws std::domain_error  an argument is outside its range, or the points
+///                            per side are no multiple of 2^halvings * degree,
+///                            at least twice
+BlockMesh halvable_boxes(const Grid& nodes, int degree, int halvings,
+                         const std::vector<double>& interfaces, double depth);
+
 } // namespace asperity::meshes

@@ -11,6 +11,8 @@
 #include "app/methods/chosen.hpp"
 #include "app/plan/description.hpp"
 #include "app/plan/plan.hpp"
+#include "app/plan/preparation.hpp"
+#include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
 #include "app/run/mpi_world.hpp"
@@ -93,6 +95,10 @@ ExitCode print_plans(const std::vector<Asked>& all, const RunCommand& command,
       if (is_for_ranks(asked, command)) // each works on other parts of the run
         options.ranks = options.ranks_on_machine = 1;
       const Plan plan = make_plan(read.contact_case, options);
+      const std::vector<cases::MethodSpec> methods =
+          chosen_methods(read.contact_case, options.methods, options.is_exact);
+      require_surface(read.contact_case, methods,
+                      grid_of_case(read.contact_case, methods));
       fmt::print("{}{}", plan_text(plan, read.contact_case),
                  shared_rows_text(plan));
       json += (json.empty() ? "" : ",\n") + plan_json(plan, read.contact_case);

@@ -2,6 +2,7 @@
 
 #include "base/special_numbers.hpp"
 #include "meshes/counter_body.hpp"
+#include "meshes/gmsh_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
 
@@ -18,11 +19,7 @@ using mechanics::MeshGeometry;
 
 std::vector<double> interfaces_of(const cases::Case& contact_case,
                                   const mechanics::Scales& scales) {
-  std::vector<double> interfaces;
-  double depth = 0.0;
-  for (const mechanics::MaterialLayer& layer : contact_case.material.layers)
-    interfaces.push_back(depth += layer.thickness.in_si(scales));
-  return interfaces;
+  return meshes::interfaces_of(contact_case.material.layers, scales);
 }
 
 /// Returns the number of nodes of n_x by n_y by n_z hexahedra of that degree.

@@ -10,6 +10,7 @@
 #include "app/methods/surfaces_of_case.hpp"
 #include "app/methods/worker_pool.hpp"
 #include "app/plan/block_cost.hpp"
+#include "app/plan/preparation.hpp"
 #include "cases/reader/locking.hpp"
 #include "fem/plugin.hpp"
 #include "surfaces/build.hpp"
@@ -236,6 +237,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   const std::vector<MethodSpec> methods =
       chosen_methods(contact_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(contact_case, methods);
+  require_computable(contact_case, methods, grid);
   if (const auto& variation = contact_case.material.variation;
       variation && variation->kind == mechanics::VariationKind::table)
     fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});

@@ -7,6 +7,7 @@
 #include "app/methods/shared_surface.hpp"
 #include "app/plan/memory_check.hpp"
 #include "app/plan/plan.hpp"
+#include "app/plan/preparation.hpp"
 #include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
@@ -314,6 +315,8 @@ RunOutcome run_case(const cases::Case& contact_case,
   for (const MethodSpec& method : methods)
     if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
       md::require_engine(*md);
+  require_computable(contact_case, methods,
+                     grid_of_case(contact_case, methods));
   require_memory(contact_case, options);
   if (!contact_case.mesh.file.empty())
     require_file_meshes(contact_case, methods,

@@ -2,6 +2,8 @@
 
 #include "app/asked/case_library.hpp"
 #include "app/methods/chosen.hpp"
+#include "app/plan/preparation.hpp"
+#include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/folder_lock.hpp"
@@ -191,6 +193,10 @@ ExitCode bench_case(const BenchCommand& command) {
                             : read_target_error(command.target_error);
   const Subject subject = subject_of(command);
   const cases::Case& contact_case = subject.contact_case;
+  const std::vector<cases::MethodSpec> methods =
+      chosen_methods(contact_case, command.methods);
+  require_computable(contact_case, methods,
+                     grid_of_case(contact_case, methods));
   const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
   const Sweep sweep =
       is_scaling ? scaling_of(contact_case,

@@ -11,31 +11,16 @@
 namespace asperity::cases {
 namespace {
 
-using mechanics::CounterMeshSpec;
-
-/// Whether all lengths are known before the surface is built.
-bool has_known_lengths(const CounterMeshSpec& spec) {
-  const auto is_known = [](const mechanics::Quantity& length) {
-    return length.reference == mechanics::ReferenceUnit::si ||
-           length.reference == mechanics::ReferenceUnit::length ||
-           length.reference == mechanics::ReferenceUnit::spacing;
-  };
-  return is_known(spec.radius) && is_known(spec.size_far) &&
-         is_known(spec.offset_x) && is_known(spec.offset_y) &&
-         is_known(spec.height.value_or(spec.size_far)) &&
-         is_known(spec.size_at_contact.value_or(spec.size_far)) &&
-         is_known(spec.fine_radius.value_or(spec.size_far));
-}
-
 /// The block of a method with the smallest edge of its cells, which only gmsh
 /// and the author of a mesh file determine otherwise.
 mechanics::OpposedBlock block_of(const Case& read,
-                                 const mechanics::FemSettings& fem) {
-  const double length = *read.surface.length;
+                                 const mechanics::FemSettings& fem,
+                                 const Grid& grid) {
   const bool is_divided =
       !fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh;
-  const int cells = *read.surface.points / degree_of(fem.block.element);
-  return {length, length, fem.full.sides, is_divided ? length / cells : 0.0};
+  const int cells = grid.points_x / degree_of(fem.block.element);
+  return {grid.length_x, grid.length_y, fem.full.sides,
+          is_divided ? grid.length_x / cells : 0.0};
 }
 
 /// Where the number of a mistake is written, and how: a default and the radius
@@ -65,18 +50,16 @@ void add_mistake(const Node& file, const mechanics::CounterMistake& mistake,
 } // namespace
 
 void check_counter_body(const Node& file, const Case& read,
-                        const mechanics::FemSettings& fem, Mistakes& mistakes) {
-  const CounterMeshSpec& spec = *read.mesh.counter;
-  if (!mistakes.empty() || !read.surface.length || !read.surface.points ||
-      !has_known_lengths(spec))
+                        const mechanics::FemSettings& fem, const Grid& grid,
+                        Mistakes& mistakes) {
+  if (!mistakes.empty())
     return;
-  const double length = *read.surface.length;
   mechanics::Scales scales;
-  scales.length = length;
-  scales.spacing = length / *read.surface.points;
-  const mechanics::OpposedBlock block = block_of(read, fem);
+  scales.length = grid.length_x;
+  scales.spacing = grid.spacing_x();
+  const mechanics::OpposedBlock block = block_of(read, fem, grid);
   const mechanics::CounterBody body =
-      mechanics::counter_body_of(spec, scales, block);
+      mechanics::counter_body_of(*read.mesh.counter, scales, block);
   auto mistake = mechanics::mistake_in(body);
   if (!mistake)
     mistake = mechanics::mistake_in(body, block);

@@ -34,6 +34,18 @@ void read_lattice(TableReader& table, mechanics::MdSettings& md) {
                    "= \"lammps\" needs lattice = \"central\": its bonds are "
                    "central springs");
   const int coarsest = 1 << std::clamp(md.levels - 1, 0, 30); // range: above
+  if (md.modes == mechanics::AtomModes::normal &&
+      (md.bulk == mechanics::AtomBulk::explicit_layers ||
+       md.engine == mechanics::AtomEngine::lammps))
+    table.refuse(*table.node().find("modes"),
+                 "needs engine = \"asperity\" and bulk = \"green\": other "
+                 "atoms move in all three directions");
+  if (md.bulk == mechanics::AtomBulk::explicit_layers &&
+      md.engine == mechanics::AtomEngine::lammps)
+    table.refuse(*table.node().find("bulk"),
+                 "needs engine = \"asperity\": \"lammps\" always uses one "
+                 "spacing from the surface down to depth; remove bulk, levels "
+                 "and layers");
   if (md.bulk == mechanics::AtomBulk::explicit_layers && md.atoms &&
       *md.atoms % coarsest != 0)
     table.refuse(*table.node().find("atoms"),
@@ -79,6 +91,17 @@ void read_balance(TableReader& table, mechanics::MdSettings& md) {
     md.seed = static_cast<std::uint64_t>(table.integer("seed"));
   else if (md.temperature > 0.0)
     table.complain_missing("seed", ", which a temperature needs");
+  if (is_dynamics && md.engine == mechanics::AtomEngine::lammps)
+    table.refuse(*table.node().find("minimizer"),
+                 "needs engine = \"asperity\": \"lammps\" supports only static "
+                 "equilibrium");
+  if (is_dynamics && md.duration > 0.0 && md.duration < md.time_step)
+    table.refuse(*table.node().find("duration"),
+                 "must be at least md.time_step");
+  if (is_dynamics && md.temperature == 0.0 && md.damping == 0.0 &&
+      table.has("damping"))
+    table.refuse(*table.node().find("damping"),
+                 "must be > 0 [1/s] at a temperature of 0");
   if (moves && md.bulk != mechanics::AtomBulk::explicit_layers)
     table.complain(*table.node().find("minimizer"),
                    "needs bulk = \"explicit\": the atoms of a condensed block "

@@ -1,8 +1,10 @@
 #pragma once
 
-// The readers of the tables of a case, internal to the case reader. Each adds
-// mistakes to the given list and returns its best result.
+// The readers of the tables of a case, internal to the case reader except for
+// entry_of() and check_counter_body(). Each adds mistakes to the given list and
+// returns its best result.
 
+#include "base/grid.hpp"
 #include "cases/reader/table_reader.hpp"
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"
@@ -65,11 +67,11 @@ void check_together(const Node& file, const Case& read, Mistakes& mistakes);
 void check_block(const Node& file, const Case& read, Mistakes& mistakes);
 
 /// Checks the sizes and the place of a counter-body of its own mesh, below the
-/// block of a method with two bodies, as far as they are known before the
-/// surface is built: not on a measured map. It does nothing after other
-/// mistakes.
+/// block of a method with two bodies. It does nothing after other mistakes.
+/// @param grid  of the surface; that of a measured map follows from its file
 void check_counter_body(const Node& file, const Case& read,
-                        const mechanics::FemSettings& fem, Mistakes& mistakes);
+                        const mechanics::FemSettings& fem, const Grid& grid,
+                        Mistakes& mistakes);
 
 /// Returns the entry of a key of the method `name`, the inherited entry if a
 /// variant does not have the key, or otherwise the table of the method.

@@ -213,6 +213,11 @@ void SurfaceReader::read_wave() {
                  fmt::format("surface.length must be a whole multiple of it, "
                              "but is {:.7g} times it",
                              waves));
+  else if (spec.points && 2.0 * std::round(waves) >= *spec.points)
+    table.refuse(*table.node().find("wavelength"),
+                 fmt::format("must be more than \"2 h\", {:.7g} m: the grid "
+                             "does not resolve it",
+                             2.0 * *spec.length / *spec.points));
 }
 
 void SurfaceReader::read_punch() {

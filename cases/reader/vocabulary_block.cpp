@@ -1,6 +1,7 @@
 // The rows of [material] and of heterogeneous blocks: layers, inclusion and
 // variation.
 #include "cases/reader/vocabulary.hpp"
+#include "mechanics/limits.hpp"
 
 namespace asperity::cases {
 namespace {
@@ -17,7 +18,8 @@ Key youngs_modulus_key() {
 
 Key poisson_ratio_key() {
   return {.name = "poisson_ratio",
-          .range = inside(-1.0, 0.5),
+          .range = between(mechanics::lowest_poisson_ratio,
+                           mechanics::highest_poisson_ratio),
           .need = Need::always,
           .example = "0.3",
           .show = Show::no,
@@ -130,7 +132,7 @@ Table variation_table() {
            .description = "An expression (muParser) of x, y and z, each "
                           "divided by length; z = 0 is the contact surface."},
           {.name = "spread",
-           .range = inside(0.0, 1.0),
+           .range = {0.0, mechanics::largest_spread, false, true},
            .need = Need::conditional,
            .when = "with kind = \"random\"",
            .example = "0.5",

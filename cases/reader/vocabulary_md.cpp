@@ -174,7 +174,7 @@ std::vector<Key> dynamics_keys() {
                "Rate at which momenta decay: friction of the heat bath."}),
       for_dynamics({.name = "duration",
                     .dimension = Dimension::time,
-                    .range = positive(),
+                    .range = {0.0, 1.0, false, true},
                     .example = "\"200 ps\"",
                     .description =
                         "Duration of a load step; without temperature a step "

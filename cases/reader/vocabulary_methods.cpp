@@ -192,7 +192,7 @@ Table fem_table() {
                "Trilinear (Q1) or triquadratic (Q2) hexahedra; points counts "
                "nodes for both, and Q2 requires an even number."},
           {.name = "surface_cell_depth",
-           .range = {0.0, 10.0, false, true},
+           .range = between(0.001, 10.0),
            .fallback = "1.0",
            .example = "1.0",
            .description = "Depth of the cells at the contact surface, in node "

@@ -1,6 +1,7 @@
 #include "fem/waves/elastic_layers.hpp"
 
 #include "base/require.hpp"
+#include "mechanics/limits.hpp"
 
 namespace asperity::fem {
 
@@ -8,7 +9,9 @@ ElasticLayer elastic_layer(double thickness, double youngs_modulus,
                            double poisson_ratio) {
   require_positive("thickness", thickness, "m");
   require_positive("youngs_modulus", youngs_modulus, "Pa");
-  require_between("poisson_ratio", poisson_ratio, -0.999, 0.4999, "1");
+  require_between("poisson_ratio", poisson_ratio,
+                  mechanics::lowest_poisson_ratio,
+                  mechanics::highest_poisson_ratio, "1");
   const double shear = youngs_modulus / (2.0 * (1.0 + poisson_ratio));
   return {thickness, 2.0 * shear * poisson_ratio / (1.0 - 2.0 * poisson_ratio),
           shear};

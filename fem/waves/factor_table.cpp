@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <sstream>
 
-// This function is kept apart from the rest of moduli_field.hpp because the
-// program reads a table before it loads the finite-element module.
-
 namespace asperity::fem {
 
 FactorTable read_factor_table(const std::string& path,

@@ -1,6 +1,7 @@
 #include "base/require.hpp"
 #include "fem/waves/moduli_field.hpp"
 #include "input/expression.hpp"
+#include "mechanics/limits.hpp"
 
 #include <Random123/philox.h>
 
@@ -51,7 +52,7 @@ ModulusFactor expression_factor(const std::string& expression, double length) {
 }
 
 ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing) {
-  require_between("spread", spread, 0.0, 0.99, "1");
+  require_between("spread", spread, 0.0, mechanics::largest_spread, "1");
   require_positive("spacing", spacing, "m");
   return [=](const meshes::Place& place) {
     return draw_factor(spread, seed,
@@ -62,7 +63,7 @@ ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing) {
 }
 
 ModulusFactor random_cubes(double spread, std::uint64_t seed, double edge) {
-  require_between("spread", spread, 0.0, 0.99, "1");
+  require_between("spread", spread, 0.0, mechanics::largest_spread, "1");
   require_positive("edge", edge, "m");
   return [=](const meshes::Place& place) {
     return draw_factor(spread, seed,

@@ -49,6 +49,45 @@ TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+// What fits the keys, but not the block, is refused by every command before
+// anything is built.
+TEST_F(Messages, NameTheKeyThatDoesNotFitTheBlock) {
+  write("small.toml", small_case);
+
+  struct Refused {
+    std::string entries, words;
+  };
+
+  for (const auto& [entries, words] : std::vector<Refused>{
+           {"--set fem.depth='0.001 length'",
+            "--set: fem.depth = \"0.001 length\""},
+           {"--set material.poisson_ratio=0.49995",
+            "material.poisson_ratio = 0.49995, but must be between -0.999 and "
+            "0.4999"},
+           {"--set fem.surface_cell_depth=1e-9",
+            "fem.surface_cell_depth = 1e-09, but must be between 0.001 and"},
+           {"--set fem.growth=1 --set fem.depth='1e4 length'",
+            "fem.depth = \"1e4 length\""},
+           {"--set 'material.layers=[{ thickness = \"0.2 length\", "
+            "youngs_modulus = 1e9, poisson_ratio = 0.3 }]' --set "
+            "halfspace.thickness='0.1 length'",
+            "halfspace.thickness = \"0.1 length\""},
+           {"--set fem.solver=full --set fem.contact=hard --set "
+            "mesh.kind=gmsh --set mesh.size_far='0.001 length'",
+            "mesh.size_far = \"0.001 length\""}})
+    for (const char* command : {"run small.toml ", "run small.toml --dry-run ",
+                                "describe small.toml ", "check small.toml ",
+                                "bench small.toml --quick "}) {
+      const Ended refused = run(command + entries);
+
+      EXPECT_EQ(refused.exit_code, 2) << command << entries << refused.output;
+      EXPECT_TRUE(says(refused, words)) << command << refused.output;
+      EXPECT_TRUE(says(refused, "mistake(s) in the case file"))
+          << command << refused.output;
+      EXPECT_FALSE(std::filesystem::exists(folder / "out/small/result.h5"));
+    }
+}
+
 // Three commands read the case and refuse it alike, before anything is built.
 TEST_F(Messages, RefuseACounterBodyThatContradictsItself) {
   std::string text = small_case;

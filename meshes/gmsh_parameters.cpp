@@ -1,0 +1,90 @@
+// The parameters of a block that gmsh meshes. They are apart from
+// gmsh_block.cpp, because the program examines them without gmsh.
+#include "base/require.hpp"
+#include "meshes/gmsh_block.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace asperity::meshes {
+namespace {
+
+using mechanics::MeshGeometry;
+
+void check_geometry(const GmshBlock& block) {
+  const double half = 0.5 * std::min(block.length_x, block.length_y);
+  if (block.geometry == MeshGeometry::file)
+    throw std::domain_error("gmsh_block: a file is read by mesh_file");
+  if (block.geometry == MeshGeometry::indentation)
+    require_between("fine_radius", block.fine_radius, block.size_at_contact,
+                    0.8 * std::min(half, block.depth), "m");
+  if (block.geometry == MeshGeometry::layered) {
+    double above = 0.0;
+    for (const double interface : block.interfaces) {
+      require_between("depth of an interface", interface,
+                      above + 1e-6 * block.depth, block.depth * (1.0 - 1e-6),
+                      "m");
+      above = interface;
+    }
+  }
+  if (block.geometry == MeshGeometry::inclusion) {
+    require_positive("inclusion_radius", block.inclusion_radius, "m");
+    const double radius = block.inclusion_radius * (1.0 + 1e-3);
+    require_between("inclusion_radius", block.inclusion_radius, 0.0,
+                    half / (1.0 + 1e-3), "m");
+    require_between("inclusion_depth", block.inclusion_depth, radius,
+                    block.depth - radius, "m");
+  }
+}
+
+} // namespace
+
+std::vector<double>
+interfaces_of(const std::vector<mechanics::MaterialLayer>& layers,
+              const mechanics::Scales& scales) {
+  std::vector<double> interfaces;
+  interfaces.reserve(layers.size());
+  double depth = 0.0;
+  for (const mechanics::MaterialLayer& layer : layers)
+    interfaces.push_back(depth += layer.thickness.in_si(scales));
+  return interfaces;
+}
+
+GmshBlock gmsh_parameters(const mechanics::MeshSpec& spec,
+                          const mechanics::MaterialSpec& material,
+                          mechanics::BlockSides sides, double depth,
+                          const Grid& grid, const mechanics::Scales& scales) {
+  GmshBlock block;
+  block.geometry = spec.geometry;
+  block.cells = spec.cells;
+  block.length_x = grid.length_x;
+  block.length_y = grid.length_y;
+  block.depth = depth;
+  block.size_at_contact = spec.size_at_contact.in_si(scales);
+  block.size_far = spec.size_far.in_si(scales);
+  block.is_periodic = sides == mechanics::BlockSides::periodic;
+  block.fine_radius = spec.fine_radius.in_si(scales);
+  if (spec.geometry == MeshGeometry::layered)
+    block.interfaces = interfaces_of(material.layers, scales);
+  if (const auto& inclusion = material.inclusion) {
+    block.inclusion_radius = inclusion->radius.in_si(scales);
+    block.inclusion_depth = inclusion->depth.in_si(scales);
+  }
+  return block;
+}
+
+void require_gmsh_block(const GmshBlock& block) {
+  require_positive("length_x", block.length_x, "m");
+  require_positive("length_y", block.length_y, "m");
+  require_positive("depth", block.depth, "m");
+  const double least = std::min({block.length_x, block.length_y, block.depth});
+  require_positive("size_at_contact", block.size_at_contact, "m");
+  require_between("size_at_contact", block.size_at_contact, 1e-4 * least,
+                  0.25 * least, "m");
+  require_positive("size_far", block.size_far, "m");
+  require_between("size_far", block.size_far, block.size_at_contact,
+                  std::max({block.length_x, block.length_y, block.depth}), "m");
+  check_geometry(block);
+}
+
+} // namespace asperity::meshes
