@@ -72,14 +72,15 @@ void add_fits(const results::Result& result, const cases::Case& contact_case,
 /// Returns the mean absolute difference of each saved contact pressure from
 /// that of Hertz, over the mean pressure [1].
 std::vector<double> hertz_differences(const results::Curve& curve,
-                                      const cases::Case& contact_case) {
+                                      const cases::Case& contact_case,
+                                      bool is_free) {
   std::vector<double> differences;
   differences.reserve(curve.fields.size());
   for (const results::Fields& fields : curve.fields) {
     const Grid& grid = fields.grid;
-    const theory::HertzContact hertz = theory::hertz_contact(
-        fields.nominal_pressure * grid.length_x * grid.length_y,
-        contact_case.surface.radius, contact_case.material.contact_modulus);
+    const theory::HertzContact hertz = reports::sphere_contact(
+        contact_case.surface, contact_case.material.contact_modulus,
+        fields.nominal_pressure * grid.length_x * grid.length_y, is_free);
     double difference = 0.0, expected = 0.0; // sums
     const auto columns = static_cast<std::size_t>(grid.points_x);
     results::each_piece(
@@ -89,10 +90,11 @@ std::vector<double> hertz_differences(const results::Curve& curve,
           for (std::size_t k = 0; k < values[0].size(); ++k) {
             const std::size_t row = (first + k) / columns;
             const std::size_t column = (first + k) % columns;
-            const double x = static_cast<double>(column) * grid.spacing_x() -
-                             0.5 * grid.length_x;
-            const double y = static_cast<double>(row) * grid.spacing_y() -
-                             0.5 * grid.length_y;
+            const double x = (static_cast<double>(column) -
+                              grid.points_x / 2) * // the sphere's node
+                             grid.spacing_x();
+            const double y = (static_cast<double>(row) - grid.points_y / 2) *
+                             grid.spacing_y();
             const double hertzian =
                 theory::hertz_pressure(hertz, std::hypot(x, y));
             piece_expected += hertzian;
@@ -125,16 +127,19 @@ double exact_energy(const mechanics::SurfaceSpec& surface,
              0.0, 1.0, 1e-10);
 }
 
-/// Whether some methods of the case have free boundaries and others have not:
-/// their mean gaps and energies then have no common exact solution.
-bool is_mixed(const cases::Case& contact_case) {
-  const bool is_free = contact_case.surface.edges == mechanics::Edges::free;
-  return std::ranges::any_of(
-      contact_case.methods, [&](const cases::MethodSpec& method) {
-        const auto* half =
-            std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-        return (half != nullptr && half->has_free_boundaries) != is_free;
-      });
+/// How many methods of a case have free boundaries.
+enum class FreeMethods { none, some, all };
+
+FreeMethods free_methods(const cases::Case& contact_case) {
+  const auto is_free = [](const cases::MethodSpec& method) {
+    const auto* half =
+        std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+    return half != nullptr && half->has_free_boundaries;
+  };
+  return std::ranges::all_of(contact_case.methods, is_free) ? FreeMethods::all
+         : std::ranges::any_of(contact_case.methods, is_free)
+             ? FreeMethods::some
+             : FreeMethods::none;
 }
 
 } // namespace
@@ -167,7 +172,8 @@ BenchAnswer answer_of(const results::Result& result,
   if (contact_case.surface.kind == SurfaceKind::sphere &&
       (method.kind == "fem" || method.kind == "halfspace"))
     for (const results::Curve& curve : method.realizations)
-      for (const double difference : hertz_differences(curve, contact_case))
+      for (const double difference : hertz_differences(
+               curve, contact_case, has_free_boundaries(contact_case, method)))
         answer.values[pressure_field].push_back(difference);
   if (!has_exact_curve(contact_case))
     add_fits(result, contact_case, name, answer);
@@ -226,7 +232,8 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
     return exact;
   // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
-  const bool is_free = surface.edges == mechanics::Edges::free;
+  const FreeMethods free = free_methods(contact_case);
+  const bool is_free = free == FreeMethods::all;
   if (const auto field = answer.values.find(pressure_field);
       field != answer.values.end())
     exact.values[pressure_field].assign(field->second.size(), 0.0);
@@ -234,8 +241,8 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
     const ExactPoint point =
         exact_point(surface, contact_modulus, pressure, top, is_free);
     exact.values["area_fraction_corrected"].push_back(point.area_fraction);
-    if (is_mixed(contact_case))
-      continue;
+    if (free == FreeMethods::some)
+      continue; // mean gaps and energies have no common exact solution
     exact.values["mean_gap"].push_back(point.mean_gap);
     exact.values["elastic_energy"].push_back(
         is_free ? point.elastic_energy

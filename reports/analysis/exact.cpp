@@ -52,7 +52,8 @@ void widen(double& largest, double error) {
 
 LargestErrors errors_of(const results::Result& result,
                         const mechanics::SurfaceSpec& surface,
-                        const results::MethodRecord& method, bool is_free) {
+                        const results::MethodRecord& method, bool is_free,
+                        bool is_finite) {
   const double modulus = result.contact_modulus;
   const results::SurfaceRecord* map = surface_of(result, method, 0);
   const double top = map == nullptr ? not_a_number : map->highest;
@@ -64,10 +65,14 @@ LargestErrors errors_of(const results::Result& result,
     const ExactPoint answer = answer_of(row, surface, modulus, top, is_free);
     const double height =
         is_single(surface.kind) ? exact.approach : surface.amplitude;
-    widen(largest.mean_gap, (answer.mean_gap - exact.mean_gap) / height);
+    if (is_finite && !is_single(surface.kind))
+      continue;
     widen(largest.area_fraction, answer.area_fraction - exact.area_fraction);
     widen(largest.contact_radius,
           answer.contact_radius / exact.contact_radius - 1.0);
+    if (is_finite)
+      continue; // such a block yields otherwise than a half-space
+    widen(largest.mean_gap, (answer.mean_gap - exact.mean_gap) / height);
     widen(largest.approach, answer.approach / exact.approach - 1.0);
   }
   return largest;
@@ -113,22 +118,30 @@ void add_exact_quantities(const results::Result& result,
   if (method.kind == "theory" || method.realizations.empty())
     return; // Persson's theory does not apply to a single shape
   const mechanics::SurfaceSpec& surface = contact_case.surface;
-  const LargestErrors errors = errors_of(
-      result, surface, method, has_free_boundaries(contact_case, method));
+  const bool is_free = has_free_boundaries(contact_case, method);
+  const bool is_finite = has_free_sides(contact_case, method);
+  const LargestErrors errors =
+      errors_of(result, surface, method, is_free, is_finite);
+  const auto missing = [&](const char* otherwise) {
+    return is_finite ? not_with_free_sides
+           : is_free && !is_single(surface.kind)
+               ? "there is no exact solution with free boundaries"
+               : otherwise;
+  };
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
-      errors.area_fraction, "no load has an exact contact fraction");
+      errors.area_fraction, missing("no load has an exact contact fraction"));
   if (is_single(surface.kind)) {
     quantities["contact_radius_error"] = largest_estimate(
         errors.contact_radius, "no load has an exact contact radius");
-    const char* const missing =
-        surface.tilt != 0.0 ? "of a tilted punch only the moment is known"
-        : surface_of(result, method, 0) == nullptr
-            ? "the surface is not in the result"
-            : "no load has an exact approach";
-    quantities["approach_error"] = largest_estimate(errors.approach, missing);
-    note_recess(touching_pressure(surface, result.contact_modulus,
-                                  has_free_boundaries(contact_case, method)),
+    quantities["approach_error"] = largest_estimate(
+        errors.approach,
+        missing(surface.tilt != 0.0
+                    ? "of a tilted punch only the moment is known"
+                : surface_of(result, method, 0) == nullptr
+                    ? "the surface is not in the result"
+                    : "no load has an exact approach"));
+    note_recess(touching_pressure(surface, result.contact_modulus, is_free),
                 last_load(method),
                 {&quantities["area_error"], &quantities["contact_radius_error"],
                  &quantities["approach_error"]});
@@ -136,7 +149,7 @@ void add_exact_quantities(const results::Result& result,
     return;
   }
   quantities["mean_gap_error"] = largest_estimate(
-      errors.mean_gap, "no exact mean gap is known for this shape");
+      errors.mean_gap, missing("no exact mean gap is known for this shape"));
 }
 
 } // namespace asperity::reports

@@ -7,21 +7,29 @@
 
 #include "reports/analysis/summary.hpp"
 
+namespace asperity::theory {
+struct HertzContact;
+} // namespace asperity::theory
+
 namespace asperity::reports {
 
 /// The exact solution at one nominal pressure; NaN where none is known.
 struct ExactPoint {
   double mean_gap = not_a_number;       ///< [m]
   double area_fraction = not_a_number;  ///< [1]
-  double contact_radius = not_a_number; ///< sphere [m]
-  double approach = not_a_number;       ///< sphere, isolated [m]
-  /// Sphere with free boundaries, per nominal area [J/m^2].
+  double contact_radius = not_a_number; ///< sphere or punch [m]
+  double approach = not_a_number;       ///< of the isolated contact [m]
+  /// Sphere or punch with free boundaries, per nominal area [J/m^2].
   double elastic_energy = not_a_number;
 };
 
+/// A sphere or punch is one contact, or, with periodic boundaries, that of a
+/// square array: the sphere as in square_array_contact() of the theory module,
+/// up to a contact radius of 0.3 periods, and the punch to (a/L)^3. Waves have
+/// no solution with free boundaries.
 /// @param surface_top  highest point above the mean plane [m]: the mean gap of
 ///     the sphere at first contact
-/// @param is_free      the sphere is pressed once, on an infinite half-space
+/// @param is_free      the surface is pressed once, on an infinite half-space
 ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
                        double contact_modulus, double nominal_pressure,
                        double surface_top, bool is_free);
@@ -33,14 +41,20 @@ ExactPoint exact_point(const mechanics::SurfaceSpec& surface,
 double touching_pressure(const mechanics::SurfaceSpec& surface,
                          double contact_modulus, bool is_free);
 
-/// Returns what the sum of approach and mean gap of a sphere exceeds the height
-/// of its top by [m]. With free boundaries it is the mean displacement of the
-/// surface, over the nodes of the map. Of a periodic square array of contacts,
-/// whose mean displacement is removed, it is the difference between the
-/// approach of an isolated contact and that of the array; see the lattice
-/// constant in the theory module.
+/// The Hertzian contact of a sphere, alone or in a square array.
 /// @param load  force F on the sphere [N]
-double approach_excess(const mechanics::SurfaceSpec& sphere,
+theory::HertzContact sphere_contact(const mechanics::SurfaceSpec& sphere,
+                                    double contact_modulus, double load,
+                                    bool is_free);
+
+/// Returns what the sum of the approach of an isolated contact and the mean gap
+/// of a sphere or punch exceeds the height of its top by [m]. With free
+/// boundaries it is the mean displacement of the surface, over the nodes of the
+/// map. Of a periodic square array of contacts, whose mean displacement is
+/// removed, it is the difference between the approach of an isolated contact
+/// and that of the array; see the lattice constants in the theory module.
+/// @param load  force F on each contact [N]
+double approach_excess(const mechanics::SurfaceSpec& surface,
                        double contact_modulus, double load, bool is_free);
 
 /// Returns the largest error over loads with an exact solution as an estimate.
@@ -48,9 +62,10 @@ double approach_excess(const mechanics::SurfaceSpec& sphere,
 Estimate largest_estimate(double largest, const char* missing);
 
 /// Adds area_error and, for waves, mean_gap_error in units of the amplitude;
-/// for the sphere, the relative errors contact_radius_error and approach_error.
-/// Each is the largest error over the converged loading rows; areas are
-/// corrected areas.
+/// for the sphere and the punch, the relative errors contact_radius_error and
+/// approach_error. Each is the largest error over the converged loading rows;
+/// areas are corrected areas. On a block with free sides only the area and the
+/// radius of a sphere or punch are compared.
 void add_exact_quantities(const results::Result& result,
                           const cases::Case& contact_case,
                           const results::MethodRecord& method,

@@ -86,6 +86,16 @@ bool has_free_boundaries(const cases::Case& contact_case,
   return false;
 }
 
+bool has_free_sides(const cases::Case& contact_case,
+                    const results::MethodRecord& method) {
+  for (const cases::MethodSpec& spec : contact_case.methods)
+    if (const auto* fem = std::get_if<mechanics::FemSettings>(&spec.settings);
+        fem != nullptr && spec.name == method.name)
+      return fem->full.sides == mechanics::BlockSides::free ||
+             (fem->full.bodies == 2 && contact_case.mesh.counter);
+  return false;
+}
+
 std::optional<double> magnification_of(const cases::Case& contact_case,
                                        const results::MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)

@@ -19,13 +19,6 @@ block_settings_of(const cases::Case& contact_case,
   return nullptr;
 }
 
-bool has_free_sides(const mechanics::FemSettings& block) {
-  return block.full.sides == mechanics::BlockSides::free;
-}
-
-constexpr const char* not_with_free_sides =
-    "there is no exact solution with free sides";
-
 struct StiffnessErrors {
   double normal = not_a_number;
   double tangential = not_a_number;
@@ -73,7 +66,8 @@ void add_stiffness_errors(const results::Result& result,
   const mechanics::Scales scales{result.contact_modulus, side,
                                  side / surface.points.value_or(1), 0.0, 0.0};
   StiffnessErrors errors;
-  if (!has_free_sides(block) && contact_case.material.poisson_ratio)
+  if (!has_free_sides(contact_case, method) &&
+      contact_case.material.poisson_ratio)
     errors = stiffness_errors(rows, surface,
                               {side, block.block.depth.in_si(scales),
                                result.contact_modulus,
@@ -88,12 +82,13 @@ void add_stiffness_errors(const results::Result& result,
 /// whole end is in contact: its edge lifts if the approach is less than 2 a
 /// tilt.
 void add_moment_error(const results::Result& result,
-                      const mechanics::SurfaceSpec& surface,
-                      const results::MethodRecord& method, bool is_finite_block,
+                      const cases::Case& contact_case,
+                      const results::MethodRecord& method,
                       MethodSummary& summary) {
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
   Estimate& error = summary.quantities["moment_error"];
   error.remark = not_with_free_sides;
-  if (is_finite_block)
+  if (has_free_sides(contact_case, method))
     return;
   const double side = surface.length.value_or(not_a_number);
   const theory::FlatPunch punch(surface.radius, result.contact_modulus);
@@ -103,7 +98,7 @@ void add_moment_error(const results::Result& result,
        loading_rows(method.realizations.front().points)) {
     const double load = row.nominal_pressure * side * side;
     if (exact_point(surface, result.contact_modulus, row.nominal_pressure, 0.0,
-                    false)
+                    has_free_boundaries(contact_case, method))
             .contact_radius > 0.0)
       largest = std::fmax(largest,
                           std::abs(load * row.pressure_centre_x / exact - 1.0));
@@ -123,8 +118,7 @@ void add_stiffness_quantities(const results::Result& result,
     return;
   const auto* const block = block_settings_of(contact_case, method);
   if (surface.tilt != 0.0) {
-    add_moment_error(result, surface, method,
-                     block != nullptr && has_free_sides(*block), summary);
+    add_moment_error(result, contact_case, method, summary);
     return;
   }
   if (block != nullptr)

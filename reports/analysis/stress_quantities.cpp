@@ -55,10 +55,13 @@ void add_stress_quantities(const results::Result& result,
   double strength_error = not_a_number;
   double depth_error = not_a_number;
   for (std::size_t i = 0; i < pressures.size(); ++i) {
-    const theory::HertzContact contact = theory::hertz_contact(
-        pressures[i] * side * side, surface.radius, result.contact_modulus);
-    if (2.0 * contact.contact_radius > side)
-      continue; // as in exact_point()
+    const bool is_free = has_free_boundaries(contact_case, method);
+    if (!(exact_point(surface, result.contact_modulus, pressures[i], 0.0,
+                      is_free)
+              .contact_radius > 0.0))
+      continue;
+    const theory::HertzContact contact = sphere_contact(
+        surface, result.contact_modulus, pressures[i] * side * side, is_free);
     const double strength = exact.von_mises * contact.peak_pressure;
     const double depth = exact.depth * contact.contact_radius;
     strength_error =

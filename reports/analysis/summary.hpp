@@ -140,6 +140,14 @@ SurfaceScales scales_of(const results::Result& result,
 bool has_free_boundaries(const cases::Case& contact_case,
                          const results::MethodRecord& method);
 
+/// Returns true if the method is a finite-element block with free sides, or
+/// with a counter-body of finite size, to which no exact solution applies.
+bool has_free_sides(const cases::Case& contact_case,
+                    const results::MethodRecord& method);
+
+inline constexpr const char* not_with_free_sides =
+    "there is no exact solution with free sides";
+
 /// Returns the magnification at which a method of the case resolves the
 /// surface; empty if it resolves all of the roughness.
 std::optional<double> magnification_of(const cases::Case& contact_case,

@@ -52,8 +52,12 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
   const double top = entry.result->surfaces.empty()
                          ? not_a_number
                          : entry.result->surfaces.front().highest;
-  const bool is_free =
-      entry.contact_case->surface.edges == mechanics::Edges::free;
+  const auto computed = std::ranges::find_if(
+      entry.result->methods, [](const results::MethodRecord& method) {
+        return method.kind != "theory";
+      });
+  const bool is_free = computed != entry.result->methods.end() &&
+                       has_free_boundaries(*entry.contact_case, *computed);
   const Range range = pressures_of(series);
   for (int k = 0; k <= 300; ++k) {
     const double pressure =

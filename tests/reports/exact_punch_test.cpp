@@ -41,6 +41,82 @@ TEST(ExactPunch, FindTheRelativeErrorOfAPunch) {
   EXPECT_NEAR(tilted.quantities.at("area_error").value, 0.0, 1e-12);
 }
 
+/// The mean over a square of side L of (2 d/pi) asin(a/r), or d for r < a, by
+/// polar coordinates: the integral along a ray has a closed form.
+double mean_displacement(double approach, double a, double side) {
+  const int rays = 1000;
+  double sum = 0.0;
+  for (int i = 0; i < rays; ++i) {
+    const double r =
+        0.5 * side / std::cos((i + 0.5) / rays * std::numbers::pi / 4.0);
+    sum += 0.5 * a * a + (0.5 * r * r * std::asin(a / r) +
+                          0.5 * a * std::sqrt(r * r - a * a) -
+                          0.25 * std::numbers::pi * a * a) *
+                             2.0 / std::numbers::pi;
+  }
+  return approach * sum * 2.0 * std::numbers::pi / rays / (side * side);
+}
+
+// Pressed once on a half-space, a punch displaces the surface by
+// (2 d/pi) asin(a/r), and not by what a sphere does: the mean gap is the height
+// of its end minus d plus the mean of that. Tolerance: the disc of nodes of
+// spacing h, (h/a)^(3/2) of the displacement in a ring of width h.
+TEST(ExactPunch, HasItsOwnDisplacementWithFreeBoundaries) {
+  cases::Case punch = sphere_case();
+  punch.surface.kind = mechanics::SurfaceKind::punch;
+  punch.surface.radius = 0.15e-3;
+  punch.surface.points = 256;
+  mechanics::HalfspaceSettings free;
+  free.has_free_boundaries = true;
+  punch.methods.push_back({"halfspace", free});
+  const double load = 2.0 * contact_modulus * 0.15e-3 * 1e-7;
+  const auto with_approach = [&](double approach) {
+    results::CurvePoint point;
+    point.nominal_pressure = load / 1e-6;
+    point.mean_gap = 4e-6 - approach + mean_displacement(1e-7, 0.15e-3, 1e-3);
+    point.area_fraction_corrected = std::numbers::pi * 0.0225;
+    results::Result result = result_of({point});
+    result.surfaces.resize(1);
+    result.surfaces.front().highest = 4e-6;
+    return summary_of(result, punch).quantities.at("approach_error").value;
+  };
+
+  EXPECT_NEAR(with_approach(1e-7), 0.0, 1e-3);
+  EXPECT_NEAR(with_approach(1.03e-7), 0.03, 1e-3);
+}
+
+// A block with free sides is neither a half-space nor an array: only the radius
+// of a contact is compared, and of a wave nothing. A wave with free boundaries
+// is not that of Westergaard.
+TEST(ExactPoint, IsOfTheBoundaryOfTheMethod) {
+  cases::Case sphere = sphere_case();
+  mechanics::FemSettings block;
+  block.full.sides = mechanics::BlockSides::free;
+  sphere.methods.push_back({"halfspace", block});
+  results::CurvePoint point;
+  point.nominal_pressure = 1e3;
+  point.mean_gap = 1e-6;
+  point.area_fraction_corrected = 0.01;
+  results::Result result = result_of({point});
+  result.surfaces.resize(1);
+  result.surfaces.front().highest = 4e-6;
+  cases::Case wave = sphere;
+  wave.surface.kind = mechanics::SurfaceKind::wave_1d;
+  wave.surface.amplitude = wave.surface.wavelength = 1e-6;
+
+  const MethodSummary on_sphere = summary_of(result, sphere);
+  const MethodSummary on_wave = summary_of(result, wave);
+
+  const auto& approach = on_sphere.quantities.at("approach_error");
+  EXPECT_FALSE(approach.has_value());
+  EXPECT_EQ(approach.remark, "there is no exact solution with free sides");
+  EXPECT_TRUE(on_sphere.quantities.at("contact_radius_error").has_value());
+  EXPECT_FALSE(on_wave.quantities.at("area_error").has_value());
+  EXPECT_FALSE(on_wave.quantities.at("mean_gap_error").has_value());
+  EXPECT_TRUE(std::isnan(
+      exact_point(wave.surface, contact_modulus, 1e3, 0.0, true).mean_gap));
+}
+
 // The surface around the end, 1e-7 m behind it, touches above an approach of
 // 1.17e-7 m. Steps above are not compared, and the remark says from which load
 // on. Tolerance: roundoff.

@@ -71,22 +71,41 @@ TEST(ExactFigures, StateTheErrors) {
       << figures[1].caption;
 }
 
-// Hertz on a periodic square: approach a^2/R minus S F/(pi E* L), where the
-// mean gap decreases from the height of the crest.
+// Hertz on a periodic square: the neighbours displace the surface under the
+// sphere by F/(pi E* L) [-S + (T/4)(r^2 + 2 a^2/5)/L^2], so that 1/R' = 1/R +
+// T F/(2 pi E* L^3) and the approach is a^2/R' minus the rest, where the mean
+// gap decreases from the height of the crest. S and T are lattice sums.
+struct ArraySphere {
+  double load = 0.0;     ///< F = 4 E* a^3/(3 R') [N]
+  double approach = 0.0; ///< of the array [m]
+};
+
+/// A sphere of radius 10 mm in an array of period 1 mm.
+ArraySphere array_sphere(double contact_radius) {
+  const double side = 1e-3, radius = 10e-3;
+  const double curvature_sum = 9.0336216831008; // T
+  const double cubic = 4.0 * contact_modulus * std::pow(contact_radius, 3) / 3;
+  const double bend = curvature_sum / (2.0 * std::numbers::pi *
+                                       contact_modulus * std::pow(side, 3));
+  const double load = cubic / radius / (1.0 - cubic * bend);
+  const double square = contact_radius * contact_radius;
+  return {load, square * (1.0 / radius + bend * load) -
+                    load / (std::numbers::pi * contact_modulus * side) *
+                        (3.9002649200019564 -
+                         curvature_sum * square / (10.0 * side * side))};
+}
+
 results::Result sphere_result(double stretch) {
   const double side = 1e-3;
-  const double radius = 10e-3;
   const double top = 4e-6;
   std::vector<results::CurvePoint> points;
   for (const double contact_radius : {0.05e-3, 0.1e-3}) {
-    const double load =
-        4.0 * contact_modulus * std::pow(contact_radius, 3) / (3.0 * radius);
-    const double approach = stretch * contact_radius * contact_radius / radius;
-    const double neighbours =
-        3.9002649200019564 * load / (std::numbers::pi * contact_modulus * side);
+    const auto [load, approach] = array_sphere(contact_radius);
+    const double alone =
+        std::cbrt(std::pow(0.75 * load / contact_modulus, 2) / 10e-3);
     results::CurvePoint point;
     point.nominal_pressure = load / (side * side);
-    point.mean_gap = top - (approach - neighbours);
+    point.mean_gap = top - approach - (stretch - 1.0) * alone;
     point.area_fraction_corrected = std::numbers::pi *
                                     std::pow(stretch * contact_radius, 2) /
                                     (side * side);
@@ -116,9 +135,8 @@ TEST(ExactQuantities, FindTheErrorOfTheStressInside) {
   sphere.material.poisson_ratio = 0.3;
   results::Result result = sphere_result(1.0);
   const double radius = 0.1e-3;
-  const double peak =
-      2.0 * contact_modulus * radius / (std::numbers::pi * 10e-3);
-  const double load = 2.0 / 3.0 * std::numbers::pi * radius * radius * peak;
+  const double load = array_sphere(radius).load;
+  const double peak = 1.5 * load / (std::numbers::pi * radius * radius);
   result.tables = {{"stress-inside-halfspace",
                     "",
                     {{"nominal_pressure", "Pa", {load / 1e-6}},
@@ -151,19 +169,26 @@ TEST(ExactQuantities, LeaveOutFailedRows) {
 // whose open area is too small by up to a relative 0.5 (1 - P), and between the
 // two where neither limit applies. Tolerance: these fractions, and a tenth of
 // them for "some".
-// Hertz' radius is (3 F R / (4 E*))^(1/3), here 0.49 and 0.51 of the length:
-// the contact of the second load reaches the periodic images.
+// Of one contact on a half-space, Hertz' radius is (3 F R/(4 E*))^(1/3), here
+// 0.49 and 0.51 of the length: the second reaches the border. In an array the
+// solution is that with 1/R' = 1/R + T F/(2 pi E* L^3), up to 0.3 lengths.
 TEST(ExactPoint, OfASphereNeedsAContactInsideTheSquare) {
   const mechanics::SurfaceSpec surface = sphere_case().surface;
-  const auto exact = [&](double radius_over_length) {
+  const auto exact = [&](double radius_over_length, bool is_free) {
     return exact_point(surface, contact_modulus,
                        4.0 / 3.0 * std::pow(radius_over_length, 3.0) * 0.1 *
                            contact_modulus,
-                       0.0, false);
+                       0.0, is_free)
+        .contact_radius;
   };
+  const double flatter = 1.0 + 9.0336216831008 * 4.0 / 3.0 *
+                                   std::pow(0.3, 3.0) /
+                                   (2.0 * std::numbers::pi);
 
-  EXPECT_NEAR(exact(0.49).contact_radius, 0.49e-3, 1e-12);
-  EXPECT_TRUE(std::isnan(exact(0.51).contact_radius));
+  EXPECT_NEAR(exact(0.49, true), 0.49e-3, 1e-12);
+  EXPECT_TRUE(std::isnan(exact(0.51, true)));
+  EXPECT_NEAR(exact(0.3, false), 0.3e-3 / std::cbrt(flatter), 1e-12);
+  EXPECT_TRUE(std::isnan(exact(0.32, false)));
 }
 
 TEST(ExactPoint, IsKnownAtEveryLoadOfTheTwoDimensionalWave) {
