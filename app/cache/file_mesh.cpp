@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <csignal>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -65,6 +67,41 @@ void require_size(const BlockMesh& mesh, const MeshSpec& spec,
       grid.length_y, advice));
 }
 
+/// While gmsh is at work there is no load step that an interrupt would let the
+/// program finish: the first one ends it, and gmsh with it.
+class EndsAtOnce {
+public:
+  EndsAtOnce() {
+    for (Caught& caught : caught_)
+      if (sigaction(caught.number, nullptr, &caught.before) == 0 &&
+          caught.before.sa_handler != SIG_IGN)
+        std::signal(caught.number, SIG_DFL);
+  }
+
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
+
+  ~EndsAtOnce() {
+    for (const Caught& caught : caught_)
+      sigaction(caught.number, &caught.before, nullptr);
+  }
+
+private:
+  struct Caught {
+    int number;
+
+    struct sigaction before {};
+  };
+
+  std::array<Caught, 2> caught_{{{SIGINT}, {SIGTERM}}};
+};
+
+meshes::FileMesh made_of(const MeshSpec& spec) {
+  const EndsAtOnce at_interrupts;
+  return meshes::read_mesh_file(
+      {spec.file, spec.file_unit, spec.allow_commands});
+}
+
 /// The mesh of a file, and as blocks use it.
 struct MadeMesh {
   meshes::FileMesh file;
@@ -79,10 +116,7 @@ MadeMesh& made_mesh(const cases::Case& contact_case) {
   const std::tuple asked(spec.file, spec.file_unit, spec.allow_commands);
   auto found = made.find(asked);
   if (found == made.end())
-    found = made.emplace(asked,
-                         MadeMesh{meshes::read_mesh_file(
-                             {spec.file, spec.file_unit, spec.allow_commands})})
-                .first;
+    found = made.emplace(asked, MadeMesh{made_of(spec)}).first;
   return found->second;
 }
 

@@ -167,11 +167,4 @@ std::unique_ptr<StepSolver> make_full_block_solver(
       watch);
 }
 
-void require_file_meshes(const cases::Case& contact_case,
-                         const std::vector<cases::MethodSpec>& methods,
-                         const Grid& grid) {
-  for (const cases::MethodSpec& method : methods)
-    file_mesh(contact_case, method, pressed_grid(contact_case, method, grid));
-}
-
 } // namespace asperity::app

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 namespace asperity::app {
 
@@ -28,13 +27,5 @@ std::unique_ptr<StepSolver> make_full_block_solver(
     const cases::Case& contact_case, const cases::MethodSpec& method,
     const SurfaceOfCase& surface, int realization,
     const std::filesystem::path& scratch, const fem::BlockWatch& watch);
-
-/// Requires the mesh of the file that the case names, if it names one, to be
-/// valid for each full block among the methods.
-/// @param grid  of the surface of the case
-/// @throws input::InputError  as file_mesh (app/cache/file_mesh.hpp)
-void require_file_meshes(const cases::Case& contact_case,
-                         const std::vector<cases::MethodSpec>& methods,
-                         const Grid& grid);
 
 } // namespace asperity::app

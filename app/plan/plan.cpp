@@ -2,7 +2,6 @@
 
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
-#include "app/methods/full_block_method.hpp"
 #include "app/methods/methods.hpp"
 #include "app/methods/shared_load_steps.hpp"
 #include "app/methods/shared_surface.hpp"
@@ -241,7 +240,6 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   if (const auto& variation = contact_case.material.variation;
       variation && variation->kind == mechanics::VariationKind::table)
     fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
-  require_file_meshes(contact_case, methods, grid);
   const CaseKeys keys(contact_case, program_identity());
   Cache none;
   Cache& cache = options.cache != nullptr ? *options.cache : none;

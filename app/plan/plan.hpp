@@ -48,8 +48,8 @@ struct Plan {
 /// Makes the plan of a run.
 ///
 /// @param largest_probe  see MachineRates
-/// @throws input::InputError  an unknown method name, or a map or a table of
-///                            factors that cannot be read
+/// @throws input::InputError  an unknown method name, or a map, a mesh or a
+///                            table of factors that cannot be read
 Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
                int largest_probe = 1024);
 

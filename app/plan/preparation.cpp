@@ -1,5 +1,6 @@
 #include "app/plan/preparation.hpp"
 
+#include "app/cache/file_mesh.hpp"
 #include "app/cache/resolved_keys.hpp"
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
@@ -275,6 +276,8 @@ void require_computable(const cases::Case& contact_case,
   for (const MethodSpec& method : methods)
     preparation.examine(method);
   preparation.throw_mistakes();
+  for (const MethodSpec& method : methods) // nothing without a mesh file
+    file_mesh(contact_case, method, pressed_grid(contact_case, method, grid));
 }
 
 void require_surface(const cases::Case& contact_case,

@@ -13,7 +13,8 @@ namespace asperity::app {
 /// Requires that each method can build its block on the grid of the surface:
 /// that meshes, layers, inclusions, slabs, counter-bodies and atoms fit. The
 /// reader of cases refuses what does not depend on the grid. The solvers' own
-/// checks are asked; none of them builds a mesh or a matrix here.
+/// checks are asked; none of them builds a mesh or a matrix here, but the mesh of
+/// a file is read.
 ///
 /// @param grid  of the surface; without points if no method needs a surface
 /// @throws input::InputError  all mistakes, each with its place

@@ -2,7 +2,6 @@
 
 #include "app/cache/case_keys.hpp"
 #include "app/methods/chosen.hpp"
-#include "app/methods/full_block_method.hpp"
 #include "app/methods/shared_load_steps.hpp"
 #include "app/methods/shared_surface.hpp"
 #include "app/plan/memory_check.hpp"
@@ -318,9 +317,6 @@ RunOutcome run_case(const cases::Case& contact_case,
   require_computable(contact_case, methods,
                      grid_of_case(contact_case, methods));
   require_memory(contact_case, options);
-  if (!contact_case.mesh.file.empty())
-    require_file_meshes(contact_case, methods,
-                        grid_of_case(contact_case, methods));
   std::optional<LastRun> last_run;
   const auto put_back = [&] {
     if (last_run)

@@ -110,31 +110,36 @@ void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
   check_together(file, read, mistakes);
 }
 
-void require_file(const Case& read, const std::string& key,
+/// @param table  that has the key "file", or null
+void require_file(const Node* table, const std::string& key,
                   const std::string& file) {
   if (file.empty())
     return;
+  const Place& place = table->find("file")->place;
   if (!std::filesystem::exists(file))
     input::throw_mistake(
-        {read.path, 0},
+        place,
         key + ": there is no file " + file +
             " (a relative path is resolved from the case file's folder)");
   try {
     require_regular_file(file, input::largest_number_file);
   } catch (const FileError& error) {
-    input::throw_mistake({read.path, 0}, key + ": " + error.what());
+    input::throw_mistake(place, key + ": " + error.what());
   }
 }
 
-void require_files(const Case& read) {
-  require_file(read, "surface.file", read.surface.file);
-  require_file(read, "mesh.file", read.mesh.file);
+void require_files(const Node& file, const Case& read) {
+  require_file(file.find("surface"), "surface.file", read.surface.file);
+  require_file(file.find("mesh"), "mesh.file", read.mesh.file);
   if (read.material.variation)
-    require_file(read, "material.variation.file",
-                 read.material.variation->file);
+    require_file(file.find("material")->find("variation"),
+                 "material.variation.file", read.material.variation->file);
 }
 
-Case read_text(const StackedText& stacked, const std::string& path) {
+enum class FilesOfCase { required, not_looked_for };
+
+Case read_text(const StackedText& stacked, const std::string& path,
+               FilesOfCase files) {
   Case read;
   read.path = path;
   read.name = case_name(path);
@@ -162,6 +167,8 @@ Case read_text(const StackedText& stacked, const std::string& path) {
   read_top(file, read, mistakes);
   read_tables(file, read, mistakes);
   mistakes.throw_if_any();
+  if (files == FilesOfCase::required)
+    require_files(file, read);
   return read;
 }
 
@@ -179,9 +186,7 @@ std::string case_name(const std::filesystem::path& path) {
 }
 
 Case read_stacked_case(const StackedText& stacked, const std::string& path) {
-  Case read = read_text(stacked, path);
-  require_files(read);
-  return read;
+  return read_text(stacked, path, FilesOfCase::required);
 }
 
 Case read_case(const std::string& path,
@@ -195,7 +200,7 @@ Case read_case_text(const std::string& text, const std::string& path,
                     const std::vector<std::string>& overrides) {
   StackedText stacked{text, path, {}};
   add(stacked, overrides);
-  return read_text(stacked, path);
+  return read_text(stacked, path, FilesOfCase::not_looked_for);
 }
 
 } // namespace asperity::cases

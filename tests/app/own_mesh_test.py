@@ -5,8 +5,10 @@ Arguments: the program, an empty folder. It runs in the top-level folder.
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 PROGRAM = os.path.abspath(sys.argv[1])
@@ -84,9 +86,10 @@ def test_a_msh_file_gives_the_numbers_of_the_geometry():
 
 
 def refused_files():
-    """Names, contents, overrides and the words with which they must be refused."""
+    """Names, contents (None: there is no such file), overrides and the words with which they must be refused."""
     turned = GEO.replace("Transfinite Curve",
                          "Rotate {{0, 0, 1}, {0, 0, 0}, Pi/4} { Volume{1}; }\nTransfinite Curve")
+    yield "none.msh", None, [], "there is no file "
     yield "empty.msh", "", [], 'begins with ""'
     yield "script.msh", 'SystemCall "touch made";\n', [], "must begin with $MeshFormat"
     yield "cut.msh", box_mesh()[:2000], [], "cut.msh"
@@ -112,14 +115,15 @@ def test_a_mesh_is_refused_before_anything_is_touched():
     before = contents("kept")
     assert before
     for name, text, overrides, words in refused_files():
-        write(name, text)
+        if text is not None:
+            write(name, text)
         options = [word for entry in overrides for word in ("--set", entry)]
         write("bad.toml", CASE.replace("block.geo", name))
         for command in (["run", "bad.toml", "--out", "kept"],
                         ["run", "bad.toml", "--out", "kept", "--no-cache"],
                         ["run", "bad.toml", "--dry-run"],
                         ["check", "bad.toml", "--out", "kept"],
-                        ["describe", "bad.toml"],
+                        ["describe", "bad.toml"], ["bench", "bad.toml", "--out", "fresh"],
                         ["run", "bad.toml", "--out", "fresh"]):
             code, answer = run(*command, *options)
             assert code == 2, (command, name, code, answer)
@@ -127,7 +131,7 @@ def test_a_mesh_is_refused_before_anything_is_touched():
             assert f"bad.toml:{LINE_OF_FILE}: mesh.file: " in answer, (command, name, answer)
             assert name in answer, (command, name, answer)
         assert contents("kept") == before, name
-        assert not (FOLDER / "fresh" / "result.h5").exists(), name
+        assert not [path for path in (FOLDER / "fresh").rglob("*") if path.stat().st_size], name
         assert not list(FOLDER.rglob("made*")), name
 
 
@@ -148,6 +152,34 @@ def test_the_cache_and_resume_know_what_a_geometry_includes():
     code, text = run("run", "included.toml", "--out", "deep", "--resume")
     assert code == 2 and "mesh.file" in text, (code, text)
     assert contents("deep") == before
+
+
+def test_an_interrupt_ends_gmsh_and_the_program():
+    write("endless.geo", "For i In {1:1e15}\n  x = i;\nEndFor\n")
+    write("endless.toml", CASE.replace("block.geo", "endless.geo"))
+    for words in (["run", "endless.toml", "--out", "none"], ["run", "endless.toml", "--dry-run"],
+                  ["check", "endless.toml", "--out", "none"]):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([PROGRAM, *words], cwd=FOLDER, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL) as running:
+                wait_for(lambda: children_of(running.pid))
+                gmsh = children_of(running.pid)
+                running.send_signal(number)
+                assert running.wait(60) == -number, (words, number, running.returncode)
+                wait_for(lambda: not any(os.path.exists(f"/proc/{child}") for child in gmsh))
+
+
+def children_of(process):
+    with open(f"/proc/{process}/task/{process}/children", encoding="utf-8") as file:
+        return file.read().split()
+
+
+def wait_for(is_so):
+    for _ in range(600):
+        if is_so():
+            return
+        time.sleep(0.1)
+    raise AssertionError("waited for a minute")
 
 
 def main():

@@ -297,7 +297,7 @@ TEST(ReadCase, ReportsAMissingFile) {
                   {"surface={ kind = \"measured\", file = \"no.txt\", level = "
                    "\"none\", edges = \"periodic\" }",
                    "expect="}),
-      head + "cases/wave-1d/case.toml: surface.file: there is no file "
+      head + "--set: surface.file: there is no file "
              "cases/wave-1d/no.txt (a relative path is resolved from the "
              "case file's folder)\n");
   EXPECT_EQ(mistakes_in(
@@ -305,7 +305,7 @@ TEST(ReadCase, ReportsAMissingFile) {
                 {"surface={ kind = \"measured\", file = \"/dev/zero\", level = "
                  "\"none\", edges = \"periodic\" }",
                  "expect="}),
-            head + "cases/wave-1d/case.toml: surface.file: /dev/zero: is a "
+            head + "--set: surface.file: /dev/zero: is a "
                    "device, but must be a regular file\n");
 }
 
