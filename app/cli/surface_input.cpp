@@ -83,6 +83,9 @@ double length_of(const std::string& option, const std::string& text) {
 
 SurfaceInput line_input(const std::string& file,
                         const SurfaceCommand& command) {
+  if (!command.missing_value.empty())
+    throw input::InputError(
+        file + ": --missing-value: the points of a line scan must be measured");
   if (command.length.empty() || command.height_unit.empty())
     throw input::InputError(fmt::format(
         "{}: is a line scan; give its length and the unit of its heights, for "

@@ -25,7 +25,7 @@ void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
                         const std::optional<double>& missing_value) {
   constexpr double rounding = 1.5e-6;
   for (const std::optional<double>& number : {missing_value, numbers.missing})
-    if (number) {
+    if (number && std::isfinite(*number)) {
       const double marked = *number * numbers.unit;
       for (double& height : heights)
         if (std::abs(height - marked) <= rounding * std::abs(marked))

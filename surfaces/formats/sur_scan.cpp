@@ -139,6 +139,10 @@ void check_sur(const SurHeader& header, std::uintmax_t file_bytes,
     if (!std::isfinite(header.step[axis]) || header.step[axis] <= 0.0)
       refuse(fmt::format("the step along {} is {:.6g}, but must be > 0",
                          "xyz"[axis], header.step[axis]));
+  if (header.has_special_points && header.largest <= header.least)
+    refuse(fmt::format("announces special points outside the numbers {} to {} "
+                       "(Zmin, Zmax), which leave no heights",
+                       header.least, header.largest));
   if (!std::isfinite(header.height))
     refuse("the height of the number 0 is not finite");
   if (header.inversion != 0)

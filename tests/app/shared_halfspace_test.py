@@ -124,6 +124,7 @@ def check_other_surfaces(runner):
     holes = re.sub(r"(?m)^[^#\n].*$", lambda line: re.sub(
         r"((?:\S+\t){11})\S+", r"\1bad", line.group()), text)
     (runner.folder / "holes.txt").write_text(holes)
+    (runner.folder / "marks.txt").write_text(holes.replace("bad", "-9999"))
     write_listed_x3p(runner.folder / "listed.x3p", text, points=512)
     measured = 'kind = "measured"\nlevel = "bow"\nfile = '
     cases = {
@@ -143,7 +144,9 @@ def check_other_surfaces(runner):
                  "rank 0 builds the whole surface, because the format of the map cannot be read "
                  "by rows, and sends its rows to 2"),
         "gwy": ('"map.gwy"\nedges = "periodic"', "2 ranks read the rows of the surface"),
-        "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface")}
+        "text": ('"map.txt"\nedges = "periodic"', "2 ranks read the rows of the surface"),
+        "marks": ('"marks.txt"\nedges = "periodic"\nmissing_value = -9999\nmax_missing = 0.2',
+                  "2 ranks read the rows of the surface")}
     cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
     # The map itself is pressed once, and its continuation by no method.
     cases["island"] = tuple(text.replace("periodic", "mirror") for text in cases["npy"])

@@ -71,6 +71,7 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "surface.length_unit",
                                            "surface.length_y",
                                            "surface.max_missing",
+                                           "surface.missing_value",
                                            "surface.press_windowed_map",
                                            "surface.remove_spikes",
                                            "surface.rescale",

@@ -281,5 +281,30 @@ TEST(ListRows, OfAnNpyFileAreThoseOfTheWholeFile) {
       matrix);
 }
 
+// The number of the case, or that of a header, marks missing points of lists
+// and matrices alike.
+TEST(ListRows, NumbersThatMarkMissingPoints) {
+  std::vector<std::string> lines = points();
+  lines[8] = "-0.5 0.3333333 -9999\n";
+  lines[20] = "2.0 0.6666667 -9999.00\n";
+  ScanRequest request = as_list;
+  request.missing_value = -9999.0;
+  for (const bool is_reversed : {false, true}) {
+    if (is_reversed)
+      std::ranges::reverse(lines);
+    std::string text;
+    for (const std::string& line : lines)
+      text += line;
+    const std::string path = written("marked.txt", text);
+    expect_rows_of(path, request);
+    EXPECT_EQ(count_missing(read_scan(path, request)), 2U);
+  }
+  const std::string grid =
+      written("grid.asc", "ncols 4\nnrows 3\ncellsize 2\nNODATA_value -1\n"
+                          "1 2 -1 4\n5 6 7 8\n-1 10 11 12\n");
+  expect_rows_of(grid, automatic);
+  EXPECT_EQ(count_missing(read_scan(grid, automatic)), 2U);
+}
+
 } // namespace
 } // namespace asperity::surfaces

@@ -99,5 +99,40 @@ TEST(MissingRows, AreRefusedAsInOneProcess) {
   }
 }
 
+/// The holes have a number instead of NaN.
+std::vector<double> heights_with_marks() {
+  std::vector<double> heights = heights_with_holes();
+  for (double& height : heights)
+    if (std::isnan(height))
+      height = -9999.0;
+  return heights;
+}
+
+TEST(MissingRows, HaveTheNumberOfTheCase) {
+  SurfaceSpec surface = with_holes(npy_file("mark.npy", heights_with_marks()));
+  surface.missing_value = -9999.0;
+
+  expect_bits_of_one_process(surface);
+
+  EXPECT_EQ(described_map(surface).missing, 31U);
+}
+
+// Every rank finds the mark, whichever has rows with it.
+TEST(MissingRows, MarksAreRefusedByAllRanks) {
+  const SurfaceSpec surface =
+      with_holes(npy_file("refused.npy", heights_with_marks()));
+  const auto message = [&](const auto& act) {
+    return tests::message_of<input::InputError>(act);
+  };
+  const std::string expected = message([&] { measured_map(surface); });
+  EXPECT_NE(expected.find("31 point(s) have the number -9999"),
+            std::string::npos);
+  const Grid grid = measured_grid(surface);
+  tests::on_thread_ranks(3, [&](RankGroup& ranks) {
+    const SharedRows rows(grid, ranks, bounds_of(grid.points_y, 3));
+    EXPECT_EQ(message([&] { measured_rows(surface, rows); }), expected);
+  });
+}
+
 } // namespace
 } // namespace asperity::surfaces

@@ -203,6 +203,10 @@ TEST(SurScan, OtherKindsAreRefusedByName) {
   wide.bits = 64;
   EXPECT_TRUE(contains(refusal_of_file(wide), "numbers of 64 bits"));
   EXPECT_TRUE(contains(refusal_of_file(SurFile(), "rest"), "ends at byte 540"));
+  SurFile no_range;
+  no_range.special_points = 1;
+  no_range.largest = no_range.least;
+  EXPECT_TRUE(contains(refusal_of_file(no_range), "leave no heights"));
   SurFile short_file;
   short_file.numbers.pop_back();
   EXPECT_TRUE(contains(refusal_of_file(short_file), "only 20 follow"));
