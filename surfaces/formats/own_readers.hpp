@@ -41,6 +41,19 @@ Scan read_text_scan(std::string_view bytes, const std::string& name,
 std::optional<RowFile> text_row_file(const std::string& path,
                                      const ScanRequest& request);
 
+/// Fourier coefficients qX qY Re Im of a periodic square map, which has some
+/// pair of complex conjugates for q and -q (docs/reference/map-files.md).
+/// @return  nothing if the table is something else: there are other columns, an
+///          index is no whole number or occurs twice, or no coefficient has a
+///          conjugate or one is not that of its opposite
+/// @throws input::InputError  a key of the case is missing or superfluous, or
+///                            there are too many waves
+std::optional<Scan> fourier_scan(const NumberTable& table,
+                                 const MapScale& scale);
+inline constexpr std::size_t fourier_columns = 4;
+/// Number of points along a side of such a map; 0: it is none.
+int fourier_points(const NumberTable& table);
+
 /// What a text matrix says of its map.
 struct TextMatrix {
   Grid grid;
@@ -102,6 +115,11 @@ RowFile wsxm_row_file(const std::string& path, std::string_view beginning,
 /// Any other format through the program Gwyddion.
 FileContent read_converted_file(const std::string& path,
                                 const ScanRequest& request, Asked asked);
+
+/// Whether the case names another channel than the only one of a file, which
+/// has the number 1.
+bool names_another(const std::optional<std::string>& wanted,
+                   const std::string& title);
 
 /// The scales of the case for a file without any: square pixels unless
 /// scale.length_y is given.

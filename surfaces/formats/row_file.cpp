@@ -83,7 +83,7 @@ std::optional<RowFile> npy_file(const std::string& path,
   require_sound_grid(path, static_cast<std::int64_t>(layout.columns),
                      static_cast<std::int64_t>(layout.rows), 1.0,
                      layout.rows * layout.columns);
-  if (request.channel && !request.channel.value().empty())
+  if (names_another(request.channel, ""))
     return std::nullopt;
   RowFile numbers;
   numbers.grid = {static_cast<int>(layout.columns),

@@ -108,6 +108,11 @@ FileContent read_file_of(const std::string& path, const ScanRequest& request,
 
 } // namespace
 
+bool names_another(const std::optional<std::string>& wanted,
+                   const std::string& title) {
+  return wanted && *wanted != title && *wanted != "1";
+}
+
 Scan read_scan_bytes(std::string_view bytes, const std::string& name,
                      const ScanRequest& request) {
   const MapFormat format = format_of(bytes, request);

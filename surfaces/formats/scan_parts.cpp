@@ -99,7 +99,7 @@ void refuse_scale(const MapScale& scale, const std::string& name) {
 
 void refuse_channel(const ScanRequest& request, const std::string& channel,
                     const std::string& name) {
-  if (request.channel && *request.channel != channel)
+  if (names_another(request.channel, channel))
     throw input::InputError(fmt::format(
         "surface.channel must be left out: {} has only one channel", name));
 }

@@ -121,7 +121,7 @@ Scan read_sdf_scan(std::string_view bytes, const std::string& name) {
 std::optional<RowFile> sdf_row_file(const std::string& path,
                                     std::string_view beginning,
                                     const ScanRequest& request) {
-  if (!request.channel.value_or("").empty())
+  if (names_another(request.channel, ""))
     return std::nullopt;
   refuse_scale(request.scale, path);
   if (!beginning.starts_with('b'))

@@ -63,7 +63,7 @@ Scan read_x3p_scan(std::string_view bytes, const std::string& name) {
 
 std::optional<RowFile> x3p_row_file(const std::string& path,
                                     const ScanRequest& request) {
-  if (!request.channel.value_or("").empty())
+  if (names_another(request.channel, ""))
     return std::nullopt;
   refuse_scale(request.scale, path);
   const auto open = std::make_shared<OpenX3p>(path);

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -204,6 +206,121 @@ TEST(TextScan, NeverTakesAListForAMatrix) {
             "occur once");
   EXPECT_NE(refusal("0 0 1\n1 7 2\n2 1 3\n5 1 4\n", list_scale, MapFormat::xyz)
                 .find("not the points of a regular grid"),
+            std::string::npos);
+}
+
+// An empty cell is a missing point: the columns behind it stay where they are,
+// whatever separates them, also at the ends of a row and in a row without
+// numbers.
+TEST(TextScan, KeepsTheColumnsBesideEmptyCells) {
+  for (const std::string separator : {",", ";", "\t", ", ", " ;\t"}) {
+    std::string text;
+    for (const std::string row :
+         {"1|2|3|4", "|6|7|8", "9||11|12", "13|14|15|", "|||", "21|22||"}) {
+      for (const char letter : row)
+        text += letter == '|' ? separator : std::string(1, letter);
+      text += "\n";
+    }
+    const Scan scan = text_scan(text, {4.0, 1.0});
+    EXPECT_EQ(scan.map.grid.points_x, 4) << text;
+    EXPECT_EQ(scan.map.heights,
+              (std::vector<double>{1,  2,  3,  4, 0, 6, 7, 8, 9,  0,  11, 12,
+                                   13, 14, 15, 0, 0, 0, 0, 0, 21, 22, 0,  0}))
+        << text;
+    EXPECT_EQ(count_missing(scan), 9U) << text;
+  }
+}
+
+// Separators at the end of every row add no column, and a row of another length
+// is refused.
+TEST(TextScan, RefusesRowsOfOtherLengths) {
+  EXPECT_EQ(text_scan("1,2,3,\n4,5,6,\n", {1.0, 1.0}).map.grid.points_x, 3);
+  EXPECT_EQ(text_scan("1,5;2;;\n4;5,5;;\n", {1.0, 1.0}).map.heights,
+            (std::vector<double>{1.5, 2, 4, 5.5}));
+  EXPECT_EQ(text_scan("  1 2\n\t3 4\t\n\t\t\n", {1.0, 1.0}).map.heights,
+            (std::vector<double>{1, 2, 3, 4}));
+  for (const std::string rows :
+       {"1,2,3\n4,5\n", "1;2;\n3;4;5\n", "1\t2\t3\n\t5\n", "1,2\n3,,4\n"})
+    EXPECT_NE(refusal(rows, {1.0, 1.0}).find("map.txt:2: "), std::string::npos)
+        << rows;
+}
+
+// Lines end with CR, LF or both.
+TEST(TextScan, ReadsEveryEndOfALine) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const Scan scan =
+        text_scan("# a map" + end + "1 2 3" + end + end + "4 5 6", {3.0, 1.0});
+    EXPECT_EQ(scan.map.grid.points_x, 3);
+    EXPECT_EQ(scan.map.grid.points_y, 2);
+    EXPECT_EQ(refusal("1 2" + end + end + "3 x" + end, {1.0, 1.0}),
+              "map.txt:3: column 2: found 'x', but must be a finite number");
+  }
+}
+
+// The only channel of a file is also that with the number 1.
+TEST(TextScan, HasOneChannel) {
+  const auto with = [](const std::string& channel) {
+    return read_scan_bytes("1 2\n3 4\n", "map.txt",
+                           {MapFormat::automatic, channel, {1.0, 1.0}});
+  };
+  EXPECT_EQ(with("1").map.grid.points_x, 2);
+  EXPECT_THROW(with("2"), input::InputError);
+}
+
+/// Lines of 2 cos(x) + 3 sin(2 x + y), and a mean of 5; x and y in 0 to 2 pi.
+std::string fourier_lines(bool has_both, int points) {
+  const auto index = [&](int q) {
+    return std::to_string(q < 0 ? q + points : q) + " ";
+  };
+  std::string text = "# qX qY Re Im\n0 0 5 0\n" + index(1) + "0 1 0\n" +
+                     index(2) + index(1) + "0 -1.5\n";
+  if (has_both || points > 0)
+    text += index(-1) + "0 1 0\n";
+  if (has_both)
+    text += index(-2) + index(-1) + "0 1.5\n";
+  return text;
+}
+
+// Coefficients of a sum of waves give these waves, whether both of q and -q are
+// there, and with the signs or the order of FFTW. Tolerance: roundoff.
+TEST(FourierScan, HasTheWavesOfItsCoefficients) {
+  for (const bool has_both : {true, false})
+    for (const int fftw_points : {0, 16}) {
+      if (!has_both && fftw_points == 0)
+        continue; // no pair tells that these are coefficients
+      const Scan scan =
+          text_scan(fourier_lines(has_both, fftw_points), {1e-4, 1e-6});
+      ASSERT_EQ(scan.map.grid.points_x, 8);
+      ASSERT_EQ(scan.map.grid.points_y, 8);
+      EXPECT_EQ(scan.map.grid.length_y, 1e-4);
+      for (int iy = 0; iy < 8; ++iy)
+        for (int ix = 0; ix < 8; ++ix) {
+          const double x = ix * std::numbers::pi / 4.0;
+          const double y = iy * std::numbers::pi / 4.0;
+          EXPECT_NEAR(
+              scan.map.heights[scan.map.grid.index(ix, iy)],
+              1e-6 * (5.0 + 2.0 * std::cos(x) + 3.0 * std::sin(2.0 * x + y)),
+              1e-20)
+              << has_both << fftw_points << ' ' << ix << ' ' << iy;
+        }
+    }
+}
+
+// A table of four columns without such pairs is a matrix, as is any with the
+// format plain.
+TEST(FourierScan, IsNoOtherTable) {
+  for (const std::string text :
+       {"1 0 1 0\n-1 0 1 1\n0 0 1 1\n", "1 0 1 0\n1 0 1 0\n-1 0 1 0\n",
+        "1 0 1 0\n1.5 0 1 1\n-1 0 1 0\n", "1 2 3 4\n5 6 7 8\n"})
+    EXPECT_EQ(text_scan(text, {1.0, 1.0}).map.grid.points_x, 4) << text;
+  EXPECT_EQ(text_scan("1 0 1 2\n-1 0 1 -2\n", {1.0, 1.0}, MapFormat::plain)
+                .map.grid.points_y,
+            2);
+  EXPECT_EQ(refusal("1 0 1 2\n-1 0 1 -2\n"),
+            "surface.length is missing: map.txt is a list of Fourier "
+            "coefficients, which does not give its width");
+  EXPECT_NE(refusal("5000 0 1 0\n-5000 0 1 0\n", {1.0, 1.0})
+                .find("of more than the 2048 waves"),
             std::string::npos);
 }
 

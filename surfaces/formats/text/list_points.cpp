@@ -23,6 +23,11 @@ struct ListAxes {
   AxisPositions x, y;
   std::size_t points = 0;
   bool is_finite = true;
+  std::array<double, 2> rounding = {};
+
+  std::optional<ListAxis> axis_x() const { return x.axis(rounding[0]); }
+
+  std::optional<ListAxis> axis_y() const { return y.axis(rounding[1]); }
 };
 
 ListAxes read_axes(const ListSource& source, std::size_t most_x,
@@ -30,6 +35,7 @@ ListAxes read_axes(const ListSource& source, std::size_t most_x,
   ListAxes axes{AxisPositions(most_x), AxisPositions(most_y)};
   source.each_point([&](const ListPoint& point) {
     ++axes.points;
+    axes.rounding = point.rounding;
     axes.is_finite =
         axes.is_finite && std::isfinite(point.x) && std::isfinite(point.y);
     if (axes.is_finite) {
@@ -53,7 +59,7 @@ std::size_t intervals_beside(const std::optional<ListAxis>& other,
 std::optional<ListGrid> grid_of(const ListAxes& axes) {
   if (!axes.is_finite)
     return std::nullopt;
-  return grid_of_axes(axes.x.axis(), axes.y.axis(), axes.points);
+  return grid_of_axes(axes.axis_x(), axes.axis_y(), axes.points);
 }
 
 /// Reads the axes again if one of them has more points than expected. Two such
@@ -63,7 +69,7 @@ ListAxes axes_of(const ListSource& source) {
   const bool is_x = axes.x.is_resolved(), is_y = axes.y.is_resolved();
   if (axes.is_finite && is_x != is_y) {
     const std::size_t more =
-        intervals_beside(is_x ? axes.x.axis() : axes.y.axis(), axes.points);
+        intervals_beside(is_x ? axes.axis_x() : axes.axis_y(), axes.points);
     if (more > first_intervals)
       return read_axes(source, is_x ? first_intervals : more,
                        is_x ? more : first_intervals);
@@ -218,7 +224,7 @@ bool AxisPositions::is_resolved() const {
   return merged_ == 0.0 || merged_ <= 0.5 * largest_gap();
 }
 
-std::optional<ListAxis> AxisPositions::axis() const {
+std::optional<ListAxis> AxisPositions::axis(double rounding) const {
   if (intervals_.empty() || !is_resolved())
     return std::nullopt;
   const double gap = largest_gap();
@@ -228,7 +234,7 @@ std::optional<ListAxis> AxisPositions::axis() const {
       points.back().largest = std::max(points.back().largest, largest);
     else
       points.push_back({least, largest});
-  return axis_of(points);
+  return axis_of(points, rounding);
 }
 
 ListIndex index_of_list(const ListSource& source) {
@@ -280,8 +286,11 @@ std::optional<RowFile> list_in_matrix(const std::string& path,
           const std::vector<double> numbers =
               rows(row, std::min(at_a_time, n_rows - row));
           for (std::size_t i = 0; i < numbers.size(); i += list_columns)
-            if (!take({numbers[i], numbers[i + 1], numbers[i + 2],
-                       row + 1 + static_cast<int>(i / list_columns)}))
+            if (!take({numbers[i],
+                       numbers[i + 1],
+                       numbers[i + 2],
+                       row + 1 + static_cast<int>(i / list_columns),
+                       {}}))
               return;
         }
       }};

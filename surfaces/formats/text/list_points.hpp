@@ -8,6 +8,7 @@
 #include "surfaces/formats/row_file.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -21,6 +22,8 @@ namespace asperity::surfaces {
 struct ListPoint {
   double x = 0.0, y = 0.0, z = 0.0;
   int line = 0; ///< or row, from 1
+  /// Errors of the printed positions x and y of the file up to here.
+  std::array<double, 2> rounding = {};
 };
 
 /// Returns whether the next point is wanted.
@@ -47,7 +50,8 @@ public:
   bool is_resolved() const;
 
   /// The axis that scan_of_list() finds.
-  std::optional<ListAxis> axis() const;
+  /// @param rounding  error of a printed position
+  std::optional<ListAxis> axis(double rounding) const;
 
 private:
   double largest_gap() const;

@@ -146,6 +146,9 @@ Scan from_table(NumberTable table, const ScanRequest& request) {
     return scan_of_list(table, request.scale);
   }
   if (is_plain)
+    if (std::optional<Scan> scan = fourier_scan(table, request.scale))
+      return std::move(*scan);
+  if (is_plain)
     refuse_possible_list(table.name, table.columns, table.rows());
   TextMatrix matrix = text_matrix(table, request);
   Scan scan{{matrix.grid, std::move(table.numbers)},
@@ -188,6 +191,9 @@ ChannelInfo text_channel(std::string_view bytes, const std::string& name) {
     const Grid grid = scan_of_list(table, {{}, 1.0, {}, 1.0}).map.grid;
     return {"", "", grid.points_x, grid.points_y};
   }
+  const int points = header.width.line == 0 ? fourier_points(table) : 0;
+  if (points > 0)
+    return {"", "", points, points};
   return {header.channel.text, header.value_units.text,
           static_cast<int>(table.columns), static_cast<int>(table.rows())};
 }

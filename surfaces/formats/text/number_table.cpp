@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 
@@ -18,7 +20,6 @@ namespace {
 constexpr std::size_t text_piece = std::size_t{1} << 20; // bytes at a time
 constexpr std::string_view blanks = " \t\r\f\v";
 constexpr std::string_view separators = " \t\r\f\v,;";
-constexpr std::string_view separators_but_comma = " \t\r\f\v;";
 
 std::string_view without_blanks(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
@@ -69,6 +70,28 @@ std::vector<std::string_view> words_of(std::string_view line,
 
 } // namespace
 
+void PrintedDigits::take(std::string_view word) {
+  int digits = 0, decimals = 0, exponent = 0;
+  bool is_behind_point = false;
+  std::size_t at = 0;
+  for (; at < word.size() && word[at] != 'e' && word[at] != 'E'; ++at) {
+    is_behind_point = is_behind_point || word[at] == '.' || word[at] == ',';
+    if (word[at] < '0' || word[at] > '9')
+      continue;
+    digits += digits > 0 || word[at] != '0' ? 1 : 0;
+    decimals += is_behind_point ? 1 : 0;
+  }
+  if (at + 1 < word.size()) {
+    word.remove_prefix(at + (word[at + 1] == '+' ? 2 : 1));
+    std::from_chars(word.data(), word.data() + word.size(), exponent);
+  }
+  if (digits < most_ || digits == 0)
+    return;
+  const double place = std::pow(10.0, exponent - decimals);
+  place_ = digits > most_ ? place : std::max(place_, place);
+  most_ = digits;
+}
+
 void NumberTableReader::continue_at(int line, std::size_t columns) {
   line_number_ = line;
   table_.columns = columns;
@@ -79,16 +102,22 @@ void NumberTableReader::take(std::string_view line) {
   ++line_number_;
   if (line_number_ == 1 && line.substr(0, 3) == "\xEF\xBB\xBF")
     line.remove_prefix(3);
-  line = without_blanks(line);
-  if (line.empty())
+  const std::string_view text = without_blanks(line);
+  if (text.empty() && !is_empty_row(line))
     return;
-  if (line.front() == '#')
+  if (text.starts_with('#'))
     table_.comments.push_back(
-        {line_number_, std::string(without_blanks(line.substr(1)))});
-  else if (is_header(line))
-    table_.comments.push_back({line_number_, std::string(line)});
+        {line_number_, std::string(without_blanks(text.substr(1)))});
+  else if (!text.empty() && is_header(text))
+    table_.comments.push_back({line_number_, std::string(text)});
   else
     take_row(line);
+}
+
+bool NumberTableReader::is_empty_row(std::string_view line) const {
+  return !table_.lines.empty() && table_.columns > 1 &&
+         static_cast<std::size_t>(std::ranges::count(line, '\t')) ==
+             table_.columns - 1;
 }
 
 NumberTable NumberTableReader::finish() {
@@ -104,9 +133,13 @@ bool NumberTableReader::is_header(std::string_view line) const {
       is_grid_key(line.substr(0, line.find_first_of(" \t"))))
     return true;
   const auto words = words_of(line, separators);
-  return std::none_of(words.begin(), words.end(), [](std::string_view word) {
+  const auto is_number = [](std::string_view word) {
     return !std::isnan(number_of_text(word)) || is_missing_word(word);
-  });
+  };
+  if (style_ == NumberStyle::profile && !words.empty() &&
+      std::isalpha(static_cast<unsigned char>(words.front().front())) != 0)
+    return !is_number(words.front());
+  return std::none_of(words.begin(), words.end(), is_number);
 }
 
 void NumberTableReader::take_row(std::string_view line) {
@@ -122,15 +155,55 @@ void NumberTableReader::take_row(std::string_view line) {
     refuse_line(table_.name, line_number_,
                 "found decimal commas and decimal points in one file; use a "
                 "dot as the decimal separator");
-  std::size_t column = 0;
-  for (const std::string_view word :
-       words_of(line, has_decimal_comma ? separators_but_comma : separators))
-    take_word(word, ++column);
+  const char separator = separator_of(line, has_decimal_comma);
+  if (separator == ' ')
+    line = without_blanks(line);
+  std::size_t column = 0, n_empty = 0; // cells behind the last word
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(
+        line.find(separator == ' ' ? '\n' : separator, begin), line.size());
+    const auto words = words_of(line.substr(begin, end - begin), blanks);
+    if (words.empty())
+      ++n_empty;
+    else
+      for (; n_empty > 0; --n_empty)
+        take_empty_cell(++column);
+    for (const std::string_view word : words)
+      take_word(word, ++column);
+    begin = end + 1;
+  }
+  if (!table_.lines.empty())
+    for (; n_empty > 0 && column < table_.columns; --n_empty)
+      take_empty_cell(++column);
   finish_row(column);
 }
 
+char NumberTableReader::separator_of(std::string_view line,
+                                     bool has_decimal_comma) const {
+  if (line.find(';') != std::string_view::npos)
+    return ';';
+  if (!has_decimal_comma && line.find(',') != std::string_view::npos)
+    return ',';
+  const std::string_view text = without_blanks(line);
+  const bool has_one_word =
+      text.find_first_of(blanks) == std::string_view::npos;
+  return text.find('\t') != std::string_view::npos ||
+                 (has_one_word && is_empty_row(line))
+             ? '\t'
+             : ' ';
+}
+
+void NumberTableReader::take_empty_cell(std::size_t column) {
+  if (style_ == NumberStyle::strict)
+    refuse_line(table_.name, line_number_,
+                fmt::format("column {}: found an empty cell, but must be a "
+                            "finite number",
+                            column));
+  table_.numbers.push_back(std::nan(""));
+}
+
 void NumberTableReader::take_word(std::string_view word, std::size_t column) {
-  const bool may_miss = style_ == NumberStyle::instrument;
+  const bool may_miss = style_ != NumberStyle::strict;
   const bool is_cut = word.front() == ',' || word.back() == ',';
   const double number = is_cut ? std::nan("") : number_of_text(word);
   if (!std::isfinite(number) && !(may_miss && is_missing_word(word)))
@@ -139,6 +212,8 @@ void NumberTableReader::take_word(std::string_view word, std::size_t column) {
                             "number",
                             column, printable(word)));
   table_.numbers.push_back(number);
+  if (column <= table_.digits.size() && table_.columns <= 3)
+    table_.digits[column - 1].take(word);
 }
 
 void NumberTableReader::finish_row(std::size_t columns) {
@@ -158,6 +233,16 @@ void refuse_line(const std::string& name, int line, const std::string& what) {
 }
 
 namespace {
+
+/// The place of the first end of a line, LF, CR or CR LF; npos: there is none.
+std::size_t line_end(std::string_view text) {
+  return text.find_first_of("\r\n");
+}
+
+/// Removes the end of a line from the beginning of a text.
+void remove_line_end(std::string_view& text) {
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
+}
 
 /// Where a line can be divided whose end is not known: at the last blank before
 /// a word, because blanks at the end of a line belong to its end; 0: nowhere.
@@ -180,7 +265,10 @@ template <class Take>
 bool take_lines(std::string_view text, LinePart& part, bool is_last,
                 bool divides, const Take& take) {
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
+    const std::size_t end = divides ? text.find('\n') : line_end(text);
+    // A CR at the end of what is there may be followed by an LF.
+    if (!is_last && end + 1 == text.size() && text[end] == '\r')
+      return true;
     part.is_end = end != std::string_view::npos || is_last;
     if (!part.is_end && !divides)
       return true;
@@ -191,10 +279,11 @@ bool take_lines(std::string_view text, LinePart& part, bool is_last,
     part.text = text.substr(0, length);
     if (!take(part))
       return false;
-    const std::size_t done =
-        std::min(length + (part.is_end ? 1 : 0), text.size());
-    text.remove_prefix(done);
-    part.begin += done;
+    const std::size_t before = text.size();
+    text.remove_prefix(length);
+    if (part.is_end)
+      remove_line_end(text);
+    part.begin += before - text.size();
     part.is_begin = part.is_end;
   }
   return true;
@@ -242,9 +331,10 @@ NumberTable read_number_text(std::string_view text, const std::string& name,
                              NumberStyle style) {
   NumberTableReader reader(name, style);
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::size_t end = std::min(line_end(text), text.size());
     reader.take(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    text.remove_prefix(end);
+    remove_line_end(text);
   }
   return reader.finish();
 }

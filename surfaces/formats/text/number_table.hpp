@@ -4,6 +4,7 @@
 // and scripts. It defines separators, comments and the error messages about
 // invalid numbers.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -22,9 +23,28 @@ struct CommentLine {
 
 /// How the numbers of a file are written.
 enum class NumberStyle {
-  strict,    ///< finite numbers with a decimal point
-  instrument ///< also decimal commas, words for missing points, and header
-             ///< lines before the first row
+  strict,     ///< finite numbers with a decimal point
+  instrument, ///< also decimal commas, words for missing points, and header
+              ///< lines before the first row
+  profile     ///< as instrument; lines before the first row that begin with a
+              ///< letter are headers, too: "Profile 1"
+};
+
+/// How precisely the numbers of a column are printed: the place of the last
+/// digit among the numbers with the most digits, because %g drops zeros at the
+/// end.
+class PrintedDigits {
+public:
+  /// @param word  a number; others have no effect
+  void take(std::string_view word);
+
+  /// Largest error of a printed number [unit of the column]; 0 if there is
+  /// none.
+  double rounding() const { return 0.5 * place_; }
+
+private:
+  int most_ = 0; ///< significant digits
+  double place_ = 0.0;
 };
 
 /// A rectangular table of numbers, row by row.
@@ -36,6 +56,8 @@ struct NumberTable {
                                ///< instrument
   std::vector<int> lines;      ///< line number of each row, from 1
   std::vector<CommentLine> comments;
+  /// Of the first two columns, where positions are, if there are at most three.
+  std::array<PrintedDigits, 2> digits = {};
 
   std::size_t rows() const { return lines.size(); }
 
@@ -76,6 +98,11 @@ public:
   /// Number of the last line, from 1.
   int line() const { return line_number_; }
 
+  /// Rounding of the positions x and y so far.
+  std::array<double, 2> rounding() const {
+    return {table_.digits[0].rounding(), table_.digits[1].rounding()};
+  }
+
   /// @throws input::InputError  the text contains no numbers
   NumberTable finish();
 
@@ -83,6 +110,11 @@ private:
   bool is_header(std::string_view line) const;
   void take_row(std::string_view line);
   void take_word(std::string_view word, std::size_t column);
+  void take_empty_cell(std::size_t column);
+  /// What separates the cells of a row; ' ' for blanks and tabs.
+  char separator_of(std::string_view line, bool has_decimal_comma) const;
+  /// Whether a line has the tabs of a row, which is empty if it has no more.
+  bool is_empty_row(std::string_view line) const;
   void finish_row(std::size_t columns);
 
   NumberStyle style_;
@@ -94,16 +126,23 @@ private:
 };
 
 /// Reads a whole text. Numbers are separated by blanks, tabs, commas or
-/// semicolons and written with a decimal point, whatever the locale. Empty
-/// lines are skipped, lines that begin with '#' are comments; Windows line ends
-/// and a UTF-8 byte order mark are accepted. A comma inside a column is
+/// semicolons and written with a decimal point, whatever the locale. Lines end
+/// with LF, CR LF or CR. Empty lines are skipped, lines that begin with '#' are
+/// comments; a UTF-8 byte order mark is accepted. A comma inside a column is
 /// rejected if the columns are separated by something else, because it may be a
 /// decimal comma.
 ///
-/// In the style of instruments, the words nan, bad, void, *** and --- are
-/// missing points in any case of letters; a comma inside a column is a decimal
-/// comma unless the line has a decimal point, too; and lines before the first
-/// row that contain '=' or no number are kept with the comments.
+/// The separator of a row is the first of semicolon, comma and tab that it has,
+/// else blanks; tabs may stand beside a comma or semicolon. Nothing between two
+/// separators, or before the first one, is an empty cell, which never moves the
+/// columns behind it. Empty cells at the end of the first row are no columns,
+/// and may be there in other rows, too.
+///
+/// In the style of instruments, empty cells and the words nan, bad, void, ***
+/// and --- are missing points in any case of letters; a comma inside a column
+/// is a decimal comma unless the line has a decimal point, too; and lines
+/// before the first row that contain '=' or no number are kept with the
+/// comments.
 /// @throws input::InputError  name:line: of the first entry that is not a
 ///                            finite number, or of a row whose length differs
 ///                            from the first, or the text contains no numbers
@@ -130,9 +169,10 @@ struct LinePart {
   bool is_end = true;      ///< of the line
 };
 
-/// Calls take() for the lines of a file from a byte on, until it returns false.
-/// Lines that are longer than 1 MB come in parts, which begin with a blank or
-/// tab between two words. A part and 1 MB of the file are in memory.
+/// Calls take() for the lines of a file from a byte on, which end with LF,
+/// until it returns false. Lines that are longer than 1 MB come in parts, which
+/// begin with a blank or tab between two words. A part and 1 MB of the file are
+/// in memory.
 /// @throws input::InputError  the file cannot be read
 void each_line_part(const std::string& path, std::uint64_t begin,
                     const std::function<bool(const LinePart&)>& take);

@@ -1,4 +1,5 @@
 #include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "surfaces/formats/known_file.hpp"
 #include "surfaces/formats/own_readers.hpp"
 #include "surfaces/formats/text/list_points.hpp"
@@ -65,6 +66,8 @@ TextIndex index_of_text(const std::string& path, bool may_be_list) {
     take_heights(numbers, index);
     return index.is_in_order;
   });
+  if (index.list)
+    index.list->set_rounding(reader.rounding());
   if (!index.has_zero_byte)
     index.table = reader.finish();
   index.is_in_order =
@@ -178,7 +181,8 @@ NumberTable each_text_point(const std::string& path, const TakePoint& take,
       return true;
     if (numbers.size() != list_columns)
       FileStamp::refuse_changed(path);
-    return take({numbers[0], numbers[1], numbers[2], reader.line()});
+    return take(
+        {numbers[0], numbers[1], numbers[2], reader.line(), reader.rounding()});
   });
   return zero_byte ? NumberTable() : reader.finish();
 }
@@ -229,10 +233,6 @@ std::optional<RowFile> scattered_file(const std::string& path,
   return list_row_file(text_source(path, nullptr), found->index, request.scale);
 }
 
-bool has_other_channel(const RowFile& file, const ScanRequest& request) {
-  return request.channel && *request.channel != file.channel;
-}
-
 } // namespace
 
 std::optional<RowFile> text_row_file(const std::string& path,
@@ -254,11 +254,19 @@ std::optional<RowFile> text_row_file(const std::string& path,
   } else {
     if (is_list)
       require_list_columns(index->table);
-    if (is_automatic && gwyddion_header(index->table).width.line == 0)
+    const bool is_plain =
+        is_automatic && gwyddion_header(index->table).width.line == 0;
+    if (is_plain && index->table.columns == fourier_columns &&
+        fourier_points(read_number_text(
+            input::read_input_file(path, input::largest_number_file), path,
+            NumberStyle::instrument)) > 0)
+      return std::nullopt; // its heights are sums over all lines
+    if (is_plain)
       refuse_possible_list(path, index->table.columns, index->table.rows());
     file = matrix_file(path, request, index);
   }
-  return file && !has_other_channel(*file, request) ? file : std::nullopt;
+  return file && !names_another(request.channel, file->channel) ? file
+                                                                : std::nullopt;
 }
 
 } // namespace asperity::surfaces

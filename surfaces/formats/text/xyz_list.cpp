@@ -14,34 +14,6 @@
 namespace asperity::surfaces {
 namespace {
 
-/// Returns the axis of a column; empty if its positions are not equidistant.
-std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
-  std::vector<double> positions(table.rows());
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    positions[row] = table.number(row, column);
-  if (!std::all_of(positions.begin(), positions.end(),
-                   [](double x) { return std::isfinite(x); }))
-    return std::nullopt;
-  std::sort(positions.begin(), positions.end());
-  const double extent = positions.back() - positions.front();
-  if (!std::isfinite(extent) || extent <= 0.0)
-    return std::nullopt;
-  // Gaps between sorted positions are spacings or rounding.
-  double largest_gap = 0.0;
-  for (std::size_t i = 1; i < positions.size(); ++i)
-    largest_gap = std::max(largest_gap, positions[i] - positions[i - 1]);
-  std::size_t count = 1;
-  for (std::size_t i = 1; i < positions.size(); ++i)
-    if (positions[i] - positions[i - 1] > 0.5 * largest_gap)
-      ++count;
-  const ListAxis axis{positions.front(),
-                      extent / static_cast<double>(count - 1), count};
-  for (const double position : positions)
-    if (!axis.is_regular(position))
-      return std::nullopt;
-  return axis;
-}
-
 std::size_t index_of(const ListGrid& grid, const NumberTable& table,
                      std::size_t row) {
   return grid.y.index_of(table.number(row, 1)) * grid.x.points +
@@ -62,13 +34,43 @@ std::vector<ListPositions> ascending(std::vector<ListPositions> points) {
 } // namespace
 
 bool ListAxis::is_regular(double position) const {
-  constexpr double rounding = 0.02; // of the spacing
+  const double allowed =
+      std::clamp(2.0 * rounding, 0.02 * spacing, 0.25 * spacing);
   return std::abs(position - first -
                   std::round((position - first) / spacing) * spacing) <=
-         rounding * spacing;
+         allowed;
 }
 
-std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points) {
+std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column) {
+  std::vector<double> positions(table.rows());
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    positions[row] = table.number(row, column);
+  if (!std::all_of(positions.begin(), positions.end(),
+                   [](double x) { return std::isfinite(x); }))
+    return std::nullopt;
+  std::sort(positions.begin(), positions.end());
+  const double extent = positions.back() - positions.front();
+  if (!std::isfinite(extent) || extent <= 0.0)
+    return std::nullopt;
+  // Gaps between sorted positions are spacings or rounding.
+  double largest_gap = 0.0;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    largest_gap = std::max(largest_gap, positions[i] - positions[i - 1]);
+  std::size_t count = 1;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    if (positions[i] - positions[i - 1] > 0.5 * largest_gap)
+      ++count;
+  const ListAxis axis{positions.front(),
+                      extent / static_cast<double>(count - 1), count,
+                      table.digits.at(column).rounding()};
+  for (const double position : positions)
+    if (!axis.is_regular(position))
+      return std::nullopt;
+  return axis;
+}
+
+std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points,
+                                double rounding) {
   double largest_gap = 0.0, largest_rounding = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i)
     largest_gap =
@@ -81,7 +83,7 @@ std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points) {
     return std::nullopt;
   const ListAxis axis{points.front().least,
                       extent / static_cast<double>(points.size() - 1),
-                      points.size()};
+                      points.size(), rounding};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_apart =
         i == 0 || points[i].least - points[i - 1].largest > 0.5 * largest_gap;
@@ -221,13 +223,14 @@ bool ListOrder::take(double x, double y, std::uint64_t begin, int line) {
 
 bool ListOrder::is_grid() const {
   return columns_.size() > 1 && rows_.size() > 1 &&
-         in_row_ == columns_.size() && axis_of(columns_) &&
-         axis_of(ascending(rows_));
+         in_row_ == columns_.size() && axis_of(columns_, rounding_[0]) &&
+         axis_of(ascending(rows_), rounding_[1]);
 }
 
 Grid ListOrder::grid(const std::string& name, const MapScale& scale) const {
-  return ListGrid{*axis_of(columns_), *axis_of(ascending(rows_))}.scaled(name,
-                                                                         scale);
+  return ListGrid{*axis_of(columns_, rounding_[0]),
+                  *axis_of(ascending(rows_), rounding_[1])}
+      .scaled(name, scale);
 }
 
 const ListOrder::Row& ListOrder::row(int y) const {

@@ -7,6 +7,7 @@
 #include "surfaces/formats/text/number_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,8 +21,9 @@ namespace asperity::surfaces {
 bool may_be_list(const NumberTable& table);
 
 /// Whether the first two columns are the points of a regular grid. The
-/// positions of an axis must be equidistant within 2 % of their spacing, no
-/// point may occur twice, and at least half of the grid must be present.
+/// positions of an axis must be equidistant within 2 % of their spacing, or
+/// within the rounding of their last printed digit if that is larger, no point
+/// may occur twice, and at least half of the grid must be present.
 bool is_regular_list(const NumberTable& table);
 
 /// Refuses what may be a list, but whose positions are not regular, and what
@@ -69,6 +71,7 @@ struct ListAxis {
   double first = 0.0;
   double spacing = 0.0;
   std::size_t points = 0;
+  double rounding = 0.0; ///< error of a printed position
 
   std::size_t index_of(double position) const {
     return std::min(
@@ -76,8 +79,9 @@ struct ListAxis {
         points - 1);
   }
 
-  /// Whether a position is that of its point but for rounding, which is 2 % of
-  /// the spacing at most.
+  /// Whether a position is that of its point but for rounding: within 2 % of
+  /// the spacing, or within the errors of two printed positions up to a quarter
+  /// of it, beyond which a point could be that of another place.
   bool is_regular(double position) const;
 
   /// Whether it is that of a point of the axis.
@@ -97,9 +101,14 @@ struct ListGrid {
 };
 
 /// The axis that scan_of_list() finds.
-/// @param points  positions of its points in ascending order
+/// @param points    positions of its points in ascending order
+/// @param rounding  error of a printed position
 /// @return  empty if the points are not equidistant
-std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points);
+std::optional<ListAxis> axis_of(const std::vector<ListPositions>& points,
+                                double rounding);
+
+/// The axis of a column, in any order.
+std::optional<ListAxis> axis_of(const NumberTable& table, std::size_t column);
 
 /// The axes, if they can be those of a list.
 /// @param n_points  of the list, which must be at least half of the grid
@@ -117,6 +126,11 @@ public:
   /// @return  whether the points so far are in the order of a grid: x grows
   ///          within a row, and all rows have the same number of points
   bool take(double x, double y, std::uint64_t begin, int line);
+
+  /// Takes the errors of the printed positions x and y, of the whole file.
+  void set_rounding(const std::array<double, 2>& rounding) {
+    rounding_ = rounding;
+  }
 
   /// Whether the list is that of a complete grid, whose rows are in the order
   /// of y or in the opposite order. The grid is then that of scan_of_list().
@@ -143,6 +157,7 @@ private:
   std::vector<ListPositions> columns_, rows_; ///< in the order of the file
   std::vector<Row> begins_;                   ///< of the rows
   std::size_t in_row_ = 0;                    ///< points of the last row so far
+  std::array<double, 2> rounding_ = {};
 };
 
 } // namespace asperity::surfaces
