@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 namespace asperity::cases {
 namespace {
@@ -51,18 +52,6 @@ void read_corrections(TableReader& table, mechanics::SurfaceSpec& spec) {
     spec.max_missing = table.number("max_missing");
 }
 
-/// Whether a format contains all lengths and units, so that the case must not
-/// give them.
-bool is_self_describing(mechanics::MapFormat format) {
-  return format == mechanics::MapFormat::gwyddion ||
-         format == mechanics::MapFormat::sdf ||
-         format == mechanics::MapFormat::x3p ||
-         format == mechanics::MapFormat::gwy ||
-         format == mechanics::MapFormat::sur ||
-         format == mechanics::MapFormat::wsxm ||
-         format == mechanics::MapFormat::convert;
-}
-
 } // namespace
 
 void read_map(TableReader& table, mechanics::SurfaceSpec& spec) {
@@ -89,10 +78,15 @@ void read_map(TableReader& table, mechanics::SurfaceSpec& spec) {
       table.complain_missing("height_unit",
                              ", which a plain map does not contain");
   }
-  if (!is_self_describing(spec.format))
-    return;
-  for (const char* const key :
-       {"length", "length_y", "length_unit", "height_unit"})
+  using enum mechanics::MapFormat;
+  const bool has_units = spec.format == sdf || spec.format == x3p ||
+                         spec.format == sur || spec.format == wsxm;
+  if (!has_units && spec.format != gwyddion)
+    return; // whose files need not have them; the readers know
+  std::vector<const char*> keys{"length", "length_y", "length_unit"};
+  if (has_units)
+    keys.push_back("height_unit");
+  for (const char* const key : keys)
     if (table.has(key))
       table.refuse(*table.node().find(key),
                    fmt::format("a {} map contains it: remove this key",

@@ -75,7 +75,7 @@ std::size_t chosen_channel(std::span<const ChannelCandidate> channels,
           fmt::format("surface.channel = \"{}\": {} has no such channel; its "
                       "channels are {}",
                       printable(*wanted), name, list_of(channels)));
-    if (!channels[*found].has_heights)
+    if (!channels[*found].may_have_heights)
       throw input::InputError(fmt::format(
           "surface.channel = \"{}\": this channel of {} is in '{}', but must "
           "be a length over a length; its channels are {}",
@@ -86,8 +86,10 @@ std::size_t chosen_channel(std::span<const ChannelCandidate> channels,
   std::optional<std::size_t> best;
   int best_rank = -1;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const int rank = rank_of_title(channels[i].info.title);
-    if (channels[i].has_heights && rank > best_rank) {
+    constexpr int of_units = 3; // above those of titles
+    const int rank = rank_of_title(channels[i].info.title) +
+                     (channels[i].has_heights ? of_units : 0);
+    if (channels[i].may_have_heights && rank > best_rank) {
       best = i;
       best_rank = rank;
     }

@@ -1,3 +1,4 @@
+#include "base/require.hpp"
 #include "input/input_error.hpp"
 #include "input/mapped_file.hpp"
 #include "surfaces/formats/channel_choice.hpp"
@@ -39,22 +40,57 @@ void require_mask_of(const Grid& grid, const GwyField& mask,
         mask.points_x, mask.points_y, grid.points_x, grid.points_y));
 }
 
-Grid grid_of(const GwyField& field, const std::string& name) {
+/// The lengths and the unit of the heights of a channel, whose file may have no
+/// units. The sides then have the ratio of those of the file, unless length_y
+/// is given.
+struct FieldScale {
+  Grid grid;
+  double height_unit = 1.0; ///< [m] per unit of the values
+};
+
+FieldScale scale_of(const GwyField& field, const std::string& name,
+                    const MapScale& given) {
   require_sound_grid(name, field.points_x, field.points_y, sizeof(double),
                      field.values.size());
-  const double metres = *length_unit(field.unit_xy);
-  const Grid grid{field.points_x, field.points_y, metres * field.length_x,
-                  metres * field.length_y};
-  require_sound_lengths(name, grid);
-  return grid;
+  const std::optional<double> lateral = length_unit(field.unit_xy);
+  const std::optional<double> vertical = length_unit(field.unit_z);
+  MapScale refused = given;
+  if (!lateral)
+    refused.length = refused.length_y = refused.length_unit = std::nullopt;
+  if (!vertical)
+    refused.height_unit = std::nullopt;
+  refuse_scale(refused, name);
+  if (!vertical && !given.height_unit)
+    throw input::InputError(fmt::format(
+        "surface.height_unit is missing: the values of {} have no unit", name));
+  if (!lateral && !given.length && !given.length_unit)
+    throw input::InputError(fmt::format(
+        "surface.length is missing: the sides of {} have no unit; length_unit "
+        "gives it, too",
+        name));
+  if (!lateral && given.length && given.length_unit)
+    throw input::InputError(fmt::format(
+        "surface.length and length_unit: give one of them for {}", name));
+  const double metres = lateral             ? *lateral
+                        : given.length_unit ? *given.length_unit
+                                            : *given.length / field.length_x;
+  FieldScale scale;
+  scale.grid = {field.points_x, field.points_y, metres * field.length_x,
+                given.length_y.value_or(metres * field.length_y)};
+  require_sound_lengths(name, scale.grid);
+  scale.height_unit = vertical.value_or(given.height_unit.value_or(1.0));
+  require_positive("height_unit", scale.height_unit, "m");
+  return scale;
 }
 
-Scan scan_of_channel(const GwyChannel& channel, const std::string& name) {
+Scan scan_of_channel(const GwyChannel& channel, const std::string& name,
+                     const MapScale& given) {
   const GwyField& field = *channel.field;
+  const FieldScale scale = scale_of(field, name, given);
   Scan scan;
-  scan.map.grid = grid_of(field, name);
+  scan.map.grid = scale.grid;
   scan.map.heights.resize(scan.map.grid.size());
-  const double unit = *length_unit(field.unit_z);
+  const double unit = scale.height_unit;
   scan.numbers.unit = unit;
   for (std::size_t i = 0; i < scan.map.heights.size(); ++i)
     scan.map.heights[i] = unit * gwy_value(field, i);
@@ -77,7 +113,9 @@ candidates_of(const std::map<int, GwyChannel>& channels) {
     const GwyField& field = *channel.field;
     candidates.push_back(
         {{channel.title, field.unit_z, field.points_x, field.points_y},
-         is_height_unit(field.unit_z) && is_height_unit(field.unit_xy)});
+         is_height_unit(field.unit_z) && is_height_unit(field.unit_xy),
+         (field.unit_z.empty() || is_height_unit(field.unit_z)) &&
+             (field.unit_xy.empty() || is_height_unit(field.unit_xy))});
   }
   return candidates;
 }
@@ -85,7 +123,6 @@ candidates_of(const std::map<int, GwyChannel>& channels) {
 const GwyChannel& chosen_of(const std::map<int, GwyChannel>& channels,
                             const ScanRequest& request,
                             const std::string& name) {
-  refuse_scale(request.scale, name);
   const std::size_t chosen =
       chosen_channel(candidates_of(channels), request.channel, name);
   return std::next(channels.begin(), static_cast<std::ptrdiff_t>(chosen))
@@ -114,7 +151,8 @@ FileContent read_gwy_file(std::string_view bytes, const std::string& name,
   for (ChannelCandidate& candidate : candidates_of(channels))
     content.channels.push_back(std::move(candidate.info));
   if (asked == Asked::scan)
-    content.scan = scan_of_channel(chosen_of(channels, request, name), name);
+    content.scan = scan_of_channel(chosen_of(channels, request, name), name,
+                                   request.scale);
   return content;
 }
 
@@ -124,9 +162,10 @@ std::optional<RowFile> gwy_row_file(const std::string& path,
   const std::map<int, GwyChannel> channels =
       read_gwy_channels(mapped.bytes(), path);
   const GwyChannel& channel = chosen_of(channels, request, path);
-  RowFile file{grid_of(*channel.field, path), channel.title, gwy_reader, {}};
-  const StoredNumbers heights = stored_in(path, mapped.bytes(), *channel.field,
-                                          *length_unit(channel.field->unit_z));
+  const FieldScale scale = scale_of(*channel.field, path, request.scale);
+  RowFile file{scale.grid, channel.title, gwy_reader, {}};
+  const StoredNumbers heights =
+      stored_in(path, mapped.bytes(), *channel.field, scale.height_unit);
   file.numbers.unit = heights.height_unit;
   if (!channel.mask) {
     file.rows = [heights](int first, int count) {

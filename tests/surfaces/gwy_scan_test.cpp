@@ -122,5 +122,50 @@ TEST(GwyScan, RefusesSizesThatDoNotAgree) {
             std::string::npos);
 }
 
+// A file without units is read with those of the case, which must not
+// contradict a unit of the file. A channel with units is preferred.
+TEST(GwyScan, TakesUnitsThatTheFileLacks) {
+  const auto with = [](const std::string& bytes, const MapScale& scale,
+                       const std::optional<std::string>& channel = {}) {
+    return read_scan_bytes(bytes, "map.gwy",
+                           {mechanics::MapFormat::automatic, channel, scale});
+  };
+  const auto refused = [&](const std::string& bytes, const MapScale& scale) {
+    return tests::message_of<input::InputError>([&] { with(bytes, scale); });
+  };
+  const std::string no_unit = gwy_file(gwy_channel("0", "Height", "", 7));
+  std::string no_units = no_unit; // of equal length: the sides have none either
+  const std::string metres = std::string("unitstr") + '\0' + 's' + "m" + '\0';
+  no_units.replace(no_units.find(metres), metres.size(),
+                   std::string("unitstX") + '\0' + 's' + "m" + '\0');
+
+  EXPECT_NEAR(with(no_unit, {{}, 1e-9}).map.heights[0], 7e-9, 1e-23);
+  EXPECT_EQ(with(no_unit, {{}, 1e-9}).map.grid.length_x, 3e-6);
+  EXPECT_EQ(refused(no_unit, {}),
+            "surface.height_unit is missing: the values of map.gwy have no "
+            "unit");
+  EXPECT_EQ(
+      refused(no_unit, {1e-6, 1e-9}).find("surface.length = 1e-06 m, but"), 0U);
+  const Grid by_length = with(no_units, {6e-3, 1e-9}).map.grid;
+  EXPECT_NEAR(by_length.length_x, 6e-3, 1e-12);
+  EXPECT_NEAR(by_length.length_y, 2e-3, 1e-12);
+  EXPECT_NEAR(with(no_units, {{}, 1e-9, {}, 1e3}).map.grid.length_y, 1e-3,
+              1e-12);
+  EXPECT_EQ(refused(no_units, {{}, 1e-9}).find("surface.length is missing"),
+            0U);
+  const std::string both = gwy_file(gwy_channel("0", "Height", "", 7) +
+                                    gwy_channel("1", "Z", "m", 8));
+  EXPECT_EQ(with(both, {}).map.heights[0], 8.0);
+  EXPECT_NEAR(with(both, {{}, 1e-9}, "Height").map.heights[0], 7e-9, 1e-23);
+}
+
+// Of two channels of one name, the second has its number.
+TEST(GwyScan, ReadsChannelsByTheirNumbers) {
+  const std::string twice = gwy_file(gwy_channel("0", "Height", "m", 1) +
+                                     gwy_channel("1", "Height", "m", 2));
+  EXPECT_EQ(gwy_scan(twice, "1").map.heights[0], 1.0);
+  EXPECT_EQ(gwy_scan(twice, "2").map.heights[0], 2.0);
+}
+
 } // namespace
 } // namespace asperity::surfaces
