@@ -23,11 +23,17 @@ void refuse_other_sum(const std::string& name, const std::string& member,
         name, printable(member), found, printable(stated)));
 }
 
+/// Some programs pack the folder of the file instead of its content.
+std::unique_ptr<ZipArchive> entered(std::unique_ptr<ZipArchive> archive) {
+  archive->enter_folder_of("main.xml");
+  return archive;
+}
+
 } // namespace
 
 X3pFile::X3pFile(std::unique_ptr<ZipArchive> opened, std::string file_name)
     : name(std::move(file_name)),
-      archive(std::move(opened)),
+      archive(entered(std::move(opened))),
       text(archive->member("main.xml")),
       document(text, name),
       header(document.header()) {}

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <zip.h>
 
@@ -83,8 +84,58 @@ ZipArchive::~ZipArchive() {
   zip_discard(as_zip(archive_));
 }
 
+namespace {
+
+/// Calls take(index, name with slashes) for each member until it returns false.
+template <class Take>
+void each_name(zip_t* archive, const Take& take) {
+  const zip_int64_t count = zip_get_num_entries(archive, 0);
+  for (zip_int64_t index = 0; index < count; ++index) {
+    const char* const name =
+        zip_get_name(archive, static_cast<zip_uint64_t>(index), 0);
+    std::string text = name == nullptr ? "" : name;
+    std::ranges::replace(text, '\\', '/');
+    if (!take(index, text))
+      return;
+  }
+}
+
+} // namespace
+
+void ZipArchive::enter_folder_of(const std::string& member) {
+  if (has(member))
+    return;
+  std::string found;
+  each_name(as_zip(archive_), [&](zip_int64_t, const std::string& name) {
+    if (!name.ends_with("/" + member))
+      return true;
+    if (!found.empty())
+      throw input::InputError(
+          fmt::format("{}: has several files {}, in {} and {}; unpack the "
+                      "archive, and pack one of these folders",
+                      name_, member, printable(found), printable(name)));
+    found = name;
+    return true;
+  });
+  folder_ =
+      found.substr(0, found.size() - std::min(found.size(), member.size()));
+}
+
+std::int64_t ZipArchive::index_of(const std::string& member) const {
+  const std::string full = folder_ + member;
+  zip_int64_t found = zip_name_locate(as_zip(archive_), full.c_str(), 0);
+  if (found < 0)
+    each_name(as_zip(archive_),
+              [&](zip_int64_t index, const std::string& name) {
+                if (name == full)
+                  found = index;
+                return found < 0;
+              });
+  return found;
+}
+
 bool ZipArchive::has(const std::string& member) const {
-  return zip_name_locate(as_zip(archive_), member.c_str(), 0) >= 0;
+  return index_of(member) >= 0;
 }
 
 void ZipArchive::refuse_member(const std::string& member,
@@ -96,7 +147,10 @@ void ZipArchive::refuse_member(const std::string& member,
 ZipMember ZipArchive::open(const std::string& member) const {
   zip_stat_t facts;
   zip_stat_init(&facts);
-  if (zip_stat(as_zip(archive_), member.c_str(), 0, &facts) != 0 ||
+  const std::int64_t index = index_of(member);
+  if (index < 0 ||
+      zip_stat_index(as_zip(archive_), static_cast<zip_uint64_t>(index), 0,
+                     &facts) != 0 ||
       (facts.valid & ZIP_STAT_SIZE) == 0)
     refuse_member(member, "the archive has no such file");
   if (facts.size > input::largest_number_file)
@@ -104,7 +158,8 @@ ZipMember ZipArchive::open(const std::string& member) const {
                   fmt::format("has {}, but must have at most {}",
                               bytes_text(static_cast<double>(facts.size)),
                               bytes_text(input::largest_number_file)));
-  zip_file_t* const file = zip_fopen(as_zip(archive_), member.c_str(), 0);
+  zip_file_t* const file =
+      zip_fopen_index(as_zip(archive_), static_cast<zip_uint64_t>(index), 0);
   if (file == nullptr)
     refuse_member(member, "cannot be unpacked");
   return {file, facts.size, fmt::format("{}: {}", name_, printable(member))};

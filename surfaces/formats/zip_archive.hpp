@@ -57,6 +57,11 @@ public:
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
+  /// Looks for members in the folder of the archive that has this one, if it is
+  /// not at the top. Backslashes in names of the archive are slashes.
+  /// @throws input::InputError  several folders have it
+  void enter_folder_of(const std::string& member);
+
   bool has(const std::string& member) const;
 
   /// Returns the uncompressed bytes of a member.
@@ -74,11 +79,14 @@ private:
   /// @param source  zip_source_t, null if it could not be made
   /// @param error   zip_error_t, which is finished
   void open_source(void* source, void* error);
+  /// Index of a member in the folder that was entered; negative: none.
+  std::int64_t index_of(const std::string& member) const;
   [[noreturn]] void refuse_member(const std::string& member,
                                   const std::string& what) const;
 
   void* archive_ = nullptr; ///< zip_t
   std::string name_;
+  std::string folder_; ///< with a slash at its end; empty: the top
 };
 
 /// Returns an archive with these members, compressed, with a fixed date.

@@ -170,5 +170,28 @@ TEST(X3pScan, NamesTheMistake) {
       input::InputError);
 }
 
+// Programs that pack a folder put its name before all others, with either
+// slash. The checksum of main.xml is in the same folder.
+TEST(X3pScan, ReadsAnArchiveOfAFolder) {
+  const std::string document = X3pText().text();
+  for (const std::string folder : {"scan/", "a/b/", "scan\\"}) {
+    const std::string inner = folder == "scan\\" ? "bindata\\" : "bindata/";
+    const Members members{
+        {folder + "main.xml", document},
+        {folder + inner + "data.bin", numbers_as_bytes(six)},
+        {folder + "md5checksum.hex", md5_hash(document) + " *main.xml\n"}};
+    expect_six(x3p_scan(members));
+  }
+  EXPECT_NE(
+      x3p_refusal(Members{{"a/main.xml", document}, {"b/main.xml", document}})
+          .find("has several files main.xml"),
+      std::string::npos);
+  EXPECT_NE(x3p_refusal(Members{{"a/main.xml", document},
+                                {"a/md5checksum.hex", "12 *main.xml\n"},
+                                {"a/bindata/data.bin", numbers_as_bytes(six)}})
+                .find("main.xml has the MD5 checksum"),
+            std::string::npos);
+}
+
 } // namespace
 } // namespace asperity::surfaces
