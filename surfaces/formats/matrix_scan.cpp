@@ -52,10 +52,22 @@ struct FoundDatasets {
   int groups = 0; ///< visited; links may form cycles
 };
 
-std::string unit_attribute(const results::Hdf5Group& dataset) {
+/// What read() finds in an attribute; empty if it is of another kind, such as a
+/// list of units.
+template <class Read>
+auto if_readable(const Read& read) -> std::optional<decltype(read())> {
+  try {
+    return read();
+  } catch (const results::Hdf5Error&) {
+    return std::nullopt;
+  }
+}
+
+/// The unit of a dataset that has one; empty if it is no single text.
+std::optional<std::string> unit_attribute(const results::Hdf5Group& dataset) {
   for (const char* const name : {"unit", "units"})
     if (dataset.has_attribute(name))
-      return dataset.text_attribute(name);
+      return if_readable([&] { return dataset.text_attribute(name); });
   return "";
 }
 
@@ -81,9 +93,9 @@ void find_datasets(const results::Hdf5Group& group, const std::string& path,
         extents[0] > 1 << 20 || extents[1] > 1 << 20)
       continue;
     found.paths.push_back(full);
-    found.infos.push_back({full, unit_attribute(group.open_dataset(child)),
-                           static_cast<int>(extents[1]),
-                           static_cast<int>(extents[0])});
+    found.infos.push_back(
+        {full, unit_attribute(group.open_dataset(child)).value_or(""),
+         static_cast<int>(extents[1]), static_cast<int>(extents[0])});
   }
 }
 
@@ -98,6 +110,9 @@ std::size_t chosen_dataset(const FoundDatasets& found,
     throw input::InputError(path + ": has no dataset with two dimensions");
   for (std::size_t i = 0; wanted && i < found.paths.size(); ++i)
     if (found.paths[i] == *wanted || found.paths[i] == "/" + *wanted)
+      return i;
+  for (std::size_t i = 0; wanted && i < found.paths.size(); ++i)
+    if (*wanted == std::to_string(i + 1))
       return i;
   if (wanted)
     throw input::InputError(
@@ -118,18 +133,32 @@ void take_attribute(std::optional<double>& given,
                     const std::string& path) {
   if (!dataset.has_attribute(key))
     return;
-  if (given)
+  const std::optional<double> number =
+      if_readable([&] { return dataset.number_attribute(key); });
+  if (given && number)
     throw input::InputError(fmt::format(
         "surface.{} = {:.6g} m, but must be left out: {} gives it as an "
         "attribute",
         key, *given, path));
-  given = dataset.number_attribute(key);
+  if (!given && !number)
+    throw input::InputError(
+        fmt::format("surface.{0} is missing: the attribute {0} of {1} is not "
+                    "one number",
+                    key, path));
+  if (number)
+    given = number;
 }
 
 void take_height_unit(std::optional<double>& given,
                       const results::Hdf5Group& dataset,
                       const std::string& path) {
-  const std::string text = unit_attribute(dataset);
+  const std::optional<std::string> found = unit_attribute(dataset);
+  if (!found && !given)
+    throw input::InputError(
+        fmt::format("surface.height_unit is missing: the unit of {} is not one "
+                    "text",
+                    path));
+  const std::string text = found.value_or("");
   if (text.empty())
     return;
   const std::optional<double> unit = length_unit(text);
