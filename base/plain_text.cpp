@@ -2,6 +2,8 @@
 
 #include <boost/locale/utf.hpp>
 
+#include <algorithm>
+
 namespace asperity {
 
 std::size_t find_not_plain(std::string_view text) {
@@ -22,8 +24,19 @@ std::size_t find_not_plain(std::string_view text) {
 
 std::string printable(std::string_view text, std::size_t longest) {
   std::string shown(text.substr(0, longest));
-  for (std::size_t bad = 0; (bad = find_not_plain(shown)) != shown.npos;)
-    shown[bad] = '?';
+  const std::size_t cut = // a letter of UTF-8 may be cut behind this byte
+      text.size() > longest
+          ? shown.size() - std::min<std::size_t>(shown.size(), 3)
+          : shown.size();
+  std::size_t n_added = 0;
+  for (std::size_t bad = 0; (bad = find_not_plain(shown)) != shown.npos;) {
+    const auto code = static_cast<unsigned char>(shown[bad]);
+    const bool is_letter = code >= 0xA0 && bad < cut + n_added;
+    const char latin_1[] = {static_cast<char>(0xC0 | code >> 6),
+                            static_cast<char>(0x80 | (code & 0x3F))};
+    shown.replace(bad, 1, is_letter ? std::string_view(latin_1, 2) : "?");
+    n_added += is_letter ? 1 : 0;
+  }
   for (char& letter : shown)
     if (letter == '\n' || letter == '\r')
       letter = '?';

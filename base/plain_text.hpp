@@ -15,8 +15,9 @@ namespace asperity {
 std::size_t find_not_plain(std::string_view text);
 
 /// `text` in a form that can be shown in a message: at most `longest` bytes,
-/// followed by "..." if there were more, with '?' for each byte that is not
-/// plain and for each line end.
+/// followed by "..." if there were more. A byte that is not plain is taken for
+/// a letter of Latin-1, or replaced by '?' if it is none or may be part of a
+/// letter that was cut, as is each line end.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
 /// `text` without the blanks and tabs at its ends.

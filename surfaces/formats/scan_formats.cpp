@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 namespace asperity::surfaces {
@@ -106,7 +107,36 @@ MapFormat recognised_format(std::string_view bytes) {
   return looks_like_text(bytes) ? MapFormat::automatic : MapFormat::convert;
 }
 
+namespace {
+
+/// What Gwyddion does not read either, and how it can be made readable.
+constexpr std::pair<std::string_view, std::string_view> containers[] = {
+    {"\xFF\xFE"sv, "UTF-16 text: convert it by iconv -f UTF-16 -t UTF-8"},
+    {"\xFE\xFF"sv, "UTF-16 text: convert it by iconv -f UTF-16 -t UTF-8"},
+    {"\x1F\x8B"sv, "compressed by gzip: unpack it by gunzip"},
+    {"BZh"sv, "compressed by bzip2: unpack it by bunzip2"},
+    {"\xFD\x37zXZ"sv, "compressed by xz: unpack it by unxz"},
+    {"\x28\xB5\x2F\xFD"sv, "compressed by zstd: unpack it by unzstd"},
+};
+
+} // namespace
+
 std::string name_in_brackets(const std::string& path) {
+  std::string begin(8, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  for (const auto& [magic, name] : containers)
+    if (begin.starts_with(magic))
+      return " (" + std::string(name) + ")";
+  // UTF-16 without a mark: zero bytes beside ASCII digits and blanks.
+  const auto has_zeros = [&](std::size_t first) {
+    for (std::size_t i = 0; i < begin.size(); ++i)
+      if ((begin[i] == '\0') != (i % 2 == first))
+        return false;
+    return true;
+  };
+  if (has_zeros(0) || has_zeros(1))
+    return " (UTF-16 text: convert it by iconv -f UTF-16LE -t UTF-8)";
   const std::string ending =
       lower_case(std::filesystem::path(path).extension().string());
   for (const auto& [known, name] : foreign_formats)

@@ -37,8 +37,16 @@ TEST(PlainText, HasNoControlCharacters) {
 // line or fill the screen.
 TEST(Printable, IsShortAndPlain) {
   EXPECT_EQ(printable("3,5 \xC2\xB5m"), "3,5 \xC2\xB5m");
-  EXPECT_EQ(printable("a\x1B[2J\nb\xFF"), "a?[2J?b?");
+  EXPECT_EQ(printable("a\x1B[2J\nb\x9F"), "a?[2J?b?");
+  EXPECT_EQ(printable("\xC2\x9B"), "\xC3\x82?"); // CSI of terminals
   EXPECT_EQ(printable("\xE2\x82\xAC\xE2\x82\xAC", 4), "\xE2\x82\xAC?...");
+}
+
+// The letters of Latin-1 have the same numbers in Unicode.
+TEST(Printable, ShowsLettersOfLatin1) {
+  EXPECT_EQ(printable("H\xF6he in \xB5m"), "H\xC3\xB6he in \xC2\xB5m");
+  EXPECT_EQ(printable("\xE4\xF6\xFC\xDF-----", 6),
+            "\xC3\xA4\xC3\xB6\xC3\xBC?--...");
 }
 
 } // namespace
