@@ -3,11 +3,15 @@
 #include "app/asked/option_quantity.hpp"
 #include "app/cli/surface_input.hpp"
 #include "base/folder_lock.hpp"
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
+#include "reports/analysis/summary.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_json.hpp"
 #include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_text.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
 #include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -44,6 +48,92 @@ void write_converted(const SurfaceCommand& command,
       "written: {} (heights in m, {:.6g} x {:.6g} m; levelled as above, keep "
       "them as measured by --level none)\n",
       command.write, map.map.grid.length_x, map.map.grid.length_y);
+}
+
+/// Saved fields of a result and where they are in it.
+struct FoundFields {
+  const results::MethodRecord* method = nullptr;
+  const results::Fields* fields = nullptr;
+};
+
+/// The fields of the first realisation of the method and step that the command
+/// names.
+FoundFields fields_of(const results::Result& result,
+                      const SurfaceCommand& command) {
+  std::string saved;
+  FoundFields found;
+  for (const results::MethodRecord& method : result.methods) {
+    if (method.realizations.empty())
+      continue;
+    for (const results::Fields& fields : method.realizations.front().fields) {
+      saved += fmt::format("{}{} {}", saved.empty() ? "" : ", ", method.name,
+                           fields.step);
+      const bool is_wanted =
+          (command.method.empty()
+               ? found.method == nullptr || found.method == &method
+               : method.name == command.method) &&
+          (command.step < 0 || fields.step == command.step);
+      if (is_wanted)
+        found = {&method, &fields};
+    }
+  }
+  if (found.fields == nullptr)
+    throw input::InputError(fmt::format(
+        "{}: has no fields of {}{}; saved are, by method and step: {}",
+        result.path,
+        command.method.empty() ? "any method" : printable(command.method),
+        command.step < 0 ? "" : fmt::format(" in step {}", command.step),
+        saved.empty() ? "none" : saved));
+  return found;
+}
+
+/// Writes a field of a result, or the heights below it, to a map file.
+ExitCode write_field(const SurfaceCommand& command) {
+  if (command.inputs.size() != 1 || command.write.empty())
+    throw input::InputError(
+        "--field writes a map of one result: surface RESULT --field pressure "
+        "--write pressure.gwy");
+  const std::string& path = command.inputs.front();
+  results::require_readable(path);
+  const results::Result result =
+      results::read_result(path, results::MapsInFile::large);
+  const auto [method, fields] = fields_of(result, command);
+  const bool is_pressure = command.field == "pressure";
+  const results::SurfaceRecord* surface =
+      reports::surface_of(result, *method, 0);
+  const bool is_heights = command.field == "heights";
+  const results::MapView values = is_pressure          ? fields->pressure_map()
+                                  : !is_heights        ? fields->gap_map()
+                                  : surface == nullptr ? results::MapView()
+                                                       : surface->height_map();
+  if (values.empty())
+    throw input::InputError(
+        fmt::format("{}: the {} is not saved", result.path, command.field));
+  const Grid& grid = is_heights ? surface->grid : fields->grid;
+  const surfaces::MapQuantity quantity{command.field, is_pressure ? "Pa" : "m"};
+  const std::string title =
+      is_heights
+          ? "Height"
+          : fmt::format("{} of {}, step {}", is_pressure ? "Pressure" : "Gap",
+                        method->name, fields->step);
+  surfaces::write_map(command.write, {grid, values.whole()}, title, quantity);
+  fmt::print("written: {} ({} [{}], p = {:.6g} Pa, {} x {} points, {:.6g} x "
+             "{:.6g} m)\n",
+             command.write, title, quantity.unit, fields->nominal_pressure,
+             grid.points_x, grid.points_y, grid.length_x, grid.length_y);
+  if (wants_json())
+    emit_answer(
+        nlohmann::ordered_json{{"written", command.write},
+                               {"field", command.field},
+                               {"unit", quantity.unit},
+                               {"method", method->name},
+                               {"step", fields->step},
+                               {"nominal_pressure", fields->nominal_pressure},
+                               {"points", {grid.points_x, grid.points_y}},
+                               {"lengths", {grid.length_x, grid.length_y}}}
+            .dump(1) +
+        "\n");
+  return exit_good;
 }
 
 void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
@@ -92,17 +182,21 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
 
 ExitCode print_channels(const std::vector<std::string>& files) {
   nlohmann::json channels = nlohmann::json::array();
-  for (const std::string& file : files)
+  for (const std::string& file : files) {
+    int number = 0;
     for (const surfaces::ChannelInfo& channel : surfaces::list_channels(file)) {
-      fmt::print("{}: {:<24} {:<8} {} x {}\n", file,
-                 channel.title.empty() ? "(untitled)" : channel.title,
-                 channel.unit.empty() ? "-" : channel.unit, channel.points_x,
-                 channel.points_y);
+      const std::string title = printable(channel.title);
+      const std::string unit = printable(channel.unit);
+      fmt::print("{}: {:>2} {:<24} {:<8} {} x {}\n", file, ++number,
+                 title.empty() ? "(untitled)" : title,
+                 unit.empty() ? "-" : unit, channel.points_x, channel.points_y);
       channels.push_back({{"file", file},
-                          {"channel", channel.title},
-                          {"unit", channel.unit},
+                          {"number", number},
+                          {"channel", title},
+                          {"unit", unit},
                           {"points", {channel.points_x, channel.points_y}}});
     }
+  }
   if (wants_json())
     emit_answer(channels.dump(1) + "\n");
   return exit_good;
@@ -124,6 +218,8 @@ ExitCode inspect_surface(const SurfaceCommand& command) {
     return print_channels(command.inputs);
   if (!command.write.empty())
     require_known_ending(command.write);
+  if (!command.field.empty())
+    return write_field(command);
   const reports::SurfaceReport report = analysed(command);
   fmt::print("{}", surface_text(report));
   if (wants_json())
@@ -166,9 +262,12 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
   command->add_option("--missing-value", surface.missing_value,
                       "number at points of such a file that were not\n"
                       "measured, e.g. -9999");
+  command->add_option("--length-unit", surface.length_unit,
+                      "unit of the positions of a list or line scan,\n"
+                      "e.g. um");
   add_overrides(command, surface.overrides);
   command->add_option("--channel", surface.channel,
-                      "channel of the file, by its title");
+                      "channel of the file, by its title or number");
   command->add_flag("--channels", surface.lists_channels,
                     "list the channels of the files and end");
 }
@@ -193,6 +292,18 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
   command->add_option("--write", surface.write,
                       "also write the levelled map to this file: .npy,\n"
                       ".h5, .gwy, .txt or .x3p");
+  command
+      ->add_option("--field", surface.field,
+                   "with --write, the input is a result, of which this\n"
+                   "map is written: pressure, gap or heights")
+      ->check(CLI::IsMember({"pressure", "gap", "heights"}));
+  command->add_option("--method", surface.method,
+                      "method of this map (default: the first that has\n"
+                      "saved fields)");
+  command
+      ->add_option("--step", surface.step,
+                   "load step of this map (default: the last saved one)")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--out", surface.out,
                       "output folder (default: out/<name of the file>)");
   command->add_flag("--no-report", surface.has_no_report,

@@ -21,12 +21,16 @@ struct SurfaceCommand {
   std::string length;          ///< "20 um"; empty: the file states it
   std::string height_unit;     ///< "nm"; empty: the file states it
   std::string missing_value;   ///< "-9999"; empty: no number marks a point
-  std::string channel;         ///< title; empty: the one with heights
+  std::string length_unit;     ///< "um", of positions; empty: stated or none
+  std::string channel;         ///< title or number; empty: the one with heights
   std::string tip_radius;      ///< "10 nm"; empty: not known
   std::string contact_modulus; ///< "2 GPa"; empty: no theory
   double gamma = 0.4;          ///< of the theory, as `run MAP` sets it
   std::string out;             ///< empty: out/<name>
   std::string write;           ///< file to convert the map to
+  std::string field;           ///< of a result: pressure, gap or heights
+  std::string method;          ///< whose field; empty: the first with fields
+  int step = -1;               ///< of the field; negative: the last saved one
   bool lists_channels = false; ///< print the channels of files, no more
   bool has_no_report = false;
 };

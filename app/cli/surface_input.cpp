@@ -3,6 +3,7 @@
 #include "app/asked/asked_cases.hpp"
 #include "app/asked/map_case.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/text/toml_text.hpp"
 #include "cases/types/units.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/build.hpp"
@@ -10,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <filesystem>
 
@@ -25,6 +27,14 @@ std::string with_number(const std::string& unit) {
   return has_number ? unit : "1 " + unit;
 }
 
+/// A TOML string, whatever the text: a channel may be called 2.
+std::string as_text(const std::string& text) {
+  cases::Node node;
+  node.type = cases::NodeType::text;
+  node.text = text;
+  return cases::toml_value(node);
+}
+
 /// The case that `asperity run MAP` would run, with the options as overrides.
 cases::Case case_of_file(const std::string& file,
                          const SurfaceCommand& command) {
@@ -32,7 +42,7 @@ cases::Case case_of_file(const std::string& file,
   if (command.is_periodic)
     overrides.emplace_back("surface.edges=periodic");
   if (!command.channel.empty())
-    overrides.push_back("surface.channel=" + command.channel);
+    overrides.push_back("surface.channel=" + as_text(command.channel));
   if (!command.length.empty())
     overrides.push_back("surface.length=" + command.length);
   if (!command.height_unit.empty())
@@ -40,6 +50,9 @@ cases::Case case_of_file(const std::string& file,
                         with_number(command.height_unit));
   if (!command.missing_value.empty())
     overrides.push_back("surface.missing_value=" + command.missing_value);
+  if (!command.length_unit.empty())
+    overrides.push_back("surface.length_unit=" +
+                        with_number(command.length_unit));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return cases::read_case_text(map_case_text({file, "1 Pa"}), file, overrides);
@@ -86,14 +99,16 @@ SurfaceInput line_input(const std::string& file,
   if (!command.missing_value.empty())
     throw input::InputError(
         file + ": --missing-value: the points of a line scan must be measured");
-  if (command.length.empty() || command.height_unit.empty())
-    throw input::InputError(fmt::format(
-        "{}: is a line scan; give its length and the unit of its heights, for "
-        "example --length \"5 mm\" --height-unit um",
-        file));
-  surfaces::LineScan line = surfaces::read_line_scan(
-      file, {length_of("--length", command.length),
-             length_of("--height-unit", with_number(command.height_unit))});
+  surfaces::LineScale scale;
+  if (!command.length.empty())
+    scale.length = length_of("--length", command.length);
+  if (!command.height_unit.empty())
+    scale.height_unit =
+        length_of("--height-unit", with_number(command.height_unit));
+  if (!command.length_unit.empty())
+    scale.length_unit =
+        length_of("--length-unit", with_number(command.length_unit));
+  surfaces::LineScan line = surfaces::read_line_scan(file, scale);
   if (command.level != "none" && command.level != "plane" &&
       command.level != "bow")
     throw input::InputError(
@@ -114,12 +129,19 @@ SurfaceInput line_input(const std::string& file,
 
 SurfaceInput file_input(const std::string& file,
                         const SurfaceCommand& command) {
-  if (surfaces::is_line_scan(file))
+  const bool has_format = std::ranges::any_of(
+      command.overrides, [](const std::string& override_text) {
+        return override_text.starts_with("surface.format");
+      });
+  if (!has_format && surfaces::is_line_scan(file))
     return line_input(file, command);
   try {
     return measured_input(case_of_file(file, command).surface);
   } catch (const input::InputError& error) {
     const std::string message = error.what();
+    if (message.find("surface.length_unit is missing") != std::string::npos)
+      throw input::InputError(message +
+                              "\ngive --length-unit um and --height-unit nm");
     if (message.find("surface.length is missing") != std::string::npos ||
         message.find("surface.height_unit is missing") != std::string::npos)
       throw input::InputError(message +

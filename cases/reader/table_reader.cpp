@@ -136,7 +136,9 @@ std::string TableReader::text(const std::string& key) {
   const Node* const found = entry(key);
   if (!found)
     return "";
-  if (found->type != NodeType::text || found->text.empty())
+  const bool is_text = found->type == NodeType::text || found->is_number() ||
+                       found->type == NodeType::boolean;
+  if (!is_text || found->text.empty()) // only an override has both
     refuse(*found, "must be " + allowed_text(key_called(key)));
   return found->text;
 }

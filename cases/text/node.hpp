@@ -24,7 +24,9 @@ struct Node {
   bool boolean = false;
   std::int64_t integer = 0;
   double floating = 0.0;
-  std::string text; ///< for `other`, the text for messages (dates and times)
+  /// Of `other`, the text for messages (dates and times); of a number or a
+  /// boolean that an override gives, what was written.
+  std::string text;
   std::vector<Node> list;
   std::vector<NodeEntry> entries; ///< entries of a table, in the order of the
                                   ///< file

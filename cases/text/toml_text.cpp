@@ -303,8 +303,12 @@ void apply_override(Node& file, const std::string& override_text,
     std::erase_if(table->entries, [&](const NodeEntry& entry) {
       return entry.key == keys.back();
     });
-  else
-    put(*table, keys.back(), value_or_text(value, place, path));
+  else {
+    Node node = value_or_text(value, place, path);
+    if (node.type == NodeType::boolean || node.is_number())
+      node.text = value; // for a key whose value is a text
+    put(*table, keys.back(), std::move(node));
+  }
 }
 
 } // namespace asperity::cases

@@ -33,7 +33,8 @@ std::string toml_value(const Node& node);
 
 /// Applies the override "key.path=value" to the file. A key in double quotes
 /// may contain dots and equals signs. The value is read as TOML, or as a string
-/// if it is not TOML ("34 nm" needs no quotes); an empty value removes the key.
+/// if it is not TOML ("34 nm" needs no quotes) or if the key is one of a string
+/// (surface.channel=2); an empty value removes the key.
 /// Missing tables are created. An override that cannot be applied is added to
 /// `mistakes`.
 ///

@@ -1,9 +1,15 @@
 #include "surfaces/analysis/line_scan.hpp"
 
 #include "base/fourier.hpp"
+#include "base/plain_text.hpp"
 #include "base/require.hpp"
 #include "input/input_error.hpp"
+#include "input/input_file.hpp"
+#include "surfaces/formats/length_units.hpp"
+#include "surfaces/formats/scan_formats.hpp"
 #include "surfaces/formats/text/number_table.hpp"
+#include "surfaces/formats/text/text_header.hpp"
+#include "surfaces/formats/text/xyz_list.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
 
@@ -14,47 +20,142 @@
 #include <complex>
 #include <fstream>
 #include <numbers>
-#include <sstream>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 namespace asperity::surfaces {
 namespace {
 
 constexpr std::size_t fewest_points = 16;
-constexpr double step_tolerance = 0.01;
 
-bool has_equal_steps(const NumberTable& table) {
-  const double mean = (table.number(table.rows() - 1, 0) - table.number(0, 0)) /
-                      static_cast<double>(table.rows() - 1);
-  if (!(mean > 0.0))
-    return false;
-  for (std::size_t row = 1; row < table.rows(); ++row)
-    if (std::abs(table.number(row, 0) - table.number(row - 1, 0) - mean) >
-        step_tolerance * mean)
-      return false;
-  return true;
+/// Whether a header gives the sides of a map.
+bool is_headed_map(const NumberTable& table) {
+  return gwyddion_header(table).width.line != 0 ||
+         matrix_header(table).pixel_size;
 }
 
 bool is_line(const NumberTable& table) {
   return table.columns == 1 || table.rows() == 1 ||
-         (table.columns == 2 && table.rows() >= fewest_points &&
-          has_equal_steps(table));
+         (table.columns == 2 && table.rows() >= 4);
 }
 
-/// Number of entries of a line of a text table; 0 for comments and for lines
-/// that do not begin with a number.
-int count_numbers(const std::string& line) {
-  const std::size_t first = line.find_first_not_of(" \t\r,;");
-  if (first == std::string::npos ||
-      std::string("+-.0123456789").find(line[first]) == std::string::npos)
-    return 0;
-  int count = 0;
-  bool was_gap = true;
-  for (const char c : line) {
-    const bool is_gap = std::string(" \t\r,;").find(c) != std::string::npos;
-    count += was_gap && !is_gap;
-    was_gap = is_gap;
+/// A unit of length that a header line gives in brackets.
+struct HeaderUnit {
+  double metres = 0.0;
+  std::string text;
+  int line = 0;
+};
+
+/// The units in the last header line that has any, in their order.
+std::vector<HeaderUnit> header_units(const NumberTable& table) {
+  std::vector<HeaderUnit> units;
+  for (const CommentLine& comment : table.comments) {
+    std::vector<HeaderUnit> in_line;
+    const std::string& text = comment.text;
+    for (std::size_t at = 0;
+         (at = text.find_first_of("[(", at)) != std::string::npos; ++at) {
+      const std::size_t end = text.find_first_of("])", at);
+      if (end == std::string::npos)
+        break;
+      const std::string unit = trimmed(text.substr(at + 1, end - at - 1));
+      if (const auto metres = surfaces::length_unit(unit))
+        in_line.push_back({*metres, unit, comment.line});
+    }
+    if (!in_line.empty() && comment.line < table.lines.front())
+      units = std::move(in_line);
   }
-  return count;
+  return units;
+}
+
+/// The unit of a column, from the header or the option.
+/// @param given  by the option
+std::optional<double> unit_of(const NumberTable& table, std::size_t column,
+                              const std::optional<double>& given,
+                              const char* option) {
+  const std::vector<HeaderUnit> units = header_units(table);
+  if (units.size() != (table.rows() == 1 ? 1 : table.columns))
+    return given;
+  const HeaderUnit& unit = units[table.rows() == 1 ? 0 : column];
+  if (given && std::abs(*given / unit.metres - 1.0) > 1e-9)
+    throw input::InputError(fmt::format(
+        "{} = {:.6g} m, but line {} of {} gives the unit '{}'; leave it out",
+        option, *given, unit.line, table.name, printable(unit.text)));
+  return unit.metres;
+}
+
+/// The unit of x for which a number of points, or one less, times their
+/// spacing is the length [m].
+double unit_for_length(const NumberTable& table, const ListAxis& x,
+                       double length) {
+  for (const double unit :
+       {1e3, 1.0, 1e-2, 1e-3, 1e-6, 1e-9, 1e-10, 1e-12, 1e-15}) {
+    const double points = length / (unit * x.spacing);
+    const auto count = static_cast<double>(x.points);
+    if (points > count - 1.5 && points < count + 0.5)
+      return unit;
+  }
+  throw input::InputError(fmt::format(
+      "--length = {:.6g} m, but the {} points of {} are {:.6g} apart in the "
+      "column x, which is that length in no unit; give --length-unit instead",
+      length, x.points, table.name, x.spacing));
+}
+
+/// Whether x grows or falls from row to row on an axis with as many points.
+bool is_in_order(const NumberTable& table, const ListAxis& x) {
+  const bool is_descending = table.number(0, 0) > table.number(1, 0);
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (x.index_of(table.number(row, 0)) !=
+        (is_descending ? table.rows() - 1 - row : row))
+      return false;
+  return x.points == table.rows();
+}
+
+/// @throws input::InputError  x is not equidistant, with the first such line
+[[noreturn]] void refuse_positions(const NumberTable& table) {
+  const double mean = (table.number(table.rows() - 1, 0) - table.number(0, 0)) /
+                      static_cast<double>(table.rows() - 1);
+  std::size_t worst = 1;
+  const auto step = [&](std::size_t row) {
+    return table.number(row, 0) - table.number(row - 1, 0);
+  };
+  for (std::size_t row = 2; row < table.rows(); ++row)
+    if (std::abs(step(row) - mean) > std::abs(step(worst) - mean))
+      worst = row;
+  refuse_line(
+      table.name, table.lines[worst],
+      fmt::format("x is {:.6g} after {:.6g}, but the mean step is {:.6g}; the "
+                  "positions of a line scan must be equidistant: interpolate "
+                  "the heights first, or read a matrix of two columns by --set "
+                  "surface.format=plain",
+                  table.number(worst, 0), table.number(worst - 1, 0), mean));
+}
+
+/// @param scale  gives the unit of x or the length, or the header does
+double spacing_of(const NumberTable& table, const LineScale& scale) {
+  const std::optional<ListAxis> x = axis_of(table, 0);
+  if (!x || !is_in_order(table, *x))
+    refuse_positions(table);
+  const std::optional<double> unit =
+      unit_of(table, 0, scale.length_unit, "--length-unit");
+  const double of_length =
+      scale.length ? unit_for_length(table, *x, *scale.length) : *unit;
+  if (unit && std::abs(of_length / *unit - 1.0) > 1e-9)
+    throw input::InputError(fmt::format(
+        "--length = {:.6g} m, but the {} points of {} have a length of {:.6g} "
+        "m; leave it out",
+        *scale.length, x->points, table.name,
+        *unit * x->spacing * static_cast<double>(x->points)));
+  return x->spacing * of_length;
+}
+
+void require_no_missing(const NumberTable& table) {
+  for (std::size_t i = 0; i < table.numbers.size(); ++i)
+    if (!std::isfinite(table.numbers[i]))
+      refuse_line(table.name, table.lines[i / table.columns],
+                  fmt::format("column {}: the number is missing, but a line "
+                              "scan must be complete; interpolate it first",
+                              i % table.columns + 1));
 }
 
 std::vector<double> hann_window(std::size_t points) {
@@ -126,58 +227,89 @@ double abel_integral(const PowerPiece& piece, double wavevector) {
 } // namespace
 
 bool is_line_scan(const std::string& path) {
-  // A map need not be parsed twice: the first two rows tell.
-  constexpr std::size_t head_size = 65536;
-  std::string head(head_size, '\0');
   std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), head_size);
+  std::string head(4096, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
-  if (head.empty() || head.find('\0') != std::string::npos ||
-      head.starts_with("PK")) // an archive
+  if (recognised_format(head) != mechanics::MapFormat::automatic)
     return false;
-  std::istringstream lines(head);
-  int rows = 0;
-  int columns = 0;
-  for (std::string line; rows < 2 && std::getline(lines, line);) {
-    const int numbers = count_numbers(line);
-    if (numbers == 0)
-      continue;
-    ++rows;
-    columns = std::max(columns, numbers);
-  }
-  const bool may_be_line =
-      rows > 0 && (columns <= 2 || (rows == 1 && head.size() < head_size));
-  if (!may_be_line)
-    return false;
+  NumberTableReader reader(path, NumberStyle::profile);
+  std::size_t columns = 0;
+  bool is_text = true;
   try {
-    return is_line(read_number_file(path));
+    each_line(path, 0, [&](std::string_view line, std::uint64_t) {
+      is_text = line.find('\0') == std::string_view::npos;
+      if (is_text)
+        reader.take(line);
+      columns = std::max(columns, reader.numbers_so_far().size());
+      // A map need not be parsed twice: two rows tell.
+      return is_text && !(reader.rows() > 1 && columns > 2);
+    });
+    if (!is_text || (reader.rows() > 1 && columns > 2))
+      return false;
+    const NumberTable table = reader.finish();
+    return is_line(table) && !is_headed_map(table);
   } catch (const input::InputError&) {
     return false; // text of an instrument, which has its own reader
   }
 }
 
 LineScan read_line_scan(const std::string& path, const LineScale& scale) {
-  require_positive("length", scale.length, "m");
-  require_positive("height_unit", scale.height_unit, "m");
-  NumberTable table = read_number_file(path);
+  for (const auto& [name, value] :
+       {std::pair("length", scale.length),
+        std::pair("height_unit", scale.height_unit),
+        std::pair("length_unit", scale.length_unit)})
+    if (value)
+      require_positive(name, *value, "m");
+  NumberTable table =
+      read_number_text(input::read_input_file(path, input::largest_number_file),
+                       path, NumberStyle::profile);
   if (!is_line(table))
     throw input::InputError(fmt::format(
         "{}: {} columns and {} rows, but a line scan has one column, one row, "
-        "or two columns x and z with x ascending in equal steps",
+        "or two columns x and z",
         path, table.columns, table.rows()));
-  LineScan line;
-  if (table.columns == 2 && table.rows() > 1)
-    for (std::size_t row = 0; row < table.rows(); ++row)
-      line.heights.push_back(table.number(row, 1));
-  else
-    line.heights = std::move(table.numbers);
-  if (line.heights.size() < fewest_points)
+  const bool has_positions = table.columns == 2 && table.rows() > 1;
+  const std::size_t points =
+      has_positions ? table.rows() : table.numbers.size();
+  if (points < fewest_points)
     throw input::InputError(
         fmt::format("{}: {} points, but a line scan must have at least {}",
-                    path, line.heights.size(), fewest_points));
-  line.spacing = scale.length / static_cast<double>(line.heights.size());
+                    path, points, fewest_points));
+  require_no_missing(table);
+  const std::optional<double> unit =
+      unit_of(table, table.columns - 1, scale.height_unit, "--height-unit");
+  std::vector<const char*> missing, options;
+  if (!scale.length && !(has_positions && unit_of(table, 0, scale.length_unit,
+                                                  "--length-unit"))) {
+    missing.push_back(has_positions ? "the unit of x" : "its length");
+    options.push_back(has_positions ? "--length-unit um" : "--length \"5 mm\"");
+  }
+  if (!unit) {
+    missing.push_back("the unit of its heights");
+    options.push_back("--height-unit um");
+  }
+  if (!missing.empty())
+    throw input::InputError(fmt::format(
+        "{}: is a line scan, which does not give {}; give, for example, {}",
+        path, fmt::join(missing, " and "), fmt::join(options, " ")));
+  LineScan line;
+  if (has_positions) {
+    line.spacing = spacing_of(table, scale);
+    for (std::size_t row = 0; row < table.rows(); ++row)
+      line.heights.push_back(table.number(row, 1));
+    if (table.number(0, 0) > table.number(1, 0))
+      std::ranges::reverse(line.heights);
+  } else {
+    if (scale.length_unit)
+      throw input::InputError(fmt::format(
+          "--length-unit: {} is a line scan without positions; give --length",
+          path));
+    line.spacing = *scale.length / static_cast<double>(points);
+    line.heights = std::move(table.numbers);
+  }
   for (double& height : line.heights)
-    height *= scale.height_unit;
+    height *= *unit;
   return line;
 }
 

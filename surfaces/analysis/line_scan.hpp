@@ -5,6 +5,7 @@
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,22 +21,30 @@ struct LineScan {
   }
 };
 
-/// Units that a file of numbers does not state.
+/// Lengths and units that a file of numbers does not state, as given by the
+/// options of `asperity surface` that have these names.
 struct LineScale {
-  double length = 0.0;      ///< number of points times their spacing [m] > 0
-  double height_unit = 0.0; ///< [m] per unit of the numbers > 0
+  std::optional<double>
+      length; ///< number of points times their spacing [m] > 0
+  std::optional<double> height_unit; ///< [m] per unit of the heights > 0
+  std::optional<double> length_unit; ///< [m] per unit of the column x > 0
 };
 
-/// Whether a text file of numbers can be a line scan: one column, one row, or
-/// two columns of which the first ascends in equal steps. False for a file that
-/// is not a table of numbers.
+/// Whether a text file of numbers is a line scan: one column, one row, or two
+/// columns and at least four rows, without a header that gives the sides of a
+/// map. False for a file that is not a table of numbers.
 bool is_line_scan(const std::string& path);
 
-/// Reads such a file. With two columns, x and z, the steps of x may differ by
-/// 1 % of their mean; x is scaled so that the number of points times the mean
-/// step is `length`.
-/// @throws input::InputError  the file is no line scan, or has fewer than 16
-///                            points
+/// Reads such a file, which may have header lines and decimal commas. The
+/// spacing of two columns x and z is that of x, ascending or descending, whose
+/// positions must be equidistant as those of lists (xyz_list.hpp). Units of all
+/// columns in brackets in the last header line are used: "x [mm]; z [um]".
+/// Otherwise x needs `length_unit`, or a `length` that is the number of points,
+/// or one less, times their spacing in some unit of length.
+/// @throws input::InputError  the file is no line scan, with the line of the
+///                            point that is missing or not equidistant; it has
+///                            fewer than 16 points; or a scale is missing or
+///                            contradicts the file
 LineScan read_line_scan(const std::string& path, const LineScale& scale);
 
 /// Subtracts the least-squares polynomial of degree 0, 1 or 2.

@@ -65,9 +65,11 @@ private:
 
 } // namespace
 
-std::string gwyddion_bytes(const HeightMap& map, const std::string& title) {
-  GwyObject metres("GwySIUnit");
+std::string gwyddion_bytes(const HeightMap& map, const std::string& title,
+                           const std::string& unit) {
+  GwyObject metres("GwySIUnit"), values("GwySIUnit");
   metres.add("unitstr", std::string("m"));
+  values.add("unitstr", unit);
   GwyObject field("GwyDataField");
   field.add("xres", map.grid.points_x)
       .add("yres", map.grid.points_y)
@@ -76,7 +78,7 @@ std::string gwyddion_bytes(const HeightMap& map, const std::string& title) {
       .add("xoff", 0.0)
       .add("yoff", 0.0)
       .add("si_unit_xy", metres)
-      .add("si_unit_z", metres)
+      .add("si_unit_z", values)
       .add("data", std::span<const double>(map.heights));
   GwyObject container("GwyContainer");
   container.add("/0/data", field).add("/0/data/title", title);

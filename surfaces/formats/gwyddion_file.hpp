@@ -12,6 +12,7 @@ namespace asperity::surfaces {
 /// heights in metres.
 /// @param title  of the channel, without NUL
 /// @see  Gwyddion User Guide, "Gwyddion Native Data File Format"
-std::string gwyddion_bytes(const HeightMap& map, const std::string& title);
+std::string gwyddion_bytes(const HeightMap& map, const std::string& title,
+                           const std::string& unit = "m");
 
 } // namespace asperity::surfaces

@@ -59,17 +59,17 @@ std::string x3p_document(const Grid& grid, const std::string& point_sum) {
 /// Writes beside the target and renames, because the library writes the file
 /// by itself.
 void write_hdf5(const std::filesystem::path& path, const HeightMap& map,
-                const std::string& title) {
+                const std::string& title, const MapQuantity& quantity) {
   const std::filesystem::path temporary = temporary_beside(path);
   try {
     const std::lock_guard lock(results::hdf5_mutex());
     results::Hdf5File file(temporary, results::Hdf5File::Mode::create);
-    file.write_map("heights", map.heights,
+    file.write_map(quantity.name, map.heights,
                    {static_cast<std::size_t>(map.grid.points_y),
                     static_cast<std::size_t>(map.grid.points_x)},
-                   results::Hdf5Number::float64, "m");
+                   results::Hdf5Number::float64, quantity.unit);
     {
-      results::Hdf5Group heights = file.open_dataset("heights");
+      results::Hdf5Group heights = file.open_dataset(quantity.name);
       heights.set_attribute("length", map.grid.length_x);
       heights.set_attribute("length_y", map.grid.length_y);
       heights.set_attribute("title", title);
@@ -97,11 +97,12 @@ std::string x3p_bytes(const HeightMap& map) {
                     {"md5checksum.hex", md5_hash(document) + " *main.xml\n"}});
 }
 
-std::string gwyddion_text(const HeightMap& map, const std::string& title) {
+std::string gwyddion_text(const HeightMap& map, const std::string& title,
+                          const std::string& unit) {
   std::string text =
       fmt::format("# Channel: {}\n# Width: {:.17g} m\n"
-                  "# Height: {:.17g} m\n# Value units: m\n",
-                  printable(title), map.grid.length_x, map.grid.length_y);
+                  "# Height: {:.17g} m\n# Value units: {}\n",
+                  printable(title), map.grid.length_x, map.grid.length_y, unit);
   std::size_t column = 0;
   for (const double height : map.heights) {
     const bool is_last =
@@ -115,7 +116,7 @@ std::string gwyddion_text(const HeightMap& map, const std::string& title) {
 }
 
 void write_map(const std::filesystem::path& path, const HeightMap& map,
-               const std::string& title) {
+               const std::string& title, const MapQuantity& quantity) {
   const std::string ending = path.extension().string();
   if (ending == ".npy")
     write_file_atomically(
@@ -123,11 +124,17 @@ void write_map(const std::filesystem::path& path, const HeightMap& map,
         npy_bytes(map.heights, static_cast<std::size_t>(map.grid.points_y),
                   static_cast<std::size_t>(map.grid.points_x)));
   else if (ending == ".h5")
-    write_hdf5(path, map, title);
+    write_hdf5(path, map, title, quantity);
   else if (ending == ".gwy")
-    write_file_atomically(path, gwyddion_bytes(map, printable(title)));
+    write_file_atomically(path,
+                          gwyddion_bytes(map, printable(title), quantity.unit));
   else if (ending == ".txt")
-    write_file_atomically(path, gwyddion_text(map, title));
+    write_file_atomically(path, gwyddion_text(map, title, quantity.unit));
+  else if (ending == ".x3p" && quantity.unit != "m")
+    throw input::InputError(fmt::format(
+        "{}: X3P holds lengths only, but the {} is in {}; .gwy, .h5, .txt and "
+        ".npy hold it",
+        path.string(), quantity.name, quantity.unit));
   else if (ending == ".x3p")
     write_file_atomically(path, x3p_bytes(map));
   else

@@ -13,23 +13,33 @@ namespace asperity::surfaces {
 /// The endings of write_map for messages and help texts: ".npy, .h5, ...".
 std::string written_map_endings();
 
+/// What the values of a written map are.
+struct MapQuantity {
+  std::string name = "heights";
+  std::string unit = "m"; ///< SI
+};
+
 /// Writes a map in the format of the ending, atomically:
 ///
-///     .npy  heights [m], float64, rows along y; lengths are not stored
-///     .h5   dataset /heights [m] with the attributes unit, length and length_y
+///     .npy  values, float64, rows along y; lengths are not stored
+///     .h5   dataset /heights, or the name of the quantity, with the attributes
+///           unit, length and length_y
 ///     .gwy  one channel of Gwyddion's native format
 ///     .txt  Gwyddion's text matrix with 17 digits
-///     .x3p  ISO 5436-2, a surface with incremental axes and float64 heights
+///     .x3p  ISO 5436-2, a surface with incremental axes and float64 heights;
+///           a length only
 ///
 /// @param title  of the channel, one line; .npy and .x3p do not store it
-/// @throws input::InputError   another ending; the message lists these
+/// @throws input::InputError   another ending, the message lists these; a
+///                             quantity that is no length as .x3p
 /// @throws std::system_error  the file cannot be written; std::runtime_error if
 ///                            a library fails
 void write_map(const std::filesystem::path& path, const HeightMap& map,
-               const std::string& title);
+               const std::string& title, const MapQuantity& quantity = {});
 
 /// The bytes of an X3P file and of a Gwyddion text matrix.
 std::string x3p_bytes(const HeightMap& map);
-std::string gwyddion_text(const HeightMap& map, const std::string& title);
+std::string gwyddion_text(const HeightMap& map, const std::string& title,
+                          const std::string& unit = "m");
 
 } // namespace asperity::surfaces

@@ -4,6 +4,8 @@
 surface_command_test.py PROGRAM FOLDER: runs the program on maps that are written
 into FOLDER, and on the real maps of the folder ASPERITY_TEST_DATA if it is set.
 """
+import bz2
+import gzip
 import json
 import os
 import shutil
@@ -130,6 +132,103 @@ def check_line(program, folder):
     assert "could not be drawn" not in (folder / "line-page/report.html").read_text()
 
 
+def check_channels(program, folder):
+    """A number is text for a channel, and attributes of other datasets do not matter."""
+    import h5py # pylint: disable=import-outside-toplevel
+    heights = rough(32, 4, 1.0)
+    scale = ["--length", "1 um", "--height-unit", "nm", "--json"]
+    write_map(folder / "one.txt", heights)
+    expected = json.loads(run(program, folder / "one.txt", *scale))["maps"][0]["parameters"]
+    for channel in (["--channel", "1"], ["--set", "surface.channel=1"]):
+        found = json.loads(run(program, folder / "one.txt", *scale, *channel))
+        assert found["maps"][0]["parameters"] == expected
+    message = run(program, folder / "one.txt", *scale[:-1], "--channel", "2", code=2)
+    assert "has only one channel" in message, message
+    with h5py.File(folder / "two.h5", "w") as file:
+        file["a"], file["b"] = heights, heights
+        file["a"].attrs["unit"] = "nm"
+        file["a"].attrs["length"] = 1e-6
+        file["b"].attrs["units"] = ["m", "m"]
+        file["b"].attrs["length"] = [1.0, 2.0]
+        file["c"] = np.arange(3)
+        file["c"].attrs["units"] = [1, 2]
+    for channel in ("a", "/a", "1"):
+        found = json.loads(run(program, folder / "two.h5", "--channel", channel, "--json"))
+        assert abs(found["maps"][0]["parameters"]["sq"]["value"] / expected["sq"]["value"] - 1) < 1e-9
+    found = json.loads(run(program, folder / "two.h5", "--channel", "2", *scale))
+    assert abs(found["maps"][0]["parameters"]["sq"]["value"] / expected["sq"]["value"] - 1) < 1e-9
+    message = run(program, folder / "two.h5", "--channel", "b", "--length", "1 um", code=2)
+    assert "surface.height_unit is missing: the unit of" in message, message
+    assert "/b" in run(program, folder / "two.h5", "--channels")
+
+
+def check_encodings(program, folder):
+    """What neither we nor Gwyddion read is named, with what helps."""
+    text = "1 2 3\n4 5 6\n7 8 10\n"
+    for name, content, expected in [
+            ("bom.txt", text.encode("utf-16"), "iconv"), ("le.txt", text.encode("utf-16-le"), "iconv"),
+            ("be.txt", text.encode("utf-16-be"), "iconv"),
+            ("map.txt.gz", gzip.compress(text.encode()), "gunzip"),
+            ("map.txt.bz2", bz2.compress(text.encode()), "bunzip2"),
+            ("latin.txt", "1 2\n3 \xf6\n".encode("latin-1"), "found '\xf6'")]:
+        (folder / name).write_bytes(content)
+        message = run(program, folder / name, "--length", "1 um", "--height-unit", "nm", code=2)
+        assert expected in message, message
+
+
+def check_fields(program, folder):
+    """Fields of a result as maps: the pressure has the mean of the load, and the gap is closed
+    where there is pressure. Gwyddion, where it is installed, reads the same map with its units."""
+    (folder / "press.toml").write_text(
+        'schema = 1\n[surface]\nkind = "sphere"\nlength = "1 mm"\npoints = 32\nradius = "10 mm"\n'
+        '[material]\ncontact_modulus = "2 GPa"\n[load]\nnominal_pressure = ["1e-4 E*", "3e-4 E*"]\n'
+        '[halfspace]\ncontact = "hard"\n[halfspace.free]\nboundaries = "free"\n[report]\nfields = "all"\n')
+    out = folder / "pressed"
+    subprocess.run([program, "run", folder / "press.toml", "--out", out, "--no-report"], check=True,
+                   stdout=subprocess.DEVNULL)
+    answer = json.loads(run(program, out, "--field", "pressure", "--write", folder / "p.npy", "--json"))
+    assert answer["unit"] == "Pa" and answer["method"] == "halfspace" and answer["step"] == 1, answer
+    assert answer["points"] == [32, 32] and np.allclose(answer["lengths"], 1e-3)
+    pressure = np.load(folder / "p.npy")
+    assert abs(pressure.mean() / 6e5 - 1) < 1e-6 and abs(answer["nominal_pressure"] / 6e5 - 1) < 1e-6
+    run(program, out / "result.h5", "--field", "gap", "--write", folder / "g.npy")
+    gap = np.load(folder / "g.npy")
+    assert (gap[pressure > 0] < 1e-13).all() and gap[0, 0] > 1e-6 and (gap > -1e-13).all()
+    run(program, out, "--field", "pressure", "--step", "0", "--method", "halfspace.free", "--write",
+        folder / "p0.h5")
+    import h5py # pylint: disable=import-outside-toplevel
+    with h5py.File(folder / "p0.h5") as file:
+        assert abs(file["pressure"][:].mean() / 2e5 - 1) < 1e-6 and file["pressure"].attrs["unit"] in ("Pa", b"Pa")
+    for name, unit in [("pressure", "Pa"), ("gap", "m"), ("heights", "m")]:
+        run(program, out, "--field", name, "--write", folder / f"{name}.gwy")
+        files = [folder / f"{name}.gwy"]
+        if shutil.which("gwyddion"):
+            files.append(folder / f"{name}-again.gwy")
+            subprocess.run(["gwyddion", f"--convert-to-gwy={files[1]}", files[0]], check=True,
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        for file in files:
+            channel = json.loads(run(program, file, "--channels", "--json"))[0]
+            assert channel["unit"] == unit and channel["points"] == [32, 32], channel
+    if shutil.which("gwyddion"):
+        run(program, folder / "gap-again.gwy", "--level", "none", "--no-report", "--write", folder / "again.npy")
+        assert np.allclose(np.load(folder / "again.npy"), gap - gap.mean(), rtol=0, atol=1e-16)
+    run(program, out, "--field", "gap", "--write", folder / "gap.x3p")
+    found = json.loads(run(program, folder / "gap.x3p", "--json"))["maps"][0]
+    assert np.allclose(found["lengths"], 1e-3)
+    run(program, out, "--field", "pressure", "--write", folder / "p.txt")
+    assert "# Value units: Pa" in (folder / "p.txt").read_text()
+    for words, expected in [
+            (["--field", "pressure"], "--write pressure.gwy"),
+            (["--field", "pressure", "--write", folder / "p.x3p"], "X3P holds lengths only"),
+            (["--field", "pressur", "--write", folder / "a.gwy"], "--field"),
+            (["--field", "gap", "--step", "7", "--write", folder / "a.gwy"],
+             "saved are, by method and step: halfspace 0, halfspace 1, halfspace.free 0"),
+            (["--field", "gap", "--method", "fem", "--write", folder / "a.gwy"], "no fields of fem")]:
+        message = run(program, out, *words, code=2)
+        assert expected in message, message
+    assert not (folder / "a.gwy").exists() and not (folder / "p.x3p").exists()
+
+
 def check_case(program):
     answer = json.loads(run(program, "wave-1d", "--json"))
     found = answer["maps"][0]
@@ -198,6 +297,9 @@ def main(program, scratch):
     check_case(program)
     check_several(program, folder)
     check_line(program, folder)
+    check_channels(program, folder)
+    check_encodings(program, folder)
+    check_fields(program, folder)
     check_report(program, folder)
     check_real_maps(program)
 

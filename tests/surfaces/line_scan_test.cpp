@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,8 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "tests/message_of.hpp"
 
 namespace asperity::surfaces {
 namespace {
@@ -126,38 +129,133 @@ TEST(LineScan, HasTheParametersOfAParabola) {
   EXPECT_NEAR(profile_parameters(line).pq, 0.0, 1e-12);
 }
 
-TEST(LineScan, IsReadFromColumnsAndRows) {
-  std::string two_columns = "# x z\n";
-  std::string one_row;
+/// 20 points x z with a step of 2 and heights 0, 1, 2, 0, ...
+std::string two_columns(const std::string& header, const char* separator,
+                        bool has_decimal_commas, bool is_descending) {
+  std::string text = header;
   for (int i = 0; i < 20; ++i) {
-    two_columns +=
-        std::to_string(10 + 2 * i) + " " + std::to_string(i % 3) + "\n";
-    one_row += std::to_string(i % 3) + (i < 19 ? "," : "\n");
+    const int at = is_descending ? 19 - i : i;
+    std::string row = std::to_string(10 + 2 * at) + ".0" + separator +
+                      std::to_string(at % 3) + ".0\n";
+    if (has_decimal_commas)
+      std::ranges::replace(row, '.', ',');
+    text += row;
   }
-  const std::string columns = written("asperity-line-2.txt", two_columns);
-  const std::string row = written("asperity-line-1.txt", one_row);
+  return text;
+}
 
-  EXPECT_TRUE(is_line_scan(columns));
-  EXPECT_TRUE(is_line_scan(row));
-  const LineScan found = read_line_scan(columns, {40e-6, 1e-9});
-  EXPECT_EQ(found.heights.size(), 20U);
-  EXPECT_NEAR(found.spacing, 2e-6, 1e-20);
+LineScan line_of(const std::string& text, const LineScale& scale) {
+  const std::string path = written("asperity-line.txt", text);
+  EXPECT_TRUE(is_line_scan(path)) << text;
+  return read_line_scan(path, scale);
+}
+
+std::string line_refusal(const std::string& text, const LineScale& scale) {
+  std::string message =
+      tests::message_of<input::InputError>([&] { line_of(text, scale); });
+  EXPECT_NE(message, "");
+  const std::string folder =
+      std::filesystem::temp_directory_path().string() + "/";
+  for (std::size_t at = 0; (at = message.find(folder)) != std::string::npos;)
+    message.erase(at, folder.size());
+  return message;
+}
+
+// The spacing is that of the column x, whatever its order, separator, header
+// and decimal sign; a length must be that of the column in some unit.
+TEST(LineScan, HasTheSpacingOfItsColumn) {
+  const LineScale in_um{{}, 1e-9, 1e-6};
+  for (const bool is_descending : {false, true})
+    for (const bool has_commas : {false, true}) {
+      const LineScan line = line_of(
+          two_columns("Profile 1\nx;z\n", "; ", has_commas, is_descending),
+          in_um);
+      ASSERT_EQ(line.heights.size(), 20U);
+      EXPECT_NEAR(line.spacing, 2e-6, 1e-18);
+      EXPECT_EQ(line.heights[2], 2e-9);
+      EXPECT_EQ(line.heights[19], 1e-9);
+    }
+  const std::string plain = two_columns("", " ", false, false);
+  for (const double length : {40e-6, 38e-6, 40e-3})
+    EXPECT_NEAR(line_of(plain, {length, 1e-9, {}}).spacing,
+                length > 1e-3 ? 2e-3 : 2e-6, 1e-15);
+  const std::string stated =
+      two_columns("X [mm]\tZ [nm]\n", "\t", false, false);
+  EXPECT_NEAR(line_of(stated, {}).spacing, 2e-3, 1e-15);
+  EXPECT_EQ(line_of(stated, {}).heights[1], 1e-9);
+
+  EXPECT_NE(line_refusal(plain, {45e-6, 1e-9, {}})
+                .find("which is that length in no unit; give --length-unit"),
+            std::string::npos);
+  EXPECT_NE(
+      line_refusal(plain, {{}, 1e-9, {}})
+          .find(
+              "does not give the unit of x; give, for example, --length-unit"),
+      std::string::npos);
+  EXPECT_NE(line_refusal(plain, {}).find(
+                "the unit of x and the unit of its heights; give"),
+            std::string::npos);
+  EXPECT_NE(line_refusal(stated, {{}, 1e-6, {}})
+                .find("line 1 of asperity-line.txt gives the unit 'nm'"),
+            std::string::npos)
+      << line_refusal(stated, {{}, 1e-6, {}});
+}
+
+TEST(LineScan, IsReadFromOneColumnOrRow) {
+  std::string row, column;
+  for (int i = 0; i < 20; ++i) {
+    row += std::to_string(i % 3) + (i < 19 ? "," : "\n");
+    column += std::to_string(i % 3) + "\r";
+  }
+
+  const LineScan found = line_of(row, {40e-6, 1e-9, {}});
+
+  EXPECT_NEAR(found.spacing, 2e-6, 1e-18);
   EXPECT_EQ(found.heights[2], 2e-9);
-  EXPECT_EQ(read_line_scan(row, {40e-6, 1e-9}).heights, found.heights);
+  EXPECT_EQ(line_of("z [nm]\n" + column, {40e-6, {}, {}}).heights,
+            found.heights);
+  EXPECT_NE(line_refusal(column, {{}, 1e-9, {}})
+                .find("give, for example, --length \"5 mm\""),
+            std::string::npos);
+  EXPECT_NE(line_refusal(column, {40e-6, 1e-9, 1e-6}).find("--length-unit: "),
+            std::string::npos);
+}
+
+// What is wrong with a line scan is said of a line scan, with its line.
+TEST(LineScan, IsRefusedWithTheLine) {
+  const LineScale scale{{}, 1e-9, 1e-6};
+  const std::string good = two_columns("", " ", false, false);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return line_refusal(text, scale);
+  };
+  EXPECT_NE(with("20.0 2.0", "20.0 nan")
+                .find("asperity-line.txt:6: column 2: the number is missing"),
+            std::string::npos);
+  EXPECT_EQ(with("20.0 2.0", "20.5 2.0")
+                .find("asperity-line.txt:6: x is 20.5 after 18, but the mean "
+                      "step is 2; "),
+            0U)
+      << with("20.0 2.0", "20.5 2.0");
+  EXPECT_NE(with("20.0 2.0", "10.0 2.0").find("must be equidistant"),
+            std::string::npos);
+  EXPECT_NE(line_refusal("1 2\n2 5\n3 3\n4 2\n", scale)
+                .find("4 points, but a line scan must have at least 16"),
+            std::string::npos);
+  EXPECT_NE(line_refusal("1\n2\n3\n", scale).find("3 points, but a line scan"),
+            std::string::npos);
 }
 
 TEST(LineScan, IsNotEveryTable) {
-  const std::string map = written("asperity-map.txt", "1 2 3\n4 5 6\n");
-  const std::string pairs = written("asperity-pairs.txt", "1 2\n0 5\n3 3\n");
-  const std::string binary = written("asperity-binary", std::string(99, '\0'));
-
-  EXPECT_FALSE(is_line_scan(map));
-  EXPECT_FALSE(is_line_scan(pairs));
-  EXPECT_FALSE(is_line_scan(binary));
-  EXPECT_THROW(read_line_scan(map, {1.0, 1.0}), input::InputError);
-  EXPECT_THROW(
-      read_line_scan(written("asperity-short.txt", "1\n2\n3\n"), {1.0, 1.0}),
-      input::InputError);
+  for (const std::string text :
+       {std::string("1 2 3\n4 5 6\n"), std::string("1 2\n0 5\n3 3\n"),
+        std::string(99, '\0'), std::string("PK\x03\x04"), std::string("a b\n"),
+        std::string("# Width: 1 um\n# Height: 2 um\n1 2\n3 4\n5 6\n7 8\n")})
+    EXPECT_FALSE(is_line_scan(written("asperity-no-line", text))) << text;
+  EXPECT_THROW(read_line_scan(written("asperity-map.txt", "1 2 3\n4 5 6\n"),
+                              {1.0, 1.0, {}}),
+               input::InputError);
 }
 
 // Two parts of one power law that overlap: the mean is that law, and a part
