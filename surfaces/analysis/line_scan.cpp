@@ -122,13 +122,18 @@ bool is_in_order(const NumberTable& table, const ListAxis& x) {
   for (std::size_t row = 2; row < table.rows(); ++row)
     if (std::abs(step(row) - mean) > std::abs(step(worst) - mean))
       worst = row;
+  bool is_whole = true; // "0,5" is read as two columns
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    is_whole =
+        is_whole && table.number(row, 0) == std::round(table.number(row, 0));
   refuse_line(
       table.name, table.lines[worst],
       fmt::format("x is {:.6g} after {:.6g}, but the mean step is {:.6g}; the "
                   "positions of a line scan must be equidistant: interpolate "
                   "the heights first, or read a matrix of two columns by --set "
-                  "surface.format=plain",
-                  table.number(worst, 0), table.number(worst - 1, 0), mean));
+                  "surface.format=plain{}",
+                  table.number(worst, 0), table.number(worst - 1, 0), mean,
+                  is_whole ? "; if 0,5 is one number here, write 0.5" : ""));
 }
 
 /// @param scale  gives the unit of x or the length, or the header does

@@ -240,6 +240,11 @@ TEST(LineScan, IsRefusedWithTheLine) {
       << with("20.0 2.0", "20.5 2.0");
   EXPECT_NE(with("20.0 2.0", "10.0 2.0").find("must be equidistant"),
             std::string::npos);
+  std::string one_column; // with decimal commas
+  for (int i = 0; i < 20; ++i)
+    one_column += std::to_string(i % 2) + "," + std::to_string(i) + "\n";
+  EXPECT_NE(line_refusal(one_column, scale).find("one number here, write 0.5"),
+            std::string::npos);
   EXPECT_NE(line_refusal("1 2\n2 5\n3 3\n4 2\n", scale)
                 .find("4 points, but a line scan must have at least 16"),
             std::string::npos);
