@@ -60,6 +60,9 @@ TEST(TextScan, ReadsTheHeaderOfAMatrix) {
   EXPECT_NEAR(scan.map.heights[5], 12e-9, 1e-22);
   EXPECT_EQ(refusal(header + "1 2\n4 5\n"),
             "map.txt:1: found 'w=3', but the file has 2 columns");
+  EXPECT_EQ(refusal("pixel size = 0.5\n1 2 3\n4 5 6\n"),
+            "map.txt:1: pixel size: found '0.5', but must be a number > 0 and "
+            "a unit of m, mm, um, nm, pm, angstrom");
   EXPECT_EQ(refusal(header + "1 2 3\n4 5 6\n", {1e-6, {}}),
             "surface.length = 1e-06 m, but must be left out: the header of "
             "map.txt gives it");
@@ -122,7 +125,9 @@ TEST(TextScan, RefusesHeaderLinesThatItDoesNotUnderstand) {
   const MapScale scale{6e-6, 1e-9};
   for (const std::string line :
        {"# Scan size: 5 um", "x-length = 2000", "# dx = 0.1", "# pitch: 5",
-        "# 5um x 10um", "X [mm]", "Height unit: um", "# Magass\xC3\xA1g: 3 nm",
+        "# 5um x 10um", "# Bildbreite 5 \xC2\xB5m", "# dx 0.1",
+        "# Scan size 5 5", "X [mm]", "Height unit: um",
+        "# Magass\xC3\xA1g: 3 nm",
         "# Scan size: 5 um\n# Z range: 200 nm\n# Unit: nm"}) {
     const std::string first = line.substr(0, line.find('\n'));
     EXPECT_NE(
@@ -137,8 +142,8 @@ TEST(TextScan, RefusesHeaderLinesThatItDoesNotUnderstand) {
   }
   for (const std::string line :
        {"# Scan size: 6 um", "# Size: 6 um x 4um", "# Heights [nm]",
-        "# made by a script on 3.4.2025 12:30", "# sample 12", "a b c",
-        "# Pixels of 2 um; heights in nm"})
+        "# made by a script on 3.4.2025 12:30", "# at 10:30 pm", "# sample 12",
+        "a b c", "# Pixels of 2 um; heights in nm"})
     EXPECT_EQ(refusal(line + "\n" + numbers, scale), "accepted") << line;
 }
 

@@ -142,7 +142,7 @@ private:
   bool take(const HeaderEntry& entry) {
     const std::string& key = entry.key;
     if (key == "pixel size")
-      take_pixel(entry, length_of_text(entry.content).value_or(0.0));
+      take_pixel(entry, entry.content);
     else if (key == "height conversion factor (-> m)")
       header_.height_unit =
           positive_number(table_, entry, number_of_text(entry.content));
@@ -191,7 +191,7 @@ private:
     if (entry.key == "xy calibration") {
       std::string length = entry.content.substr(0, entry.content.find('/'));
       std::ranges::replace(length, ',', ' ');
-      take_pixel(entry, length_of_text(length).value_or(0.0));
+      take_pixel(entry, length);
     } else if (entry.key == "unit") {
       take_height_unit(entry);
     } else if (entry.key == "horizontal") {
@@ -204,8 +204,15 @@ private:
     return true;
   }
 
-  void take_pixel(const HeaderEntry& entry, double size) {
-    const double pixel = positive_number(table_, entry, size);
+  void take_pixel(const HeaderEntry& entry, const std::string& text) {
+    const std::optional<double> size = length_of_text(text);
+    if (!size)
+      refuse_line(table_.name, entry.line,
+                  fmt::format("{}: found '{}', but must be a number > 0 and a "
+                              "unit of {}",
+                              printable(entry.key), printable(entry.content),
+                              known_length_units));
+    const double pixel = positive_number(table_, entry, *size);
     header_.length_x = pixel * static_cast<double>(table_.columns);
     header_.length_y = pixel * static_cast<double>(table_.rows());
   }
@@ -295,7 +302,9 @@ NamedLengths named_lengths(const CommentLine& comment) {
   double number = std::nan("");
   bool is_bracketed = false;
   for (const std::string& word : words_of_header(comment.text)) {
-    const std::optional<double> unit = length_unit(word);
+    // pm is a time of the day more often than a unit.
+    const std::optional<double> unit =
+        word == "pm" ? std::nullopt : length_unit(word);
     // A letter m is a unit behind a number or in brackets only.
     is_bracketed = word != "m" ||
                    comment.text.find("[m]") != std::string::npos ||
@@ -312,8 +321,7 @@ NamedLengths named_lengths(const CommentLine& comment) {
 } // namespace
 
 bool is_grid_key(std::string_view word) {
-  return std::ranges::find(grid_keys, lower_case(word)) !=
-         std::end(grid_keys);
+  return std::ranges::find(grid_keys, lower_case(word)) != std::end(grid_keys);
 }
 
 bool names_size(const CommentLine& comment) {
@@ -335,10 +343,13 @@ bool names_size(const CommentLine& comment) {
       std::ranges::any_of(words_of_header(line), [&](const std::string& word) {
         return std::ranges::find(axes, word) != std::end(axes);
       });
-  const bool has_length = !named.lengths.empty() || !named.units.empty();
-  return length_of_text(entry.content) || named.lengths.size() > 1 ||
-         (has_word &&
-          (has_length || std::isfinite(first_number(entry.content))));
+  const std::vector<std::string> all = words_of_header(comment.text);
+  constexpr std::size_t few_words = 4;
+  const bool ends_with_number = !all.empty() && all.size() <= few_words &&
+                                std::isfinite(number_of_text(all.back()));
+  return !named.lengths.empty() ||
+         (has_word && (!named.units.empty() || ends_with_number ||
+                       std::isfinite(first_number(entry.content))));
 }
 
 namespace {
