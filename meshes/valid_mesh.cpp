@@ -197,6 +197,23 @@ void require_positive_cells(const BlockMesh& mesh) {
   }
 }
 
+void require_flat_support(const BlockMesh& mesh) {
+  constexpr double accuracy = 1e-6; // of the places in files
+  const double tolerance =
+      accuracy * std::max({mesh.length_x, mesh.length_y, mesh.depth});
+  for (const BoundaryFace& face : mesh.faces)
+    if (face.group == FaceGroup::far_boundary)
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i) {
+        const Place& place = mesh.vertices[face.vertices[i]];
+        if (std::abs(place[2] - mesh.depth) > tolerance)
+          refuse(
+              "the far boundary (group fixed) must be a plane of constant z "
+              "unless top = \"clamped\", but its vertex {} at {} is {:.3g} m "
+              "off the largest z",
+              face.vertices[i], place_text(place), mesh.depth - place[2]);
+      }
+}
+
 void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides) {
   require_consistent_lists(mesh);
   require_positive_cells(mesh);

@@ -27,6 +27,10 @@ namespace asperity::meshes {
 ///   - for periodic sides: the errors of require_matching_sides.
 void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides);
 
+/// Accepts a mesh whose faces of the group fixed are a plane of constant z.
+/// @throws std::domain_error  naming a vertex of it and its offset
+void require_flat_support(const BlockMesh& mesh);
+
 /// Refuses an inverted or flat cell as require_valid_mesh does.
 /// @throws std::domain_error  naming its number and place
 void require_positive_cells(const BlockMesh& mesh);

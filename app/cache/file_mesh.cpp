@@ -2,8 +2,11 @@
 
 #include "app/cache/resolved_keys.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/counter_body.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/mesh_file.hpp"
+#include "meshes/mesh_quality.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <fmt/format.h>
 
@@ -65,6 +68,38 @@ void require_size(const BlockMesh& mesh, const MeshSpec& spec,
       mesh.length_x / spec.file_unit, mesh.length_y / spec.file_unit,
       mesh.length_x, mesh.length_y, spec.file_unit, grid.length_x,
       grid.length_y, advice));
+}
+
+/// Requires what the settings of a method need of a mesh.
+void require_use(const BlockMesh& mesh, const mechanics::FemSettings& fem,
+                 const cases::Case& contact_case, const Grid& grid) {
+  if (mesh.shape == meshes::CellShape::tetrahedron) {
+    if (fem.block.element == mechanics::Element::q2 &&
+        fem.full.contact_at == mechanics::ContactPoints::nodes)
+      throw std::domain_error(
+          "mesh: the cells are tetrahedra, whose vertices have no area with "
+          "element = \"Q2\": contact_at must be \"gauss\", or element \"Q1\"");
+    if (fem.full.bodies == 2 && contact_case.mesh.counter)
+      throw std::domain_error("mesh: the cells are tetrahedra, but those of "
+                              "mesh.counter and of its block are hexahedra");
+  }
+  if (fem.block.far_boundary != mechanics::FarBoundary::clamped)
+    meshes::require_flat_support(mesh);
+  if (fem.full.bodies != 2 || !contact_case.mesh.counter)
+    return;
+  const mechanics::OpposedBlock block{
+      mesh.length_x, mesh.length_y, fem.full.sides,
+      meshes::mesh_quality(mesh).contact_edges.smallest};
+  mechanics::Scales scales{.length = grid.length_x,
+                           .spacing = grid.spacing_x()};
+  const auto mistake = mechanics::mistake_in(
+      mechanics::counter_body_of(*contact_case.mesh.counter, scales, block),
+      block);
+  if (mistake)
+    throw std::domain_error(
+        fmt::format("mesh: beside this mesh mesh.counter.{} = {:g}, but must "
+                    "be {}",
+                    mistake->key, mistake->value, mistake->rule));
 }
 
 /// While gmsh is at work there is no load step that an interrupt would let the
@@ -158,6 +193,7 @@ std::optional<BlockMesh> file_mesh(const cases::Case& contact_case,
       found = made.with_sides.emplace(fem->full.sides, std::move(mesh)).first;
     }
     require_size(found->second, contact_case.mesh, grid);
+    require_use(found->second, *fem, contact_case, grid);
     return found->second;
   });
 }

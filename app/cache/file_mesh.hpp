@@ -24,8 +24,9 @@ std::string hash_of_mesh(const cases::Case& contact_case);
 /// mesh.
 /// @param grid  of the surface that the method presses
 /// @throws input::InputError  in addition: the mesh is not valid for the sides
-///                            of the block, or its contact surface is not the
-///                            rectangle of the surface
+///                            of the block, its contact surface is not the
+///                            rectangle of the surface, or it does not suit
+///                            the element, the far boundary or the counter-body
 std::optional<meshes::BlockMesh> file_mesh(const cases::Case& contact_case,
                                            const cases::MethodSpec& method,
                                            const Grid& grid);

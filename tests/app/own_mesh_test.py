@@ -15,6 +15,22 @@ PROGRAM = os.path.abspath(sys.argv[1])
 FOLDER = Path(sys.argv[2]).absolute()
 MANUAL = Path("docs/numerics/meshes.md").read_text(encoding="utf-8")
 PUNCH = Path("tests/meshes/data/punch.geo").read_text(encoding="utf-8")
+COUNTER = ["fem.bodies=2", 'fem.contact="augmented"', 'fem.penalty="10 E*/h"',
+           "material.counter={ youngs_modulus = 2e9, poisson_ratio = 0.3 }",
+           'mesh.counter={ shape = "cylinder", radius = "0.3 length" }']
+SLANT = """SetFactory("OpenCASCADE");
+Point(1) = {0, 0, 0};
+Point(2) = {1, 0, -0.2};
+Point(3) = {1, 0, 0.5};
+Point(4) = {0, 0, 0.5};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+block[] = Extrude {0, 1, 0} { Surface{1}; };
+"""
 LINE_OF_FILE = 18  # of the key mesh.file in the case of the manual
 
 
@@ -107,6 +123,16 @@ def refused_files():
         "no file_unit makes them equal")
     yield "punch.geo", PUNCH, ['mesh.file_unit="0.5 um"'], "the contact surface covers 7"
     yield "turned.geo", turned, [], "the contact surface covers 50 %"
+    tetrahedra = GEO.replace("Transfinite", "//").replace("Recombine", "//")
+    tetrahedra += "MeshSize {:} = 0.3;\n"
+    yield "second.geo", tetrahedra, ['fem.element="Q2"'], "contact_at must be \"gauss\""
+    yield "coarse.geo", tetrahedra, COUNTER, "those of mesh.counter and of its block are hexahedra"
+    yield "fine.geo", GEO, [*COUNTER, 'mesh.counter.size_at_contact="0.05 length"'], (
+        "beside this mesh mesh.counter.size_at_contact = 5e-08, but must be ")
+    slant = SLANT + "".join(line + "\n" for line in tetrahedra.splitlines()[3:] if "Box" not in line)
+    slant = slant.replace('{6}', "{block[4]}").replace('{5}', "{block[2]}")
+    yield "slant.geo", slant, ['fem.top="sliding"'], (
+        "the far boundary (group fixed) must be a plane of constant z unless top = \"clamped\"")
     yield "sides.geo", PUNCH, ['fem.sides="periodic"'], "a periodic block needs the face left"
 
 

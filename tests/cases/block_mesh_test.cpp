@@ -62,6 +62,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"cuboid\"\nradius = \"0.2 length\"\n",
                 "fem.growth=1.2", "no method has solver = \"full\""}));
 
+// The vertices of a tetrahedron of second order have no area.
+INSTANTIATE_TEST_SUITE_P(Tetrahedra, RefusedBlock,
+                         testing::Values(Refused{
+                             "[fem.tets]\nsolver = \"full\"\nelement = \"Q2\"\n"
+                             "[mesh]\nkind = \"gmsh\"\n"
+                             "cells = \"tetrahedra\"\n",
+                             "fem.growth=1.2",
+                             "fem.tets.contact_at = \"nodes\" cannot be "
+                             "combined with mesh.cells = \"tetrahedra\""}));
+
 TEST(BlockMesh, HasACounterBodyOfItsOwnMesh) {
   const Case read = block(pair + "shape = \"cylinder\"\nradius = \"0.2 "
                                  "length\"\noffset_x = \"-0.1 length\"\n");
