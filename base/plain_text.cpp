@@ -22,6 +22,17 @@ std::size_t find_not_plain(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::string plain_text(std::string_view text) {
+  std::string plain(text);
+  std::size_t from = 0;
+  for (std::size_t bad = 0;
+       (bad = find_not_plain(std::string_view(plain).substr(from))) !=
+       plain.npos;
+       from += bad + 1)
+    plain[from + bad] = '?';
+  return plain;
+}
+
 std::string printable(std::string_view text, std::size_t longest) {
   std::string shown(text.substr(0, longest));
   const std::size_t cut = // a letter of UTF-8 may be cut behind this byte
@@ -41,6 +52,35 @@ std::string printable(std::string_view text, std::size_t longest) {
     if (letter == '\n' || letter == '\r')
       letter = '?';
   return text.size() > longest ? shown + "..." : shown;
+}
+
+namespace {
+
+constexpr std::string_view good_letters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 ._+-";
+
+} // namespace
+
+bool is_good_name(std::string_view name) {
+  return !name.empty() && name.size() <= longest_name &&
+         name.find_first_not_of(good_letters) == name.npos;
+}
+
+std::string good_name(std::string_view text) {
+  std::string name(text.empty() ? "-" : text.substr(0, longest_name));
+  for (char& letter : name)
+    if (good_letters.find(letter) == good_letters.npos)
+      letter = '-';
+  return name;
+}
+
+std::string line_mistake(std::string_view text, std::size_t longest) {
+  if (!text.empty() && text.size() <= longest &&
+      find_not_plain(text) == text.npos &&
+      text.find_first_of("\r\n") == text.npos)
+    return "";
+  return "must be one line of 1 to " + std::to_string(longest) +
+         " bytes of UTF-8 text without control characters";
 }
 
 std::string trimmed(std::string_view text) {

@@ -1,13 +1,17 @@
 #include "app/parts/slurm_scripts.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <regex>
+#include <vector>
 
 namespace asperity::app {
 namespace {
@@ -26,7 +30,7 @@ std::string head_of_script(const SlurmJob& job, const std::string& name,
                                  "#SBATCH --time={}\n"
                                  "#SBATCH --nodes=1 --ntasks=1 "
                                  "--cpus-per-task={}\n",
-                                 name, job.time, job.threads);
+                                 good_name(name), job.time, job.threads);
   if (std::isfinite(job.memory))
     text += fmt::format("#SBATCH --mem={:.0f}M\n",
                         std::ceil(job.memory / bytes_per_mib));
@@ -76,6 +80,16 @@ std::string submit_script(const SlurmJob& job) {
 } // namespace
 
 std::map<std::string, std::string> slurm_scripts(const SlurmJob& job) {
+  std::vector<std::string> words = run_words(job.record, job.folder);
+  words.push_back(job.program.string());
+  words.push_back(job.folder.string());
+  for (const std::string& word : words)
+    if (std::ranges::any_of(
+            word, [](unsigned char c) { return std::iscntrl(c) != 0; }))
+      throw input::InputError(fmt::format(
+          "{}: has a control character, such as a line end, which must not "
+          "stand in a script; rename the file or folder",
+          printable(word, longest_line)));
   return {{"parts.sh", parts_script(job)},
           {"merge.sh", merge_script(job)},
           {"submit.sh", submit_script(job)}};

@@ -1,5 +1,6 @@
 #include "cases/reader/read_case.hpp"
 
+#include "base/plain_text.hpp"
 #include "base/read_file.hpp"
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/case_text.hpp"
@@ -180,9 +181,11 @@ void add(StackedText& stacked, const std::vector<std::string>& overrides) {
 } // namespace
 
 std::string case_name(const std::filesystem::path& path) {
-  if (path.filename() != "case.toml")
-    return path.stem().string();
-  return std::filesystem::absolute(path).parent_path().filename().string();
+  const std::filesystem::path named =
+      path.filename() != "case.toml"
+          ? path.stem()
+          : std::filesystem::absolute(path).parent_path().filename();
+  return printable(named.string(), longest_name);
 }
 
 Case read_stacked_case(const StackedText& stacked, const std::string& path) {

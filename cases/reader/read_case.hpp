@@ -34,7 +34,8 @@ Case read_case(const std::string& path,
                const std::vector<std::string>& overrides = {});
 
 /// Returns the name of the case in a file: that of its folder if the file is
-/// called case.toml, otherwise that of the file without ending.
+/// called case.toml, otherwise that of the file without ending. It is printable
+/// and at most longest_name bytes long (base/plain_text.hpp).
 std::string case_name(const std::filesystem::path& path);
 
 /// Reads the case that base_case.hpp has put together for the file at `path`.

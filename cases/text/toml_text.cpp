@@ -68,9 +68,21 @@ private:
 Node node_from(const toml::value& value, const Source& file,
                const std::string& path);
 
+/// An escape such as \\u0000 can put into a text what the file must not
+/// contain.
+void require_plain(const std::string& text, const Place& place,
+                   const std::string& what) {
+  if (find_not_plain(text) != text.npos)
+    input::throw_mistake(place,
+                         fmt::format("{} = \"{}\", but must be UTF-8 text "
+                                     "without control characters",
+                                     what, printable(text)));
+}
+
 void fill_table(Node& node, const toml::value& value, const Source& file) {
   for (const auto& [key, entry] : value.as_table()) {
     const std::string path = node.path.empty() ? key : node.path + "." + key;
+    require_plain(key, file.place_of(entry), "a key");
     node.entries.push_back({key, node_from(entry, file, path)});
   }
   std::sort(node.entries.begin(), node.entries.end(),
@@ -106,6 +118,7 @@ Node node_from(const toml::value& value, const Source& file,
   } else if (value.is_string()) {
     node.type = NodeType::text;
     node.text = value.as_string().str;
+    require_plain(node.text, node.place, path);
   } else if (value.is_array()) {
     node.type = NodeType::list;
     for (const toml::value& element : value.as_array())

@@ -36,12 +36,8 @@ constexpr const char* font_list =
 // is therefore replaced by a typographic one, which does not end the string.
 std::string in_quotes(const std::string& text) {
   std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'')
-      quoted += "’";
-    else
-      quoted += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
+  for (const char c : printable(text, text.npos))
+    quoted += c == '\'' ? std::string("’") : std::string(1, c);
   return quoted + "'";
 }
 

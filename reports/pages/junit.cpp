@@ -1,3 +1,4 @@
+#include "base/plain_text.hpp"
 #include "reports/analysis/verdict.hpp"
 
 #include <fmt/format.h>
@@ -11,18 +12,8 @@ namespace asperity::reports {
 namespace {
 
 // XML 1.0 does not allow control characters, not even escaped.
-std::string without_controls(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(),
-      [](unsigned char c) {
-        return c < 0x20 && c != '\n' && c != '\t' && c != '\r';
-      },
-      '?');
-  return text;
-}
-
 void set(pugi::xml_node node, const char* name, const std::string& text) {
-  node.append_attribute(name).set_value(without_controls(text).c_str());
+  node.append_attribute(name).set_value(plain_text(text).c_str());
 }
 
 long count(const Summary& summary, Outcome outcome) {
@@ -100,7 +91,7 @@ void append_verdict(pugi::xml_node suite, const Summary& summary,
   }
   test.append_child("system-out")
       .text()
-      .set(without_controls(line_of(verdict)).c_str());
+      .set(plain_text(line_of(verdict)).c_str());
 }
 
 // Adds a skipped test case, because a server that hides empty suites would

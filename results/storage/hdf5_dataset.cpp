@@ -1,10 +1,12 @@
 // This file implements the datasets of Hdf5Group: maps, extensible columns and
 // texts.
+#include "base/plain_text.hpp"
 #include "results/storage/hdf5_call.hpp"
 #include "results/storage/hdf5_file.hpp"
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace asperity::results {
 namespace {
@@ -203,8 +205,10 @@ void Hdf5Group::append(const std::string& name, std::span<const double> values,
 
 void Hdf5Group::append(const std::string& name,
                        std::span<const std::string> texts) {
+  std::vector<std::string> plain; // no other text is read
   std::vector<const char*> characters;
-  for (const std::string& text : texts)
+  std::ranges::transform(texts, std::back_inserter(plain), plain_text);
+  for (const std::string& text : plain)
     characters.push_back(text.c_str());
   const Hdf5Handle type = text_type();
   const Hdf5Handle dataset =

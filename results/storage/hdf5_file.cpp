@@ -1,5 +1,6 @@
 #include "results/storage/hdf5_file.hpp"
 
+#include "base/plain_text.hpp"
 #include "base/read_file.hpp"
 #include "results/storage/hdf5_call.hpp"
 
@@ -238,7 +239,8 @@ bool Hdf5Group::has_attribute(const std::string& name) const {
 
 void Hdf5Group::set_attribute(const std::string& name,
                               const std::string& text) {
-  const char* characters = text.c_str();
+  const std::string plain = plain_text(text); // no other is read
+  const char* characters = plain.c_str();
   write_attribute(handle_.id(), name, text_type().id(), &characters,
                   place(name));
 }

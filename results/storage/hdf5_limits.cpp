@@ -7,13 +7,6 @@
 #include <fmt/format.h>
 
 namespace asperity::results {
-namespace {
-
-constexpr std::size_t longest_name = 100;
-constexpr const char* good_letters =
-    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 ._+-";
-
-} // namespace
 
 void forbid_other_files() {
   if (H5Lis_registered(H5L_TYPE_EXTERNAL) > 0)
@@ -55,8 +48,7 @@ void require_plain(const std::string& text, const std::string& place) {
 }
 
 void require_good_name(const std::string& name, const std::string& place) {
-  if (name.empty() || name.size() > longest_name ||
-      name.find_first_not_of(good_letters) != name.npos)
+  if (!is_good_name(name))
     throw Hdf5Error(fmt::format(
         "{}: the name \"{}\" must have 1 to {} characters, each of them a "
         "letter A-Z or a-z, a digit, a blank or one of . _ + -",

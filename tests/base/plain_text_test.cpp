@@ -49,5 +49,33 @@ TEST(Printable, ShowsLettersOfLatin1) {
             "\xC3\xA4\xC3\xB6\xC3\xBC?--...");
 }
 
+TEST(PlainText, KeepsLineEndsOnly) {
+  EXPECT_EQ(plain_text("a\x1B[2J\nb\xFF\r"), "a?[2J\nb?\r");
+  EXPECT_EQ(plain_text(std::string(1 << 20, '\x01')),
+            std::string(1 << 20, '?'));
+}
+
+// What is written as a name is accepted as a name.
+TEST(Names, AreMadeOfLettersThatAllReadersTake) {
+  for (const std::string_view text :
+       {std::string_view("a\n#SBATCH --x"), std::string_view("\0", 1),
+        std::string_view("\xC3\xBC/../\"'`$"), std::string_view("")}) {
+    EXPECT_TRUE(is_good_name(good_name(text))) << text;
+    EXPECT_FALSE(is_good_name(text)) << text;
+  }
+  EXPECT_EQ(good_name("polymer v1.2_a+b"), "polymer v1.2_a+b");
+  EXPECT_EQ(good_name(std::string(300, 'a')).size(), longest_name);
+  EXPECT_FALSE(is_good_name(std::string(longest_name + 1, 'a')));
+}
+
+TEST(OneLine, HasALimitAndNoControlCharacters) {
+  EXPECT_EQ(line_mistake("version 1.2 \xC2\xB5"), "");
+  EXPECT_EQ(line_mistake(std::string(longest_line, 'x')), "");
+  for (const std::string& text :
+       {std::string(longest_line + 1, 'x'), std::string(), std::string("a\nb"),
+        std::string("a\0b", 3), std::string("\x1B")})
+    EXPECT_NE(line_mistake(text), "") << text.size();
+}
+
 } // namespace
 } // namespace asperity
