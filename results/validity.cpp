@@ -1,6 +1,7 @@
 #include "results/validity.hpp"
 
 #include "input/input_error.hpp"
+#include "results/observables/height_numbers.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +21,10 @@ namespace asperity::results {
 namespace {
 
 constexpr std::size_t most_lines = 10;
+
+/// Relative error of a number that follows from a map. It admits maps that
+/// another program has stored in single precision.
+constexpr double single_precision = 1e-4;
 constexpr ColumnRange finite{std::numeric_limits<double>::lowest(),
                              std::numeric_limits<double>::max()};
 
@@ -38,6 +43,8 @@ public:
            std::string_view unit) {
     add(place, fmt::format(" = {}, but {} [{}]", number, range.text(), unit));
   }
+
+  std::size_t count() const { return count_; }
 
   void throw_if_any() const {
     if (count_ == 0)
@@ -101,8 +108,105 @@ void check_point(const std::string& curve, const CurvePoint& point,
   }
 }
 
-void check_curve(const std::string& place, const Curve& curve,
-                 Findings& findings) {
+/// Adds a stated number that is not the one that follows from the maps.
+void check_follows(const std::string& place, double stated,
+                   const NumberBounds& bounds, double tolerance,
+                   std::string_view unit, const char* source,
+                   Findings& findings) {
+  if (std::isnan(stated) ||
+      (stated >= bounds.low - tolerance && stated <= bounds.high + tolerance))
+    return;
+  findings.add(place, fmt::format(" = {}, but {} {:.9g}{} [{}]", stated, source,
+                                  bounds.low,
+                                  bounds.low < bounds.high
+                                      ? fmt::format(" to {:.9g}", bounds.high)
+                                      : "",
+                                  unit));
+}
+
+/// Checks what follows from saved heights.
+/// @param is_own  whether it is the surface of a method, which may be a map
+/// with
+///                free edges: the record then has the slope of its mirror
+///                images
+void check_height_numbers(const std::string& place,
+                          const SurfaceRecord& surface, bool is_own,
+                          Findings& findings) {
+  if (!surface.has_heights() || !(surface.grid.length_x > 0.0) ||
+      !(surface.grid.length_y > 0.0))
+    return;
+  HeightNumbers found = height_numbers(surface);
+  if (is_own &&
+      surface.rms_slope < (1.0 - single_precision) * found.rms_slope.low)
+    found = height_numbers(surface, Continuation::mirrored);
+  const auto check = [&](const char* name, double stated, NumberBounds bounds,
+                         double size, const char* unit) {
+    if (!std::isnan(bounds.low))
+      check_follows(place + "/" + name, stated, bounds, single_precision * size,
+                    unit, "the heights have", findings);
+  };
+  const auto same = [](double number) { return NumberBounds{number, number}; };
+  check("rms_height", surface.rms_height, same(found.rms_height),
+        found.rms_height + found.roundoff, "m");
+  if (!(found.rms_height > found.roundoff))
+    return; // flat: nothing else is defined
+  check("rms_slope", surface.rms_slope, found.rms_slope, found.rms_slope.high,
+        "1");
+  check("rms_curvature", surface.rms_curvature, same(found.rms_curvature),
+        found.rms_curvature, "1/m");
+  check("skewness", surface.skewness, same(found.skewness), found.kurtosis,
+        "1");
+  check("kurtosis", surface.kurtosis, same(found.kurtosis), found.kurtosis,
+        "1");
+  check("highest", surface.highest, same(found.highest), found.largest, "m");
+}
+
+/// Mean, and mean size, of a map.
+struct MapMeans {
+  double value = 0.0, size = 0.0;
+};
+
+MapMeans means_of(const MapView& map) {
+  MapMeans sums;
+  each_piece(std::array{map}, [&](std::size_t, const auto& values) {
+    for (const double value : values[0]) {
+      sums.value += value;
+      sums.size += std::abs(value);
+    }
+  });
+  const auto count = static_cast<double>(map.size());
+  return {sums.value / count, sums.size / count};
+}
+
+/// Checks what a row and the attributes of a step state against its maps. Nodes
+/// of a half-space have equal weights, so that their means are those of the
+/// row.
+void check_step(const std::string& place, bool has_equal_weights,
+                const Fields& fields, const CurvePoint& point,
+                Findings& findings) {
+  const std::string maps = fmt::format("{}/fields/{}", place, fields.step);
+  const auto check = [&](const std::string& name, double stated, double found,
+                         double size, const char* unit, const char* source) {
+    if (std::isfinite(found))
+      check_follows(name, stated, {found, found}, single_precision * size, unit,
+                    source, findings);
+  };
+  check(maps + "/nominal_pressure", fields.nominal_pressure,
+        point.nominal_pressure, std::abs(point.nominal_pressure), "Pa",
+        "the row of this step has");
+  if (!has_equal_weights || point.status != StepStatus::converged)
+    return;
+  const MapMeans pressure = means_of(fields.pressure_map());
+  const MapMeans gap = means_of(fields.gap_map());
+  const std::string row = fmt::format(", step {}", fields.step);
+  check(place + "/curve/nominal_pressure" + row, point.nominal_pressure,
+        pressure.value, 10.0 * pressure.size, "Pa", "its pressure map has");
+  check(place + "/curve/mean_gap" + row, point.mean_gap, gap.value, gap.size,
+        "m", "its gap map has");
+}
+
+void check_curve(const std::string& place, const MethodRecord& method,
+                 const Curve& curve, Findings& findings) {
   check_number(place + "/setup_cpu_time", curve.setup_cpu_time, not_negative,
                "s", findings);
   std::set<int> steps;
@@ -119,11 +223,23 @@ void check_curve(const std::string& place, const Curve& curve,
     check_map(maps + "/pressure", fields.pressure_map(), fields.grid, "Pa",
               findings);
     check_map(maps + "/gap", fields.gap_map(), fields.grid, "m", findings);
+    const double load = means_of(fields.pressure_map()).value;
+    if (fields.nominal_pressure <= 0.0 && load > 0.0)
+      findings.add(maps + "/nominal_pressure",
+                   fmt::format(" = {}, but its pressure map has {:.9g} [Pa]",
+                               fields.nominal_pressure, load));
+    const auto row =
+        std::ranges::find(curve.points, fields.step, &CurvePoint::step);
+    if (row != curve.points.end())
+      check_step(place,
+                 method.kind == "halfspace" || method.kind == "submission",
+                 fields, *row, findings);
   }
 }
 
 void check_surface(const std::string& place, const SurfaceRecord& surface,
-                   Findings& findings) {
+                   bool is_own, Findings& findings) {
+  const std::size_t before = findings.count();
   const auto check = [&](const char* name, double number,
                          const ColumnRange& range, const char* unit) {
     check_number(place + "/" + name, number, range, unit, findings);
@@ -138,6 +254,8 @@ void check_surface(const std::string& place, const SurfaceRecord& surface,
   check("highest", surface.highest, finite, "m");
   check_map(place + "/heights", surface.height_map(), surface.grid, "m",
             findings);
+  if (findings.count() == before)
+    check_height_numbers(place, surface, is_own, findings);
   for (const SpectrumPoint& point : surface.spectrum) {
     check("spectrum/wavevector", point.wavevector, not_negative, "rad/m");
     check("spectrum/height_spectrum", point.spectrum, not_negative, "m^4");
@@ -164,14 +282,15 @@ void require_valid(const Result& result) {
                  fmt::format(" = {}, but must be finite and > 0 [Pa]",
                              result.contact_modulus));
   for (std::size_t r = 0; r < result.surfaces.size(); ++r)
-    check_surface(fmt::format("/surfaces/{}", r), result.surfaces[r], findings);
+    check_surface(fmt::format("/surfaces/{}", r), result.surfaces[r], false,
+                  findings);
   for (const MethodRecord& method : result.methods)
     for (std::size_t r = 0; r < method.realizations.size(); ++r) {
       const std::string place = fmt::format("/methods/{}/{}", method.name, r);
-      check_curve(place, method.realizations[r], findings);
+      check_curve(place, method, method.realizations[r], findings);
       if (method.realizations[r].own_surface)
         check_surface(place + "/surface", *method.realizations[r].own_surface,
-                      findings);
+                      true, findings);
     }
   for (const Table& table : result.tables)
     check_table(table, findings);

@@ -13,7 +13,10 @@ namespace asperity::results {
 /// finite; the parameters of a surface are finite or missing, and not negative
 /// where they must not be. Columns of tables lie in the range of the curve
 /// column of the same name, where NaN and infinity are allowed. E* is finite
-/// and > 0.
+/// and > 0. What follows from saved maps is what they say, to 1e-4: the numbers
+/// of a surface by its heights (height_numbers.hpp), the nominal pressure of
+/// fields by their row, and, for half-spaces and submissions, nominal pressure
+/// and mean gap of a converged row by the means of its maps.
 ///
 /// @throws input::InputError  "file: /methods/fem/0/curve/mean_gap, step 3 =
 ///                            nan, but must be finite [m]", with one line for

@@ -33,6 +33,30 @@ CertifiedField certified(contact::SurfaceOperator& elasticity,
   return field;
 }
 
+void add_claims(double area_fraction, double elastic_energy,
+                CertifiedField& field) {
+  const auto add = [&](const char* name, double claimed, double found,
+                       double allowed) {
+    if (std::isfinite(claimed))
+      field.claims.push_back(
+          {fmt::format("the {} is {:.6g} (from the field {:.6g})", name,
+                       claimed, found),
+           std::abs(claimed - found) <= allowed * found});
+  };
+  add("contact area fraction", area_fraction, field.check.area_fraction, 1e-2);
+  add("elastic energy [J/m^2]", elastic_energy, field.check.elastic_energy,
+      1e-3);
+}
+
+void add_load_claim(CertifiedField& field) {
+  field.claims.push_back(
+      {fmt::format("the nominal pressure is {:.6g} Pa (from the field {:.6g} "
+                   "Pa)",
+                   field.nominal_pressure,
+                   field.nominal_pressure * (1.0 + field.check.load_error)),
+       std::abs(field.check.load_error) <= claimed_load_error});
+}
+
 double CertifiedField::error_of_field() const {
   return std::max(std::abs(check.mean_gap - bounds.low),
                   std::abs(bounds.high - check.mean_gap));

@@ -7,9 +7,9 @@
 #include "app/methods/elastic_method.hpp"
 #include "app/run/output.hpp"
 #include "base/special_numbers.hpp"
-#include "cases/reader/read_case.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
+#include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 
@@ -56,7 +56,7 @@ class Certifier {
 public:
   explicit Certifier(const Result& result) : result_(result) {
     if (!result.case_text.empty())
-      case_ = cases::read_case_text(result.case_text, result.path);
+      case_ = reports::case_of(result);
   }
 
   void run() {
@@ -170,6 +170,9 @@ private:
     field.realization = place.realization;
     field.step = fields.step;
     field.contact_modulus = result_.contact_modulus;
+    add_load_claim(field);
+    if (has_row)
+      add_claims(row->area_fraction, row->elastic_energy, field);
     fields_.push_back(std::move(field));
   }
 

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/parallel_rows.hpp"
 #include "cases/reader/read_case.hpp"
+#include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
@@ -16,6 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <thread>
 
@@ -54,6 +56,42 @@ void write_comparison(std::span<const ReportEntry> entries,
   write_file_atomically(folder / "comparison.csv", agreement_csv(agreements));
 }
 
+/// Requires the numbers that both a result and its case state to be the same.
+/// @throws input::InputError  naming both
+void require_case_of(const results::Result& result,
+                     const cases::Case& contact_case) {
+  const auto require = [&](const std::string& place, double found,
+                           const char* key, double stated, const char* unit) {
+    constexpr double tolerance = 1e-6; // of printed numbers
+    if (!(std::abs(found - stated) <= tolerance * std::abs(stated)))
+      throw input::InputError(
+          fmt::format("{}: {} = {}, but its case states {} = {} [{}]",
+                      result.path, place, found, key, stated, unit));
+  };
+  // That of a layered block may be the modulus below the layers.
+  if (contact_case.material.layers.empty())
+    require("/contact_modulus", result.contact_modulus, "E*",
+            contact_case.material.contact_modulus, "Pa");
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  if (surface.kind == mechanics::SurfaceKind::measured || !surface.length ||
+      !surface.points)
+    return;
+  for (std::size_t r = 0; r < result.surfaces.size(); ++r) {
+    const Grid& grid = result.surfaces[r].grid;
+    if (grid.size() == 0)
+      continue;
+    const std::string place = fmt::format("/surfaces/{}/", r);
+    require(place + "length_x", grid.length_x, "surface.length",
+            *surface.length, "m");
+    require(place + "length_y", grid.length_y, "surface.length",
+            *surface.length, "m");
+    require(place + "points_x", grid.points_x, "surface.points",
+            *surface.points, "1");
+    require(place + "points_y", grid.points_y, "surface.points",
+            *surface.points, "1");
+  }
+}
+
 } // namespace
 
 ReportEntry entry_of(const results::Result& result,
@@ -67,6 +105,7 @@ cases::Case case_of(const results::Result& result) {
   cases::Case contact_case =
       cases::read_case_text(result.case_text, result.path);
   contact_case.name = result.case_name;
+  require_case_of(result, contact_case);
   return contact_case;
 }
 

@@ -49,6 +49,23 @@ int points_in(double points, const std::string& place) {
   return static_cast<int>(points);
 }
 
+/// Reads the lengths of a grid; 0 if unknown.
+/// @param has_map  whether there is a map of this size, so that no length is 0
+void read_lengths(const Hdf5Group& group, bool has_map, Grid& grid) {
+  const auto read = [&](const char* name, double otherwise) {
+    if (!group.has_attribute(name))
+      return otherwise;
+    const double length = group.number_attribute(name);
+    if (!(length >= 0.0 && std::isfinite(length)) || (has_map && length == 0.0))
+      throw input::InputError(
+          fmt::format("{} = {}, but must be finite and {} 0 [m]",
+                      group.place(name), length, has_map ? ">" : ">="));
+    return length;
+  };
+  grid.length_x = read("length_x", 0.0);
+  grid.length_y = read("length_y", grid.length_x);
+}
+
 void set_points(Grid& grid, const std::vector<std::size_t>& extents,
                 const std::string& place) {
   grid.points_y = points_in(static_cast<double>(extents[0]), place);
@@ -68,8 +85,7 @@ Grid read_grid(const Hdf5Group& surface) {
                                        std::pair("points_y", &grid.points_y)})
       *points = points_in(number_or(surface, name, 0.0), surface.place(name));
   }
-  grid.length_x = number_or(surface, "length_x", 0.0);
-  grid.length_y = number_or(surface, "length_y", grid.length_x);
+  read_lengths(surface, surface.has("heights"), grid);
   return grid;
 }
 
@@ -85,8 +101,7 @@ Grid grid_of_map(const Hdf5Group& maps) {
                     fmt::join(extents, ", ")));
   if (extents.size() == 2)
     set_points(grid, extents, maps.place("pressure"));
-  grid.length_x = number_or(maps, "length_x", 0.0);
-  grid.length_y = number_or(maps, "length_y", grid.length_x);
+  read_lengths(maps, true, grid);
   return grid;
 }
 

@@ -272,7 +272,10 @@ def check_hostile_texts(root):
         surface = file.create_group("surfaces/0")
         surface["heights"] = heights
         surface.attrs["length_x"] = surface.attrs["length_y"] = 1e-6
-        surface.attrs["rms_slope"] = 0.1
+        q = 2 * numpy.pi * numpy.fft.fftfreq(16, 1e-6 / 16)
+        power = numpy.abs(numpy.fft.fft2(heights) / heights.size) ** 2
+        surface.attrs["rms_slope"] = (
+            (q[None, :] ** 2 + q[:, None] ** 2) * power).sum() ** 0.5
         fields = method.create_group("0/fields/2")
         fields["pressure"] = numpy.maximum(heights, 0.0) * 1e15
         fields["gap"] = numpy.maximum(-heights, 0.0)

@@ -10,6 +10,8 @@
 
 #include <map>
 
+#include "tests/results/sample_result.hpp"
+
 namespace asperity::results {
 namespace {
 
@@ -30,6 +32,7 @@ protected:
     SurfaceRecord surface;
     surface.grid = grid;
     surface.heights = {1e-9 * realization, 0.0, 0.0, 0.0};
+    fill_numbers(surface);
     writer.record_surface(realization, surface);
     writer.begin_method("fem", "fem", "a block");
     writer.record_own_surface("fem", realization, surface);
@@ -105,8 +108,10 @@ TEST_F(JoinedResult, HoldsTheLargeMapsOfEveryRealisation) {
     fields.pressure.push_back(static_cast<double>(i % 97));
     fields.gap.push_back(static_cast<double>(i % 89));
   }
+  fill_numbers(surface);
   CurvePoint row;
   row.step = 3;
+  row.nominal_pressure = 1e6;
   for (const int realization : {0, 1}) {
     ResultWriter writer(part(realization, {}), case_info,
                         ResultWriter::Mode::resume);

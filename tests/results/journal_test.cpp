@@ -29,7 +29,7 @@ const Grid grid{16, 8, 1e-6, 5e-7};
 Fields maps_of(int step) {
   Fields fields;
   fields.step = step;
-  fields.nominal_pressure = 1e6 + step;
+  fields.nominal_pressure = sample_point(step).nominal_pressure;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     fields.pressure.push_back(1e6 / (1.0 + static_cast<double>(i) + step));
     fields.gap.push_back(1e-9 * static_cast<double>(i) - 1e-9 * step);
@@ -40,9 +40,10 @@ Fields maps_of(int step) {
 SurfaceRecord surface_of(double height, const Grid& on = grid) {
   SurfaceRecord surface;
   surface.grid = on;
-  surface.heights.assign(on.size(), height);
-  surface.rms_height = height;
-  surface.kurtosis = 3.0;
+  surface.heights.assign(on.size(), -height);
+  for (std::size_t i = 0; i < on.size(); i += 2)
+    surface.heights[i] = height;
+  fill_numbers(surface);
   surface.spectrum = {{1e6, 2e-20}, {2e6, 1e-21}};
   return surface;
 }
@@ -209,6 +210,7 @@ TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
   const double before = bytes_written();
   for (int step = 0; step < steps; ++step) {
     fields.step = step;
+    fields.nominal_pressure = sample_point(step).nominal_pressure;
     writer.append_step_with_fields("fem", 0, sample_point(step), square,
                                    fields);
   }

@@ -79,6 +79,7 @@ TEST_F(MapRowsTest, AreReadBackAsWholeMaps) {
   std::ranges::reverse(gap);
   SurfaceRecord surface = sample_surface(8, 6);
   const std::vector<double> heights = surface.heights;
+  const double load = sample_point(4).nominal_pressure;
   for (const bool by_rows : {false, true}) {
     surface.heights = by_rows ? std::vector<double>() : heights;
     ResultWriter writer(folder_ / (by_rows ? "rows" : "whole"), sample_case());
@@ -89,17 +90,17 @@ TEST_F(MapRowsTest, AreReadBackAsWholeMaps) {
       writer.record_own_surface("md", 0, surface, in_pieces(heights, 3));
       writer.append_step_with_fields(
           "md", 0, sample_point(4), grid,
-          FieldRows{4, 2.0, in_pieces(pressure, 8), in_pieces(gap, 8)});
+          FieldRows{4, load, in_pieces(pressure, 8), in_pieces(gap, 8)});
       EXPECT_THROW(
           writer.append_step_with_fields(
               "md", 0, sample_point(4), grid,
-              FieldRows{4, 2.0, in_pieces(pressure, 8), in_pieces(gap, 8)}),
+              FieldRows{4, load, in_pieces(pressure, 8), in_pieces(gap, 8)}),
           std::domain_error); // the step exists
     } else {
       writer.record_surface(0, surface);
       writer.record_own_surface("md", 0, surface);
       writer.append_step_with_fields("md", 0, sample_point(4), grid,
-                                     Fields{4, 2.0, pressure, gap});
+                                     Fields{4, load, pressure, gap});
     }
   }
   const Result whole = read_result(folder_ / "whole");
@@ -113,7 +114,7 @@ TEST_F(MapRowsTest, AreReadBackAsWholeMaps) {
   ASSERT_EQ(found.fields.size(), 1U);
   EXPECT_EQ(found.fields[0].pressure, expected.fields.at(0).pressure);
   EXPECT_EQ(found.fields[0].gap, expected.fields[0].gap);
-  EXPECT_EQ(found.fields[0].nominal_pressure, 2.0);
+  EXPECT_EQ(found.fields[0].nominal_pressure, load);
   ASSERT_EQ(found.points.size(), 1U);
   EXPECT_EQ(found.points[0].step, 4);
 }

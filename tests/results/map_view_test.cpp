@@ -34,14 +34,15 @@ protected:
     ASSERT_GT(grid.size(), large_map);
     SurfaceRecord surface;
     surface.grid = grid;
-    surface.rms_height = std::numeric_limits<double>::quiet_NaN();
-    Fields fields{4, 2.0, {}, {}, grid};
+    Fields fields{4, sample_point(4).nominal_pressure, {}, {}, grid};
     for (std::size_t i = 0; i < grid.size(); ++i) {
       const double height = std::sin(1e-3 * static_cast<double>(i * i % 10007));
       surface.heights.push_back(height);
       fields.pressure.push_back(std::max(0.0, height - 0.2));
       fields.gap.push_back(std::max(0.0, 0.2 - height));
     }
+    fill_numbers(surface);
+    surface.rms_height = not_given;
     ResultWriter writer(folder_, sample_case());
     writer.record_surface(0, surface);
     writer.begin_method("md", "md", "");

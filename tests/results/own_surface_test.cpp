@@ -21,6 +21,7 @@ using OwnSurface = ResultFolder;
 Fields flat_fields(int step, const Grid& grid) {
   Fields fields;
   fields.step = step;
+  fields.nominal_pressure = sample_point(step).nominal_pressure;
   fields.pressure.assign(grid.size(), 1.0);
   fields.gap.assign(grid.size(), -1.0);
   return fields;
@@ -86,6 +87,7 @@ TEST_F(OwnSurface, GivesItsSidesToAMapWithoutThem) {
   ResultWriter writer(folder_, sample_case());
   SurfaceRecord own = sample_surface(2, 2);
   own.grid.length_x = 7e-6;
+  fill_numbers(own);
   writer.record_surface(0, sample_surface(4, 4));
   for (const char* method : {"fem", "md"}) {
     writer.begin_method(method, method, "");
@@ -98,9 +100,12 @@ TEST_F(OwnSurface, GivesItsSidesToAMapWithoutThem) {
     const std::lock_guard lock(hdf5_mutex());
     Hdf5File file(writer.path(), Hdf5File::Mode::read_write);
     for (const std::string method : {"fem", "md"}) {
-      Hdf5Group maps = file.open("methods/" + method + "/0/fields/0");
-      maps.set_attribute("length_x", 0.0);
-      maps.set_attribute("length_y", 0.0);
+      Hdf5Group fields = file.open("methods/" + method + "/0/fields");
+      fields.remove("0");
+      Hdf5Group maps = fields.open_or_create("0");
+      for (const char* map : {"pressure", "gap"})
+        maps.write_map(map, std::vector(4, 1.0), {2, 2},
+                       Hdf5Number::float32_packed, "1");
     }
     file.close();
   }

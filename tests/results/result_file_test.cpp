@@ -103,7 +103,7 @@ TEST_F(ResultFile, ReadsBackMapsToSinglePrecision) {
   const Grid grid{8, 6, 1e-6, 1e-6};
   Fields fields;
   fields.step = 4;
-  fields.nominal_pressure = 1.25e6;
+  fields.nominal_pressure = sample_point(4).nominal_pressure;
   for (std::size_t i = 0; i < grid.size(); ++i) {
     fields.pressure.push_back(i % 3 == 0 ? 0.0 : 1e7 / (1.0 + double(i)));
     fields.gap.push_back(1e-9 * (double(i) - 20.0));
@@ -121,7 +121,7 @@ TEST_F(ResultFile, ReadsBackMapsToSinglePrecision) {
   ASSERT_EQ(curve.fields.size(), 2U);
   EXPECT_EQ(curve.fields[0].step, 2);
   EXPECT_EQ(curve.fields[1].step, 4);
-  EXPECT_EQ(curve.fields[1].nominal_pressure, 1.25e6);
+  EXPECT_EQ(curve.fields[1].nominal_pressure, sample_point(4).nominal_pressure);
   ASSERT_EQ(curve.fields[1].gap.size(), grid.size());
   const double rounding = std::ldexp(1.0, -24);
   for (std::size_t i = 0; i < grid.size(); ++i) {

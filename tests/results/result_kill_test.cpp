@@ -26,6 +26,7 @@ const Grid grid{64, 64, 1e-6, 1e-6};
 Fields sample_fields(int step) {
   Fields fields;
   fields.step = step;
+  fields.nominal_pressure = sample_point(step).nominal_pressure;
   fields.pressure.assign(grid.size(), 1e6 + step);
   fields.gap.assign(grid.size(), 1e-9 * step);
   return fields;

@@ -2,6 +2,7 @@
 
 // Artificial rows, maps and folders for the tests of the result file.
 
+#include "results/observables/height_numbers.hpp"
 #include "results/result_writer.hpp"
 
 #include <gtest/gtest.h>
@@ -108,17 +109,23 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_EQ(a.note, b.note);
 }
 
+/// Fills the numbers that follow from the heights.
+inline void fill_numbers(SurfaceRecord& surface) {
+  const HeightNumbers numbers = height_numbers(surface);
+  surface.rms_height = numbers.rms_height;
+  surface.rms_slope = numbers.rms_slope.low;
+  surface.rms_curvature = numbers.rms_curvature;
+  surface.skewness = numbers.skewness;
+  surface.kurtosis = numbers.kurtosis;
+  surface.highest = numbers.highest;
+}
+
 inline SurfaceRecord sample_surface(int points_x, int points_y) {
   SurfaceRecord surface;
   surface.grid = {points_x, points_y, 1e-6, 2e-6};
   for (std::size_t i = 0; i < surface.grid.size(); ++i)
     surface.heights.push_back(1e-9 * std::sin(static_cast<double>(i)));
-  surface.rms_height = 0.7e-9;
-  surface.rms_slope = 0.1;
-  surface.rms_curvature = 3e6;
-  surface.skewness = -0.2;
-  surface.kurtosis = 2.9;
-  surface.highest = 1e-9;
+  fill_numbers(surface);
   surface.spectrum = {{6e6, 1e-30}, {12e6, 2e-31}};
   return surface;
 }

@@ -7,11 +7,13 @@
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/curve_columns.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <mutex>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -164,8 +166,9 @@ TEST_F(Validity, OfMapsAndSurfaces) {
   const auto with_maps = [&](const std::vector<double>& pressure,
                              const std::vector<double>& gap) {
     return complaint_of([&](ResultWriter& writer) {
-      writer.append_step_with_fields("fem", 0, sample_point(0), grid,
-                                     {0, 1e6, pressure, gap});
+      writer.append_step_with_fields(
+          "fem", 0, sample_point(0), grid,
+          {0, sample_point(0).nominal_pressure, pressure, gap});
     });
   };
   EXPECT_EQ(with_maps(good, good), "accepted");
@@ -196,6 +199,95 @@ TEST_F(Validity, OfMapsAndSurfaces) {
       with_surface([](SurfaceRecord& s) { s.spectrum[1].spectrum = infinity; }),
       "/surfaces/0/spectrum/height_spectrum = inf, but must be finite "
       "and >= 0 [m^4]");
+}
+
+// Whatever follows from the maps of a result is verified by them. Expected: the
+// numbers of h = cos(2 pi x/L) + cos(4 pi y/L_y), in nm, whose mean is 0.
+TEST_F(Validity, OfWhatFollowsFromTheHeights) {
+  constexpr int n = 16;
+  const double pi = std::numbers::pi;
+  SurfaceRecord good;
+  good.grid = {n, n, 1e-6, 2e-6};
+  for (std::size_t i = 0; i < good.grid.size(); ++i)
+    good.heights.push_back(
+        1e-9 * (std::cos(2.0 * pi * static_cast<double>(i % n) / n) +
+                std::cos(4.0 * pi * static_cast<double>(i / n) / n)));
+  good.rms_height = 1e-9;
+  good.rms_slope = 2e-3 * pi; // both wavevectors are 2 pi/um
+  good.rms_curvature = 0.5 * std::pow(2e6 * pi, 2) * 1e-9;
+  good.skewness = 0.0;
+  good.kurtosis = 2.25; // 3/8 + 3/8 + 6/4
+  good.highest = 2e-9;
+  const auto with = [&](double SurfaceRecord::*number, double value) {
+    SurfaceRecord surface = good;
+    surface.*number = value;
+    return complaint_of([&](ResultWriter& writer) {
+      writer.record_surface(0, surface);
+      writer.begin_method("md", "md", "");
+      writer.record_own_surface("md", 0, surface);
+    });
+  };
+  EXPECT_EQ(with(&SurfaceRecord::highest, 2e-9), "accepted");
+  EXPECT_EQ(with(&SurfaceRecord::rms_slope, not_a_number), "accepted");
+  EXPECT_EQ(with(&SurfaceRecord::rms_height, 1.0)
+                .substr(0, std::string("/surfaces/0/rms_height = 1, but the "
+                                       "heights have 1e-09 [m]")
+                               .size()),
+            "/surfaces/0/rms_height = 1, but the heights have 1e-09 [m]");
+  EXPECT_NE(with(&SurfaceRecord::rms_slope, 6e-3).find("rms_slope = 0.006"),
+            std::string::npos);
+  EXPECT_NE(with(&SurfaceRecord::rms_slope, 6e-3)
+                .find("/methods/md/0/surface/rms_slope"),
+            std::string::npos);
+  for (double SurfaceRecord::*number :
+       {&SurfaceRecord::rms_curvature, &SurfaceRecord::skewness,
+        &SurfaceRecord::kurtosis, &SurfaceRecord::highest}) {
+    EXPECT_NE(with(number, good.*number * 1.01 + 1e-3), "accepted");
+  }
+  good.heights.assign(good.grid.size(), 3e-9);
+  EXPECT_NE(with(&SurfaceRecord::rms_height, 1e-9), "accepted");
+}
+
+// A row, the attributes of its fields and their maps say the same.
+TEST_F(Validity, OfWhatFollowsFromTheFields) {
+  const Grid grid{2, 3, 1e-6, 2e-6};
+  const auto with = [&](const char* kind, double row_pressure, double row_gap,
+                        double field_pressure, double length = 2e-6) {
+    return complaint_of(
+        [&](ResultWriter& writer) {
+          CurvePoint row = sample_point(0);
+          row.nominal_pressure = row_pressure;
+          row.mean_gap = row_gap;
+          writer.begin_method("other", kind, "");
+          writer.append_step_with_fields("other", 0, row, grid,
+                                         {0,
+                                          field_pressure,
+                                          {1e6, 2e6, 0, 0, 0, 3e6},
+                                          {0, 0, 1.0, 2.0, 3.0, 0}});
+        },
+        [&](Hdf5File& file) {
+          file.open_path("/methods/other/0/fields/0")
+              .set_attribute("length_y", length);
+        });
+  };
+  EXPECT_EQ(with("halfspace", 1e6, 1.0, 1e6), "accepted");
+  EXPECT_EQ(with("md", 1.1e6, 2.0, 1.1e6), "accepted"); // unequal weights
+  EXPECT_EQ(with("md", 1e6, 1.0, 2e6),
+            "/methods/other/0/fields/0/nominal_pressure = 2000000, but the row "
+            "of this step has 1000000 [Pa]");
+  EXPECT_EQ(with("halfspace", 2e6, 1.0, 2e6),
+            "/methods/other/0/curve/nominal_pressure, step 0 = 2000000, but "
+            "its pressure map has 1000000 [Pa]");
+  EXPECT_EQ(with("submission", 1e6, 2.0, 1e6),
+            "/methods/other/0/curve/mean_gap, step 0 = 2, but its gap map "
+            "has 1 [m]");
+  for (const double pressure : {0.0, -1e6})
+    EXPECT_NE(with("md", 1e6, 1.0, pressure), "accepted");
+  for (const double length : {0.0, -1e-6, infinity, not_a_number})
+    EXPECT_EQ(with("md", 1e6, 1.0, 1e6, length),
+              fmt::format("/methods/other/0/fields/0/length_y = {}, but must "
+                          "be finite and > 0 [m]",
+                          length));
 }
 
 TEST_F(Validity, OfTablesByTheNameOfTheirColumns) {
