@@ -2,9 +2,11 @@
 
 #include "base/content_hash.hpp"
 #include "base/field_sums.hpp"
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "surfaces/formats/npy.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "exchange/checksums.hpp"
 
 namespace asperity::exchange {
 namespace {
@@ -70,7 +74,7 @@ public:
     const std::string found =
         json_.contains(pointer) ? json_.at(pointer).dump() : "missing";
     throw input::InputError(fmt::format("{}: {} is {}, but must be {}", path_,
-                                        member, found.substr(0, 60), rule));
+                                        member, printable(found), rule));
   }
 
   const Json& at(const std::string& member, const std::string& rule) const {
@@ -107,6 +111,22 @@ public:
     if (!found.is_string())
       refuse(member, rule);
     return found.get<std::string>();
+  }
+
+  std::string line(const std::string& member) const {
+    std::string found = text(member);
+    if (const std::string rule = line_mistake(found); !rule.empty())
+      refuse(member, rule.substr(std::string_view("must be ").size()));
+    return found;
+  }
+
+  /// Requires a stated number to be the one that follows from the heights.
+  void require(const std::string& member, double found) const {
+    constexpr double tolerance = 1e-6;
+    const double stated = number(member, 0.0);
+    if (!(std::abs(stated - found) <= tolerance * found))
+      refuse(member,
+             fmt::format("{:.9g}, which follows from heights.npy", found));
   }
 
   std::size_t list_size(const std::string& member) const {
@@ -166,6 +186,7 @@ Json parsed(const std::filesystem::path& path) {
 void read_heights(const std::filesystem::path& folder,
                   const ProblemMembers& members, Problem& problem) {
   const std::filesystem::path file = folder / "heights.npy";
+  input::require_own_file(folder, file);
   const std::string bytes =
       input::read_input_file(file, input::largest_number_file);
   if (content_hash(bytes) != members.text("/heights/files/heights.npy"))
@@ -190,6 +211,9 @@ void read_heights(const std::filesystem::path& folder,
   if (!(problem.rms_height > 0.0))
     throw input::InputError(
         fmt::format("{}: the surface is flat", file.string()));
+  problem.rms_slope = surfaces::statistics({grid, problem.heights}).rms_slope;
+  members.require("/heights/rms_height [m]", problem.rms_height);
+  members.require("/heights/rms_slope [1]", problem.rms_slope);
 }
 
 } // namespace
@@ -237,6 +261,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
 
 Problem read_problem(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "problem.json";
+  input::require_own_file(folder, file);
   const Json json = parsed(file);
   const ProblemMembers members(json, file.string());
   if (members.text("/format") != "asperity-problem")
@@ -245,14 +270,17 @@ Problem read_problem(const std::filesystem::path& folder) {
     members.refuse("/format_version", "1");
   Problem problem;
   problem.name = members.text("/name");
-  problem.title = members.text("/title");
+  if (!is_good_name(problem.name) || problem.name.front() == '.')
+    members.refuse("/name", fmt::format("1 to {} letters, digits, blanks and "
+                                        ". _ + -, the first of them no point",
+                                        longest_name));
+  problem.title = members.line("/title");
   problem.grid = {members.count("/grid/points_x"),
                   members.count("/grid/points_y"),
                   members.number("/grid/length_x [m]", 0.0),
                   members.number("/grid/length_y [m]", 0.0)};
   if (members.at("/grid/is_periodic", "true") != true)
     members.refuse("/grid/is_periodic", "true");
-  problem.rms_slope = members.number("/heights/rms_slope [1]", 0.0);
   problem.body = read_body(members);
   for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
     problem.loads.push_back(
@@ -260,6 +288,7 @@ Problem read_problem(const std::filesystem::path& folder) {
   if (problem.loads.empty())
     members.refuse("/loads", "a list of at least one load");
   read_heights(folder, members, problem);
+  verified_files(folder);
   return problem;
 }
 

@@ -17,8 +17,8 @@ namespace asperity::exchange {
 /// A rigid rough surface that is pressed on an elastic block in frictionless,
 /// non-adhesive, hard contact on one periodic cell.
 struct Problem {
-  std::string name;  ///< of letters, digits, '-', '_', '.'
-  std::string title; ///< one line
+  std::string name;  ///< is_good_name(), not beginning with '.'
+  std::string title; ///< one line of at most longest_line bytes
   Grid grid;
   std::vector<double> heights; ///< [m], positive towards the block, mean 0
   mechanics::ElasticBlock body;
@@ -54,10 +54,12 @@ std::string
 problem_json(const Problem& problem, const ProblemAnswer& example,
              std::span<const std::pair<std::string, std::string>> hashes);
 
-/// Reads problem.json and heights.npy of a folder.
+/// Reads problem.json and heights.npy of a folder, and verifies all files of
+/// its SHA256SUMS.
 /// @throws input::InputError  naming the file and the member: what was found
 ///                            and what is allowed; the heights are not those of
-///                            the checksum
+///                            the checksum, or do not have the rms height and
+///                            slope that are stated; a symbolic link
 Problem read_problem(const std::filesystem::path& folder);
 
 } // namespace asperity::exchange

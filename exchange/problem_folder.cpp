@@ -16,6 +16,7 @@
 #include <mutex>
 #include <utility>
 
+#include "exchange/checksums.hpp"
 #include "exchange/problem_texts.hpp"
 
 namespace asperity::exchange {
@@ -23,9 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// Files in the order of writing, with their SHA-256.
-using Hashes = std::vector<std::pair<std::string, std::string>>;
 
 /// A matrix in Gwyddion's text format, which other programs read as well.
 std::string text_matrix(const Problem& problem) {
@@ -151,10 +149,7 @@ void write_problem(const Problem& problem,
                     fmt::arg("first_load", problem.loads.front()),
                     fmt::arg("body", body_text(problem.body))));
   hashes.emplace_back("problem.json", content_hash(json));
-  std::string sums;
-  for (const auto& [file, hash] : hashes)
-    sums += fmt::format("{}  {}\n", hash, file);
-  write_file_atomically(folder / "SHA256SUMS", sums);
+  write_file_atomically(folder / checksum_file, checksum_text(hashes));
   write_file_atomically(folder / "problem.json", json);
 }
 
@@ -163,6 +158,7 @@ References read_references(const fs::path& folder) {
   References found;
   if (!fs::exists(file))
     return found;
+  input::require_own_file(folder, file);
   const auto number = [](const Json& answer, const char* name) {
     const Json& member = answer.at(name);
     return member.is_null() ? not_a_number : member.get<double>();

@@ -1,5 +1,6 @@
 #include "exchange/submission.hpp"
 
+#include "base/plain_text.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -21,6 +22,8 @@ using cases::Node;
 using cases::NodeType;
 using input::Mistakes;
 
+constexpr std::size_t most_texts = 100; ///< authors, for example
+
 /// Reads the keys of one table of submission.toml and collects the mistakes.
 class SubmissionTable {
 public:
@@ -36,13 +39,16 @@ public:
                                   fmt::join(keys_, ", ")));
   }
 
-  std::string text(const std::string& key, bool is_needed = true) {
+  std::string text(const std::string& key, bool is_needed = true,
+                   std::size_t longest = longest_line) {
     const Node* const node = find(key, is_needed, "a text");
     if (node == nullptr)
       return {};
-    if (node->type != NodeType::text || node->text.empty() ||
-        node->text.find_first_of("\r\n") != std::string::npos)
+    if (node->type != NodeType::text)
       refuse(*node, "must be a text in quotes on one line");
+    else if (const std::string rule = line_mistake(node->text, longest);
+             !rule.empty())
+      refuse(*node, rule);
     return node->text;
   }
 
@@ -77,16 +83,20 @@ public:
     if (node == nullptr)
       return found;
     for (const Node& item : node->list)
-      if (item.type == NodeType::text)
+      if (item.type == NodeType::text && line_mistake(item.text).empty())
         found.push_back(item.text);
-    if (node->list.empty() || found.size() != node->list.size())
-      refuse(*node, "must be a list of texts in quotes");
+    if (node->list.empty() || found.size() != node->list.size() ||
+        found.size() > most_texts)
+      refuse(*node, fmt::format("must be a list of 1 to {} texts in quotes, "
+                                "each on one line of at most {} bytes",
+                                most_texts, longest_line));
     return found;
   }
 
   void refuse(const Node& node, const std::string& rule) {
-    mistakes_.add(node.place, fmt::format("{} = {}, but {}", node.path,
-                                          cases::written(node), rule));
+    mistakes_.add(node.place,
+                  fmt::format("{} = {}, but {}", node.path,
+                              printable(cases::written(node)), rule));
   }
 
   const Node& node() const { return table_; }
@@ -184,8 +194,11 @@ void read_head(SubmissionTable& table, const Problem& problem,
   if (!submission.problem.empty() && submission.problem != problem.name)
     table.refuse(*table.node().find("problem"),
                  fmt::format("problem.json is \"{}\"", problem.name));
-  submission.code = table.text("code");
-  submission.version = table.text("version");
+  // Both are parts of the name of a method.
+  constexpr std::size_t longest = 40;
+  static_assert(2 * longest + sizeof "--default" <= longest_name);
+  submission.code = table.text("code", true, longest);
+  submission.version = table.text("version", true, longest);
   submission.method = table.text("method");
   submission.accuracy = table.text("accuracy");
   if (!submission.accuracy.empty() && submission.accuracy != "default" &&
@@ -205,6 +218,7 @@ void read_head(SubmissionTable& table, const Problem& problem,
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem) {
   const std::filesystem::path file = folder / "submission.toml";
+  input::require_own_file(folder, file);
   const Node root =
       cases::parse_toml(input::read_input_file(file, input::largest_text_file),
                         file.string(), "submission.toml");
@@ -227,13 +241,16 @@ Submission read_submission(const std::filesystem::path& folder,
                  "has neither [[load]] with a pressure field nor [curve]");
   mistakes.throw_if_any("submission.toml");
   for (SubmittedLoad& load : submission.loads) {
+    input::require_own_file(folder, load.file);
     surfaces::Matrix matrix = read_pressure_file(load.file);
     load.rows = matrix.rows;
     load.columns = matrix.columns;
     load.pressure = std::move(matrix.numbers);
   }
-  if (!curve_file.empty())
+  if (!curve_file.empty()) {
+    input::require_own_file(folder, folder / curve_file);
     submission.curve = read_curve(folder / curve_file);
+  }
   return submission;
 }
 

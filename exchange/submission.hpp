@@ -35,10 +35,11 @@ struct SubmittedRow {
   double area_fraction = 0.0;    ///< [1]
 };
 
+/// Texts are single lines of plain text (base/plain_text.hpp).
 struct Submission {
   std::string problem; ///< name of the problem
-  std::string code;
-  std::string version;
+  std::string code;    ///< at most 40 bytes
+  std::string version; ///< likewise
   std::string method;
   std::string accuracy; ///< "default" or "best"
   std::vector<std::string> authors;
@@ -54,6 +55,7 @@ struct Submission {
 /// @param folder  contains submission.toml
 /// @throws input::InputError  every mistake of submission.toml with its line
 ///                            and key, or the first field that cannot be read
+///                            or is behind a symbolic link
 Submission read_submission(const std::filesystem::path& folder,
                            const Problem& problem);
 

@@ -22,4 +22,11 @@ inline constexpr std::uintmax_t largest_number_file = 1024 * mebibyte;
 std::string read_input_file(const std::filesystem::path& path,
                             std::uintmax_t largest);
 
+/// Refuses a file of a folder that somebody else has made if a symbolic link
+/// leads to it, or if it is outside the folder: it would be another file of
+/// this machine. The folder itself may be a link.
+/// @throws InputError  naming the link
+void require_own_file(const std::filesystem::path& folder,
+                      const std::filesystem::path& file);
+
 } // namespace asperity::input

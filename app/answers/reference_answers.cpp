@@ -3,6 +3,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/surfaces_of_case.hpp"
+#include "base/plain_text.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "input/input_error.hpp"
@@ -230,8 +231,13 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   AnsweredProblem answered;
   answered.method = method.name;
   Problem& problem = answered.problem;
-  problem.name = contact_case.name;
-  problem.title = contact_case.title;
+  problem.name = good_name(contact_case.name);
+  if (problem.name.front() == '.')
+    problem.name.front() = '-';
+  const std::string ellipsis = "...";
+  problem.title =
+      printable(contact_case.title.empty() ? problem.name : contact_case.title,
+                longest_line - ellipsis.size());
   problem.grid = surface.record.grid;
   problem.heights = surface.record.heights;
   problem.rms_height = surface.record.rms_height;

@@ -3,6 +3,7 @@
 #include "app/answers/reference_answers.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "input/nearest.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <map>
 #include <tuple>
 
+#include "exchange/checksums.hpp"
 #include "exchange/problem_folder.hpp"
 #include "exchange/submission.hpp"
 
@@ -20,17 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders with a submission.toml, by problem.
+/// Folders with a submission.toml, by problem, and links to folders, which are
+/// refused one by one.
 std::map<std::string, std::vector<fs::path>>
 submission_folders(const fs::path& root) {
   std::map<std::string, std::vector<fs::path>> found;
   if (fs::is_directory(root))
     for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(root))
-      if (entry.path().filename() == "submission.toml") {
-        const fs::path below = entry.path().lexically_relative(root);
-        found[below.begin()->string()].push_back(entry.path().parent_path());
-      }
+         fs::recursive_directory_iterator(root)) {
+      const bool is_answer = entry.path().filename() == "submission.toml";
+      if (!is_answer && !(entry.is_symlink() && entry.is_directory()))
+        continue;
+      const fs::path below = entry.path().lexically_relative(root);
+      found[below.begin()->string()].push_back(
+          is_answer ? entry.path().parent_path() : entry.path());
+    }
   if (found.empty())
     throw input::InputError(fmt::format(
         "{}: has no submission; expected <problem>/<code>/<version>/"
@@ -52,6 +58,37 @@ std::vector<std::string> stated_problems(const fs::path& folder) {
   return names;
 }
 
+/// Copies the files of SHA256SUMS, and no others.
+/// @throws input::InputError  there is none, or a file is not that of the sum
+void copy_problem(const fs::path& home, const fs::path& copy) {
+  std::vector<std::string> names = exchange::verified_files(home);
+  if (names.empty())
+    throw input::InputError(
+        fmt::format("{}: is missing or empty; a problem is published with the "
+                    "checksums of all its files, as asperity problem writes "
+                    "them",
+                    (home / exchange::checksum_file).string()));
+  names.emplace_back(exchange::checksum_file);
+  fs::create_directories(copy);
+  for (const std::string& name : names)
+    fs::copy_file(home / name, copy / name,
+                  fs::copy_options::overwrite_existing);
+}
+
+/// The case of a problem, whose files are all in its folder.
+cases::Case case_of_problem(const fs::path& home) {
+  const fs::path file = home / "case.toml";
+  cases::Case read = cases::read_case(file.string());
+  std::vector<std::string> named{read.surface.file, read.mesh.file};
+  if (read.material.variation)
+    named.push_back(read.material.variation->file);
+  for (const std::string& name : named)
+    if (!name.empty())
+      input::require_own_file(fs::absolute(home).lexically_normal(),
+                              fs::absolute(name).lexically_normal());
+  return read;
+}
+
 /// Reads a problem, or computes that of a case, and puts it into the site.
 BoardProblem board_problem(const fs::path& folder, const std::string& name,
                            const fs::path& site) {
@@ -64,14 +101,14 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
                     (folder / name).string(), input::nearest(name, names)));
   const fs::path home = folder / name;
   const fs::path copy = site / "problems" / name;
-  if (fs::exists(home / "problem.json")) {
-    fs::create_directories(copy);
-    fs::copy(home, copy,
-             fs::copy_options::recursive |
-                 fs::copy_options::overwrite_existing);
+  const bool is_stated = fs::exists(home / "problem.json");
+  input::require_own_file(folder,
+                          home / (is_stated ? "problem.json" : "case.toml"));
+  if (is_stated) {
+    copy_problem(home, copy);
   } else {
     const AnsweredProblem answered =
-        answered_problem(cases::read_case((home / "case.toml").string()), "");
+        answered_problem(case_of_problem(home), "");
     exchange::write_problem(answered.problem, answered.answers,
                             answered.continuum, "", copy);
   }
@@ -133,6 +170,7 @@ BoardEntry board_entry(const fs::path& folder, const fs::path& root,
   entry.code = below.parent_path().filename().string();
   entry.version = below.filename().string();
   try {
+    input::require_own_file(root, folder);
     const ImportedAnswer answer = import_answer(folder, problem, surface);
     const exchange::Submission& submission = answer.submission;
     entry.code = submission.code;
@@ -161,6 +199,7 @@ BoardEntry board_entry(const fs::path& folder, const fs::path& root,
 std::vector<BoardProblem> read_board(const fs::path& folder,
                                      const fs::path& site) {
   const fs::path root = folder / "submissions";
+  input::require_own_file(folder, root);
   std::vector<BoardProblem> board;
   for (const auto& [name, folders] : submission_folders(root)) {
     BoardProblem problem = board_problem(folder, name, site);

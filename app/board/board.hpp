@@ -55,9 +55,11 @@ struct BoardProblem {
 ///     FOLDER/submissions/<problem>/<code>/<version>/submission.toml
 ///
 /// A problem that is given as a case is computed. Each problem is written into
-/// or copied to problems/<problem> of the site.
+/// problems/<problem> of the site, or the files of its SHA256SUMS are copied
+/// there. No symbolic link below FOLDER is followed.
 /// @throws input::InputError  no submissions, or a problem that does not exist
-///                            or is invalid. A submission cannot cause an
+///                            or is invalid, or has another checksum or a
+///                            symbolic link. A submission cannot cause an
 ///                            exception: it becomes an entry that failed.
 std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
                                      const std::filesystem::path& site);

@@ -8,6 +8,7 @@
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_file.hpp"
+#include "reports/pages/report.hpp"
 #include "results/result_writer.hpp"
 
 #include <fmt/format.h>
@@ -24,14 +25,25 @@ using exchange::Problem;
 using exchange::Submission;
 
 /// The same problem as a case, if the problem's folder has it.
-results::CaseInfo case_info(const Problem& problem, const fs::path& folder) {
+/// @throws input::InputError  the case is another problem
+results::CaseInfo case_info(const Problem& problem,
+                            const SurfaceOfCase& surface,
+                            const fs::path& folder) {
   results::CaseInfo info{problem.name, problem.title, "", "",
                          problem.body.contact_modulus};
   const fs::path file = folder / "case.toml";
-  if (fs::exists(file)) {
+  if (fs::exists(fs::symlink_status(file))) {
+    input::require_own_file(folder, file);
     info.text = input::read_input_file(file, input::largest_text_file);
     info.hash =
         cases::case_hash(cases::read_case_text(info.text, file.string()));
+    results::Result stated;
+    stated.path = (folder / "problem.json").string();
+    stated.case_text = info.text;
+    stated.contact_modulus = problem.body.contact_modulus;
+    stated.surfaces.resize(1);
+    stated.surfaces.front().grid = surface.record.grid;
+    reports::case_of(stated); // what cannot be reported is not written
   }
   return info;
 }
@@ -108,7 +120,8 @@ ExitCode import_submission(const ImportCommand& command) {
           ? fs::path("out") / (answer.method + "-" + problem.name)
           : fs::path(command.out);
   const FolderLock lock(folder, "import " + command.submission);
-  write_import(folder, case_info(problem, command.problem), surface, answer);
+  write_import(folder, case_info(problem, surface, command.problem), surface,
+               answer);
   const std::string json = answer_json(answer).dump(2) + "\n";
   write_file_atomically(folder / "certificate.json", json);
   if (wants_json())

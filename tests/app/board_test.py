@@ -163,12 +163,69 @@ def main():
     (board / "other").mkdir()
     statement = json.loads((problem / "problem.json").read_text()) | {"name": "another"}
     shutil.copytree(problem, board / "other", dirs_exist_ok=True)
-    (board / "other/problem.json").write_text(json.dumps(statement))
+    exchange.restate(board / "other", statement)
     shutil.copytree(board / "submissions/small/good", board / "submissions/other/good")
     said = exchange.asperity("board", board, expected=2)
     assert 'states the problem "another", but its folder is other' in said, said
     said = exchange.asperity("board", folder / "small", expected=2)
     assert "has no submission" in said, said
+    check_foreign_files(folder, problem)
+
+
+def check_foreign_files(folder, problem):
+    """Nothing is published that is not a file of the problem, with its checksum."""
+    board = folder / "foreign"
+    answers = board / "submissions/small/good"
+    shutil.copytree(folder / "board/submissions/small/good/1.0", answers / "1.0")
+    secret = folder / "secret.txt"
+    secret.write_text("secret")
+
+    def restored():
+        shutil.rmtree(board / "small", ignore_errors=True)
+        shutil.copytree(problem, board / "small")
+        return board / "small"
+
+    (restored() / "not-listed.txt").write_text("secret")
+    exchange.asperity("board", board, "--out", "clean")
+    assert not (folder / "clean/problems/small/not-listed.txt").exists()
+    assert (folder / "clean/problems/small/SHA256SUMS").exists()
+    for name in ("README.md", "heights.txt", "problem.json", "SHA256SUMS"):
+        home = restored()
+        (home / name).unlink()
+        (home / name).symlink_to(secret)
+        said = exchange.asperity("board", board, "--out", f"link-{name}", expected=2)
+        assert "is a symbolic link" in said, said
+        assert not (folder / f"link-{name}/index.html").exists()
+    home = restored()
+    text = (home / "heights.txt").read_text()
+    (home / "heights.txt").write_text(text.replace("1", "2", 1))
+    said = exchange.asperity("board", board, "--out", "damaged", expected=2)
+    assert "heights.txt: its SHA-256 is" in said, said
+    (restored() / "SHA256SUMS").unlink()
+    said = exchange.asperity("board", board, "--out", "unsummed", expected=2)
+    assert "SHA256SUMS: is missing" in said, said
+    shutil.rmtree(board / "small")
+    (board / "small").symlink_to(problem)
+    said = exchange.asperity("board", board, "--out", "linked", expected=2)
+    assert "is a symbolic link" in said, said
+    (board / "small").unlink()
+    (board / "small").mkdir()
+    (board / "small/case.toml").write_text((problem / "case.toml").read_text().replace(
+        'kind = "self-affine"', 'kind = "measured"\nfile = "../../secret.txt"'))
+    exchange.asperity("board", board, "--out", "outside", expected=2)
+    restored()
+    # An answer that is a link, or that has one, fails alone.
+    (answers / "2.0").symlink_to(folder / "board/submissions/small/good/1.0")
+    shutil.copytree(answers / "1.0", answers / "3.0")
+    (answers / "3.0/p0.npy").unlink()
+    (answers / "3.0/p0.npy").symlink_to(answers / "1.0/p0.npy")
+    exchange.asperity("board", board, "--out", "answers", expected=1)
+    rows = {row["folder"]: row for row in
+            json.loads((folder / "answers/board.json").read_text())}
+    assert state_of(rows["small/good/1.0"]) == "certified", rows
+    for name in ("2.0", "3.0"):
+        row = rows[f"small/good/{name}"]
+        assert state_of(row) == "failed" and "symbolic link" in row["reasons"][0], row
 
 
 main()

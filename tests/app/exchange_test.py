@@ -10,6 +10,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
 
 import h5py
 import jsonschema
@@ -70,6 +71,10 @@ def solved(problem):
     out = problem.parent / "solved"
     asperity("run", problem / "case.toml", "--set", "report.fields=100", "--no-report",
              "--out", out)
+    return solved_fields(out)
+
+
+def solved_fields(out):
     with h5py.File(out / "result.h5") as file:
         fields = file["methods/halfspace/0/fields"]
         return [fields[step]["pressure"][...].astype(float)
@@ -231,15 +236,219 @@ def check_curve(problem):
     assert "as submitted" in said and not certificate["is_certified"], said
 
 
-def check_wrong_results(problem):
-    """A result whose mean gap is wrong does not pass `certify`."""
-    out = problem.parent / "wrong"
+def changed_result(problem, change):
+    """A copy of a good result, in which something is changed."""
+    out = problem.parent / "changed"
+    shutil.rmtree(out, ignore_errors=True)
     shutil.copytree(problem.parent / "right/out", out)
     with h5py.File(out / "result.h5", "r+") as file:
-        curve = file["methods/numpy-code-1.0-default/0/curve"]
-        curve["mean_gap"][0] *= 1.01
-    said = asperity("certify", out, expected=1)
-    assert "does not hold" in said, said
+        change(file, file["methods/numpy-code-1.0-default/0"])
+    return out
+
+
+def check_wrong_results(problem):
+    """A result cannot lie to its certificate: what follows from its fields is verified by all
+    commands that read it, and the rest by `certify`."""
+    def attribute(place, name, factor):
+        def change(file, _):
+            file[place].attrs[name] *= factor
+        return change
+
+    def row(name, factor):
+        def change(_, curve):
+            curve["curve"][name][0] *= factor
+        return change
+
+    def constant_pressure(file, curve):
+        file["surfaces/0"].attrs["rms_height"] = 1.0
+        curve["fields/0/pressure"][...] = curve["curve/nominal_pressure"][0]
+
+    def twice_the_size(file, _):
+        """All numbers of the surface agree; the case states another length."""
+        for name, factor in (("length_x", 2), ("length_y", 2), ("rms_slope", 1 / 2),
+                             ("rms_curvature", 1 / 4)):
+            file["surfaces/0"].attrs[name] *= factor
+
+    fields = "methods/numpy-code-1.0-default/0/fields/0"
+    for change, words in (
+            (constant_pressure, "/surfaces/0/rms_height = 1, but the heights have 3"),
+            (attribute("surfaces/0", "rms_height", 1.001), "/surfaces/0/rms_height = "),
+            (attribute("surfaces/0", "rms_slope", 0.9), "/surfaces/0/rms_slope = "),
+            (attribute("surfaces/0", "kurtosis", 1.1), "/surfaces/0/kurtosis = "),
+            (attribute("surfaces/0", "length_x", 2), "/surfaces/0/rms_slope = "),
+            (twice_the_size, "its case states surface.length = 1e-06 [m]"),
+            (attribute("surfaces/0", "length_y", -1), "length_y = -1e-06, but must be finite"),
+            (attribute(fields, "length_x", 0), "length_x = 0, but must be finite and > 0 [m]"),
+            (attribute(fields, "length_y", numpy.nan), "length_y = nan, but must be finite"),
+            (attribute(fields, "nominal_pressure", -1), "nominal_pressure = -"),
+            (attribute(fields, "nominal_pressure", 0), "nominal_pressure = 0, but"),
+            (attribute(fields, "nominal_pressure", 2), "but the row of this step has"),
+            (attribute("/", "contact_modulus", 2), "its case states E* = 2000000000 [Pa]"),
+            (row("nominal_pressure", 2), "nominal_pressure = "),
+            (row("mean_gap", 1.01), "mean_gap, step 0 = ")):
+        out = changed_result(problem, change)
+        for command in ("certify", "report"):
+            said = asperity(command, out, expected=2)
+            assert words in said and "result.h5: " in said, (words, said)
+
+    def wrong_gap(_, curve):
+        """Consistent, and yet wrong."""
+        gap = curve["curve/mean_gap"][0] * 0.01
+        curve["curve/mean_gap"][0] += gap
+        curve["fields/0/gap"][...] += gap
+
+    def twice_the_load(_, curve):
+        """A pressure of another mean, in a method whose nodes may have unequal weights."""
+        curve.parent.attrs["kind"] = "fem"
+        curve["fields/0/pressure"][...] *= 2
+
+    for change, words in ((wrong_gap, "the mean gap is within"),
+                          (twice_the_load, "the nominal pressure is"),
+                          (row("area_fraction", 1.1), "the contact area fraction is"),
+                          (row("elastic_energy", 1.01), "the elastic energy [J/m^2] is")):
+        said = asperity("certify", changed_result(problem, change), expected=1)
+        assert "does not hold: " + words in said, (words, said)
+
+
+def restate(problem, statement):
+    """Changes problem.json with its checksum."""
+    old = hashlib.sha256((problem / "problem.json").read_bytes()).hexdigest()
+    (problem / "problem.json").write_text(json.dumps(statement))
+    new = hashlib.sha256((problem / "problem.json").read_bytes()).hexdigest()
+    sums = (problem / "SHA256SUMS").read_text()
+    (problem / "SHA256SUMS").write_text(sums.replace(old, new))
+
+
+def check_hostile_folders(problem, pressures):
+    """Damage, links and texts that no reader takes are refused, and nothing is written."""
+    def refused(folder, words, of=problem):
+        said, _ = imported(of, folder, expected=2)
+        assert words in said and "Traceback" not in said, (words, said)
+
+    good = submission(problem, pressures, "hostile")
+    text = (good / "submission.toml").read_text()
+    for key, value, words in (
+            ("version", '"' + "1" * 10000 + '"', "1 to 40 bytes"),
+            ("version", '"1\\u0000"', "without control characters"),
+            ("code", '"a\\u001b[2J"', "without control characters"),
+            ("method", '"' + "m" * 2000 + '"', "1 to 1000 bytes"),
+            ("method", '"a\\nb"', "one line"),
+            ("authors", '["a", "b\\u0007"]', "without control characters"),
+            ("authors", "[" + '"a",' * 101 + "]", "list of 1 to 100 texts"),
+            ("licence", '""', "1 to 1000 bytes")):
+        lines = [f"{key} = {value}" if line.startswith(f"{key} = ") else line
+                 for line in text.splitlines()]
+        (good / "submission.toml").write_text("\n".join(lines) + "\n")
+        refused(good, words)
+    longest = text.replace('version = "1.0"', f'version = "{"1" * 40}"').replace(
+        '"numpy code"', f'"{"c" * 40}"')
+    (good / "submission.toml").write_text(longest)
+    _, certificate = imported(problem, good)
+    assert len(certificate["loads"]) == 2
+    asperity("report", good / "out")
+    (good / "submission.toml").write_text(text)
+    shutil.rmtree(good / "out")
+    field = (good / "p0.npy").read_bytes()
+    elsewhere = problem.parent / "elsewhere"
+    elsewhere.mkdir()
+    (elsewhere / "p0.npy").write_bytes(field)
+    (good / "p0.npy").unlink()
+    (good / "p0.npy").symlink_to(elsewhere / "p0.npy")
+    refused(good, "is a symbolic link")
+    (good / "sub").symlink_to(elsewhere)
+    (good / "submission.toml").write_text(text.replace('"p0.npy"', '"sub/p0.npy"'))
+    refused(good, "is a symbolic link")
+    (elsewhere / "submission.toml").write_text(text)
+    (good / "submission.toml").unlink()
+    (good / "submission.toml").symlink_to(elsewhere / "submission.toml")
+    refused(good, "is a symbolic link")
+
+    right = problem.parent / "right"
+    shutil.rmtree(right / "out")
+    for name in ("heights.txt", "README.md", "heights.h5"):
+        damaged = problem.parent / "damaged"
+        shutil.copytree(problem, damaged)
+        with open(damaged / name, "ab") as file:
+            file.write(b"1")
+        refused(right, f"{name}: its SHA-256 is", damaged)
+        (damaged / name).unlink()
+        refused(right, name, damaged)
+        (damaged / name).symlink_to(problem / name)
+        refused(right, "is a symbolic link", damaged)
+        shutil.rmtree(damaged)
+    statement = json.loads((problem / "problem.json").read_text())
+    for change, words in ((lambda s: s["heights"].update({"rms_height [m]": 1.0}), "rms_height"),
+                          (lambda s: s["heights"].update({"rms_slope [1]": 1.0}), "rms_slope"),
+                          (lambda s: s.update(name="../../x"), "/name"),
+                          (lambda s: s.update(name="n" * 101), "/name"),
+                          (lambda s: s.update(title="a\0b"), "/title"),
+                          (lambda s: s.update(title="t" * 2000), "/title"),
+                          (lambda s: s["grid"].update({"length_x [m]": 2e-6}), "rms_slope")):
+        lie = problem.parent / "lie"
+        shutil.copytree(problem, lie)
+        other = json.loads(json.dumps(statement))
+        change(other)
+        restate(lie, other)
+        refused(right, words, lie)
+        shutil.rmtree(lie)
+    lie = problem.parent / "lie"
+    shutil.copytree(problem, lie)
+    case = lie / "case.toml"
+    old = hashlib.sha256(case.read_bytes()).hexdigest()
+    case.write_text(case.read_text().replace("points = 64", "points = 128"))
+    sums = (lie / "SHA256SUMS").read_text()
+    (lie / "SHA256SUMS").write_text(
+        sums.replace(old, hashlib.sha256(case.read_bytes()).hexdigest()))
+    refused(right, "its case states surface.points = 128", lie)
+
+
+def check_full_contact():
+    """At the load of first full contact the pressure is p_0 (1 + cos), which is 0 at one node.
+    Its answer has a sharp certificate (the bound was 36 h_rms)."""
+    problem = FOLDER / "full/problem"
+    for points in (16, 64):
+        asperity("problem", "wave-1d", "--set", 'load.nominal_pressure=["0.01 E*"]', "--set",
+                 f"surface.points={points}", "--out", problem)
+        statement = json.loads((problem / "problem.json").read_text())
+        load = statement["loads"][0]["nominal_pressure [Pa]"]
+        x = 2 * numpy.pi * numpy.arange(points) / points
+        field = numpy.tile(load * (1 + numpy.cos(x)), (points, 1)).astype(numpy.float32)
+        _, certificate = imported(problem, submission(problem, [field], f"full-{points}"))
+        answer = certificate["loads"][0]
+        assert answer["mean_gap_error [m]"] < 1e-6 * answer["rms_height [m]"], answer
+
+
+def check_names():
+    """A case in a folder of any name: what is written for other programs has none of its
+    control characters, and every command reads what another wrote."""
+    home = FOLDER / "a\n#SBATCH --hold\x1b\"$(id)"
+    home.mkdir()
+    (home / "case.toml").write_text(CASE.format(material="", load=LOADS, method=""))
+    said = asperity("plan", home / "case.toml", "--slurm", "--out", "slurmed", expected=2)
+    assert "has a control character" in said and not (FOLDER / "slurmed").exists(), said
+    quoted = FOLDER / 'b"$(id)\\'
+    quoted.mkdir()
+    shutil.copy(home / "case.toml", quoted / "case.toml")
+    asperity("plan", quoted / "case.toml", "--slurm", "--out", "slurmed")
+    for script in ("parts.sh", "merge.sh"):
+        name = (FOLDER / "slurmed/slurm" / script).read_text().splitlines()[1]
+        assert name.endswith('b---id--"') and name.count('"') == 2, name
+    asperity("run", home / "case.toml", "--out", "named")
+    asperity("check", home / "case.toml", "--junit", FOLDER / "named.xml", "--out", "checked",
+             expected=2) # the case states no expectation
+    xml.etree.ElementTree.parse(FOLDER / "named.xml")
+    asperity("report", "named")
+    asperity("certify", "named")
+    asperity("problem", home / "case.toml", "--out", "named-problem")
+    assert "\n" not in json.loads((FOLDER / "named-problem/problem.json").read_text())["name"]
+    imported(FOLDER / "named-problem", submission(
+        FOLDER / "named-problem", solved_fields(FOLDER / "named"), "named-answer"))
+    case = FOLDER / "escaped.toml"
+    for entry in ('title = "a\\u0000b"', 'title = "\\u001b[2J"', '"k\\u0007" = 1'):
+        text = CASE.format(material="", load=LOADS, method="")
+        case.write_text(text.replace('title = "A small rough surface"', entry))
+        said = asperity("run", case, "--dry-run", expected=2)
+        assert "escaped.toml:2: " in said and "control characters" in said, said
 
 
 def check_layers():
@@ -260,6 +469,7 @@ def check_layers():
     shutil.copytree(problem, half_space)
     statement = json.loads((problem / "problem.json").read_text())
     statement["body"] |= {"thickness [m]": None, "far_boundary": None, "layers": []}
+    (half_space / "SHA256SUMS").unlink()
     (half_space / "problem.json").write_text(json.dumps(statement))
     (half_space / "case.toml").unlink()
     said, _ = imported(half_space, submission(half_space, pressures, "wrong-body"), expected=1)
@@ -293,6 +503,9 @@ def main():
     check_faults(problem, pressures)
     check_curve(problem)
     check_wrong_results(problem)
+    check_hostile_folders(problem, pressures)
+    check_full_contact()
+    check_names()
     check_layers()
     check_refusals()
 
