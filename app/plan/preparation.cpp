@@ -16,6 +16,7 @@
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
+#include "surfaces/build.hpp"
 
 #include <fmt/format.h>
 
@@ -87,6 +88,22 @@ public:
     scales_.spacing = pressed_.spacing_x();
     std::visit([&](const auto& settings) { examine(settings); },
                method.settings);
+  }
+
+  /// The spectrum of a random surface, whose waves the grid must resolve.
+  void examine_spectrum() {
+    try {
+      if (surfaces::is_random(case_.surface.kind))
+        surfaces::reason_for_whole(case_.surface);
+    } catch (const input::InputError& error) {
+      const std::string what = error.what();
+      if (!what.starts_with("surface."))
+        throw; // names a file and its line
+      mistakes_.add(nearest_node(what.substr(0, what.find(' '))).place, what);
+    } catch (const std::domain_error& error) {
+      mistakes_.add(nearest_node("surface").place,
+                    std::string("surface: ") + error.what());
+    }
   }
 
   void throw_mistakes() const { mistakes_.throw_if_any(); }
@@ -226,20 +243,21 @@ private:
         known != argument_keys.end() && known->table.empty()
             ? cases::entry_of(file_, method_->name, std::string(known->key))
             : nearest_node(path);
-    const std::string what =
-        fmt::format("{} = {}, but must be {}",
-                    path.ends_with("." + refused.name) ? "this" : refused.name,
-                    number_text(refused.value), refused.range);
-    mistakes_.add(
-        node.place,
-        fmt::format("{}{}: {}{}", path,
-                    node.is_table() ? " is not given" : " = " + written(node),
-                    for_method(path), what));
-  }
-
-  /// "fem: " if the path does not name the method.
-  std::string for_method(const std::string& path) const {
-    return path.starts_with(method_->name + ".") ? "" : method_->name + ": ";
+    const bool is_own = path.ends_with("." + refused.name);
+    const std::string value = number_text(refused.value);
+    const std::string found = node.is_table()
+                                  ? fmt::format("{} is not given", path)
+                                  : fmt::format("{} = {}", path, written(node));
+    const std::string is =
+        is_own ? fmt::format("{} {}",
+                             node.is_table() ? " and is" : ", which is", value)
+               : fmt::format(": {}{} = {}",
+                             path.starts_with(method_->name + ".")
+                                 ? ""
+                                 : method_->name + ": ",
+                             refused.name, value);
+    mistakes_.add(node.place, fmt::format("{}{}, but must be {}", found, is,
+                                          refused.range));
   }
 
   /// The node of a path, or the last table on the way to it.
@@ -273,6 +291,8 @@ void require_computable(const cases::Case& contact_case,
   if (grid.points_x < 1)
     return;
   Preparation preparation(contact_case, grid);
+  if (needs_surfaces(methods))
+    preparation.examine_spectrum();
   for (const MethodSpec& method : methods)
     preparation.examine(method);
   preparation.throw_mistakes();

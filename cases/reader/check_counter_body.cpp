@@ -6,21 +6,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace asperity::cases {
 namespace {
 
-/// The block of a method with the smallest edge of its cells, which only gmsh
-/// and the author of a mesh file determine otherwise.
-mechanics::OpposedBlock block_of(const Case& read,
-                                 const mechanics::FemSettings& fem,
-                                 const Grid& grid) {
-  const bool is_divided =
-      !fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh;
-  const int cells = grid.points_x / degree_of(fem.block.element);
-  return {grid.length_x, grid.length_y, fem.full.sides,
-          is_divided ? grid.length_x / cells : 0.0};
+/// The length of the equal cells along a side at the contact surface [m]; 0 if
+/// only gmsh and the author of a mesh file determine it.
+double edge_of(const Case& read, const mechanics::FemSettings& fem,
+               const mechanics::Scales& scales, const Grid& grid) {
+  if (!fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh)
+    return grid.length_x / (grid.points_x / degree_of(fem.block.element));
+  const bool has_columns =
+      read.mesh.cells == mechanics::MeshCells::hexahedra &&
+      (read.mesh.geometry == mechanics::MeshGeometry::block ||
+       read.mesh.geometry == mechanics::MeshGeometry::layered);
+  const double size = read.mesh.size_at_contact.in_si(scales);
+  if (!has_columns || !(size > 0.0))
+    return 0.0;
+  constexpr double roundoff = 1e-9;
+  return grid.length_x /
+         std::max(1.0, std::ceil(grid.length_x / size - roundoff));
 }
 
 /// Where the number of a mistake is written, and how: a default and the radius
@@ -57,7 +64,9 @@ void check_counter_body(const Node& file, const Case& read,
   mechanics::Scales scales;
   scales.length = grid.length_x;
   scales.spacing = grid.spacing_x();
-  const mechanics::OpposedBlock block = block_of(read, fem, grid);
+  const mechanics::OpposedBlock block{grid.length_x, grid.length_y,
+                                      fem.full.sides,
+                                      edge_of(read, fem, scales, grid)};
   const mechanics::CounterBody body =
       mechanics::counter_body_of(*read.mesh.counter, scales, block);
   auto mistake = mechanics::mistake_in(body);

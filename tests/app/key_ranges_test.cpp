@@ -143,6 +143,8 @@ Entries extras_of(const std::string& path, double value) {
     return moving;
   if (path == "mesh.halvings")
     return {value > 6.0 ? "surface.points=16384" : "surface.points=64"};
+  if (path == "surface.points" && value < 8.0)
+    return {"surface.wavelength_short=0.75 length"};
   if (path == "surface.rms_height")
     return {"surface.rms_slope="};
   return {};
@@ -255,10 +257,11 @@ TEST_F(KeyRanges, SayWhichKeyOfABlockDoesNotFit) {
     return answer("", table, entry, 0.0);
   };
 
-  EXPECT_NE(says("fem.depth=0.001 length", "fem")
-                .find("fem.depth = \"0.001 length\": this = 1e-08, but must be "
-                      "at least the thickness of the surface layer"),
-            std::string::npos)
+  EXPECT_NE(
+      says("fem.depth=0.001 length", "fem")
+          .find("fem.depth = \"0.001 length\", which is 1e-08, but must be "
+                "at least the thickness of the surface layer"),
+      std::string::npos)
       << says("fem.depth=0.001 length", "fem");
   EXPECT_NE(
       says("material.layers=[{ thickness = \"2 length\", youngs_modulus = "

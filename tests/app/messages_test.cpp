@@ -60,7 +60,9 @@ TEST_F(Messages, NameTheKeyThatDoesNotFitTheBlock) {
 
   for (const auto& [entries, words] : std::vector<Refused>{
            {"--set fem.depth='0.001 length'",
-            "--set: fem.depth = \"0.001 length\""},
+            "--set: fem.depth = \"0.001 length\", which is "},
+           {"--set surface.points=8 --set surface.wavelength_short='2 h'",
+            "--set: surface.points = 8, but must be >= 10 to resolve"},
            {"--set material.poisson_ratio=0.49995",
             "material.poisson_ratio = 0.49995, but must be between -0.999 and "
             "0.4999"},
