@@ -233,12 +233,15 @@ private:
     const std::string name = refused.name.substr(0, refused.name.find(':'));
     const auto known =
         std::ranges::find(argument_keys, name, &ArgumentKey::argument);
-    const std::string path =
-        known != argument_keys.end()
-            ? (known->table.empty() ? method_->name
-                                    : std::string(known->table)) +
-                  "." + std::string(known->key)
-            : name;
+    std::string path = name;
+    if (known != argument_keys.end())
+      path = fmt::format("{}.{}",
+                         known->table.empty() ? std::string_view(method_->name)
+                                              : known->table,
+                         known->key);
+    if (path == "surface.points" &&
+        case_.surface.kind == mechanics::SurfaceKind::measured)
+      path = "surface.file"; // determines the points
     const Node& node =
         known != argument_keys.end() && known->table.empty()
             ? cases::entry_of(file_, method_->name, std::string(known->key))

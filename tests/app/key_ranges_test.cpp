@@ -153,9 +153,14 @@ Entries extras_of(const std::string& path, double value) {
 class KeyRanges : public FolderTest {
 protected:
   KeyRanges() {
-    std::ofstream map(folder / "map.txt");
-    for (int row = 0; row < 16; ++row) {
-      for (int column = 0; column < 16; ++column)
+    write_map("map.txt", 16);
+    write_map("odd.txt", 15);
+  }
+
+  void write_map(const char* name, int points) const {
+    std::ofstream map(folder / name);
+    for (int row = 0; row < points; ++row) {
+      for (int column = 0; column < points; ++column)
         map << (row * 7 + column * column) % 11 << " ";
       map << "\n";
     }
@@ -278,6 +283,13 @@ TEST_F(KeyRanges, SayWhichKeyOfABlockDoesNotFit) {
       << says(
              "material.variation={ kind = \"function\", factor = \"0.5 - x\" }",
              "material.variation");
+  EXPECT_NE(
+      says("surface={ kind = \"measured\", file = \"odd.txt\", length = 1e-5, "
+           "height_unit = 1e-9, level = \"none\", edges = \"periodic\" }",
+           "fem")
+          .find("surface.file = \"odd.txt\": fem: points = 15, but must be a "
+                "multiple of 2"),
+      std::string::npos);
   EXPECT_NE(says("material.inclusion.depth=3 length", "material.inclusion")
                 .find("material.inclusion.depth = \"3 length\": "),
             std::string::npos);
