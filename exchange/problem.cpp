@@ -5,6 +5,7 @@
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
+#include "mechanics/length_limits.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -208,9 +209,20 @@ void read_heights(const std::filesystem::path& folder,
         fmt::format("{}: must hold finite numbers", file.string()));
   problem.heights = std::move(matrix.numbers);
   problem.rms_height = rms_height(problem.heights);
-  if (!(problem.rms_height > 0.0))
+  if (problem.rms_height == 0.0)
     throw input::InputError(
         fmt::format("{}: the surface is flat", file.string()));
+  for (const double length :
+       {problem.rms_height, grid.length_x, grid.length_y,
+        std::abs(*std::ranges::max_element(
+            problem.heights, {}, [](double h) { return std::abs(h); }))})
+    if (!(length >= mechanics::least_length &&
+          length <= mechanics::largest_length))
+      throw input::InputError(fmt::format(
+          "{}: heights or a side of {:.3g} m, but lengths other than 0 must be "
+          "between {} and {} m",
+          file.string(), length, mechanics::least_length,
+          mechanics::largest_length));
   problem.rms_slope = surfaces::statistics({grid, problem.heights}).rms_slope;
   members.require("/heights/rms_height [m]", problem.rms_height);
   members.require("/heights/rms_slope [1]", problem.rms_slope);

@@ -2,6 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/length_limits.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
@@ -70,7 +71,24 @@ double mean_square_along_x(const SharedRows& rows,
   return sum.value / (static_cast<double>(grid.points_x - 1) * grid.points_y);
 }
 
-/// Refuses a flat map, and heights whose squares are no numbers.
+/// Refuses sides and heights outside the limits of lengths.
+/// @param height  largest magnitude of the heights [m]
+void require_lengths(const SurfaceSpec& surface, const Grid& grid,
+                     double height) {
+  const auto require = [&](const char* what, double length, double least) {
+    if (!(length >= least && length <= mechanics::largest_length))
+      throw input::InputError(
+          fmt::format("{}: {} of {:.3g} m, but lengths other than 0 must be "
+                      "between {} and {} m; check their unit",
+                      surface.file, what, length, mechanics::least_length,
+                      mechanics::largest_length));
+  };
+  require("a side", grid.length_x, mechanics::least_length);
+  require("a side", grid.length_y, mechanics::least_length);
+  require("heights", height, 0.0);
+}
+
+/// Refuses a flat map.
 /// @param before  largest magnitude of the heights before levelling [m]
 /// @param left    the same after it [m]
 void require_relief(const SurfaceSpec& surface, double before, double left) {
@@ -80,17 +98,18 @@ void require_relief(const SurfaceSpec& surface, double before, double left) {
         "{}: the surface is flat: after levelling, heights of up to {:.3g} m "
         "remain, the roundoff of the original {:.3g} m; there is no roughness",
         surface.file, left, before));
-  constexpr double largest = 1e100; // [m]; spectra contain squares
-  if (!(left < largest))
+  if (left < mechanics::least_length)
     throw input::InputError(fmt::format(
-        "{}: heights of up to {:.3g} m, but they must be below {:.0e} m; check "
-        "their unit",
-        surface.file, left, largest));
+        "{}: heights of at most {:.3g} m, but lengths other than 0 must be "
+        "between {} and {} m; check their unit",
+        surface.file, left, mechanics::least_length,
+        mechanics::largest_length));
 }
 
 void level_form(const SurfaceSpec& surface, const SharedRows& rows,
                 std::span<double> heights) {
   const double before = largest_magnitude(rows, heights);
+  require_lengths(surface, rows.grid(), before);
   try {
     remove_trend(rows, heights, surface.level);
   } catch (const std::domain_error& error) {

@@ -6,6 +6,7 @@
 #include "cases/text/toml_text.hpp"
 #include "cases/types/units.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/length_limits.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
 
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 
 namespace asperity::app {
@@ -109,6 +111,12 @@ SurfaceInput line_input(const std::string& file,
     scale.length_unit =
         length_of("--length-unit", with_number(command.length_unit));
   surfaces::LineScan line = surfaces::read_line_scan(file, scale);
+  for (const double height : line.heights)
+    if (!(std::abs(height) <= mechanics::largest_length))
+      throw input::InputError(fmt::format(
+          "{}: a height of {:.3g} m, but lengths must be at most {} m; check "
+          "their unit",
+          file, height, mechanics::largest_length));
   if (command.level != "none" && command.level != "plane" &&
       command.level != "bow")
     throw input::InputError(

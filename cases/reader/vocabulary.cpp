@@ -2,6 +2,7 @@
 
 #include "base/special_numbers.hpp"
 #include "cases/types/expectations.hpp"
+#include "mechanics/length_limits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -184,7 +185,7 @@ Range magnitudes(Dimension dimension, mechanics::ReferenceUnit reference) {
     return any_number();
   case Dimension::length:
   case Dimension::wavevector:
-    return between(1e-16, 1e16);
+    return between(mechanics::least_length, mechanics::largest_length);
   case Dimension::pressure:
     return between(1e-15, 1e21);
   default:

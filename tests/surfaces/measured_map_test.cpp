@@ -57,12 +57,22 @@ TEST(MeasuredMap, FillsMissingPointsUpToTheLimit) {
                            "surface.fill = \"none\" none must be");
 }
 
-TEST(MeasuredMap, RefusesHeightsWhoseSquaresAreNoNumbers) {
-  mechanics::SurfaceSpec surface = surface_of("huge", "1e200", "0");
-  surface.missing_value = -9999.0; // all numbers are heights
-  EXPECT_EQ(refusal_of(surface),
-            surface.file + ": heights of up to 9.98e+190 m, but they must be "
-                           "below 1e+100 m; check their unit");
+// A result with such heights would be refused by every reader.
+TEST(MeasuredMap, HeightsAndSidesHaveTheLimitsOfLengths) {
+  const std::string limits = " m, but lengths other than 0 must be between "
+                             "1e-16 and 1e+16 m; check their unit";
+  mechanics::SurfaceSpec huge = surface_of("huge", "1e200", "0");
+  huge.missing_value = -9999.0; // all numbers are heights
+  EXPECT_EQ(refusal_of(huge), huge.file + ": heights of 1e+191" + limits);
+  mechanics::SurfaceSpec large = surface_of("large", "1e49", "0");
+  large.missing_value = -9999.0;
+  EXPECT_EQ(refusal_of(large), large.file + ": heights of 1e+40" + limits);
+  mechanics::SurfaceSpec wide = surface_of("wide", "1", "0");
+  wide.length = 1e17;
+  EXPECT_EQ(refusal_of(wide), wide.file + ": a side of 1e+17" + limits);
+  mechanics::SurfaceSpec low = surface_of("low", "1", "0");
+  low.height_unit = 1e-40;
+  EXPECT_NE(refusal_of(low).find("heights of at most"), std::string::npos);
 }
 
 /// A message about a number that marks missing points.
