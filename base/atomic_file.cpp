@@ -30,8 +30,10 @@ bool write_all(int file, std::string_view text) {
 /// Writes to what is no file, such as a terminal, a pipe or /dev/null, which a
 /// rename would replace.
 void write_to_device(const std::filesystem::path& path, std::string_view text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
-  if (file < 0)
+  // A pipe that nobody reads is an error, not awaited.
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC | O_NONBLOCK);
+  if (file < 0 || ::fcntl(file, F_SETFL, 0) != 0)
     refuse(path);
   const bool is_written = write_all(file, text);
   const int write_error = errno;

@@ -3,9 +3,11 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/utsname.h>
@@ -65,6 +67,20 @@ missing_folders(const std::filesystem::path& folder) {
   return missing;
 }
 
+/// Refuses a file of that name that no lock has left.
+/// @throws UnusableFolder
+void require_lock_file(const std::filesystem::path& path, int file) {
+  char text[1024];
+  const ssize_t length = pread(file, text, sizeof text, 0);
+  if (length != 0 && std::string_view(text, static_cast<std::size_t>(
+                                                std::max<ssize_t>(length, 0)))
+                             .find("(process ") == std::string_view::npos)
+    throw UnusableFolder(fmt::format(
+        "{} is there already, and no lock of this program has left it; move it "
+        "away, or name another --out",
+        path.string()));
+}
+
 /// Whether the open file still is the one at this path: a former holder removes
 /// the file when it ends.
 bool is_still_at(const std::filesystem::path& path, int file) {
@@ -91,6 +107,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder,
     file_ = FileDescriptor(
         open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
     check(file_.get() >= 0, "cannot write ");
+    require_lock_file(path_, file_.get());
     const bool is_ours = lock_soon(file_.get());
     if (!is_ours && errno == EWOULDBLOCK)
       throw UnusableFolder(fmt::format(

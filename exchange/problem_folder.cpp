@@ -13,7 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <map>
 #include <mutex>
+#include <sstream>
 #include <utility>
 
 #include "exchange/checksums.hpp"
@@ -60,6 +62,31 @@ std::string hdf5_bytes(const Problem& problem, const fs::path& folder) {
     fs::remove(path, ignored);
     throw;
   }
+}
+
+/// The sums of a folder; empty if it has none.
+std::map<std::string, std::string> sums_in(const fs::path& folder) {
+  std::map<std::string, std::string> sums;
+  std::error_code error;
+  if (!fs::is_regular_file(folder / checksum_file, error))
+    return sums;
+  std::istringstream lines(
+      input::read_input_file(folder / checksum_file, input::largest_text_file));
+  for (std::string hash, file; lines >> hash >> file;)
+    sums[file] = hash;
+  return sums;
+}
+
+/// Returns the existing files of a problem's folder.
+std::vector<fs::path> problem_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* name :
+       {"heights.npy", "heights.h5", "heights.txt", "heights.gwy",
+        "reference.json", "problem.schema.json", "case.toml", "README.md",
+        "problem.json", checksum_file})
+    if (fs::exists(fs::symlink_status(folder / name)))
+      files.push_back(folder / name);
+  return files;
 }
 
 Json number_json(double number) {
@@ -115,16 +142,41 @@ std::string body_text(const mechanics::ElasticBlock& body) {
 
 } // namespace
 
+void require_own_problem(const fs::path& folder) {
+  const std::map<std::string, std::string> sums = sums_in(folder);
+  for (const fs::path& file : problem_files_in(folder)) {
+    const auto known = sums.find(file.filename().string());
+    const bool is_own =
+        fs::is_regular_file(fs::symlink_status(file)) &&
+        (file.filename() == checksum_file
+             ? sums.contains("heights.npy")
+             : known != sums.end() &&
+                   known->second == content_hash(read_file(
+                                        file, input::largest_number_file)));
+    if (!is_own)
+      throw input::InputError(fmt::format(
+          "{}: is there already, but not as 'asperity problem' writes it "
+          "(SHA256SUMS); move it away, or name another --out",
+          file.string()));
+  }
+}
+
 void write_problem(const Problem& problem,
                    std::span<const ProblemAnswer> answers,
                    std::span<const ContinuumAnswer> continuum,
                    const std::string& case_text, const fs::path& folder) {
+  require_own_problem(folder);
   fs::create_directories(folder);
-  fs::remove(folder / "problem.json");
+  for (const fs::path& file : problem_files_in(folder))
+    if (file.filename() != checksum_file)
+      fs::remove(file);
   Hashes hashes;
+  // The sums come first, so that the files of a process that is killed are
+  // known as ours.
   const auto write = [&](const std::string& name, const std::string& bytes) {
-    write_file_atomically(folder / name, bytes);
     hashes.emplace_back(name, content_hash(bytes));
+    write_file_atomically(folder / checksum_file, checksum_text(hashes));
+    write_file_atomically(folder / name, bytes);
   };
   const Grid& grid = problem.grid;
   write("heights.npy",
@@ -148,9 +200,7 @@ void write_problem(const Problem& problem,
                     fmt::arg("loads", problem.loads.size()),
                     fmt::arg("first_load", problem.loads.front()),
                     fmt::arg("body", body_text(problem.body))));
-  hashes.emplace_back("problem.json", content_hash(json));
-  write_file_atomically(folder / checksum_file, checksum_text(hashes));
-  write_file_atomically(folder / "problem.json", json);
+  write("problem.json", json);
 }
 
 References read_references(const fs::path& folder) {

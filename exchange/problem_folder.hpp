@@ -13,6 +13,11 @@
 
 namespace asperity::exchange {
 
+/// Requires that what write_problem() would replace is as it wrote it, which
+/// the SHA256SUMS of the folder say.
+/// @throws input::InputError  naming the file that is not, and what to do
+void require_own_problem(const std::filesystem::path& folder);
+
 /// Writes the folder, problem.json last: a folder that has it is complete.
 /// @param answers    one per load of the discrete problem; the first one is
 ///                   given as the example

@@ -199,6 +199,7 @@ void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
     write_file_atomically(site / name, text);
   };
   fs::create_directories(site / "figures");
+  write("board.json", json_text(board));
   std::set<std::string> codes;
   for (const BoardProblem& problem : board) {
     write(problem_page_name(problem.problem.name),
@@ -208,7 +209,6 @@ void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
   }
   for (const std::string& code : codes)
     write(code_page_name(code), html_of(code_page(code, board)));
-  write("board.json", json_text(board));
   write("index.html", html_of(front_page(board)));
 }
 

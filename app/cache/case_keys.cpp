@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 
 namespace asperity::app {
 namespace {
@@ -176,6 +177,7 @@ std::string CaseKeys::of_operator(const std::string& text) const {
 }
 
 std::string hash_of_file(const std::filesystem::path& path) {
+  require_regular_file(path, std::numeric_limits<std::uintmax_t>::max());
   std::ifstream stream(path, std::ios::binary);
   ContentHash hash;
   std::string piece(std::size_t{1} << 20, '\0');

@@ -2,7 +2,7 @@
 
 #include "app/board/board_site.hpp"
 #include "app/run/output.hpp"
-#include "base/folder_lock.hpp"
+#include "app/run/output_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,8 @@ ExitCode build_board(const BoardCommand& command) {
   const std::filesystem::path site =
       command.out.empty() ? std::filesystem::path("out/board-site")
                           : std::filesystem::path(command.out);
-  const FolderLock lock(site, "board " + command.folder);
+  const OutputFolder lock(site, "board " + command.folder,
+                          {"index.html", "board.json", "figures/"});
   const std::vector<BoardProblem> board = read_board(command.folder, site);
   write_site(board, site);
   fmt::print("board: {}\n", (site / "index.html").string());

@@ -6,10 +6,11 @@
 #include "app/cli/commands.hpp"
 #include "app/cli/sweep_commands.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/run/result_outputs.hpp"
 #include "app/run/run_case.hpp"
-#include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
+#include "reports/analysis/verdict.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 
@@ -36,6 +37,7 @@ void require_junit_folder(const std::string& junit) {
   if (fs::is_directory(junit))
     throw input::InputError("--junit " + junit +
                             ": is a folder, but must be a file");
+  require_own_file("--junit", junit, reports::junit_root);
 }
 
 /// Throws if an option for cases was given and no target is a case.
@@ -126,7 +128,9 @@ private:
                               read.found.file.parent_path().filename()
                         : folder_of(read.found.name, command_.out,
                                     command_.targets.size());
-      const FolderLock lock(folder, "check " + read.found.name);
+      const OutputFolder lock(folder, "check " + read.found.name,
+                              run_outputs(read.contact_case),
+                              input_files(read.contact_case));
       if (run_case(read.contact_case,
                    {folder, command_.methods, false, command_.threads,
                     read.reference, &cache_})

@@ -17,8 +17,8 @@
 #include "app/run/last_run.hpp"
 #include "app/run/mpi_world.hpp"
 #include "app/run/output.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/run/result_outputs.hpp"
-#include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
 #include "reports/pages/paper_report.hpp"
@@ -131,11 +131,12 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
   const std::size_t n_targets = command.cases.size();
   ExitCode end = exit_good;
   std::vector<RunPart> parts;
-  std::optional<FolderLock> collection_lock;
+  std::optional<OutputFolder> collection_lock;
   if (is_collection) {
     const fs::path folder =
         folder_of(asked.found.collection, command.out, n_targets);
-    collection_lock.emplace(folder, "run " + asked.found.collection);
+    collection_lock.emplace(folder, "run " + asked.found.collection,
+                            report_outputs());
     remove_report(folder); // belongs to the parts of the last run
   }
   for (const ReadCase& read : asked.cases) {
@@ -144,7 +145,9 @@ ExitCode run_asked(const Asked& asked, const RunCommand& command, Cache& cache,
             ? folder_of(asked.found.collection, command.out, n_targets) /
                   read.found.file.parent_path().filename()
             : folder_of(read.found.name, command.out, n_targets);
-    const FolderLock lock(folder, "run " + read.found.name);
+    const OutputFolder lock(folder, "run " + read.found.name,
+                            run_outputs(read.contact_case),
+                            input_files(read.contact_case));
     const RunOptions options = options_of(read, folder, command, cache);
     const ExitCode ended =
         command.target_error.empty()
@@ -250,7 +253,8 @@ ExitCode report_results(const ReportCommand& command) {
                           : paths.size() > 1        ? fs::path("out/comparison")
                           : fs::is_directory(first) ? first
                                                     : first.parent_path() / ".";
-  const FolderLock lock(folder, "report");
+  const OutputFolder lock(folder, "report", report_outputs(),
+                          {paths.begin(), paths.end()});
   for (const std::string& failure :
        reports::write_report(read, folder, "gnuplot", extras))
     fmt::print(stderr, "figure not drawn: {}\n", failure);

@@ -1,9 +1,10 @@
 #include "app/cli/import_command.hpp"
 
 #include "app/answers/imported_answer.hpp"
+#include "app/run/last_run.hpp"
 #include "app/run/output.hpp"
+#include "app/run/output_folder.hpp"
 #include "base/atomic_file.hpp"
-#include "base/folder_lock.hpp"
 #include "base/special_numbers.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
@@ -16,6 +17,8 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace asperity::app {
 namespace {
@@ -119,7 +122,12 @@ ExitCode import_submission(const ImportCommand& command) {
       command.out.empty()
           ? fs::path("out") / (answer.method + "-" + problem.name)
           : fs::path(command.out);
-  const FolderLock lock(folder, "import " + command.submission);
+  std::vector<fs::path> inputs = files_in(command.problem);
+  for (fs::path& file : files_in(command.submission))
+    inputs.push_back(std::move(file));
+  const OutputFolder lock(folder, "import " + command.submission,
+                          result_outputs(), inputs);
+  put_last_run_aside(folder);
   write_import(folder, case_info(problem, surface, command.problem), surface,
                answer);
   const std::string json = answer_json(answer).dump(2) + "\n";

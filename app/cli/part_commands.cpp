@@ -10,9 +10,9 @@
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
 #include "app/run/mpi_world.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/sweeps/earlier_run.hpp"
 #include "app/sweeps/sweep_run.hpp"
-#include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 
@@ -62,7 +62,11 @@ bool has_full_block(const cases::Case& contact_case,
 /// Removes what an earlier run has left for one that does not resume it.
 void clear_for_ranks(const fs::path& folder, bool is_sweep) {
   put_last_run_aside(folder);
-  fs::remove_all(folder / "parts");
+  std::error_code ignored;
+  for (const auto& part : fs::directory_iterator(folder / "parts", ignored))
+    if (fs::exists(part.path() / "part.json"))
+      fs::remove_all(part.path());
+  fs::remove(folder / "parts", ignored); // fails if files of others are there
   if (is_sweep)
     put_points_aside(folder);
 }
@@ -147,8 +151,9 @@ ExitCode run_part(const std::vector<Asked>& asked, const RunCommand& command,
   const PartRecord& record = records[static_cast<std::size_t>(part.number) - 1];
   const fs::path folder = folder_of(record.case_name, command.out, 1);
   const fs::path own = folder / part_folder(part);
-  const FolderLock lock(
-      own, fmt::format("run {} --part {}", record.case_name, command.part));
+  const OutputFolder lock(
+      own, fmt::format("run {} --part {}", record.case_name, command.part),
+      result_outputs());
   write_part_record(record, folder);
   fmt::print("{}, part {} of {}: {} {}\n", record.case_name, part.number,
              part.count, record.is_sweep ? "points" : "realisations",
@@ -191,7 +196,8 @@ ExitCode run_over_ranks(const Asked& asked, const RunCommand& command,
       static_cast<int>(part_records(asked, request, 0).size());
   const std::vector<PartRecord> records =
       part_records(asked, request, std::min(n_members, n_mpi_ranks()));
-  const FolderLock lock(folder, "run " + records.front().case_name);
+  const OutputFolder lock(folder, "run " + records.front().case_name,
+                          asked.sweep ? sweep_outputs() : result_outputs());
   if (!command.resume)
     clear_for_ranks(folder, asked.sweep.has_value());
   RankedRun run{run_words(records.front(), absolute_path(folder)), {}, {}};
@@ -218,7 +224,7 @@ ExitCode merge_parts(const MergeCommand& command) {
   const fs::path folder = command.folder;
   if (!fs::is_directory(folder))
     throw input::InputError(folder.string() + ": there is no such folder");
-  const FolderLock lock(folder, "merge");
+  const OutputFolder lock(folder, "merge", sweep_outputs());
   const WholeRun run = read_whole_run(folder);
   fmt::print("{}: {} parts\n", run.parts.front().case_name, run.parts.size());
   const ExitCode end =

@@ -2,6 +2,7 @@
 
 #include "app/answers/reference_answers.hpp"
 #include "app/asked/asked_cases.hpp"
+#include "app/run/output_folder.hpp"
 #include "base/folder_lock.hpp"
 #include "base/shown_number.hpp"
 #include "input/input_error.hpp"
@@ -50,6 +51,14 @@ ExitCode write_problem_of(const ProblemCommand& command) {
           ? std::filesystem::path("out") / read.found.name / "problem"
           : std::filesystem::path(command.out);
   const FolderLock lock(folder, "problem " + read.found.name);
+  for (const std::filesystem::path& file : files_in(folder))
+    for (const std::filesystem::path& input : input_files(read.contact_case))
+      if (std::filesystem::equivalent(file, input))
+        throw input::InputError(fmt::format(
+            "{}: is read by this command, so that its folder cannot be "
+            "written; name another --out",
+            file.string()));
+  exchange::require_own_problem(folder);
   std::optional<AnsweredProblem> answered;
   try {
     answered = answered_problem(read.contact_case, command.method);

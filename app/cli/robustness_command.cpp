@@ -2,9 +2,9 @@
 
 #include "app/asked/case_library.hpp"
 #include "app/run/output.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"
-#include "base/folder_lock.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
 
@@ -144,7 +144,9 @@ ExitCode run_source(const Source& source, const RobustnessCommand& command,
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Instance> instances = instances_of(source, command);
   const fs::path folder = fs::path(command.out) / source.name;
-  const FolderLock lock(folder, "robustness");
+  const OutputFolder lock(folder, "robustness",
+                          {"stress.csv", "stress.json", "stress.html"},
+                          {source.word});
   const Results results = results_of(instances, command, folder);
   robustness::Matrix matrix;
   for (const auto& [index, result] : results)

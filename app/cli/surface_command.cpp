@@ -2,8 +2,9 @@
 
 #include "app/asked/option_quantity.hpp"
 #include "app/cli/surface_input.hpp"
-#include "base/folder_lock.hpp"
+#include "app/run/output_folder.hpp"
 #include "base/plain_text.hpp"
+#include "base/read_file.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/summary.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -19,7 +20,9 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
+#include <unistd.h>
 #include <utility>
 
 namespace asperity::app {
@@ -36,14 +39,43 @@ void require_known_ending(const fs::path& file) {
     throw input::InputError(fmt::format("--write {}: the name must end with {}",
                                         file.string(),
                                         surfaces::written_map_endings()));
+  if (fs::exists(fs::symlink_status(file)))
+    try {
+      require_regular_file(file, std::numeric_limits<std::uintmax_t>::max());
+    } catch (const FileError& error) {
+      throw input::InputError(fmt::format("--write {}", error.what()));
+    }
 }
 
+bool has_same_bytes(const fs::path& one, const fs::path& other) {
+  constexpr auto any = std::numeric_limits<std::uintmax_t>::max();
+  return fs::file_size(one) == fs::file_size(other) &&
+         read_file(one, any) == read_file(other, any);
+}
+
+/// Writes the map, unless the file is there: a file says nowhere that we wrote
+/// it, and may be the measurement itself. The same map may be written again.
 void write_converted(const SurfaceCommand& command,
                      const reports::SurfaceReport& report) {
   if (report.parts() != 1 || report.maps.empty())
     throw input::InputError("--write converts one map; give one map file");
   const surfaces::MapAnalysis& map = report.maps.front();
-  surfaces::write_map(command.write, map.map, map.name);
+  const fs::path target = command.write;
+  const fs::path made =
+      fs::exists(fs::symlink_status(target))
+          ? target.parent_path() /
+                fmt::format(".{}.{}", ::getpid(), target.filename().string())
+          : target;
+  surfaces::write_map(made, map.map, map.name);
+  if (made != target) {
+    const bool is_same = has_same_bytes(made, target);
+    fs::remove(made);
+    if (!is_same)
+      throw input::InputError(fmt::format(
+          "--write {}: is there already, with other content; move it away, or "
+          "name another file",
+          command.write));
+  }
   fmt::print(
       "written: {} (heights in m, {:.6g} x {:.6g} m; levelled as above, keep "
       "them as measured by --level none)\n",
@@ -231,7 +263,10 @@ ExitCode inspect_surface(const SurfaceCommand& command) {
   if (!has_report)
     return exit_good;
   const fs::path folder = folder_of(command, report);
-  const FolderLock lock(folder, "surface " + report.title);
+  const OutputFolder lock(
+      folder, "surface " + report.title,
+      {"spectrum.txt", "surface.json", "report.html", "figures/"},
+      {command.inputs.begin(), command.inputs.end()});
   for (const std::string& problem : write_surface_report(report, folder))
     fmt::print(stderr, "warning: figure {}\n", problem);
   fmt::print("report: {}\n", (folder / "report.html").string());

@@ -2,10 +2,10 @@
 
 #include "app/cache/cache.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/sweeps/earlier_run.hpp"
 #include "app/sweeps/sweep_plan.hpp"
 #include "app/sweeps/sweep_run.hpp"
-#include "base/folder_lock.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/sweeps/sweep_report.hpp"
@@ -116,7 +116,8 @@ ExitCode run_asked_sweep(const AskedSweep& asked, const RunCommand& command,
     throw input::InputError("--target-error: " + asked.sweep.path +
                             " is a sweep, but a target error is met for one "
                             "case; --set sweep= removes the sweep");
-  const FolderLock lock(folder, "run " + asked.sweep.name);
+  const OutputFolder lock(folder, "run " + asked.sweep.name, sweep_outputs(),
+                          {asked.sweep.path});
   const SweepOutcome outcome = run_to(asked, command, folder);
   ExitCode end = outcome.worst;
   if (!command.no_report)
@@ -148,7 +149,7 @@ ExitCode report_sweep(const fs::path& folder, const std::string& out,
                       const reports::ReportExtras& extras) {
   const reports::SweepRecord record = reports::read_sweep_record(folder);
   const fs::path target = out.empty() ? folder : fs::path(out);
-  const FolderLock lock(target, "report");
+  const OutputFolder lock(target, "report", report_outputs());
   print_undrawn(
       reports::write_sweep_report(record, folder, target, false, extras));
   fmt::print("report: {}\n", (target / "report.html").string());
@@ -174,7 +175,8 @@ void add_sweep_answer(JsonAnswer& answer, const fs::path& folder,
 
 void check_asked_sweep(const AskedSweep& asked, const RunCommand& command,
                        const fs::path& folder, Checks& checks) {
-  const FolderLock lock(folder, "check " + asked.sweep.name);
+  const OutputFolder lock(folder, "check " + asked.sweep.name, sweep_outputs(),
+                          {asked.sweep.path});
   const SweepOutcome outcome = run_to(asked, command, folder);
   const reports::SweepReport report =
       reports::write_sweep_report(outcome.record, folder, folder, true);

@@ -162,7 +162,7 @@ std::optional<KeptNumbers> cached_numbers(const std::string& key,
 }
 
 void write_output(const fs::path& folder, const OutputFiles& files) {
-  for (const auto& [file, bytes] : files) {
+  const auto write = [&](const std::string& file, const std::string& bytes) {
     const fs::path path = folder / file;
     fs::create_directories(path.parent_path());
     const fs::path part = temporary_beside(path);
@@ -172,13 +172,21 @@ void write_output(const fs::path& folder, const OutputFiles& files) {
     stream << bytes;
     stream.close();
     if (stream && std::rename(part.c_str(), path.c_str()) == 0)
-      continue;
+      return;
     const int error = errno;
     std::error_code ignored;
     fs::remove(part, ignored);
     throw std::system_error(error, std::generic_category(),
                             "cannot write " + path.string());
-  }
+  };
+  // By this file the others are known as ours if not all can be written
+  // (app/run/output_folder.hpp).
+  const std::string first = "methods.txt";
+  if (const auto mark = files.find(first); mark != files.end())
+    write(mark->first, mark->second);
+  for (const auto& [file, bytes] : files)
+    if (file != first)
+      write(file, bytes);
 }
 
 } // namespace asperity::app

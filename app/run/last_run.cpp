@@ -1,5 +1,6 @@
 #include "app/run/last_run.hpp"
 
+#include "app/run/output_folder.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -7,8 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace asperity::app {
 namespace {
@@ -17,30 +16,24 @@ namespace fs = std::filesystem;
 
 constexpr const char* held_folder = ".last-run";
 
-/// Appends the figures of a report below a folder.
+/// Appends the figures of a report below a folder. Other pictures stay.
 void append_figures(const fs::path& folder, std::vector<fs::path>& files) {
-  constexpr std::array<std::string_view, 5> endings{".svg", ".gp", ".csv",
-                                                    ".pdf", ".png"};
   std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    const std::string ending = entry.path().extension().string();
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
     if ((!entry.is_directory() || entry.is_symlink()) &&
-        std::ranges::find(endings, ending) != endings.end())
+        !figure_script_of(entry.path()).empty())
       files.push_back(entry.path());
-  }
 }
 
 /// Returns the files of the report in a folder that exist.
 std::vector<fs::path> report_files(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const char* name :
-       {"curves.csv", "times.csv", "summary.json", "report.html", "report.pdf",
-        "methods.txt", "methods.bib", "paper.json", "output.json"})
-    if (fs::exists(fs::symlink_status(folder / name, error)))
+  for (const std::string& name : report_outputs())
+    if (name.ends_with('/'))
+      append_figures(folder / name.substr(0, name.size() - 1), files);
+    else if (fs::exists(fs::symlink_status(folder / name, error)))
       files.push_back(folder / name);
-  append_figures(folder / "figures", files);
-  append_figures(folder / "journal", files);
   return files;
 }
 
@@ -95,9 +88,10 @@ std::string files_of_method(const std::string& method, int realization) {
 LastRun::LastRun(fs::path folder, const std::vector<std::string>& new_folders)
     : folder_(std::move(folder)) {
   const fs::path last = folder_ / "result.h5";
-  if (fs::exists(last)) {
-    fs::remove_all(folder_ / held_folder); // of a run that was killed
-    std::vector<fs::path> files = report_files(folder_);
+  // Without a result, the report is that of a comparison or of a collection.
+  std::vector<fs::path> files = report_files(folder_);
+  const bool has_result = fs::exists(last);
+  if (has_result)
     try {
       results::settle_result(folder_);
       const results::Result result =
@@ -108,9 +102,12 @@ LastRun::LastRun(fs::path folder, const std::vector<std::string>& new_folders)
     } catch (const input::InputError& error) {
       fmt::print("the previous result cannot be read: {}\n", error.what());
     }
-    for (const fs::path& file : files)
-      move_aside(file);
-    remove_empty_folders(folder_);
+  if (!files.empty() || has_result)
+    fs::remove_all(folder_ / held_folder); // of a run that was killed
+  for (const fs::path& file : files)
+    move_aside(file);
+  remove_empty_folders(folder_);
+  if (has_result) {
     aside_ = folder_ /
              (is_complete_ ? "result.previous.h5" : "result.unfinished.h5");
     if (fs::exists(aside_))

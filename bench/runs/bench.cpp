@@ -5,8 +5,8 @@
 #include "app/plan/preparation.hpp"
 #include "app/plan/skipped.hpp"
 #include "app/run/interrupt.hpp"
+#include "app/run/output_folder.hpp"
 #include "app/run/remaining_work.hpp"
-#include "base/folder_lock.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/provenance.hpp"
@@ -207,7 +207,10 @@ ExitCode bench_case(const BenchCommand& command) {
   const fs::path folder = command.out.empty()
                               ? fs::path("out") / contact_case.name / "bench"
                               : fs::path(command.out);
-  const FolderLock lock(folder, "bench " + contact_case.name);
+  const OutputFolder lock(
+      folder, "bench " + contact_case.name,
+      {"bench.json", "bench.csv", "report.html", "figures/", "runs/"},
+      input_files(contact_case));
   catch_interrupts();
   std::vector<std::string> common = subject.overrides;
   common.insert(common.end(), sweep.common.begin(), sweep.common.end());

@@ -56,6 +56,9 @@ std::string published_line(const PublishedValue& published);
 /// expectations has one test case, which is skipped.
 std::string junit_xml(std::span<const Summary> summaries);
 
+/// Text by which a file of junit_xml() is recognised.
+inline constexpr const char* junit_root = "<testsuites name=\"asperity\"";
+
 /// Writes fits with intervals and windows, expectations and published numbers
 /// with verdicts, timings and provenance. Numbers that do not exist are null.
 std::string summary_json(const Summary& summary);

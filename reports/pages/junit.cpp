@@ -129,6 +129,7 @@ std::string junit_xml(std::span<const Summary> summaries) {
   set(declaration, "version", "1.0");
   set(declaration, "encoding", "UTF-8");
   pugi::xml_node suites = document.append_child("testsuites");
+  set(suites, "name", "asperity");
   for (const Summary& summary : summaries) {
     pugi::xml_node suite = suites.append_child("testsuite");
     set(suite, "name", summary.case_name);

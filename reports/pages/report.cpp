@@ -196,6 +196,7 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   if (entries.empty())
     return {};
   std::filesystem::create_directories(folder);
+  write_methods_text(entries, folder);
   std::vector<std::string> problems;
   std::vector<DrawnGroup> own_groups;
   std::vector<DrawnGroup>& drawn_groups =
@@ -210,7 +211,6 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                  *entries.front().contact_case)));
   else
     write_comparison(entries, folder);
-  write_methods_text(entries, folder);
   write_file_atomically(folder / "report.html",
                         html_page(entries, drawn_groups));
   if (extras.has_pdf)

@@ -126,7 +126,8 @@ nlohmann::ordered_json surface_json(const SurfaceReport& report) {
   Json ratios = Json::array();
   for (const double ratio : report.stitched.ratios)
     ratios.push_back(number(ratio));
-  Json object{{"schema", 1},
+  Json object{{"format", "asperity-surface"},
+              {"schema", 1},
               {"title", report.title},
               {"maps", maps},
               {"lines", lines},

@@ -174,10 +174,11 @@ std::string surface_page(const SurfaceReport& report,
 std::vector<std::string>
 write_surface_report(const SurfaceReport& report,
                      const std::filesystem::path& folder) {
-  const std::vector<DrawnGroup> groups = drawn(figure_sets(report), folder);
+  std::filesystem::create_directories(folder);
   write_file_atomically(folder / "spectrum.txt", spectrum_text(report));
   write_file_atomically(folder / "surface.json",
                         surface_json(report).dump(1) + "\n");
+  const std::vector<DrawnGroup> groups = drawn(figure_sets(report), folder);
   write_file_atomically(folder / "report.html", surface_page(report, groups));
   std::vector<std::string> problems;
   for (const DrawnGroup& group : groups)

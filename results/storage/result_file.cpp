@@ -136,6 +136,7 @@ void ResultFile::write_journal_into(Hdf5File& file) const {
 /// Replaces the file by the one that `make_part` creates.
 void ResultFile::replace(const std::function<void()>& make_part) {
   try {
+    fs::remove(part_); // left by a process that was killed
     make_part();
     rename_to_disk(part_, path_);
   } catch (...) {

@@ -191,6 +191,26 @@ def check_right_answers(problem, pressures):
         assert row["pressure_difference [1]"] < 1e-6, row
 
 
+def check_over_a_run(problem, pressures):
+    """An import keeps the result of a run in its folder, but not its report."""
+    out = problem.parent / "over-a-run"
+    asperity("run", problem / "case.toml", "--out", out)
+    before = (out / "result.h5").read_bytes()
+    folder = submission(problem, pressures, "over")
+
+    asperity("import", folder, "--problem", problem, "--out", out)
+
+    assert (out / "result.previous.h5").read_bytes() == before
+    for name in ("report.html", "curves.csv", "summary.json", "output.json"):
+        assert not (out / name).exists(), name
+    foreign = problem.parent / "foreign"
+    foreign.mkdir()
+    (foreign / "report.html").write_text("mine")
+    said = asperity("import", folder, "--problem", problem, "--out", foreign, expected=2)
+    assert "foreign/report.html: is there already" in said, said
+    assert [path.name for path in foreign.iterdir()] == ["report.html"]
+
+
 def check_faults(problem, pressures):
     """Faults in a submission: the message of the program and its exit code."""
     areas = [(p > 0).mean() for p in pressures]
@@ -500,6 +520,7 @@ def main():
     pressures = solved(problem)
     check_example(problem, pressures)
     check_right_answers(problem, pressures)
+    check_over_a_run(problem, pressures)
     check_faults(problem, pressures)
     check_curve(problem)
     check_wrong_results(problem)
