@@ -5,7 +5,7 @@
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
-#include "mechanics/length_limits.hpp"
+#include "mechanics/limits.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "surfaces/maps/statistics.hpp"
 

@@ -1,8 +1,13 @@
 #pragma once
 
-// Limits of numbers that both the keys of a case and the computations have.
+// Limits of numbers that the keys of a case, the computations, files of heights and
+// problems for other programs have in common: what one command computes the others
+// read.
 
 namespace asperity::mechanics {
+
+inline constexpr double least_length = 1e-16;  ///< magnitude other than 0 [m]
+inline constexpr double largest_length = 1e16; ///< magnitude [m]
 
 /// Poisson's ratio of an elastic material [1]: E and nu give moduli that are
 /// positive, and not so different that roundoff decides.

@@ -2,7 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
-#include "mechanics/length_limits.hpp"
+#include "mechanics/limits.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"

@@ -6,7 +6,7 @@
 #include "cases/text/toml_text.hpp"
 #include "cases/types/units.hpp"
 #include "input/input_error.hpp"
-#include "mechanics/length_limits.hpp"
+#include "mechanics/limits.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "base/special_numbers.hpp"
 #include "cases/types/expectations.hpp"
-#include "mechanics/length_limits.hpp"
+#include "mechanics/limits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
