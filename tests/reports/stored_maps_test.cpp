@@ -36,7 +36,11 @@ protected:
                                            made.contact_modulus,
                                            "",
                                            {}});
-    writer.record_surface(0, made.surfaces.at(0));
+    results::SurfaceRecord surface = made.surfaces.at(0);
+    surface.rms_curvature = surface.skewness = surface.kurtosis =
+        results::not_given; // not stated: a synthetic result has those of a
+                            // Gaussian
+    writer.record_surface(0, surface);
     for (const results::MethodRecord& method : made.methods) {
       writer.begin_method(method.name, method.kind, method.description);
       const results::Curve& curve = method.realizations.at(0);
