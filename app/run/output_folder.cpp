@@ -50,6 +50,7 @@ bool is_own_folder(const fs::path& folder) {
       {"methods.txt", " with Asperity "},
       {"paper.json", "\"asperity-paper\""},
       {"sweep.json", "\"asperity-sweep\""},
+      {"sweep.csv", ",status,method,quantity,value,half_width_95,"},
       {"bench.json", "\"asperity-bench\""},
       {"runs/last-run.log", ""}, // of a bench that was interrupted
       {"surface.json", "\"asperity-surface\""},

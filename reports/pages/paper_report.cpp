@@ -203,6 +203,7 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   page.set("lead", lead);
   page.set("notices", notices_of(parts));
   const PaperTable table = paper_table(parts);
+  write_file_atomically(folder / "paper.json", paper_json(parts, table, title));
   page.set("banner", table.banner());
   List rows;
   for (const PaperRow& row : table.rows)
@@ -225,7 +226,6 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
     if (const std::string problem = print_report(text(true), folder);
         !problem.empty())
       problems.push_back(problem);
-  write_file_atomically(folder / "paper.json", paper_json(parts, table, title));
   return problems;
 }
 

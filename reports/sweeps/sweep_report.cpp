@@ -208,6 +208,8 @@ SweepReport write_sweep_report(const SweepRecord& record,
                                const std::string& gnuplot) {
   SweepReport report{read_swept_results(record, folder, is_trusted), {}};
   const Results& results = report.results;
+  std::filesystem::create_directories(out);
+  write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   const auto drawn = [&](const char* heading,
                          const std::vector<Figure>& figures) {
     return drawn_group(heading, figures, {out, extras, gnuplot},
@@ -220,7 +222,6 @@ SweepReport write_sweep_report(const SweepRecord& record,
       drawn("Maps over both keys", sweep_heat_maps(record, results)));
   std::erase_if(groups,
                 [](const DrawnGroup& group) { return group.figures.empty(); });
-  write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   write_file_atomically(out / "report.html",
                         page_text(record, results, groups, false));
   if (extras.has_pdf)

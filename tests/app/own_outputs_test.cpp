@@ -85,6 +85,8 @@ TEST_F(OwnOutputs, FilesOfOthersAreRefusedByEveryCommand) {
 }
 
 TEST_F(OwnOutputs, OurFilesAreReplaced) {
+  write("swept.toml",
+        std::string(small_case) + "[sweep]\n\"surface.seed\" = [1, 2]\n");
   write("quick.toml",
         std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
   for (const std::string& command :
@@ -95,7 +97,9 @@ TEST_F(OwnOutputs, OurFilesAreReplaced) {
         "surface map.txt" + scale + "--no-report --write d.npy",
         "surface map.txt" + scale + "--no-report --write d.h5",
         std::string("problem small.toml --set surface.points=32 --out e"),
-        std::string("robustness --instances 2 --out g")}) {
+        std::string("robustness --instances 2 --out g"),
+        "run swept.toml " + quick + "--out h", std::string("report h"),
+        std::string("report h --out i")}) {
     expect_good(command);
     expect_good(command);
   }
