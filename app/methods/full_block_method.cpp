@@ -79,6 +79,9 @@ public:
     costs.linear_iterations = solution.linear_iterations;
     costs.preconditioner_setups = solution.preconditioner_setups;
     costs.memory = solution.memory;
+    const double elastic_energy = solution.elastic_energy;
+    const double contact_energy = solution.contact_energy;
+    const auto [centre_x, centre_y] = solution.pressure_centre;
     const double penalty_compliance =
         contact_.law == mechanics::ContactLaw::penalty ? 1.0 / contact_.penalty
                                                        : 0.0;
@@ -89,6 +92,12 @@ public:
          results::Border::periodic, surface_.has_middle},
         surface_);
     answer.row.area_fraction = area;
+    answer.row.elastic_energy = elastic_energy;
+    answer.row.contact_energy = contact_energy;
+    if (surface_.has_middle) {
+      answer.row.pressure_centre_x = centre_x;
+      answer.row.pressure_centre_y = centre_y;
+    }
     if (!resolves_boundary) // quadrature points between the nodes do not
                             // resolve the contact boundary
       answer.row.area_fraction_corrected = area;

@@ -75,6 +75,15 @@ struct BlockSolution {
   double residual = 0.0;
   /// Area of the points under pressure over that of the contact surface [1].
   double area_by_points = 0.0;
+  /// Sums over the contact points, which the samples on the grid of a second-
+  /// order mesh would give wrongly: their nodes have unequal areas.
+  double elastic_energy = 0.0; ///< of the block, per nominal area [J/m^2]
+  double contact_energy = 0.0; ///< of the penalty springs, likewise
+  /// Place of the resultant force from the node in column points_x / 2 and row
+  /// points_y / 2 of the grid [m]; NaN without contact.
+  std::array<double, 2> pressure_centre{
+      std::numeric_limits<double>::quiet_NaN(),
+      std::numeric_limits<double>::quiet_NaN()};
   /// Whether the points under pressure are exactly the grid's nodes under
   /// pressure.
   bool is_contact_on_grid = true;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -125,6 +126,36 @@ void ContactNewton::leave_contact(BlockSolution& answer) {
   answer.converged = true;
 }
 
+/// Writes the energies and the place of the resultant force.
+void ContactNewton::add_up(const BlockContact& contact,
+                           BlockSolution& answer) const {
+  const Grid& grid = system_.grid();
+  const dealii::Point<2> middle(grid.points_x / 2 * grid.spacing_x(),
+                                grid.points_y / 2 * grid.spacing_y());
+  // Of a: w; of a p: 1, x, y, w, p.
+  std::array<double, 6> sums{};
+  for (std::size_t i = 0; i < pressure_.size(); ++i) {
+    const ContactPoint& point = system_.contact()[i];
+    const double force = point.area * pressure_[i];
+    const std::array terms{point.area * face_displacement_[i],
+                           force,
+                           force * (point.place[0] - middle[0]),
+                           force * (point.place[1] - middle[1]),
+                           force * face_displacement_[i],
+                           force * pressure_[i]};
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      sums[k] += terms[k];
+  }
+  for (double& value : sums)
+    value = sum(value, MPI_COMM_WORLD);
+  const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
+  answer.elastic_energy = 0.5 * (work - force * displacement / area()) / area();
+  if (contact.law == mechanics::ContactLaw::penalty)
+    answer.contact_energy = 0.5 * square / (contact.penalty * area());
+  if (force > 0.0)
+    answer.pressure_centre = {moment_x / force, moment_y / force};
+}
+
 void ContactNewton::solve(std::vector<double> heights, double height_scale,
                           const mechanics::LoadTarget& load,
                           const BlockContact& contact, BlockSolution& answer) {
@@ -158,6 +189,7 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   for (std::size_t i = 0; i < pressure_.size(); ++i)
     touching += pressure_[i] > 0.0 ? system_.contact()[i].area : 0.0;
   answer.area_by_points = sum(touching, MPI_COMM_WORLD) / area();
+  add_up(contact, answer);
   answer.mean_gap = mean_gap();
   answer.nominal_pressure = borne() / area();
   answer.residual = larger_residual(answer.residual, unbalanced());

@@ -134,6 +134,7 @@ private:
   int n_changed(const std::vector<bool>& a, const std::vector<bool>& b) const;
   void report_step(int iterations, double residual, int changed_points);
   void report();
+  void add_up(const BlockContact& contact, BlockSolution& answer) const;
   void find_imbalance();
   double largest_force() const; ///< maximum over the points [N]
   double unbalanced();
