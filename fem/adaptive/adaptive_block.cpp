@@ -162,7 +162,7 @@ BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   }
   BlockContact contact = step.contact;
   contact.tolerance = std::max(tolerance, contact.tolerance);
-  BlockSolution found = block_->solve(step.heights, load, contact);
+  BlockSolution found = block_->solve_contact(step.heights, load, contact);
   found.mean_gap += missed;
   return found;
 }
@@ -206,6 +206,8 @@ BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
   while (pass++ < most_passes && change_mesh(total, step, pass == 1));
   const bool is_settled = pass <= most_passes;
   solve_pass(0.0);
+  total.estimated_gap_error =
+      block_->estimated_gap_error(total, problem_.adaptive->moduli_ratio);
   if (!is_settled && total.note.empty())
     total.note = fmt::format("the mesh still changed after {} passes", pass);
   return total;

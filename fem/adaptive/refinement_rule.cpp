@@ -1,6 +1,6 @@
 #include "fem/adaptive/refinement_rule.hpp"
 
-#include "fem/adaptive/stress_indicator.hpp"
+#include "fem/solution/stress_indicator.hpp"
 #include "fem/block/block_triangulation.hpp"
 
 #include <deal.II/base/mpi.h>

@@ -73,6 +73,9 @@ struct BlockSolution {
   /// Larger of the violation of the gap over h_rms and the largest unbalanced
   /// nodal force over the largest contact force [1].
   double residual = 0.0;
+  /// Estimate of the error of mean_gap by the mesh (solution/gap_error.hpp)
+  /// [m] >= 0; NaN without contact, or if the step has not converged.
+  double estimated_gap_error = std::numeric_limits<double>::quiet_NaN();
   /// Area of the points under pressure over that of the contact surface [1].
   double area_by_points = 0.0;
   /// Sums over the contact points, which the samples on the grid of a second-

@@ -99,6 +99,15 @@ public:
     return rigid_gap_ + face_displacement_[i] - heights_[i];
   }
 
+  /// The response of the block to a unit of approach, for the points in contact
+  /// in the last step [1], with zeros at constrained unknowns, and the force
+  /// that it takes [N/m]; zero before the first step.
+  const dealii::TrilinosWrappers::MPI::Vector& response_to_approach() const {
+    return by_approach_;
+  }
+
+  double approach_stiffness() const { return approach_stiffness_; }
+
   double mean_gap() const; ///< weighted by the area of all points [m]
 
 private:
@@ -208,6 +217,7 @@ private:
   // Responses in the last step, used as initial guesses in the next one.
   dealii::TrilinosWrappers::MPI::Vector by_imbalance_, by_approach_,
       by_far_pressure_;
+  double approach_stiffness_ = 0.0; ///< the force of by_approach_ [N/m]
 };
 
 } // namespace asperity::fem

@@ -247,6 +247,7 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
 
   Border scalars;
   scalars.force_d = sums[4];
+  approach_stiffness_ = -sums[4];
   scalars.force_pressure = sums[5] - area();
   scalars.force_right = far_pressure_ * area() - now - sums[3];
   if (load.control == mechanics::Control::nominal_pressure) {

@@ -10,23 +10,63 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace asperity::fem {
 namespace {
+
+/// The linear functions at the vertices of a cell.
+std::unique_ptr<dealii::FiniteElement<3>>
+linear_element(const BlockSpace& space) {
+  if (space.triangulation().all_reference_cells_are_hyper_cube())
+    return std::make_unique<dealii::FE_Q<3>>(1);
+  return std::make_unique<dealii::FE_SimplexP<3>>(1);
+}
 
 /// The matrix that maps values at the quadrature points of a cell to the values
 /// of their linear projection at its vertices.
 dealii::FullMatrix<double> projection_of(const BlockSpace& space) {
   const dealii::Quadrature<3>& points = space.cell_quadrature();
-  const auto project = [&](const dealii::FiniteElement<3>& linear) {
-    dealii::FullMatrix<double> matrix(linear.n_dofs_per_cell(), points.size());
-    dealii::FETools::compute_projection_from_quadrature_points_matrix(
-        linear, points, points, matrix);
-    return matrix;
-  };
-  if (space.triangulation().all_reference_cells_are_hyper_cube())
-    return project(dealii::FE_Q<3>(1));
-  return project(dealii::FE_SimplexP<3>(1));
+  const auto linear = linear_element(space);
+  dealii::FullMatrix<double> matrix(linear->n_dofs_per_cell(), points.size());
+  dealii::FETools::compute_projection_from_quadrature_points_matrix(
+      *linear, points, points, matrix);
+  return matrix;
+}
+
+dealii::FullMatrix<double> vertex_mass_of(const BlockSpace& space) {
+  const dealii::Quadrature<3>& points = space.cell_quadrature();
+  const auto linear = linear_element(space);
+  const unsigned int n = linear->n_dofs_per_cell();
+  dealii::FullMatrix<double> mass(n, n);
+  double volume = 0.0;
+  for (unsigned int q = 0; q < points.size(); ++q) {
+    volume += points.weight(q);
+    for (unsigned int v = 0; v < n; ++v)
+      for (unsigned int w = 0; w < n; ++w)
+        mass(v, w) += points.weight(q) *
+                      linear->shape_value(v, points.point(q)) *
+                      linear->shape_value(w, points.point(q));
+  }
+  mass /= volume;
+  return mass;
+}
+
+/// The edges of a hexahedron that is an axis-aligned box, up to roundoff [m];
+/// empty for any other.
+std::optional<dealii::Tensor<1, 3>> box_edges(const BlockStress::Cell& cell) {
+  constexpr double rounding = 1e-12;
+  const dealii::Point<3>& first = cell->vertex(0);
+  const dealii::Tensor<1, 3> edges = cell->vertex(7) - first;
+  const double allowed = rounding * edges.norm();
+  for (unsigned int v = 1; v < 7; ++v) {
+    const dealii::Tensor<1, 3> apart = cell->vertex(v) - first;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+      if (std::abs(apart[axis] - ((v >> axis) % 2 == 1 ? edges[axis] : 0.0)) >
+          allowed)
+        return {};
+  }
+  return edges;
 }
 
 /// Whether lambda / mu, and so Poisson's ratio, is the same up to roundoff.
@@ -51,6 +91,91 @@ double largest_shear(const StressTensor& stress) {
   return 0.5 * (principal.front() - principal.back());
 }
 
+VertexAverages::VertexAverages(std::size_t n_vertices, double ratio)
+    : ratio_(ratio), first_(n_vertices) {}
+
+void VertexAverages::add(unsigned int vertex, const Moduli& material,
+                         double volume, const StressTensor& stress) {
+  Share* share = &first_[vertex];
+  if (share->volume > 0.0 && !(share->material == material)) {
+    std::vector<Share>& others = others_[vertex];
+    auto found = std::ranges::find(others, material, &Share::material);
+    if (found == others.end())
+      found = others.insert(others.end(), Share{});
+    share = &*found;
+  }
+  share->material = material;
+  share->volume += volume;
+  share->volume_stress += volume * stress;
+}
+
+StressTensor VertexAverages::at(unsigned int vertex,
+                                const Moduli& material) const {
+  double volume = 0.0;
+  StressTensor sum;
+  const auto add_similar = [&](const Share& share) {
+    const double scale = material.shear_modulus / share.material.shear_modulus;
+    if (!(share.material == material) &&
+        (std::max(scale, 1.0 / scale) > ratio_ ||
+         !is_same_ratio(share.material, material)))
+      return;
+    volume += share.volume;
+    sum += scale * share.volume_stress;
+  };
+  add_similar(first_[vertex]);
+  if (!others_.empty())
+    if (const auto found = others_.find(vertex); found != others_.end())
+      std::ranges::for_each(found->second, add_similar);
+  return sum / volume;
+}
+
+BoxStrain::BoxStrain(const dealii::FESystem<3>& element,
+                     const dealii::Quadrature<3>& quadrature,
+                     const dealii::FullMatrix<double>& to_rows)
+    : n_nodes_(element.n_dofs_per_cell() / 3),
+      n_rows_(to_rows.m()),
+      unknowns_(n_nodes_),
+      gradients_(3 * n_nodes_ * n_rows_, 0.0),
+      sums_(9 * n_rows_) {
+  for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i) {
+    const auto [component, node] = element.system_to_component_index(i);
+    unknowns_[node][component] = i;
+  }
+  const dealii::FiniteElement<3>& scalar = element.base_element(0);
+  for (unsigned int node = 0; node < n_nodes_; ++node)
+    for (unsigned int q = 0; q < quadrature.size(); ++q) {
+      const dealii::Tensor<1, 3> gradient =
+          scalar.shape_grad(node, quadrature.point(q));
+      for (unsigned int axis = 0; axis < 3; ++axis)
+        for (unsigned int row = 0; row < n_rows_; ++row)
+          gradients_[(axis * n_nodes_ + node) * n_rows_ + row] +=
+              to_rows(row, q) * gradient[axis];
+    }
+}
+
+void BoxStrain::find(std::span<const double> values,
+                     const dealii::Tensor<1, 3>& edges,
+                     std::vector<dealii::SymmetricTensor<2, 3>>& strains) {
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+    for (std::size_t node = 0; node < n_nodes_; ++node) {
+      const double* gradient =
+          gradients_.data() + (axis * n_nodes_ + node) * n_rows_;
+      for (std::size_t component = 0; component < 3; ++component) {
+        const double value = values[unknowns_[node][component]] / edges[axis];
+        double* sum = sums_.data() + (3 * component + axis) * n_rows_;
+        for (std::size_t row = 0; row < n_rows_; ++row)
+          sum[row] += value * gradient[row];
+      }
+    }
+  strains.resize(n_rows_);
+  for (std::size_t row = 0; row < n_rows_; ++row)
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = i; j < 3; ++j)
+        strains[row][i][j] = 0.5 * (sums_[(3 * i + j) * n_rows_ + row] +
+                                    sums_[(3 * j + i) * n_rows_ + row]);
+}
+
 BlockStress::BlockStress(
     const BlockSystem& system,
     const dealii::TrilinosWrappers::MPI::Vector& displacement)
@@ -61,76 +186,91 @@ BlockStress::BlockStress(
               system.space().cell_quadrature(),
               dealii::update_gradients | dealii::update_quadrature_points |
                   dealii::update_JxW_values),
-      to_vertices_(projection_of(system.space())) {
-  dealii::TrilinosWrappers::MPI::Vector whole = system.space().make_vector();
+      unknowns_(system.space().element().n_dofs_per_cell()),
+      in_cell_(unknowns_.size()),
+      to_vertices_(projection_of(system.space())),
+      mass_(vertex_mass_of(system.space())) {
+  const BlockSpace& space = system.space();
+  dealii::TrilinosWrappers::MPI::Vector whole = space.make_vector();
   whole = displacement;
-  system.space().constraints().distribute(whole);
+  space.constraints().distribute(whole);
   displacement_ = whole;
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
+    local_values_ = displacement_.begin();
+  if (space.triangulation().all_reference_cells_are_hyper_cube()) {
+    const dealii::Quadrature<3>& points = space.cell_quadrature();
+    const dealii::FullMatrix<double> same =
+        dealii::IdentityMatrix(points.size());
+    at_points_.emplace(space.element(), points, same);
+    at_vertices_.emplace(space.element(), points, to_vertices_);
+  }
+}
+
+/// Takes the values of the unknowns of a cell.
+void BlockStress::take_values(const Cell& cell) {
+  cell->get_dof_indices(unknowns_);
+  for (std::size_t i = 0; i < unknowns_.size(); ++i)
+    in_cell_[i] = local_values_ != nullptr ? local_values_[unknowns_[i]]
+                                           : displacement_(unknowns_[i]);
+}
+
+double BlockStress::volume(const Cell& cell) {
+  if (cell->reference_cell().is_hyper_cube())
+    if (const auto edges = box_edges(cell))
+      return (*edges)[0] * (*edges)[1] * (*edges)[2];
+  return cell->measure();
 }
 
 const std::vector<StressTensor>& BlockStress::at_points(const Cell& cell) {
   const Moduli material = system_.moduli_of(cell);
-  values_.reinit(cell);
-  stress_.resize(values_.n_quadrature_points);
-  values_[dealii::FEValuesExtractors::Vector(0)]
-      .get_function_symmetric_gradients(displacement_, stress_);
+  if (const auto edges = at_points_ ? box_edges(cell) : std::nullopt) {
+    take_values(cell);
+    at_points_->find(in_cell_, *edges, stress_);
+  } else {
+    values_.reinit(cell);
+    stress_.resize(values_.n_quadrature_points);
+    values_[dealii::FEValuesExtractors::Vector(0)]
+        .get_function_symmetric_gradients(displacement_, stress_);
+  }
   for (StressTensor& value : stress_)
-    value = elastic_response(value, material).stress;
+    value = elastic_stress(value, material);
   return stress_;
 }
 
-BlockStress::Share& BlockStress::share_of(std::vector<Share>& shares,
-                                          const Moduli& material) {
-  const auto found =
-      std::find_if(shares.begin(), shares.end(), [&](const Share& share) {
-        return share.material == material;
-      });
-  if (found != shares.end())
-    return *found;
-  shares.push_back({material, 0.0, {}});
-  return shares.back();
+const std::vector<StressTensor>&
+BlockStress::projected(const Cell& cell, const Moduli& material) {
+  if (const auto edges = at_vertices_ ? box_edges(cell) : std::nullopt) {
+    take_values(cell);
+    at_vertices_->find(in_cell_, *edges, projected_);
+    for (StressTensor& value : projected_)
+      value = elastic_stress(value, material);
+    return projected_;
+  }
+  const std::vector<StressTensor>& stress = at_points(cell);
+  projected_.assign(to_vertices_.m(), {});
+  for (unsigned int v = 0; v < projected_.size(); ++v)
+    for (unsigned int q = 0; q < stress.size(); ++q)
+      projected_[v] += to_vertices_(v, q) * stress[q];
+  return projected_;
 }
 
-BlockStress::VertexShares BlockStress::shares() {
-  VertexShares all(system_.space().triangulation().n_vertices());
+VertexAverages BlockStress::averages(double ratio) {
+  VertexAverages averages(system_.space().triangulation().n_vertices(), ratio);
   for (const auto& cell :
        system_.space().dof_handler().active_cell_iterators()) {
     if (cell->is_artificial())
       continue;
-    const std::vector<StressTensor>& stress = at_points(cell);
     const Moduli material = system_.moduli_of(cell);
-    double volume = 0.0;
-    for (const unsigned int q : values_.quadrature_point_indices())
-      volume += values_.JxW(q);
-    for (const unsigned int v : cell->vertex_indices()) {
-      Share& share = share_of(all[cell->vertex_index(v)], material);
-      share.volume += volume;
-      for (unsigned int q = 0; q < stress.size(); ++q)
-        share.volume_stress += volume * to_vertices_(v, q) * stress[q];
-    }
+    const std::vector<StressTensor>& stress = projected(cell, material);
+    const double weight = volume(cell);
+    for (const unsigned int v : cell->vertex_indices())
+      averages.add(cell->vertex_index(v), material, weight, stress[v]);
   }
-  return all;
-}
-
-/// The average at a vertex for a cell of a material.
-StressTensor BlockStress::average_of(std::span<const Share> shares,
-                                     const Moduli& material, double ratio) {
-  double volume = 0.0;
-  StressTensor sum;
-  for (const Share& share : shares) {
-    const double scale = material.shear_modulus / share.material.shear_modulus;
-    if (!(share.material == material) &&
-        (std::max(scale, 1.0 / scale) > ratio ||
-         !is_same_ratio(share.material, material)))
-      continue;
-    volume += share.volume;
-    sum += scale * share.volume_stress;
-  }
-  return sum / volume;
+  return averages;
 }
 
 void BlockStress::at_vertices(const TakeVertices& take, double ratio) {
-  VertexShares all = shares();
+  const VertexAverages around = averages(ratio);
   std::vector<StressTensor> at_vertex;
   for (const auto& cell :
        system_.space().dof_handler().active_cell_iterators()) {
@@ -139,8 +279,7 @@ void BlockStress::at_vertices(const TakeVertices& take, double ratio) {
     const Moduli material = system_.moduli_of(cell);
     at_vertex.clear();
     for (const unsigned int v : cell->vertex_indices())
-      at_vertex.push_back(
-          average_of(all[cell->vertex_index(v)], material, ratio));
+      at_vertex.push_back(around.at(cell->vertex_index(v), material));
     take(cell, at_vertex);
   }
 }
@@ -153,9 +292,13 @@ StressPeak BlockStress::strongest() {
       continue;
     const std::vector<StressTensor>& stress = at_points(cell);
     for (unsigned int q = 0; q < stress.size(); ++q) {
-      const dealii::Point<3>& place = values_.quadrature_point(q);
-      const RankedPlace here{-von_mises(stress[q]), place[0], place[1],
-                             place[2], 0.0};
+      const double strength = von_mises(stress[q]);
+      if (-strength > best[0])
+        continue;
+      const dealii::Point<3> place =
+          system_.space().mapping().transform_unit_to_real_cell(
+              cell, system_.space().cell_quadrature().point(q));
+      const RankedPlace here{-strength, place[0], place[1], place[2], 0.0};
       if (here < best) {
         best = here;
         best[4] = largest_shear(stress[q]);

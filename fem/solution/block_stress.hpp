@@ -10,8 +10,11 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/full_matrix.h>
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace asperity::fem {
@@ -27,6 +30,64 @@ double von_mises(const StressTensor& stress);
 /// The largest shear stress: half the difference of the largest and the
 /// smallest principal stress [Pa] >= 0.
 double largest_shear(const StressTensor& stress);
+
+/// The averages of one stress at the vertices of the mesh, which do not extend
+/// over different materials.
+class VertexAverages {
+public:
+  /// @param ratio  of the moduli up to which materials are similar [1] >= 1;
+  ///               above 1, averages extend over all cells around the vertex
+  ///               with the same nu whose E is within this ratio of that of the
+  ///               cell. Their stress is scaled by the ratio of E: the strain
+  ///               is averaged, which is continuous where E varies smoothly,
+  ///               although each cell has a modulus of its own.
+  VertexAverages(std::size_t n_vertices, double ratio);
+
+  /// Adds a cell's value at a vertex.
+  /// @param volume  of the cell, its weight [m^3]
+  void add(unsigned int vertex, const Moduli& material, double volume,
+           const StressTensor& stress);
+
+  /// The average at a vertex for a cell of a material that was added there.
+  StressTensor at(unsigned int vertex, const Moduli& material) const;
+
+private:
+  /// Sum over the cells of one material around a vertex.
+  struct Share {
+    Moduli material;
+    double volume = 0.0; ///< [m^3]
+    /// Integral of sigma over the cells, from its value at the vertex [Pa m^3].
+    StressTensor volume_stress;
+  };
+
+  double ratio_;
+  std::vector<Share> first_; ///< of the first material around each vertex
+  /// Of further materials, by vertex.
+  std::unordered_map<unsigned int, std::vector<Share>> others_;
+};
+
+/// Maps the displacements of the nodes of an axis-aligned box to strains at its
+/// quadrature points, or to the linear projection of these at its vertices.
+class BoxStrain {
+public:
+  /// @param to_rows  from values at the quadrature points to those that are
+  ///                 requested; the identity for the points themselves
+  BoxStrain(const dealii::FESystem<3>& element,
+            const dealii::Quadrature<3>& quadrature,
+            const dealii::FullMatrix<double>& to_rows);
+
+  /// @param values   of the unknowns of a cell, in deal.II's order [m]
+  /// @param edges    of the cell [m]
+  /// @param strains  set to one per requested value [1]
+  void find(std::span<const double> values, const dealii::Tensor<1, 3>& edges,
+            std::vector<dealii::SymmetricTensor<2, 3>>& strains);
+
+private:
+  std::size_t n_nodes_, n_rows_;
+  std::vector<std::array<std::size_t, 3>> unknowns_; ///< of each node
+  std::vector<double> gradients_; ///< [axis][node][row], of the unit cell
+  std::vector<double> sums_;      ///< [component][axis][row]
+};
 
 /// The stress of one displacement field. Every call except at_points is
 /// collective.
@@ -63,12 +124,23 @@ public:
   /// borders on. The reference is valid until the next call.
   const std::vector<StressTensor>& at_points(const Cell& cell);
 
+  /// The linear projection of sigma at the vertices of a cell, in deal.II's
+  /// order, likewise.
+  const std::vector<StressTensor>& projected(const Cell& cell,
+                                             const Moduli& material);
+
+  /// The averages of these projections over the cells around each vertex.
+  /// @param ratio  see VertexAverages
+  VertexAverages averages(double ratio);
+
+  /// The integrals of the products of two linear functions at vertices over a
+  /// cell, over its volume [1].
+  const dealii::FullMatrix<double>& vertex_mass() const { return mass_; }
+
+  static double volume(const Cell& cell); ///< [m^3]
+
   /// Calls `take` for each cell of this rank in deal.II's order.
-  /// @param ratio  [1] >= 1; above 1, averages extend over all cells around the
-  ///               vertex with the same nu whose E is within this ratio of that
-  ///               of the cell. Their stress is scaled by the ratio of E: the
-  ///               strain is averaged, which is continuous where E varies
-  ///               smoothly, although each cell has a modulus of its own.
+  /// @param ratio  see VertexAverages
   void at_vertices(const TakeVertices& take, double ratio = 1.0);
 
   /// The largest von Mises stress at a quadrature point over all ranks. Ties
@@ -76,26 +148,19 @@ public:
   StressPeak strongest();
 
 private:
-  /// Sum over the cells of one material around a vertex.
-  struct Share {
-    Moduli material;
-    double volume = 0.0; ///< [m^3]
-    /// Integral of sigma over the cells, from its value at the vertex [Pa m^3].
-    StressTensor volume_stress;
-  };
-
-  using VertexShares = std::vector<std::vector<Share>>; ///< by vertex index
-
-  VertexShares shares();
-  static Share& share_of(std::vector<Share>& shares, const Moduli& material);
-  static StressTensor average_of(std::span<const Share> shares,
-                                 const Moduli& material, double ratio);
+  void take_values(const Cell& cell);
 
   const BlockSystem& system_;
   dealii::TrilinosWrappers::MPI::Vector displacement_;
   dealii::FEValues<3> values_;
+  const double* local_values_ = nullptr; ///< by unknown, if all are here
+  std::vector<dealii::types::global_dof_index> unknowns_; ///< of a cell
+  std::vector<double> in_cell_;                           ///< u there [m]
   std::vector<StressTensor> stress_;
+  std::vector<StressTensor> projected_;
   dealii::FullMatrix<double> to_vertices_; ///< n_vertices x n_quadrature_points
+  dealii::FullMatrix<double> mass_;        ///< n_vertices x n_vertices
+  std::optional<BoxStrain> at_points_, at_vertices_; ///< of hexahedra
 };
 
 } // namespace asperity::fem

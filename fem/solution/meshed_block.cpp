@@ -9,10 +9,12 @@
 #include "fem/parallel/ranks.hpp"
 #include "fem/refined/refined_block.hpp"
 #include "fem/solution/block_section.hpp"
+#include "fem/solution/gap_error.hpp"
 #include "meshes/layered_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -231,6 +233,31 @@ bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
 BlockSolution MeshedBlock::solve(std::span<const double> heights,
                                  const mechanics::LoadTarget& load,
                                  const BlockContact& contact) {
+  BlockSolution answer = solve_contact(heights, load, contact);
+  answer.estimated_gap_error =
+      estimated_gap_error(answer, AdaptiveMesh{}.moduli_ratio);
+  return answer;
+}
+
+double MeshedBlock::estimated_gap_error(const BlockSolution& solution,
+                                        double ratio) const {
+  if (!solution.converged || !(solution.nominal_pressure > 0.0))
+    return std::numeric_limits<double>::quiet_NaN();
+  const LoadedResponse by_load{newton_.displacement(),
+                               solution.nominal_pressure *
+                                   system_.contact().area()};
+  // Without a support at the far boundary, an approach alone moves the block.
+  if (far_boundary_ == mechanics::FarBoundary::pressure ||
+      !(newton_.approach_stiffness() > 0.0))
+    return gap_error(system_, by_load, by_load, ratio);
+  return gap_error(
+      system_, by_load,
+      {newton_.response_to_approach(), newton_.approach_stiffness()}, ratio);
+}
+
+BlockSolution MeshedBlock::solve_contact(std::span<const double> heights,
+                                         const mechanics::LoadTarget& load,
+                                         const BlockContact& contact) {
   require_arguments(heights, load, contact);
   BlockSolution answer;
   newton_.solve(maps_.heights_at_points(heights),

@@ -35,6 +35,15 @@ public:
                       const mechanics::LoadTarget& load,
                       const BlockContact& contact) override;
 
+  /// solve() without the estimate of the error.
+  BlockSolution solve_contact(std::span<const double> heights,
+                              const mechanics::LoadTarget& load,
+                              const BlockContact& contact);
+
+  /// BlockSolution::estimated_gap_error of the last solution [m].
+  /// @param ratio  of the moduli up to which materials are similar [1] >= 1
+  double estimated_gap_error(const BlockSolution& solution, double ratio) const;
+
   ContactStiffness stiffness() override;
 
   StressPeak strongest_stress() const override;

@@ -1,6 +1,6 @@
-// Tests of fem/adaptive/stress_indicator.hpp: an exact stress has no error, and
+// Tests of fem/solution/stress_indicator.hpp: an exact stress has no error, and
 // cells of different materials are compared where their moduli differ little.
-#include "fem/adaptive/stress_indicator.hpp"
+#include "fem/solution/stress_indicator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "fem/adaptive/stress_indicator.hpp"
+#include "fem/solution/stress_indicator.hpp"
 
 #include "fem/solution/block_stress.hpp"
 
