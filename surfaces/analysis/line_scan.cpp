@@ -31,8 +31,9 @@ constexpr std::size_t fewest_points = 16;
 
 /// Whether a header gives the sides of a map.
 bool is_headed_map(const NumberTable& table) {
-  return gwyddion_header(table).width.line != 0 ||
-         matrix_header(table).pixel_size;
+  const MatrixHeader header = matrix_header(table);
+  return gwyddion_header(table).width.line != 0 || header.length_x ||
+         header.cell_size;
 }
 
 bool is_line(const NumberTable& table) {
