@@ -1,10 +1,9 @@
 #pragma once
 
-// This file says where arrays lie in memory. Wherever this library is linked,
-// operator new begins large arrays at a cache line, so that no vector of a
-// processor touches two of them, and asks the system for huge pages for the
-// largest, which take fewer page faults and address translations. No result
-// depends on it.
+// Where arrays lie in memory. Wherever this library is linked, operator new
+// begins large arrays at a cache line, so that no vector of a processor touches
+// two of them, and asks the system for huge pages for the largest, which take
+// fewer page faults and address translations. No result depends on it.
 
 #include <cstddef>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file writes files atomically: a temporary file in the same folder is
-// written and renamed, so that the file exists either completely or not at all.
-// Every output file that a reader may open is written this way.
+// Writes files atomically: a temporary file in the same folder is written and
+// renamed, so that the file exists either completely or not at all. Every
+// output file that a reader may open is written this way.
 
 #include <filesystem>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file determines the memory that this process may still allocate, from
-// the information that Linux provides.
+// Determines the memory that this process may still allocate, from the
+// information that Linux provides.
 
 #include <string>
 

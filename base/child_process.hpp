@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains a child process that is started under limits, monitored
-// and terminated. No other module starts processes; a child never outlives its
-// parent.
+// A child process that is started under limits, monitored and terminated. No
+// other module starts processes; a child never outlives its parent.
 
 #include "base/file_descriptor.hpp"
 

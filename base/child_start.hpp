@@ -1,7 +1,6 @@
 #pragma once
 
-// This file contains the system calls between vfork and exec, for use inside
-// base/ only.
+// The system calls between vfork and exec, for use inside base/ only.
 
 #include "base/child_process.hpp"
 

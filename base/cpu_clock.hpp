@@ -1,7 +1,7 @@
 #pragma once
 
-// This file measures CPU time, which does not depend on other processes on the
-// same machine.
+// Measures CPU time, which does not depend on other processes on the same
+// machine.
 
 #include <ctime>
 #include <sys/resource.h>

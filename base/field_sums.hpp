@@ -1,6 +1,6 @@
 #pragma once
 
-// This file computes sums over all values of a field, in a fixed order.
+// Computes sums over all values of a field, in a fixed order.
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file provides exclusive write access to a folder, with an error message
-// that names the holder.
+// Exclusive write access to a folder, with an error message that names the
+// holder.
 
 #include "base/file_descriptor.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains real two-dimensional discrete Fourier transforms on a
-// Grid, with stored plans. FFTW is not visible outside this module.
+// Real two-dimensional discrete Fourier transforms on a Grid, with stored
+// plans. FFTW is not visible outside this module.
 
 #include "base/grid.hpp"
 

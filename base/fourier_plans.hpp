@@ -1,7 +1,7 @@
 #pragma once
 
-// This file provides common names for FFTW in single and double precision. Only
-// the sources of this module include it.
+// Common names for FFTW in single and double precision. Only the sources of
+// this module include it.
 
 #include <fftw3.h>
 

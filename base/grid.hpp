@@ -1,8 +1,7 @@
 #pragma once
 
-// This file defines the periodic rectangular grid of all fields: points,
-// spacings, wavevectors, the storage order and the wavenumber convention of the
-// DFT.
+// The periodic rectangular grid of all fields: points, spacings, wavevectors,
+// the storage order and the wavenumber convention of the DFT.
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file contains maxima that propagate NaN.
+// Maxima that propagate NaN.
 
 #include <cmath>
 #include <span>

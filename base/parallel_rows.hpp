@@ -1,6 +1,6 @@
 #pragma once
 
-// This file contains loops over independent rows on several threads.
+// Loops over independent rows on several threads.
 
 #include "base/thread_team.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the physical constants with their sources. No other file
-// contains their values.
+// The physical constants with their sources. No other file contains their
+// values.
 
 namespace asperity {
 

@@ -1,9 +1,8 @@
 #pragma once
 
-// This file defines plain text: UTF-8 without control characters, which can be
-// printed, plotted and written to scripts, JSON, HTML, XML and HDF5. It owns
-// the limits of names and one-line texts that one command writes and others
-// read.
+// Plain text: UTF-8 without control characters, which can be printed, plotted
+// and written to scripts, JSON, HTML, XML and HDF5. It owns the limits of names
+// and one-line texts that one command writes and others read.
 
 #include <cstddef>
 #include <string>

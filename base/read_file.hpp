@@ -1,8 +1,7 @@
 #pragma once
 
-// This file reads whole files into memory. It accepts only regular files up to
-// a given size, so that no pipe or device can block the program or fill its
-// memory.
+// Reads whole files into memory. It accepts only regular files up to a given
+// size, so that no pipe or device can block the program or fill its memory.
 
 #include <cstdint>
 #include <filesystem>

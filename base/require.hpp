@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains range checks for the arguments of public functions, which
-// throw a std::domain_error that names the argument, its value and the allowed
-// range.
+// Range checks for the arguments of public functions, which throw a
+// std::domain_error that names the argument, its value and the allowed range.
 
 #include <string>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares vectors of numbers that the compiler keeps in SIMD
-// registers, compiles a loop for the vectors of several processors and chooses
-// between them when it is called.
+// Vectors of numbers that the compiler keeps in SIMD registers, compiles a loop
+// for the vectors of several processors and chooses between them when it is
+// called.
 
 #include <atomic>
 #include <cstddef>

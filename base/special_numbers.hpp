@@ -1,6 +1,6 @@
 #pragma once
 
-// This file defines names for infinity and NaN.
+// Names for infinity and NaN.
 
 #include <limits>
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file owns folders for temporary files, which end with the object that
-// made them.
+// Folders for temporary files, which end with the object that made them.
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file contains persistent threads that execute parallel loops.
+// Persistent threads that execute parallel loops.
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file owns SHA256SUMS, by which a problem folder states which files it
-// has and what is in them.
+// SHA256SUMS, by which a problem folder states which files it has and what is
+// in them.
 
 #include <filesystem>
 #include <string>

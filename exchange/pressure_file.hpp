@@ -1,6 +1,6 @@
 #pragma once
 
-// This file reads a field that another program has written: .npy, HDF5 or text.
+// Reads a field that another program has written: .npy, HDF5 or text.
 
 #include "surfaces/formats/npy.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file gives access to the bytes of a file without reading all of them.
+// Gives access to the bytes of a file without reading all of them.
 
 #include "base/file_descriptor.hpp"
 #include "input/input_error.hpp"

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file declares the functions that select and create an atomistic engine.
-// Of this module, other modules include only this header and
-// atomic_contact.hpp.
+// The functions that select and create an atomistic engine. Of this module,
+// other modules include only this header and atomic_contact.hpp.
 
 #include "md/contact/atomic_contact.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains loops and sums over the nodes whose results are bitwise
-// the same on any number of threads and ranks.
+// Loops and sums over the nodes whose results are bitwise the same on any
+// number of threads and ranks.
 
 #include "base/maximum.hpp"
 #include "base/parallel_rows.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file completes the numbers that a rank owns by those that it needs from
-// others, its ghosts, and returns contributions to ghosts to their owners.
+// Completes the numbers that a rank owns by those that it needs from others,
+// its ghosts, and returns contributions to ghosts to their owners.
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file continues a computation from the nodes of one rank to those of the
-// next, so that sums over all nodes have the bits of one process.
+// Continues a computation from the nodes of one rank to those of the next, so
+// that sums over all nodes have the bits of one process.
 
 #include <cstddef>
 #include <functional>

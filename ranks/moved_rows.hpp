@@ -1,6 +1,6 @@
 #pragma once
 
-// This file moves rows between ranks that hold them in two divisions.
+// Moves rows between ranks that hold them in two divisions.
 
 #include <cstddef>
 #include <span>

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file divides the nodes of a grid into chunks, whose sums are added in
-// their order, so that sums have the same bits on any number of threads and
-// ranks.
+// Divides the nodes of a grid into chunks, whose sums are added in their order,
+// so that sums have the same bits on any number of threads and ranks.
 
 #include "base/grid.hpp"
 

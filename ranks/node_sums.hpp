@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes weighted sums over all nodes of a field, bitwise the same
-// on any number of threads and ranks.
+// Computes weighted sums over all nodes of a field, bitwise the same on any
+// number of threads and ranks.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file provides nodal areas inside loops. A loop is compiled twice: for
-// equal nodal areas and for those of quadratic elements.
+// Nodal areas inside loops. A loop is compiled twice: for equal nodal areas and
+// for those of quadratic elements.
 
 #include <cstddef>
 #include <span>

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the communication between processes that share the rows of
-// a field. It knows no library of message passing: the program implements it by
-// MPI, the tests by threads.
+// The communication between processes that share the rows of a field. It knows
+// no library of message passing: the program implements it by MPI, the tests by
+// threads.
 
 #include <cstddef>
 #include <span>

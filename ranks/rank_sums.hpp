@@ -1,6 +1,6 @@
 #pragma once
 
-// This file adds and compares one number of each rank.
+// Adds and compares one number of each rank.
 
 #include <algorithm>
 #include <functional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file adds up the rows of a field in their order, while all ranks work at
-// the same time.
+// Adds up the rows of a field in their order, while all ranks work at the same
+// time.
 
 #include <type_traits>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file divides a field that rank 0 has in pieces among the ranks, so that
-// no rank holds the whole one.
+// Divides a field that rank 0 has in pieces among the ranks, so that no rank
+// holds the whole one.
 
 #include <functional>
 #include <span>

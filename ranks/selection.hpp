@@ -1,6 +1,6 @@
 #pragma once
 
-// This file selects numbers by their order from those of all ranks.
+// Selects numbers by their order from those of all ranks.
 
 #include <cstddef>
 #include <span>

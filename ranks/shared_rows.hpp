@@ -1,7 +1,7 @@
 #pragma once
 
-// This file says which rows of a grid this process holds, and completes them by
-// the rows beside them, which other processes may hold.
+// Which rows of a grid this process holds, and completes them by the rows
+// beside them, which other processes may hold.
 
 #include "base/grid.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file says who computes a loop over the nodes of a field: the threads of
-// this process and the ranks that share the rows. It divides the rows so that
-// sums have the same bits on any number of ranks.
+// Who computes a loop over the nodes of a field: the threads of this process
+// and the ranks that share the rows. It divides the rows so that sums have the
+// same bits on any number of ranks.
 
 #include <cstddef>
 #include <span>

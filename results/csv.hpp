@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes every step of every curve as tables for use by other
-// programs: curves.csv with what was computed, times.csv with what it cost.
+// Writes every step of every curve as tables for use by other programs:
+// curves.csv with what was computed, times.csv with what it cost.
 
 #include "results/types/result.hpp"
 

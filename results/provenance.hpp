@@ -1,7 +1,7 @@
 #pragma once
 
-// This file collects the provenance of a result: program, compiler, libraries,
-// machine and cost. It defines the names under which these facts are stored.
+// Collects the provenance of a result: program, compiler, libraries, machine
+// and cost. It defines the names under which these facts are stored.
 
 #include "results/types/result.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads a result file, written by this or another program in the same
-// layout (docs/reference/results.md), into a Result.
+// Reads a result file, written by this or another program in the same layout
+// (docs/reference/results.md), into a Result.
 
 #include "results/types/result.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes DIR/result.h5 step by step. If the run is interrupted at any
-// moment, at most the current step is lost and the file remains readable.
+// Writes DIR/result.h5 step by step. If the run is interrupted at any moment,
+// at most the current step is lost and the file remains readable.
 
 #include "results/result_reader.hpp"
 #include "results/storage/result_file.hpp"

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file reads a result from an untrusted source in a child process first,
-// because the packaged HDF5 library has memory errors that a damaged file can
-// trigger.
+// Reads a result from an untrusted source in a child process first, because the
+// packaged HDF5 library has memory errors that a damaged file can trigger.
 
 #include <cstdint>
 #include <filesystem>

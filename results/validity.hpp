@@ -1,7 +1,7 @@
 #pragma once
 
-// This file validates the numbers of a result. Numbers that no solution can
-// have are rejected, whichever program wrote the file.
+// Validates the numbers of a result. Numbers that no solution can have are
+// rejected, whichever program wrote the file.
 
 #include "results/types/result.hpp"
 

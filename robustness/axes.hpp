@@ -1,8 +1,7 @@
 #pragma once
 
-// This file defines the axes by which problem instances are classified: their
-// names and the bin of each value. It owns the syntax of --only and the rows of
-// the heat map.
+// The axes by which problem instances are classified: their names and the bin
+// of each value. It owns the syntax of --only and the rows of the heat map.
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file converts the settings of a case to a problem instance, which
-// `asperity robustness CASE` perturbs.
+// Converts the settings of a case to a problem instance, which `asperity
+// robustness CASE` perturbs.
 
 #include "cases/types/case.hpp"
 

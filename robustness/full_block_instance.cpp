@@ -1,4 +1,4 @@
-// This file solves the load steps of full 3-D models and verifies them.
+// Solves the load steps of full 3-D models and verifies them.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// This file builds the full 3-D model of an instance: its mesh, the moduli of
-// its bodies and its settings.
+// Builds the full 3-D model of an instance: its mesh, the moduli of its bodies
+// and its settings.
 #include <fmt/format.h>
 
 #include <cmath>

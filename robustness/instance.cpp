@@ -1,4 +1,4 @@
-// This file draws instances from a seed and an index.
+// Draws instances from a seed and an index.
 #include "robustness/instance.hpp"
 
 #include "base/require.hpp"

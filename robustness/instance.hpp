@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines one problem instance of the robustness matrix:
-// all of its parameters, which are drawn from a seed and an index only.
+// One problem instance of the robustness matrix: all of its parameters, which
+// are drawn from a seed and an index only.
 
 #include "cases/types/case.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file runs instances in child processes, so that one that crashes or does
-// not terminate does not affect the others. It owns the processes and the time
+// Runs instances in child processes, so that one that crashes or does not
+// terminate does not affect the others. It owns the processes and the time
 // limit.
 
 #include <functional>

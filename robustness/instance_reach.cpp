@@ -1,5 +1,4 @@
-// This file restricts an instance to what its family accepts and solves within
-// seconds.
+// Restricts an instance to what its family accepts and solves within seconds.
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file describes the outcome of an instance, and the line by which it is
-// sent from one process to another.
+// Describes the outcome of an instance, and the line by which it is sent from
+// one process to another.
 
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file generates the heights of an instance, for smooth and for irregular
-// shapes. It owns the scaling of each shape to the prescribed slope.
+// Generates the heights of an instance, for smooth and for irregular shapes. It
+// owns the scaling of each shape to the prescribed slope.
 
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares how each family of instances is run, and the functions
-// that the families share. It is internal to the module.
+// How each family of instances is run, and the functions that the families
+// share. It is internal to the module.
 
 #include "fem/plugin.hpp"
 

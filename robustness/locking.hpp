@@ -1,8 +1,7 @@
 #pragma once
 
-// This file measures by how much finite elements are too stiff as the block
-// becomes incompressible: first-order elements lock where second-order ones do
-// not.
+// Measures by how much finite elements are too stiff as the block becomes
+// incompressible: first-order elements lock where second-order ones do not.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file holds the outcome matrix: the number of instances in the bins of
-// each axis by outcome.
+// Holds the outcome matrix: the number of instances in the bins of each axis by
+// outcome.
 
 #include <array>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes the output of a run of the matrix: a page, a table, and a
-// summary for use by programs.
+// Writes the output of a run of the matrix: a page, a table, and a summary for
+// use by programs.
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file runs a problem instance from its parameters to its outcome.
+// Runs a problem instance from its parameters to its outcome.
 
 #include <filesystem>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file defines the checks that a solution must pass. Each is separate, and
-// none of them is the convergence criterion of the solver. The file owns their
-// tolerances.
+// The checks that a solution must pass. Each is separate, and none of them is
+// the convergence criterion of the solver. The file owns their tolerances.
 
 #include "contact/solvers/solver.hpp"
 #include "results/observables/observables.hpp"

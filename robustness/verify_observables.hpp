@@ -1,8 +1,8 @@
 #pragma once
 
-// This file verifies the observables of a solution, and the rows of a result
-// file, against physically admissible ranges, independently of the program's
-// own checks.
+// Verifies the observables of a solution, and the rows of a result file,
+// against physically admissible ranges, independently of the program's own
+// checks.
 
 #include "base/grid.hpp"
 #include "contact/solvers/solver.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes an instance as the files that a user would write: a height
-// map and a case.
+// Writes an instance as the files that a user would write: a height map and a
+// case.
 
 #include <string>
 

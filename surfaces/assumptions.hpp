@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains measures of whether a height map satisfies the assumptions
-// of the contact models. The limits on these measures belong to the reports
+// Measures of whether a height map satisfies the assumptions of the contact
+// models. The limits on these measures belong to the reports
 // (reports/analysis/warnings.hpp).
 
 #include "surfaces/maps/height_map.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file builds the heights of a surface from its specification in a case.
-// It selects the builder for each kind of surface.
+// Builds the heights of a surface from its specification in a case. It selects
+// the builder for each kind of surface.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

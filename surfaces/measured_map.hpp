@@ -1,8 +1,7 @@
 #pragma once
 
-// This file prepares a measured map for the contact problem: levelling,
-// rejection of flat maps, and the effect of the edge treatment
-// ([surface] edges).
+// Prepares a measured map for the contact problem: levelling, rejection of flat
+// maps, and the effect of the edge treatment ([surface] edges).
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/formats/scan.hpp"

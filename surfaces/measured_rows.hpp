@@ -1,7 +1,7 @@
 #pragma once
 
-// This file prepares the rows of a measured map that several ranks read from
-// its file, so that no rank holds the whole map.
+// Prepares the rows of a measured map that several ranks read from its file, so
+// that no rank holds the whole map.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

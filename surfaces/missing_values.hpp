@@ -1,8 +1,7 @@
 #pragma once
 
-// This file recognises numbers that programs write where a point was not
-// measured and that a reader of a format without missing points takes for
-// heights.
+// Recognises numbers that programs write where a point was not measured and
+// that a reader of a format without missing points takes for heights.
 
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/height_map.hpp"

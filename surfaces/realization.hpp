@@ -1,7 +1,7 @@
 #pragma once
 
-// This file realises a random surface with a given spectrum. The map from
-// (spectrum, key) to heights does not depend on the grid spacing.
+// Realises a random surface with a given spectrum. The map from (spectrum, key)
+// to heights does not depend on the grid spacing.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file lets a test run the kernels of base/simd_pack.hpp as other
-// processors do.
+// Lets a test run the kernels of base/simd_pack.hpp as other processors do.
 
 #include "base/simd_pack.hpp"
 

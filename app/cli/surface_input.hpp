@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the inputs of `asperity surface`: a map file, a line scan, or
-// the surface of a case, each levelled.
+// Reads the inputs of `asperity surface`: a map file, a line scan, or the
+// surface of a case, each levelled.
 
 #include "app/cli/surface_command.hpp"
 #include "surfaces/analysis/line_scan.hpp"

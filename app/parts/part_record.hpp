@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines part.json, which states what a part of a run is: the case,
-// which of its members the part computes, and the command that computes it.
+// Part.json, which states what a part of a run is: the case, which of its
+// members the part computes, and the command that computes it.
 
 #include "app/asked/asked_cases.hpp"
 #include "app/parts/share.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file runs the program itself as a child process.
+// Runs the program itself as a child process.
 
 #include "base/child_process.hpp"
 

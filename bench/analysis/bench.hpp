@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the benchmark of one case: the settings, the cost and the
-// results of each, and the error with respect to the reference solution. It
-// owns these terms and runs nothing.
+// The benchmark of one case: the settings, the cost and the results of each,
+// and the error with respect to the reference solution. It owns these terms and
+// runs nothing.
 
 #include "cases/types/case.hpp"
 #include "reports/analysis/refinement.hpp"

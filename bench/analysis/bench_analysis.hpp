@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes errors, orders and exponents from the runs: everything in
-// a benchmark that is not measured directly.
+// Computes errors, orders and exponents from the runs: everything in a
+// benchmark that is not measured directly.
 
 #include "bench/analysis/bench.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file extracts from a result the quantities that a benchmark compares,
-// and defines the norm of their difference.
+// Extracts from a result the quantities that a benchmark compares, and defines
+// the norm of their difference.
 
 #include "bench/analysis/bench.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file extrapolates from coarse runs of a method to finer ones: error and
-// cost for any number of points. It owns the prediction and runs nothing.
+// Extrapolates from coarse runs of a method to finer ones: error and cost for
+// any number of points. It owns the prediction and runs nothing.
 
 #include <map>
 #include <span>

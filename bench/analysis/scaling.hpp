@@ -1,8 +1,8 @@
 #pragma once
 
-// This file derives from the runs of a benchmark how their time depends on the
-// number of threads or ranks: strong scaling, where all runs compute the same,
-// and weak scaling, where the work grows with the workers.
+// Derives from the runs of a benchmark how their time depends on the number of
+// threads or ranks: strong scaling, where all runs compute the same, and weak
+// scaling, where the work grows with the workers.
 
 #include "bench/analysis/bench.hpp"
 

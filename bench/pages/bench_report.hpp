@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes a benchmark to files: bench.json, bench.csv and report.html
-// with its figures.
+// Writes a benchmark to files: bench.json, bench.csv and report.html with its
+// figures.
 
 #include "reports/figures/gnuplot.hpp"
 

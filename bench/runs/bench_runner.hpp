@@ -1,8 +1,8 @@
 #pragma once
 
-// This file runs one setting of a benchmark, from its overrides to its cost and
-// results, by starting the program several times as a child process. It owns
-// the repeats and the time budget.
+// Runs one setting of a benchmark, from its overrides to its cost and results,
+// by starting the program several times as a child process. It owns the repeats
+// and the time budget.
 
 #include "cases/types/case.hpp"
 

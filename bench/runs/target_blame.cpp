@@ -1,5 +1,5 @@
-// This file explains why no setting meets an error target: which method, which
-// quantity and which contribution to the error is responsible.
+// Explains why no setting meets an error target: which method, which quantity
+// and which contribution to the error is responsible.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file finds the cheapest setting that is predicted to meet an error
-// target, and verifies whether it does. It owns the choice; the runs are those
-// of BenchRunner.
+// Finds the cheapest setting that is predicted to meet an error target, and
+// verifies whether it does. It owns the choice; the runs are those of
+// BenchRunner.
 
 #include <map>
 #include <string>

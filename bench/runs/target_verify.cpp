@@ -1,5 +1,5 @@
-// This file verifies whether an error target was met, and chooses what to try
-// next if it was not.
+// Verifies whether an error target was met, and chooses what to try next if it
+// was not.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file describes the outcome of a request for an error target, for the
-// terminal and for the provenance of the result.
+// Describes the outcome of a request for an error target, for the terminal and
+// for the provenance of the result.
 
 #include "results/types/result.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file selects the settings by which a benchmark compares full 3-D blocks:
-// the same problem on uniform layers and by the condensed solver, and the mesh
-// of the case on other numbers of points. It is internal to the sweep.
+// Selects the settings by which a benchmark compares full 3-D blocks: the same
+// problem on uniform layers and by the condensed solver, and the mesh of the
+// case on other numbers of points. It is internal to the sweep.
 
 #include "cases/types/case.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file gives access to the values of the keys of a case as the file has
-// them, for code that varies a case without knowing the meaning of its keys.
+// Gives access to the values of the keys of a case as the file has them, for
+// code that varies a case without knowing the meaning of its keys.
 
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file selects the runs of a scaling study: the case on several numbers of
-// threads or ranks, with the same work and with work that grows with them.
+// Selects the runs of a scaling study: the case on several numbers of threads
+// or ranks, with the same work and with work that grows with them.
 
 #include "cases/types/case.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file selects the settings of the methods that a benchmark runs. It owns
-// the table of axes; every method whose vocabulary contains the key of an axis
-// is included automatically.
+// Selects the settings of the methods that a benchmark runs. It owns the table
+// of axes; every method whose vocabulary contains the key of an axis is
+// included automatically.
 
 #include "cases/types/case.hpp"
 

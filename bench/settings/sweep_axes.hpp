@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines the keys of a method that trade cost for error, and the
-// values that a benchmark assigns to them. It is internal to the sweep.
+// The keys of a method that trade cost for error, and the values that a
+// benchmark assigns to them. It is internal to the sweep.
 
 #include <limits>
 #include <string>

@@ -1,9 +1,9 @@
 #pragma once
 
 // Bounds on the errors of a pressure field that any program may have computed.
-// This file owns the certificate: its numbers follow from heights, operator and
-// pressure alone, and hold whoever supplied the pressure. The derivations are
-// in docs/numerics/certificate.md.
+// The certificate: its numbers follow from heights, operator and pressure
+// alone, and hold whoever supplied the pressure. The derivations are in
+// docs/numerics/certificate.md.
 
 #include "contact/operators/surface_operator.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file makes a pressure >= 0 of the prescribed mean from a submitted
-// field, and finds what the bounds of the certificate need of it.
+// Makes a pressure >= 0 of the prescribed mean from a submitted field, and
+// finds what the bounds of the certificate need of it.
 
 #include "contact/certificate/certificate.hpp"
 #include "contact/certificate/weighted.hpp"

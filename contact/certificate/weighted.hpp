@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes means over the nodes for the certificate, whose roundoff
-// does not grow with the number of nodes.
+// Computes means over the nodes for the certificate, whose roundoff does not
+// grow with the number of nodes.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file provides entries of a linear operator on the contact surface, for
-// dense matrices of a few nodes.
+// Entries of a linear operator on the contact surface, for dense matrices of a
+// few nodes.
 
 #include "base/grid.hpp"
 

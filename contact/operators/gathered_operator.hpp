@@ -1,6 +1,6 @@
 #pragma once
 
-// This file makes an operator of whole fields from one whose rows ranks share.
+// Makes an operator of whole fields from one whose rows ranks share.
 
 #include "contact/operators/surface_operator.hpp"
 

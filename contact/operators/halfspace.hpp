@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes the surface compliance, per wavevector, of an elastic
-// continuum with a frictionless surface: an isotropic half-space or a slab of
-// finite thickness.
+// Computes the surface compliance, per wavevector, of an elastic continuum with
+// a frictionless surface: an isotropic half-space or a slab of finite
+// thickness.
 
 #include "base/grid.hpp"
 #include "contact/operators/fourier_operator.hpp"

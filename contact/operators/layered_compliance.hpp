@@ -1,9 +1,9 @@
 #pragma once
 
-// This file computes the elastic fields, per wavevector, in bonded isotropic
-// layers under a frictionless surface: the surface compliance and the stress
-// below the surface. It contains the recursion that carries the response of the
-// far boundary, or of a half-space, up through the layers.
+// Computes the elastic fields, per wavevector, in bonded isotropic layers under
+// a frictionless surface: the surface compliance and the stress below the
+// surface. It contains the recursion that carries the response of the far
+// boundary, or of a half-space, up through the layers.
 
 #include "contact/operators/halfspace.hpp"
 

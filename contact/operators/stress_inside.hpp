@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes the subsurface stress of a continuum block from the
-// surface pressure, on planes of constant depth. It contains the decay of each
-// Fourier mode with depth.
+// Computes the subsurface stress of a continuum block from the surface
+// pressure, on planes of constant depth. It contains the decay of each Fourier
+// mode with depth.
 
 #include "base/grid.hpp"
 #include "contact/operators/layered_compliance.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the interface between the contact solvers and the elastic
-// models: a pressure on a surface gives the displacement of that surface.
-// Finite elements, half-space and atomic lattice each implement it.
+// The interface between the contact solvers and the elastic models: a pressure
+// on a surface gives the displacement of that surface. Finite elements,
+// half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares an active-set method for the contact problem, used when
-// the iterative solver stagnates: it finds the set of nodes in contact by exact
-// solutions for fixed sets. It is limited to problems with few nodes.
+// An active-set method for the contact problem, used when the iterative solver
+// stagnates: it finds the set of nodes in contact by exact solutions for fixed
+// sets. It is limited to problems with few nodes.
 
 #include "contact/solvers/solver.hpp"
 

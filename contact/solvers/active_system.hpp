@@ -1,7 +1,7 @@
 #pragma once
 
-// This file solves the linear problem of a fixed set of nodes in contact, by
-// dense factorisation of the smaller of two matrices.
+// Solves the linear problem of a fixed set of nodes in contact, by dense
+// factorisation of the smaller of two matrices.
 
 #include "contact/operators/columns.hpp"
 #include "contact/operators/surface_operator.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file extends a residual from the active nodes across the contact
-// boundary, and applies the transpose to the result, which makes the masked
-// preconditioner efficient.
+// Extends a residual from the active nodes across the contact boundary, and
+// applies the transpose to the result, which makes the masked preconditioner
+// efficient.
 
 #include "contact/solvers/extension_levels.hpp"
 #include "contact/solvers/extension_rows.hpp"

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains the fields of one contact problem in the preconditioned
-// iteration: pressure and displacement in double precision, their changes in
-// single precision.
+// The fields of one contact problem in the preconditioned iteration: pressure
+// and displacement in double precision, their changes in single precision.
 
 #include "contact/solvers/iteration.hpp"
 #include "contact/solvers/node_blocks.hpp"

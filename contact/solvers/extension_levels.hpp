@@ -1,7 +1,6 @@
 #pragma once
 
-// This file contains the levels of cells of the extension of a residual over
-// the contact boundary.
+// The levels of cells of the extension of a residual over the contact boundary.
 
 #include <cstddef>
 #include <span>

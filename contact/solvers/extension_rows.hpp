@@ -1,9 +1,9 @@
 #pragma once
 
-// This file declares the loops over one row of BoundaryExtension. They are
-// compiled for the instructions of several processors and round in the same way
-// on all of them. Rows that a loop reads and writes do not overlap, unless one
-// pointer stands for both.
+// The loops over one row of BoundaryExtension. They are compiled for the
+// instructions of several processors and round in the same way on all of them.
+// Rows that a loop reads and writes do not overlap, unless one pointer stands
+// for both.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains what every iterative solver of the contact problem holds:
-// the problem, the pressure reached, the error that is left and the counts.
+// What every iterative solver of the contact problem holds: the problem, the
+// pressure reached, the error that is left and the counts.
 
 #include "contact/solvers/solver.hpp"
 

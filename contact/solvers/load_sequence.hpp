@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes a loading path on one surface: it contains the contact
-// laws, the initial guess of each step, its solution and the saved state of
-// earlier steps.
+// Computes a loading path on one surface: it contains the contact laws, the
+// initial guess of each step, its solution and the saved state of earlier
+// steps.
 
 #include "contact/solvers/solver.hpp"
 #include "mechanics/contact_law.hpp"

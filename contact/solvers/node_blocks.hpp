@@ -1,8 +1,8 @@
 #pragma once
 
-// This file provides loops over the blocks of nodes in which something happens,
-// so that the nodes far from the contact cost nothing. Their sums are bitwise
-// the same on any number of threads and ranks.
+// Loops over the blocks of nodes in which something happens, so that the nodes
+// far from the contact cost nothing. Their sums are bitwise the same on any
+// number of threads and ranks.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,10 +1,9 @@
 #pragma once
 
-// This file declares the loops over nodes of the preconditioned iteration. They
-// are compiled for the instructions of several processors and round in the same
-// way on all of them. Products of single-precision fields are rounded to single
-// precision, and so are the sums of four of them; all other sums are in double
-// precision.
+// The loops over nodes of the preconditioned iteration. They are compiled for
+// the instructions of several processors and round in the same way on all of
+// them. Products of single-precision fields are rounded to single precision,
+// and so are the sums of four of them; all other sums are in double precision.
 
 #include "base/maximum.hpp"
 #include "contact/solvers/node_blocks.hpp"

@@ -1,10 +1,9 @@
 #pragma once
 
-// This file contains what the loops of node_kernels.hpp consist of: blocks of
-// nodes, vectors of adjacent nodes, and sums that round in the same way for
-// every SIMD width. Conditions are masks of bits and sums stay in registers;
-// loops over arrays, which the compiler would turn into vectors, write their
-// terms to memory.
+// What the loops of node_kernels.hpp consist of: blocks of nodes, vectors of
+// adjacent nodes, and sums that round in the same way for every SIMD width.
+// Conditions are masks of bits and sums stay in registers; loops over arrays,
+// which the compiler would turn into vectors, write their terms to memory.
 
 #include "base/simd_pack.hpp"
 #include "contact/solvers/node_blocks.hpp"

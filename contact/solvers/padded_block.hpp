@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains a copy of an incomplete block of nodes, so that the loops
-// of node_kernels.hpp need no code for it.
+// A copy of an incomplete block of nodes, so that the loops of node_kernels.hpp
+// need no code for it.
 
 #include "contact/solvers/node_blocks.hpp"
 #include "contact/solvers/node_kernels.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file contains the preconditioner of the contact iteration.
+// The preconditioner of the contact iteration.
 
 #include "contact/operators/surface_operator.hpp"
 #include "contact/solvers/boundary_extension.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the steps that all contact solvers share before the first
-// iteration, and the scaling to the load.
+// The steps that all contact solvers share before the first iteration, and the
+// scaling to the load.
 
 #include "contact/solvers/solver.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the fields of one contact problem in the unpreconditioned
-// method, and the operations on them.
+// The fields of one contact problem in the unpreconditioned method, and the
+// operations on them.
 
 #include "contact/solvers/iteration.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the contact of an elastic surface and a rigid
-// counter-surface: the complementarity problem, its solution, and the
-// preconditioned solver that all elastic models use.
+// The contact of an elastic surface and a rigid counter-surface: the
+// complementarity problem, its solution, and the preconditioned solver that all
+// elastic models use.
 
 #include "contact/operators/surface_operator.hpp"
 #include "mechanics/loading.hpp"

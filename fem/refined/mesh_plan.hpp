@@ -1,7 +1,7 @@
 #pragma once
 
 // What a mesh of boxes becomes if some of its cells refine and others merge.
-// This file does not depend on deal.II; every rank makes the same plan.
+// Does not depend on deal.II; every rank makes the same plan.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file multiplies the Fourier amplitudes of the four node classes of a Q2
-// surface by blocks, on rows that ranks may share.
+// Multiplies the Fourier amplitudes of the four node classes of a Q2 surface by
+// blocks, on rows that ranks may share.
 
 #include "fem/waves/condensed_q2.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file declares the interface of atomistic contact engines. An engine
-// solves the load steps one after another and returns the quantities that are
-// common to all methods.
+// The interface of atomistic contact engines. An engine solves the load steps
+// one after another and returns the quantities that are common to all methods.
 
 #include "base/grid.hpp"
 #include "md/interface/interface.hpp"

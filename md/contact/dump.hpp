@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the output of atomic configurations in the extended XYZ
-// format, which OVITO and ASE read.
+// The output of atomic configurations in the extended XYZ format, which OVITO
+// and ASE read.
 
 #include "base/grid.hpp"
 #include "md/lattice/multiscale_block.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the system that consists of an explicit block, the
-// interface with the substrate, and the load.
+// The system that consists of an explicit block, the interface with the
+// substrate, and the load.
 
 #include "md/dynamics/inertial_system.hpp"
 #include "md/lattice/block_solver.hpp"

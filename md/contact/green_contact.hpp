@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the engine with bulk = "green", in which the block is
-// represented by its surface stiffness.
+// The engine with bulk = "green", in which the block is represented by its
+// surface stiffness.
 
 #include "md/contact/atomic_contact.hpp"
 

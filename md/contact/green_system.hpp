@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the system of Green's function molecular dynamics, in
-// which the bulk is represented by its surface stiffness, together with the
-// interface and the load.
+// The system of Green's function molecular dynamics, in which the bulk is
+// represented by its surface stiffness, together with the interface and the
+// load.
 
 #include "md/interface/interface_curvature.hpp"
 #include "md/lattice/surface_stiffness.hpp"

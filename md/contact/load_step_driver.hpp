@@ -1,9 +1,9 @@
 #pragma once
 
-// This file declares the driver of load steps of the built-in engine. It is
-// common to all bulk models: approach, equilibrium, evaluation, and the initial
-// guess of the next step. A derived class defines how the block moves and how
-// equilibrium is found.
+// The driver of load steps of the built-in engine. It is common to all bulk
+// models: approach, equilibrium, evaluation, and the initial guess of the next
+// step. A derived class defines how the block moves and how equilibrium is
+// found.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/contact/dump.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file converts an AtomRequest to the arguments of the components of this
-// module.
+// Converts an AtomRequest to the arguments of the components of this module.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/interface/interaction.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the results of a load step from positions and normal
-// forces: gap, area and energies.
+// Computes the results of a load step from positions and normal forces: gap,
+// area and energies.
 
 #include "md/contact/atomic_contact.hpp"
 #include "md/minimise/system.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares checkpoints, from which a dynamics run can be resumed with
-// bitwise identical results. It defines the file layout and verifies that a
-// checkpoint belongs to the run.
+// Checkpoints, from which a dynamics run can be resumed with bitwise identical
+// results. It defines the file layout and verifies that a checkpoint belongs to
+// the run.
 
 #include "md/dynamics/dynamics.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file declares the time integrator: velocity Verlet combined with a
-// Langevin thermostat by operator splitting. It defines the state of a run and
-// one time step.
+// The time integrator: velocity Verlet combined with a Langevin thermostat by
+// operator splitting. It defines the state of a run and one time step.
 
 #include "md/dynamics/inertial_system.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the solution of a load step by molecular dynamics: damped
-// motion until equilibrium, or a time average at finite temperature. It defines
-// the stopping criteria, the averages and the checkpoints.
+// The solution of a load step by molecular dynamics: damped motion until
+// equilibrium, or a time average at finite temperature. It defines the stopping
+// criteria, the averages and the checkpoints.
 
 #include "md/dynamics/dynamics.hpp"
 #include "md/minimise/relaxation.hpp"

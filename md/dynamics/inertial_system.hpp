@@ -1,7 +1,6 @@
 #pragma once
 
-// This file declares the interface of systems with masses, as needed by time
-// integrators.
+// The interface of systems with masses, as needed by time integrators.
 
 #include "md/minimise/system.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file declares the random numbers of the thermostat. They are determined
-// by seed, step and unknown, independently of the order and the thread in which
-// they are drawn.
+// The random numbers of the thermostat. They are determined by seed, step and
+// unknown, independently of the order and the thread in which they are drawn.
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines the pair potential between an atom of the block and an atom
-// of the substrate, with its cutoff and taper.
+// The pair potential between an atom of the block and an atom of the substrate,
+// with its cutoff and taper.
 
 namespace asperity::md {
 

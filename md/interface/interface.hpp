@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the interface between the lowest layer of the block and
-// the rigid substrate. It computes the energy and the forces of all pairs, and
-// checks whether a configuration is physically valid.
+// The interface between the lowest layer of the block and the rigid substrate.
+// It computes the energy and the forces of all pairs, and checks whether a
+// configuration is physically valid.
 
 #include "base/grid.hpp"
 #include "md/interface/interaction.hpp"

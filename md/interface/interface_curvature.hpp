@@ -1,7 +1,7 @@
 #pragma once
 
-// This file represents the second derivatives of the interface energy for
-// Newton's method. It limits negative eigenvalues and provides the scaling that
+// Represents the second derivatives of the interface energy for Newton's
+// method. It limits negative eigenvalues and provides the scaling that
 // equalises the atoms in the preconditioner.
 
 #include "md/interface/interface.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the SIMD kernels that sum over the pairs of some atoms.
-// Lengths are in units of r_0 and energies in units of eps.
+// The SIMD kernels that sum over the pairs of some atoms. Lengths are in units
+// of r_0 and energies in units of eps.
 
 #include "md/interface/interaction.hpp"
 #include "md/interface/symmetric_block.hpp"

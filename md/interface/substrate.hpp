@@ -1,8 +1,7 @@
 #pragma once
 
-// This file declares the rigid substrate as used by the SIMD kernel: the
-// periodically padded array of heights and the search for the neighbours of a
-// point.
+// The rigid substrate as used by the SIMD kernel: the periodically padded array
+// of heights and the search for the neighbours of a point.
 
 #include "base/grid.hpp"
 #include "md/interface/interface_kernel.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines a real symmetric 3 x 3 matrix, which is used for the
-// stiffness at one wavevector and for the second derivatives with respect to
-// the position of one atom.
+// A real symmetric 3 x 3 matrix, which is used for the stiffness at one
+// wavevector and for the second derivatives with respect to the position of one
+// atom.
 
 namespace asperity::md {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains the lanes of the SIMD kernels and the distances of atoms
-// to the atoms of their tiles. All functions are inlined into the kernel of an
-// instruction set.
+// The lanes of the SIMD kernels and the distances of atoms to the atoms of
+// their tiles. All functions are inlined into the kernel of an instruction set.
 
 #include "base/simd_pack.hpp"
 #include "md/interface/interface_kernel.hpp"

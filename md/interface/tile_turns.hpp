@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains the loop of the SIMD kernels over all tiles of some atoms:
-// it provides the distances and the beginning of the law of each vector in
-// time.
+// The loop of the SIMD kernels over all tiles of some atoms: it provides the
+// distances and the beginning of the law of each vector in time.
 
 #include "md/interface/tile_distances.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file reads the output of LAMMPS after a load step and converts it to SI
-// units.
+// Reads the output of LAMMPS after a load step and converts it to SI units.
 
 #include "md/lammps/lammps_block.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the block as represented in LAMMPS: the numbering of the
-// atoms, the bonds and the pair potential with the substrate. It generates the
-// files that are common to all load steps.
+// The block as represented in LAMMPS: the numbering of the atoms, the bonds and
+// the pair potential with the substrate. It generates the files that are common
+// to all load steps.
 
 #include "base/grid.hpp"
 #include "md/contact/atomic_contact.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the engine that runs LAMMPS as a child process for each
-// load step. It is an independent implementation against which the built-in
-// engine is verified, and the one that runs on several processes.
+// The engine that runs LAMMPS as a child process for each load step. It is an
+// independent implementation against which the built-in engine is verified, and
+// the one that runs on several processes.
 
 #include "md/contact/atomic_contact.hpp"
 

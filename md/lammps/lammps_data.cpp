@@ -1,5 +1,4 @@
-// This file generates the text of the files that LAMMPS reads before the first
-// step.
+// Generates the text of the files that LAMMPS reads before the first step.
 #include "md/lammps/lammps_block.hpp"
 #include "md/lammps/lammps_units.hpp"
 

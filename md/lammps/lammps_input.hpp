@@ -1,6 +1,6 @@
 #pragma once
 
-// This file generates the input script of one load step: constraints, load and
+// Generates the input script of one load step: constraints, load and
 // minimisation in LAMMPS. It defines the names of the exchanged files.
 
 #include "md/lammps/lammps_block.hpp"

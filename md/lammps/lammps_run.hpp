@@ -1,7 +1,7 @@
 #pragma once
 
-// This file runs the program lmp as a child process. It finds, starts, monitors
-// and ends the process, and does not depend on the atomistic model.
+// Runs the program lmp as a child process. It finds, starts, monitors and ends
+// the process, and does not depend on the atomistic model.
 
 #include <filesystem>
 #include <functional>

@@ -1,9 +1,8 @@
 #pragma once
 
-// This file maps the modes of a lateral grid to the modes of the grid with half
-// as many points per side. It determines which fine modes alias to the same
-// coarse mode, in the half spectra of both grids, and handles complex
-// conjugates.
+// Maps the modes of a lateral grid to the modes of the grid with half as many
+// points per side. It determines which fine modes alias to the same coarse
+// mode, in the half spectra of both grids, and handles complex conjugates.
 
 #include "base/grid.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the direct solver of the explicit block for given forces.
-// The solver factorises one tree of small matrix blocks per coarse wavevector
-// and stores the factors.
+// The direct solver of the explicit block for given forces. The solver
+// factorises one tree of small matrix blocks per coarse wavevector and stores
+// the factors.
 
 #include "base/fourier.hpp"
 #include "md/lattice/multiscale_block.hpp"

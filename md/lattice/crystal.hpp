@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the crystal of the block: a simple cubic lattice whose
-// energy is a sum over unit cells. All elastic operators of this module are
-// assembled from the stiffness matrix of one cell.
+// The crystal of the block: a simple cubic lattice whose energy is a sum over
+// unit cells. All elastic operators of this module are assembled from the
+// stiffness matrix of one cell.
 
 #include "mechanics/md_settings.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file provides the effective contact modulus of an explicit block,
-// computed on a periodic strip.
+// The effective contact modulus of an explicit block, computed on a periodic
+// strip.
 
 #include "md/lattice/crystal.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file provides the transfer operators between two levels of the
-// multiscale block: the interpolation of displacements to the fine plane of
-// hanging nodes, and its transpose for the forces.
+// The transfer operators between two levels of the multiscale block: the
+// interpolation of displacements to the fine plane of hanging nodes, and its
+// transpose for the forces.
 
 #include "md/lattice/slab_coupling.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the explicit block, which consists of layers of cells
-// whose spacing doubles from level to level. The class defines the order of the
-// atoms and computes their masses, energy and forces.
+// The explicit block, which consists of layers of cells whose spacing doubles
+// from level to level. The class defines the order of the atoms and computes
+// their masses, energy and forces.
 
 #include "base/grid.hpp"
 #include "md/lattice/crystal.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file represents one layer of cells as the coupling of its two bounding
-// layers of atoms. It provides the stencil in real space, row by row of a grid,
-// and its symbol for one lateral wavevector.
+// Represents one layer of cells as the coupling of its two bounding layers of
+// atoms. It provides the stencil in real space, row by row of a grid, and its
+// symbol for one lateral wavevector.
 
 #include "md/lattice/crystal.hpp"
 

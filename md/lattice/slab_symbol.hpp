@@ -1,8 +1,8 @@
 #pragma once
 
-// This file provides the stiffness of the lower face of a crystal slab for one
-// lateral wavevector, after elimination of all layers above it. Thick slabs are
-// composed from thin ones by doubling.
+// The stiffness of the lower face of a crystal slab for one lateral wavevector,
+// after elimination of all layers above it. Thick slabs are composed from thin
+// ones by doubling.
 
 #include "md/interface/symmetric_block.hpp"
 #include "md/lattice/crystal.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file provides the surface stiffness of the block, i.e. its response at
-// the lowest layer of atoms for all lateral wavevectors. It stores the symbol
-// and transforms between real space and Fourier space.
+// The surface stiffness of the block, i.e. its response at the lowest layer of
+// atoms for all lateral wavevectors. It stores the symbol and transforms
+// between real space and Fourier space.
 
 #include "base/fourier.hpp"
 #include "md/interface/interface.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file provides the algebra of one mode of one layer: three amplitudes, of
-// which x and y are multiplied by -i, and the real symmetric matrices that act
-// on them. It also defines how both transform from the mode q to the mode -q.
+// The algebra of one mode of one layer: three amplitudes, of which x and y are
+// multiplied by -i, and the real symmetric matrices that act on them. It also
+// defines how both transform from the mode q to the mode -q.
 
 #include "md/lattice/slab_symbol.hpp"
 

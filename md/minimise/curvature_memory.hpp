@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the limited-memory BFGS approximation of the inverse
-// second derivatives, built from the last steps of a minimisation.
+// The limited-memory BFGS approximation of the inverse second derivatives,
+// built from the last steps of a minimisation.
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file declares the interface of systems that provide second derivatives
-// for Newton's method.
+// The interface of systems that provide second derivatives for Newton's method.
 
 #include "md/minimise/system.hpp"
 

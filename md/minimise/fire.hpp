@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the FIRE minimiser: damped dynamics that accelerate
-// downhill and stop whenever the energy would increase.
+// The FIRE minimiser: damped dynamics that accelerate downhill and stop
+// whenever the energy would increase.
 
 #include "md/minimise/relaxation.hpp"
 #include "md/minimise/system.hpp"

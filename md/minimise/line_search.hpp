@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the state of a minimisation together with a line search
-// for a lower energy. It is shared by all minimisers with line searches.
+// The state of a minimisation together with a line search for a lower energy.
+// It is shared by all minimisers with line searches.
 
 #include "md/minimise/relaxation.hpp"
 #include "md/minimise/system.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file declares an inexact Newton method for the equilibrium of forces.
+// An inexact Newton method for the equilibrium of forces.
 
 #include "md/minimise/curved_system.hpp"
 #include "md/minimise/relaxation.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file declares the minimisers' settings and results, and the
-// preconditioned L-BFGS method.
+// The minimisers' settings and results, and the preconditioned L-BFGS method.
 
 #include "md/minimise/system.hpp"
 

@@ -1,9 +1,8 @@
 #pragma once
 
-// This file declares the interface between an atomistic system and the
-// minimisers and integrators, which pass positions and receive energy and
-// forces. It defines the order of the unknowns and the contact force to which
-// residuals refer.
+// The interface between an atomistic system and the minimisers and integrators,
+// which pass positions and receive energy and forces. It defines the order of
+// the unknowns and the contact force to which residuals refer.
 
 #include "base/grid.hpp"
 #include "md/interface/interface.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file fits the single factor that scales the theory's entire curve A(p)
-// to that of a method, as in Fig. 16 of Yang and Persson (2008), and shows how
-// the factor depends on the range of loads.
+// Fits the single factor that scales the theory's entire curve A(p) to that of
+// a method, as in Fig. 16 of Yang and Persson (2008), and shows how the factor
+// depends on the range of loads.
 
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/summary.hpp"

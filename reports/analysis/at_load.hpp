@@ -1,6 +1,6 @@
 #pragma once
 
-// This file evaluates quantities of a curve at a single load, as [expect] and
+// Evaluates quantities of a curve at a single load, as [expect] and
 // reference.csv request them: "area_fraction@p=0.0129 E*".
 
 #include "reports/analysis/summary.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file quantifies statements that a paper makes about curves and surfaces
-// in words or in passing: linearity, completeness, and where theory and
-// simulation deviate. The quantities are compared with reference.csv by name;
-// [expect] does not accept them.
+// Quantifies statements that a paper makes about curves and surfaces in words
+// or in passing: linearity, completeness, and where theory and simulation
+// deviate. The quantities are compared with reference.csv by name; [expect]
+// does not accept them.
 
 #include "reports/analysis/summary.hpp"
 

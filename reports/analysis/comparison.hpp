@@ -1,7 +1,7 @@
 #pragma once
 
-// This file compares one curve with another: a method with the theory of the
-// same case, or with an exact solution. It defines the meaning of "deviation".
+// Compares one curve with another: a method with the theory of the same case,
+// or with an exact solution. It defines the meaning of "deviation".
 
 #include "reports/numbers/estimate.hpp"
 #include "results/types/result.hpp"

@@ -1,9 +1,8 @@
 #pragma once
 
-// This file compares numerical solutions with exact contact solutions for the
-// shapes that have one: the sphere (Hertz), the punch, the 1-D wave
-// (Westergaard) and the 2-D wave (its two limits and, between them, the table
-// of the theory module).
+// Compares numerical solutions with exact contact solutions for the shapes that
+// have one: the sphere (Hertz), the punch, the 1-D wave (Westergaard) and the
+// 2-D wave (its two limits and, between them, the table of the theory module).
 
 #include "reports/analysis/summary.hpp"
 

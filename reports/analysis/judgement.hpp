@@ -1,7 +1,7 @@
 #pragma once
 
-// This file compares a published number with a computed one. It owns the
-// wording of the comparison and decides nothing else.
+// Compares a published number with a computed one. It owns the wording of the
+// comparison and decides nothing else.
 
 #include "cases/types/reference.hpp"
 #include "reports/numbers/estimate.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file collects the tables of a magnification study. It is internal to the
-// figures.
+// Collects the tables of a magnification study. It is internal to the figures.
 
 #include "results/types/result.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file evaluates a series of increasingly fine settings: the exponent with
-// which an error or a cost scales, the limit, and the settings that are worth
-// their cost. It owns Richardson's extrapolation and does not depend on contact
+// Evaluates a series of increasingly fine settings: the exponent with which an
+// error or a cost scales, the limit, and the settings that are worth their
+// cost. It owns Richardson's extrapolation and does not depend on contact
 // mechanics.
 
 #include "reports/numbers/estimate.hpp"

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file computes the named quantities of a rough surface: gamma by two
-// definitions, beta, kappa, and the deviation of a method from the theory of
-// the same case.
+// Computes the named quantities of a rough surface: gamma by two definitions,
+// beta, kappa, and the deviation of a method from the theory of the same case.
 
 #include "reports/analysis/summary.hpp"
 #include "reports/analysis/surface_theory.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes named quantities of the subsurface stress from the tables
-// of a result.
+// Computes named quantities of the subsurface stress from the tables of a
+// result.
 
 #include "reports/analysis/summary.hpp"
 

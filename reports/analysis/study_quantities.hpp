@@ -1,8 +1,8 @@
 #pragma once
 
-// This file reads named quantities from the tables of the studies, as [expect]
-// and reference.csv request them: "adhesion_flip",
-// "mean_gap_ratio@p=10 MPa@zeta=10".
+// Reads named quantities from the tables of the studies, as [expect] and
+// reference.csv request them: "adhesion_flip", "mean_gap_ratio@p=10
+// MPa@zeta=10".
 
 #include "reports/analysis/summary.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file evaluates Persson's theory for the actual surface on which a method
-// ran, for the fit of gamma, and passes heights on to the functions of
-// surfaces/. Equation numbers are those of Yang and Persson (2008).
+// Evaluates Persson's theory for the actual surface on which a method ran, for
+// the fit of gamma, and passes heights on to the functions of surfaces/.
+// Equation numbers are those of Yang and Persson (2008).
 
 #include "cases/types/case.hpp"
 #include "reports/numbers/fits.hpp"

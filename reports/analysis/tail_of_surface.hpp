@@ -1,9 +1,8 @@
 #pragma once
 
-// This file estimates the expected behaviour of the highest parts of a Gaussian
-// surface, in addition to the theory of its case. The two quantities
-// distinguish a small system (Sec. 6 of Yang and Persson 2008) from an infinite
-// surface.
+// Estimates the expected behaviour of the highest parts of a Gaussian surface,
+// in addition to the theory of its case. The two quantities distinguish a small
+// system (Sec. 6 of Yang and Persson 2008) from an infinite surface.
 
 #include "reports/analysis/summary.hpp"
 

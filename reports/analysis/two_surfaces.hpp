@@ -1,7 +1,7 @@
 #pragma once
 
-// This file describes two surfaces that are analysed but not pressed together:
-// the two surfaces of one contact. It owns their sum.
+// Describes two surfaces that are analysed but not pressed together: the two
+// surfaces of one contact. It owns their sum.
 
 #include "results/types/result.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file compares expectations with results and formats the verdict: a line
-// on the terminal, JUnit XML for a CI server, JSON for programs.
+// Compares expectations with results and formats the verdict: a line on the
+// terminal, JUnit XML for a CI server, JSON for programs.
 
 #include "reports/analysis/summary.hpp"
 

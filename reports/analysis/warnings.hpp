@@ -1,8 +1,7 @@
 #pragma once
 
-// This file detects where the data violate the assumptions of the methods. It
-// owns the limits and the messages; the numbers come from
-// surfaces/assumptions.hpp.
+// Detects where the data violate the assumptions of the methods. It owns the
+// limits and the messages; the numbers come from surfaces/assumptions.hpp.
 
 #include "cases/types/case.hpp"
 #include "reports/analysis/summary.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file describes the curves of a figure for the browser: which columns of
-// the figure's table are drawn against each other, and how. The numbers
-// themselves stay in the table.
+// Describes the curves of a figure for the browser: which columns of the
+// figure's table are drawn against each other, and how. The numbers themselves
+// stay in the table.
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file reads back what a figure plots from its gnuplot script, so that the
-// browser draws exactly the curves of the printed figure. Only the commands
-// that figures of this program write are understood.
+// Reads back what a figure plots from its gnuplot script, so that the browser
+// draws exactly the curves of the printed figure. Only the commands that
+// figures of this program write are understood.
 
 #include "reports/explore/chart.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes what the browser needs of one figure, as JSON that is safe
-// inside a page, and finds the library that draws curves.
+// Writes what the browser needs of one figure, as JSON that is safe inside a
+// page, and finds the library that draws curves.
 
 #include "reports/explore/chart.hpp"
 #include "reports/explore/map_stack.hpp"

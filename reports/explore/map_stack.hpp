@@ -1,7 +1,7 @@
 #pragma once
 
-// This file prepares maps for the browser: one or more quantities at one or
-// more loads, between which a slider moves.
+// Prepares maps for the browser: one or more quantities at one or more loads,
+// between which a slider moves.
 
 #include "base/grid.hpp"
 #include "reports/explore/packed.hpp"

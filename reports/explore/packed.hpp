@@ -1,7 +1,7 @@
 #pragma once
 
-// This file packs tables and maps for a page: compressed (zlib format) and in
-// base64, as the browser's own DecompressionStream unpacks them.
+// Packs tables and maps for a page: compressed (zlib format) and in base64, as
+// the browser's own DecompressionStream unpacks them.
 
 #include <string>
 #include <string_view>

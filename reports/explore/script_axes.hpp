@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the commands of a script that hold for the plots after them:
-// axes, bars, shaded ranges. It is internal to this folder.
+// Reads the commands of a script that hold for the plots after them: axes,
+// bars, shaded ranges. It is internal to this folder.
 
 #include "reports/explore/chart.hpp"
 

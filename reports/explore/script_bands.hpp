@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the bands of a figure: closed polygons in a file of their
-// own. It is internal to this folder.
+// Reads the bands of a figure: closed polygons in a file of their own. It is
+// internal to this folder.
 
 #include "reports/explore/chart.hpp"
 

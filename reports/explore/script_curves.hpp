@@ -1,6 +1,6 @@
 #pragma once
 
-// This file reads one curve of a plot command. It is internal to this folder.
+// Reads one curve of a plot command. It is internal to this folder.
 
 #include "reports/explore/chart.hpp"
 

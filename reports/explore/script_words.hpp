@@ -1,7 +1,7 @@
 #pragma once
 
-// This file splits gnuplot scripts into commands and words. It is internal to
-// this folder.
+// Splits gnuplot scripts into commands and words. It is internal to this
+// folder.
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file declares the figures of a report. Each is a pure function from
-// results to data and a gnuplot script; this file defines what is plotted
-// against what. Equation numbers are those of Yang and Persson (2008).
+// The figures of a report. Each is a pure function from results to data and a
+// gnuplot script; this file defines what is plotted against what. Equation
+// numbers are those of Yang and Persson (2008).
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file draws with gnuplot as a child process and owns the common style of
-// all figures. A figure consists of three files: data (.csv), script (.gp) and
+// Draws with gnuplot as a child process and owns the common style of all
+// figures. A figure consists of three files: data (.csv), script (.gp) and
 // image (.svg).
 
 #include "reports/explore/map_stack.hpp"

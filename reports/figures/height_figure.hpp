@@ -1,7 +1,7 @@
 #pragma once
 
-// This file plots the height distribution of the surface, as in Figs. 5 and 13
-// of Yang and Persson (2008).
+// Plots the height distribution of the surface, as in Figs. 5 and 13 of Yang
+// and Persson (2008).
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/series.hpp"

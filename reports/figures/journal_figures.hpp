@@ -1,7 +1,7 @@
 #pragma once
 
-// This file draws the figures of a report again in the formats and at the
-// widths of journals.
+// Draws the figures of a report again in the formats and at the widths of
+// journals.
 
 #include "reports/figures/gnuplot.hpp"
 

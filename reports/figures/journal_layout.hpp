@@ -1,8 +1,7 @@
 #pragma once
 
-// This file arranges a figure on the page of a journal: margins, legend and
-// height, such that most of the figure is its plot. It is internal to this
-// folder.
+// Arranges a figure on the page of a journal: margins, legend and height, such
+// that most of the figure is its plot. It is internal to this folder.
 
 #include "reports/figures/gnuplot.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file makes the maps of a figure that the browser shows. It is internal
-// to the figures.
+// Makes the maps of a figure that the browser shows. It is internal to the
+// figures.
 
 #include "reports/analysis/summary.hpp"
 #include "reports/explore/map_stack.hpp"

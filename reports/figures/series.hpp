@@ -1,6 +1,6 @@
 #pragma once
 
-// This file prepares curves for plotting: they are normalised, averaged over
+// Prepares curves for plotting: they are normalised, averaged over
 // realisations, and have a colour and a marker each. "Eq. (21)" is that of Yang
 // and Persson (2008).
 

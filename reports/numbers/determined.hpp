@@ -1,8 +1,7 @@
 #pragma once
 
-// This file decides whether a fitted number counts as a result. It owns the
-// rules by which a number is "not determined" and the messages that state the
-// reason.
+// Decides whether a fitted number counts as a result. It owns the rules by
+// which a number is "not determined" and the messages that state the reason.
 
 #include "reports/numbers/estimate.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines a number with its 95 % confidence interval and the origin
-// of that interval. It owns the straight-line fit and Student's t and does not
-// depend on contact mechanics.
+// A number with its 95 % confidence interval and the origin of that interval.
+// It owns the straight-line fit and Student's t and does not depend on contact
+// mechanics.
 
 #include "base/special_numbers.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file determines the quantities of Yang and Persson (2008) from one
-// curve: gamma as a slope, gamma as the parameter of Eq. (10), beta and kappa.
-// It owns the choice of the fit windows. Equation and section numbers are those
-// of that paper.
+// Determines the quantities of Yang and Persson (2008) from one curve: gamma as
+// a slope, gamma as the parameter of Eq. (10), beta and kappa. It owns the
+// choice of the fit windows. Equation and section numbers are those of that
+// paper.
 
 #include "reports/numbers/estimate.hpp"
 #include "results/types/result.hpp"

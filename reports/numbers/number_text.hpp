@@ -1,7 +1,6 @@
 #pragma once
 
-// This file formats a number with its confidence interval for a page or a
-// figure.
+// Formats a number with its confidence interval for a page or a figure.
 
 #include "reports/numbers/estimate.hpp"
 

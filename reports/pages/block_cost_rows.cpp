@@ -1,5 +1,5 @@
-// This file compares the cost of full 3-D finite-element models with each other
-// and with the condensed model, as rows of the page.
+// Compares the cost of full 3-D finite-element models with each other and with
+// the condensed model, as rows of the page.
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>

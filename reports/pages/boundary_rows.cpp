@@ -1,5 +1,5 @@
-// This file compares half-spaces with free and with periodic boundaries on the
-// same surface, as rows of the page.
+// Compares half-spaces with free and with periodic boundaries on the same
+// surface, as rows of the page.
 #include "base/shown_number.hpp"
 #include "reports/pages/page_data.hpp"
 

@@ -1,4 +1,4 @@
-// This file shows what is certified about each method, as rows of the page.
+// Shows what is certified about each method, as rows of the page.
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>

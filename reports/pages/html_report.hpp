@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes report.html: one self-contained file without network access,
-// complete without scripts. It owns the text around the numbers; the layout is
+// Writes report.html: one self-contained file without network access, complete
+// without scripts. It owns the text around the numbers; the layout is
 // report.html.mustache.
 
 #include "reports/figures/series.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes the text on methods and the literature that a publication of
-// a result needs: only what was used in this result.
+// Writes the text on methods and the literature that a publication of a result
+// needs: only what was used in this result.
 
 #include "reports/figures/series.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file connects the two parts of the page's data: the description of each
-// result, and the tables of fits, failed steps and figures. It is internal to
-// the page.
+// Connects the two parts of the page's data: the description of each result,
+// and the tables of fits, failed steps and figures. It is internal to the page.
 
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/html_report.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file writes the report on a collection of cases that test the claims of
-// one paper: all published numbers with their verdicts in one table, followed
-// by one section per part. It owns the assembly of parts into one page; the
-// layout is paper.html.mustache.
+// Writes the report on a collection of cases that test the claims of one paper:
+// all published numbers with their verdicts in one table, followed by one
+// section per part. It owns the assembly of parts into one page; the layout is
+// paper.html.mustache.
 
 #include "reports/figures/series.hpp"
 #include "reports/pages/report.hpp"

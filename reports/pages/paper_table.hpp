@@ -1,8 +1,7 @@
 #pragma once
 
-// This file builds the table of all published numbers of a collection, with one
-// row per number and computing method. It is internal to the report on a
-// collection.
+// Builds the table of all published numbers of a collection, with one row per
+// number and computing method. It is internal to the report on a collection.
 
 #include "reports/analysis/judgement.hpp"
 #include "reports/pages/paper_report.hpp"

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file prints a page to PDF with a program that is installed, as a child
-// process.
+// Prints a page to PDF with a program that is installed, as a child process.
 
 #include <filesystem>
 #include <string>

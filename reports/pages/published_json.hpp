@@ -1,8 +1,8 @@
 #pragma once
 
-// This file writes a published number beside the computed ones as JSON, in the
-// same form in summary.json and in the paper.json of a collection. It is
-// internal to the reports.
+// Writes a published number beside the computed ones as JSON, in the same form
+// in summary.json and in the paper.json of a collection. It is internal to the
+// reports.
 
 #include "reports/analysis/verdict.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads a case's README.md for the report: as plain paragraphs. It is
-// internal to the report on a collection.
+// Reads a case's README.md for the report: as plain paragraphs. It is internal
+// to the report on a collection.
 
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #pragma once
 
-// This file is the interface of the module: it takes results and writes a
-// report folder.
+// Is the interface of the module: it takes results and writes a report folder.
 
 #include "reports/figures/journal_figures.hpp"
 #include "reports/figures/series.hpp"

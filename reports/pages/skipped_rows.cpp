@@ -1,4 +1,4 @@
-// This file lists what a run did not compute, as rows of the page.
+// Lists what a run did not compute, as rows of the page.
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>

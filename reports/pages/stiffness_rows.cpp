@@ -1,5 +1,4 @@
-// This file shows how stiff each contact is and where its load acts, as rows of
-// the page.
+// Shows how stiff each contact is and where its load acts, as rows of the page.
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file draws the figures of a surface report: map, heights, spectrum,
+// Draws the figures of a surface report: map, heights, spectrum,
 // autocorrelation, dependence on scale, bearing curve and predicted contact.
 
 #include "reports/figures/gnuplot.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file writes a surface report as JSON, in SI units.
+// Writes a surface report as JSON, in SI units.
 
 #include "reports/surface/surface_report.hpp"
 

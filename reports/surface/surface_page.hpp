@@ -1,6 +1,6 @@
 #pragma once
 
-// This file writes the page of `asperity surface` with its figures.
+// Writes the page of `asperity surface` with its figures.
 
 #include "reports/surface/surface_report.hpp"
 

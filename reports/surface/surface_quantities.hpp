@@ -1,7 +1,7 @@
 #pragma once
 
-// This file lists the numbers of a surface report with their names, units and
-// meanings, for the table on the terminal, the page and the JSON file.
+// Lists the numbers of a surface report with their names, units and meanings,
+// for the table on the terminal, the page and the JSON file.
 
 #include "reports/surface/surface_report.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains what the report of `asperity surface` shows: analyses of
-// maps and lines, their common spectrum, and the contact that theory predicts.
+// What the report of `asperity surface` shows: analyses of maps and lines,
+// their common spectrum, and the contact that theory predicts.
 
 #include "surfaces/analysis/surface_analysis.hpp"
 

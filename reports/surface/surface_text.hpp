@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes a surface report as text for a terminal, and its spectrum as
-// a table that a case can read.
+// Writes a surface report as text for a terminal, and its spectrum as a table
+// that a case can read.
 
 #include "reports/surface/surface_report.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file turns the values of a swept key into positions, labels and colours
-// of a figure.
+// Turns the values of a swept key into positions, labels and colours of a
+// figure.
 
 #include "cases/sweeps/sweep.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file declares the figures of a sweep: loading curves of all points,
-// quantities against the swept keys, and heat maps.
+// The figures of a sweep: loading curves of all points, quantities against the
+// swept keys, and heat maps.
 
 #include "reports/figures/figures.hpp"
 #include "reports/sweeps/swept_results.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines the plan of a sweep as sweep.json states it: the swept
-// keys, their values and the points, each with the folder of its result.
+// The plan of a sweep as sweep.json states it: the swept keys, their values and
+// the points, each with the folder of its result.
 
 #include "cases/sweeps/sweep.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes the report on a sweep: sweep.json, sweep.csv, report.html,
-// its figures and, on request, report.pdf and journal/.
+// Writes the report on a sweep: sweep.json, sweep.csv, report.html, its figures
+// and, on request, report.pdf and journal/.
 
 #include "reports/pages/report.hpp"
 #include "reports/sweeps/swept_results.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the results of the points of a sweep, one at a time and
-// without their fields, and lists their quantities as a table.
+// Reads the results of the points of a sweep, one at a time and without their
+// fields, and lists their quantities as a table.
 
 #include "reports/figures/series.hpp"
 #include "reports/sweeps/sweep_record.hpp"

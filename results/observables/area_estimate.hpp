@@ -1,8 +1,8 @@
 #pragma once
 
-// This file estimates the contact area of the continuum from a solution on a
-// grid. It locates the contact boundary between nodes and corrects the
-// remaining discretisation error of each operator.
+// Estimates the contact area of the continuum from a solution on a grid. It
+// locates the contact boundary between nodes and corrects the remaining
+// discretisation error of each operator.
 
 #include "base/grid.hpp"
 #include "results/observables/observables.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes the contact stiffness of curves whose method does not
-// provide it, by finite differences of ln p with respect to u. They are exact
-// for the exponential relation that the theory predicts.
+// Computes the contact stiffness of curves whose method does not provide it, by
+// finite differences of ln p with respect to u. They are exact for the
+// exponential relation that the theory predicts.
 
 #include "results/types/result.hpp"
 

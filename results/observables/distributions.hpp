@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes the distributions of pressure and gap over the contact
-// surface, and the connected contact patches. Each density is normalised so
-// that its integral is an area fraction.
+// Computes the distributions of pressure and gap over the contact surface, and
+// the connected contact patches. Each density is normalised so that its
+// integral is an area fraction.
 
 #include "base/grid.hpp"
 #include "results/types/map_view.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the numbers of a surface that follow from its heights, by
-// which the record of any program can be verified or completed.
+// Computes the numbers of a surface that follow from its heights, by which the
+// record of any program can be verified or completed.
 
 #include "results/types/result.hpp"
 

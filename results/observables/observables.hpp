@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines the observables of a contact: counted area, perimeter and
-// energy. The same definitions apply to all methods.
+// The observables of a contact: counted area, perimeter and energy. The same
+// definitions apply to all methods.
 
 #include "base/grid.hpp"
 

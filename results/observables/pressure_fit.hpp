@@ -1,9 +1,9 @@
 #pragma once
 
-// This file fits the theoretical pressure distribution to a pressure map and
-// computes the corresponding contact area. Unlike the number of nodes in
-// contact, this area needs no criterion for the onset of contact. It is
-// therefore also defined for atoms, whose pressure never vanishes exactly.
+// Fits the theoretical pressure distribution to a pressure map and computes the
+// corresponding contact area. Unlike the number of nodes in contact, this area
+// needs no criterion for the onset of contact. It is therefore also defined for
+// atoms, whose pressure never vanishes exactly.
 
 #include "results/types/map_view.hpp"
 

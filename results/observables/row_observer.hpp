@@ -1,7 +1,7 @@
 #pragma once
 
-// This file evaluates the observables of a load step. No observable can end a
-// run: one that cannot be computed is NaN with a reason.
+// Evaluates the observables of a load step. No observable can end a run: one
+// that cannot be computed is NaN with a reason.
 
 #include "results/observables/observables.hpp"
 #include "results/types/result.hpp"

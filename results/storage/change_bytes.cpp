@@ -1,5 +1,4 @@
-// This file serialises changes. One description of the layout serves both
-// directions.
+// Serialises changes. One description of the layout serves both directions.
 #include "results/storage/byte_stream.hpp"
 #include "results/storage/change.hpp"
 #include "results/types/curve_columns.hpp"

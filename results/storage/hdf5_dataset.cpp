@@ -1,5 +1,4 @@
-// This file implements the datasets of Hdf5Group: maps, extensible columns and
-// texts.
+// Implements the datasets of Hdf5Group: maps, extensible columns and texts.
 #include "base/plain_text.hpp"
 #include "results/storage/hdf5_call.hpp"
 #include "results/storage/hdf5_file.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file wraps the HDF5 C library in three small classes. All calls to the
-// library are made behind them, and each error is reported as an exception that
-// names the file and the object.
+// Wraps the HDF5 C library in three small classes. All calls to the library are
+// made behind them, and each error is reported as an exception that names the
+// file and the object.
 
 #include "results/types/map_rows.hpp"
 

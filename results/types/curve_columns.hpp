@@ -1,8 +1,8 @@
 #pragma once
 
-// This file defines the columns of a curve: their names, units, ranges and
-// order. The HDF5 writer and reader, the validity checks and the CSV file are
-// all derived from this table.
+// The columns of a curve: their names, units, ranges and order. The HDF5 writer
+// and reader, the validity checks and the CSV file are all derived from this
+// table.
 
 #include "results/types/result.hpp"
 

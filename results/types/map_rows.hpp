@@ -1,7 +1,6 @@
 #pragma once
 
-// This file defines maps that are passed on by rows, so that nobody holds a
-// whole one.
+// Maps that are passed on by rows, so that nobody holds a whole one.
 
 #include "results/types/map_view.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// This file provides the size check of functions that take complete maps.
+// The size check of functions that take complete maps.
 
 #include "base/require.hpp"
 

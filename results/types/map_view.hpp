@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines maps that are read by pieces, whether they are in memory or
-// were left in a result file.
+// Maps that are read by pieces, whether they are in memory or were left in a
+// result file.
 
 #include "base/array_memory.hpp"
 

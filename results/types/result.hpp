@@ -1,8 +1,7 @@
 #pragma once
 
-// This file defines the quantities that every method returns, and the contents
-// of a result file. It defines the names of the observables and does not depend
-// on any method.
+// The quantities that every method returns, and the contents of a result file.
+// It defines the names of the observables and does not depend on any method.
 
 #include "base/grid.hpp"
 #include "results/types/map_view.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the autocorrelation of a height map: its average over
-// directions, and the lengths Sal and Str of ISO 25178-2.
+// Computes the autocorrelation of a height map: its average over directions,
+// and the lengths Sal and Str of ISO 25178-2.
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the bearing (Abbott-Firestone) curve of a map and the
-// parameters of its core (ISO 25178-2, by the construction of ISO 13565-2).
+// Computes the bearing (Abbott-Firestone) curve of a map and the parameters of
+// its core (ISO 25178-2, by the construction of ISO 13565-2).
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the height and hybrid parameters of ISO 25178-2 of a map
-// by sums over its nodes, as instruments and other programs print them.
+// Computes the height and hybrid parameters of ISO 25178-2 of a map by sums
+// over its nodes, as instruments and other programs print them.
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file analyses line scans: profile parameters, the one-dimensional
-// spectrum, and its conversion to the spectrum C(q) of an isotropic surface.
+// Analyses line scans: profile parameters, the one-dimensional spectrum, and
+// its conversion to the spectrum C(q) of an isotropic surface.
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file measures slopes and curvatures of a height map by finite
-// differences over one distance or over a range of distances.
+// Measures slopes and curvatures of a height map by finite differences over one
+// distance or over a range of distances.
 
 #include "surfaces/maps/height_map.hpp"
 

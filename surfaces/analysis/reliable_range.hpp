@@ -1,7 +1,7 @@
 #pragma once
 
-// This file determines between which wavevectors a measured spectrum is
-// reliable: size of the scan, sampling, radius of the tip, noise floor.
+// Determines between which wavevectors a measured spectrum is reliable: size of
+// the scan, sampling, radius of the tip, noise floor.
 
 #include "surfaces/analysis/local_differences.hpp"
 #include "surfaces/analysis/spectrum_estimate.hpp"

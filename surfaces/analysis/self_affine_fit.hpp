@@ -1,7 +1,7 @@
 #pragma once
 
-// This file fits the self-affine model to a measured spectrum by maximum
-// likelihood, with confidence intervals of its parameters.
+// Fits the self-affine model to a measured spectrum by maximum likelihood, with
+// confidence intervals of its parameters.
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 

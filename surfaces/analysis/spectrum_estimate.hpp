@@ -1,7 +1,7 @@
 #pragma once
 
-// This file estimates the isotropic height spectrum C(q) of a measured map: the
-// window, its correction, averages over rings of |q|, and their confidence.
+// Estimates the isotropic height spectrum C(q) of a measured map: the window,
+// its correction, averages over rings of |q|, and their confidence.
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file combines the spectra of several maps of one surface, measured at
-// different magnifications, each within its reliable range.
+// Combines the spectra of several maps of one surface, measured at different
+// magnifications, each within its reliable range.
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 

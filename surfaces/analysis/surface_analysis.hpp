@@ -1,7 +1,7 @@
 #pragma once
 
-// This file combines the analyses of one map or one line scan into a record
-// that a page, a table or a script can show.
+// Combines the analyses of one map or one line scan into a record that a page,
+// a table or a script can show.
 
 #include "surfaces/analysis/autocorrelation.hpp"
 #include "surfaces/analysis/bearing_curve.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the likelihood of a self-affine spectrum with noise and
-// its maximisation for a given cut-off. It is internal to self_affine_fit.
+// The likelihood of a self-affine spectrum with noise and its maximisation for
+// a given cut-off. It is internal to self_affine_fit.
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads numbers and texts one after the other from the bytes of a
-// binary file. Every access is checked against the end of the file.
+// Reads numbers and texts one after the other from the bytes of a binary file.
+// Every access is checked against the end of the file.
 
 #include "input/input_error.hpp"
 

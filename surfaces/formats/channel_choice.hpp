@@ -1,7 +1,7 @@
 #pragma once
 
-// This file chooses a channel of an instrument file, whose first channel may be
-// a deflection, an amplitude or a phase instead of heights.
+// Chooses a channel of an instrument file, whose first channel may be a
+// deflection, an amplitude or a phase instead of heights.
 
 #include "surfaces/formats/scan.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the serialised objects of Gwyddion's native format (.gwy)
-// and finds the channels and masks among them.
+// Reads the serialised objects of Gwyddion's native format (.gwy) and finds the
+// channels and masks among them.
 
 #include <map>
 #include <optional>

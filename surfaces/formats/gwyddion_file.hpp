@@ -1,6 +1,6 @@
 #pragma once
 
-// This file writes height maps in the native format of Gwyddion (.gwy).
+// Writes height maps in the native format of Gwyddion (.gwy).
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file knows the length units that instrument files use, in their various
-// spellings and character sets.
+// Knows the length units that instrument files use, in their various spellings
+// and character sets.
 
 #include <optional>
 #include <string>

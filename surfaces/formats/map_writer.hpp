@@ -1,7 +1,7 @@
 #pragma once
 
-// This file writes height maps in the formats of other programs. What is
-// written can be read again by read_scan.
+// Writes height maps in the formats of other programs. What is written can be
+// read again by read_scan.
 
 #include "surfaces/maps/height_map.hpp"
 

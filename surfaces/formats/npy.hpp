@@ -1,6 +1,6 @@
 #pragma once
 
-// This file reads and writes matrices in NumPy's .npy format, versions 1 to 3
+// Reads and writes matrices in NumPy's .npy format, versions 1 to 3
 // (numpy.lib.format), from any byte order and storage order.
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads some rows of a map file without the others, from formats that
-// permit it.
+// Reads some rows of a map file without the others, from formats that permit
+// it.
 
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"

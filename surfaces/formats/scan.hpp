@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads one channel of an instrument file of any supported format. It
-// defines what a reader returns and which questions it is asked.
+// Reads one channel of an instrument file of any supported format. It defines
+// what a reader returns and which questions it is asked.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

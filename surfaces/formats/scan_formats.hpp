@@ -1,7 +1,7 @@
 #pragma once
 
-// This file recognises the format of an instrument file by its first bytes, and
-// names formats by the ending of the file name.
+// Recognises the format of an instrument file by its first bytes, and names
+// formats by the ending of the file name.
 
 #include "mechanics/surface_spec.hpp"
 

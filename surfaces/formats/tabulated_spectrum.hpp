@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains a height spectrum given as a table, the two-column file
-// format and the interpolation between the rows.
+// A height spectrum given as a table, the two-column file format and the
+// interpolation between the rows.
 
 #include "surfaces/maps/isotropic_spectrum.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file reads main.xml of an X3P file (ISO 5436-2): axes, sizes, and the
-// names of the other members of the archive. It is the only user of pugixml in
-// this module.
+// Reads main.xml of an X3P file (ISO 5436-2): axes, sizes, and the names of the
+// other members of the archive. It is the only user of pugixml in this module.
 
 #include <cstdint>
 #include <pugixml.hpp>

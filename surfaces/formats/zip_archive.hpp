@@ -1,7 +1,7 @@
 #pragma once
 
-// This file reads the members of a zip archive, with limits on their size, and
-// writes archives. It is the only user of libzip.
+// Reads the members of a zip archive, with limits on their size, and writes
+// archives. It is the only user of libzip.
 
 #include <cstdint>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file corrects artefacts of instruments in a measured map: it crops the
-// map, aligns scan lines and finds spikes.
+// Corrects artefacts of instruments in a measured map: it crops the map, aligns
+// scan lines and finds spikes.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file makes a map periodic that is not. It contains the window, the
-// mirror and the factor by which a window reduces the power.
+// Makes a map periodic that is not. It contains the window, the mirror and the
+// factor by which a window reduces the power.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

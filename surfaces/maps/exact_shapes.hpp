@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains surface shapes whose contact problem has an exact
-// solution, with their position on the grid.
+// Surface shapes whose contact problem has an exact solution, with their
+// position on the grid.
 
 #include "surfaces/maps/height_map.hpp"
 

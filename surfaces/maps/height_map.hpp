@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the heights of the rigid surface on its periodic grid, as
-// a plain pair of grid and values.
+// The heights of the rigid surface on its periodic grid, as a plain pair of
+// grid and values.
 
 #include "base/grid.hpp"
 

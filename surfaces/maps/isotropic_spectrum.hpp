@@ -1,7 +1,6 @@
 #pragma once
 
-// This file defines the height spectrum C(q), its normalisation, its band and
-// its moments.
+// The height spectrum C(q), its normalisation, its band and its moments.
 
 #include <functional>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file removes the tilt and the second-order form (bow) that an instrument
-// adds to a map.
+// Removes the tilt and the second-order form (bow) that an instrument adds to a
+// map.
 
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"

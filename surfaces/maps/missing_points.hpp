@@ -1,6 +1,6 @@
 #pragma once
 
-// This file fills missing points of a measured map by harmonic interpolation.
+// Fills missing points of a measured map by harmonic interpolation.
 
 #include "surfaces/maps/height_map.hpp"
 

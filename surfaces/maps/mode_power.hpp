@@ -1,6 +1,6 @@
 #pragma once
 
-// This file computes the power of the Fourier modes of a map. It defines the
+// Computes the power of the Fourier modes of a map. It defines the
 // normalisation on a grid and the treatment of Nyquist modes.
 
 #include "surfaces/maps/height_map.hpp"

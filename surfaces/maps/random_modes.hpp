@@ -1,8 +1,8 @@
 #pragma once
 
-// This file contains the random numbers of a surface: one independent draw per
-// mode from a counter-based generator, determined by the mode and not by the
-// order of the draws.
+// The random numbers of a surface: one independent draw per mode from a
+// counter-based generator, determined by the mode and not by the order of the
+// draws.
 
 #include <cstdint>
 

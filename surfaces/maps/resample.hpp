@@ -1,8 +1,7 @@
 #pragma once
 
-// This file resamples and low-pass filters a periodic map. It contains the
-// trigonometric interpolation and the measure of what a coarser grid does not
-// resolve.
+// Resamples and low-pass filters a periodic map. It contains the trigonometric
+// interpolation and the measure of what a coarser grid does not resolve.
 
 #include "surfaces/maps/height_map.hpp"
 

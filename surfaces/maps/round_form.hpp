@@ -1,6 +1,6 @@
 #pragma once
 
-// This file fits a sphere or a cylinder to a map and removes it.
+// Fits a sphere or a cylinder to a map and removes it.
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file contains the height spectrum given by a formula: constant up to the
-// roll-off wavevector, self-affine up to the cut-off. Its amplitude and its
-// moments have closed forms.
+// The height spectrum given by a formula: constant up to the roll-off
+// wavevector, self-affine up to the cut-off. Its amplitude and its moments have
+// closed forms.
 
 #include "surfaces/maps/isotropic_spectrum.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file computes the isotropic spectrum of a given map, its power in shells
-// of |q|. Both the theory and the plotted C(q) use this grouping.
+// Computes the isotropic spectrum of a given map, its power in shells of |q|.
+// Both the theory and the plotted C(q) use this grouping.
 
 #include "surfaces/maps/height_map.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file defines the statistics of a height map: moments of the heights,
-// spectral slope and curvature, height distribution.
+// The statistics of a height map: moments of the heights, spectral slope and
+// curvature, height distribution.
 
 #include "surfaces/maps/height_map.hpp"
 

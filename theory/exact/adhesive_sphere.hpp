@@ -1,9 +1,8 @@
 #pragma once
 
-// This file contains the adhesive contact of a sphere and an elastic
-// half-space: the theories of Johnson, Kendall and Roberts (JKR) and of
-// Derjaguin, Muller and Toporov (DMT), and the transition between them by
-// Maugis.
+// The adhesive contact of a sphere and an elastic half-space: the theories of
+// Johnson, Kendall and Roberts (JKR) and of Derjaguin, Muller and Toporov
+// (DMT), and the transition between them by Maugis.
 
 namespace asperity::theory {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file contains two classical asperity models, for comparison with
-// Persson's theory: those of Greenwood and Williamson and of Bush, Gibson and
-// Thomas, the latter in full.
+// Two classical asperity models, for comparison with Persson's theory: those of
+// Greenwood and Williamson and of Bush, Gibson and Thomas, the latter in full.
 
 #include "theory/persson/height_spectrum.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file has the incremental stiffness of a circular contact, on a
-// half-space and in a square array on a block of finite thickness.
+// Has the incremental stiffness of a circular contact, on a half-space and in a
+// square array on a block of finite thickness.
 
 namespace asperity::theory {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the Hertzian contact of an elastic half-space and a rigid
-// body with two different principal curvatures; the contact area is an ellipse.
+// The Hertzian contact of an elastic half-space and a rigid body with two
+// different principal curvatures; the contact area is an ellipse.
 
 namespace asperity::theory {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the Hertzian contact of an elastic half-space and a rigid
-// sphere (paraboloid), and its modification for a square array of spheres on a
+// The Hertzian contact of an elastic half-space and a rigid sphere
+// (paraboloid), and its modification for a square array of spheres on a
 // periodic surface.
 
 namespace asperity::theory {

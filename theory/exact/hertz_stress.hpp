@@ -1,8 +1,8 @@
 #pragma once
 
-// This file contains Huber's closed form of the stress and the displacement
-// below a Hertzian contact, anywhere in the half-space; hertz.hpp has the
-// values on the surface and on the axis.
+// Huber's closed form of the stress and the displacement below a Hertzian
+// contact, anywhere in the half-space; hertz.hpp has the values on the surface
+// and on the axis.
 
 #include "theory/exact/hertz.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains two rigid punches on an elastic half-space whose fields
-// have closed forms: the flat-ended cylinder and the cone.
+// Two rigid punches on an elastic half-space whose fields have closed forms:
+// the flat-ended cylinder and the cone.
 
 namespace asperity::theory {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-// This file reduces two elastic rough bodies to an equivalent contact of a
-// rigid rough surface and a flat elastic block, see Sec. 2 of Yang and Persson
-// (2008).
+// Reduces two elastic rough bodies to an equivalent contact of a rigid rough
+// surface and a flat elastic block, see Sec. 2 of Yang and Persson (2008).
 
 #include "theory/persson/height_spectrum.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains the contact of an elastic half-space and a rigid
-// bisinusoidal surface, h = D cos(2 pi x/lambda) cos(2 pi y/lambda): the limits
-// of light load and of nearly full contact in closed form, and the range
-// between them from a numerical solution.
+// The contact of an elastic half-space and a rigid bisinusoidal surface, h = D
+// cos(2 pi x/lambda) cos(2 pi y/lambda): the limits of light load and of nearly
+// full contact in closed form, and the range between them from a numerical
+// solution.
 
 namespace asperity::theory {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file contains Westergaard's contact of an elastic half-space and a rigid
-// sinusoidal surface, h = D cos(2 pi x/lambda), which is exact at every load
-// and in closed form.
+// Westergaard's contact of an elastic half-space and a rigid sinusoidal
+// surface, h = D cos(2 pi x/lambda), which is exact at every load and in closed
+// form.
 
 namespace asperity::theory {
 

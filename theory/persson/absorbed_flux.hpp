@@ -1,8 +1,7 @@
 #pragma once
 
-// This file solves diffusion with a moving absorbing boundary, which describes
-// the stress distribution of Persson's theory under adhesion at zero external
-// pressure.
+// Solves diffusion with a moving absorbing boundary, which describes the stress
+// distribution of Persson's theory under adhesion at zero external pressure.
 
 #include <span>
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains the adhesion between rough surfaces at zero external
-// pressure, Sec. 9 of Yang and Persson (2008): the effective interfacial
-// energy, its two branches and the transition between them. Equation numbers in
-// this file are those of that paper.
+// The adhesion between rough surfaces at zero external pressure, Sec. 9 of Yang
+// and Persson (2008): the effective interfacial energy, its two branches and
+// the transition between them. Equation numbers in this file are those of that
+// paper.
 
 #include "theory/persson/height_spectrum.hpp"
 

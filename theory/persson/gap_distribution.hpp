@@ -1,9 +1,8 @@
 #pragma once
 
-// This file contains the distribution of the local separation u_1(zeta),
-// Eqs. (27) and (28) of Yang and Persson (2008): a density over u > 0 and the
-// weight of the contact area at u = 0. Equation numbers in this file are those
-// of that paper.
+// The distribution of the local separation u_1(zeta), Eqs. (27) and (28) of
+// Yang and Persson (2008): a density over u > 0 and the weight of the contact
+// area at u = 0. Equation numbers in this file are those of that paper.
 
 #include "theory/persson/magnification.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains the inner integral of Eq. (14) of Yang and Persson (2008)
-// and its derivatives: functions of one reduced pressure from which every
-// separation of Persson's theory is computed. Equation numbers in this file are
-// those of that paper.
+// The inner integral of Eq. (14) of Yang and Persson (2008) and its
+// derivatives: functions of one reduced pressure from which every separation of
+// Persson's theory is computed. Equation numbers in this file are those of that
+// paper.
 
 #include <array>
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file evaluates the outer integrals of Eqs. (9) and (14) of Yang and
-// Persson (2008) and of their derivative at one pressure, from quantities that
-// are computed once per spectrum: a point of u(p) takes microseconds. Equation
-// numbers in this file are those of that paper.
+// Evaluates the outer integrals of Eqs. (9) and (14) of Yang and Persson (2008)
+// and of their derivative at one pressure, from quantities that are computed
+// once per spectrum: a point of u(p) takes microseconds. Equation numbers in
+// this file are those of that paper.
 
 #include "theory/persson/gap_kernel.hpp"
 #include "theory/persson/height_spectrum.hpp"

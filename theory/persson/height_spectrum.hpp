@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains the isotropic height spectrum of a surface as input to the
-// theory, given by a formula or by the shells of a measured map, with its
-// moments and its quadrature nodes. Equation numbers in this file are those of
-// Yang and Persson (2008).
+// The isotropic height spectrum of a surface as input to the theory, given by a
+// formula or by the shells of a measured map, with its moments and its
+// quadrature nodes. Equation numbers in this file are those of Yang and Persson
+// (2008).
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file computes the expected maximum height of a Gaussian surface of given
-// size, which quantifies the statement in Sec. 6 of Yang and Persson (2008)
-// that no asperity of their system is higher than about 3 h_rms.
+// Computes the expected maximum height of a Gaussian surface of given size,
+// which quantifies the statement in Sec. 6 of Yang and Persson (2008) that no
+// asperity of their system is higher than about 3 h_rms.
 
 #include "theory/persson/height_spectrum.hpp"
 

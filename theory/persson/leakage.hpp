@@ -1,8 +1,8 @@
 #pragma once
 
-// This file estimates the leak rate of a seal, Sec. 8 of Yang and Persson
-// (2008), from a single pore at the magnification at which the non-contact area
-// percolates. Equation numbers in this file are those of that paper.
+// Estimates the leak rate of a seal, Sec. 8 of Yang and Persson (2008), from a
+// single pore at the magnification at which the non-contact area percolates.
+// Equation numbers in this file are those of that paper.
 
 #include "theory/persson/magnification.hpp"
 

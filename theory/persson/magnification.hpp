@@ -1,9 +1,9 @@
 #pragma once
 
-// This file describes the contact as a function of magnification, Sec. 8 of
-// Yang and Persson (2008): the separation of the surfaces inside the apparent
-// contact area, and where contact is lost with increasing magnification.
-// Equation numbers in this file are those of that paper.
+// Describes the contact as a function of magnification, Sec. 8 of Yang and
+// Persson (2008): the separation of the surfaces inside the apparent contact
+// area, and where contact is lost with increasing magnification. Equation
+// numbers in this file are those of that paper.
 
 #include "theory/persson/persson.hpp"
 

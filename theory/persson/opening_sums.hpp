@@ -1,9 +1,9 @@
 #pragma once
 
-// This file computes the derivatives of the mean separation due to the
-// unresolved roughness with respect to the resolved roughness: the sums in
-// Eq. (25) of Yang and Persson (2008) and its derivative. Equation numbers in
-// this file are those of that paper.
+// Computes the derivatives of the mean separation due to the unresolved
+// roughness with respect to the resolved roughness: the sums in Eq. (25) of
+// Yang and Persson (2008) and its derivative. Equation numbers in this file are
+// those of that paper.
 
 #include "theory/persson/height_spectrum.hpp"
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// This file contains Persson's contact theory for one surface and one modulus:
-// pressure, area, energy and separation, Eqs. (1)-(19) of Yang and Persson
-// (2008), with integrals over the smooth variable m. Equation numbers in this
-// file are those of that paper.
+// Persson's contact theory for one surface and one modulus: pressure, area,
+// energy and separation, Eqs. (1)-(19) of Yang and Persson (2008), with
+// integrals over the smooth variable m. Equation numbers in this file are those
+// of that paper.
 
 #include "theory/persson/gap_kernel.hpp"
 #include "theory/persson/height_spectrum.hpp"

@@ -1,9 +1,8 @@
 #pragma once
 
-// This file contains Persson's distribution of contact pressure in closed form,
-// Eqs. (1)-(5) of Yang and Persson (2008), as functions of the nominal pressure
-// and of the stress variance G. Equation numbers in this file are those of that
-// paper.
+// Persson's distribution of contact pressure in closed form, Eqs. (1)-(5) of
+// Yang and Persson (2008), as functions of the nominal pressure and of the
+// stress variance G. Equation numbers in this file are those of that paper.
 
 namespace asperity::theory {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file contains the quadrature rules in m = sqrt(int q^3 C dq), for a
-// formula and for shells. The theory only uses their nodes.
+// The quadrature rules in m = sqrt(int q^3 C dq), for a formula and for shells.
+// The theory only uses their nodes.
 
 #include "theory/persson/height_spectrum.hpp"
 

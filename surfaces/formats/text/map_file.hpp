@@ -1,8 +1,8 @@
 #pragma once
 
-// This file reads measured height maps from text files in the formats written
-// by Gwyddion and by scripts, including headers, length units and the
-// orientation of a matrix.
+// Reads measured height maps from text files in the formats written by Gwyddion
+// and by scripts, including headers, length units and the orientation of a
+// matrix.
 
 #include "surfaces/formats/scan.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// This file reads tables of numbers from text files, as written by instruments
-// and scripts. It defines separators, comments and the error messages about
-// invalid numbers.
+// Reads tables of numbers from text files, as written by instruments and
+// scripts. It defines separators, comments and the error messages about invalid
+// numbers.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-// This file recognises a list of points x y z on a regular grid and makes a map
-// of it, so that no list is ever taken for a matrix with three columns.
+// Recognises a list of points x y z on a regular grid and makes a map of it, so
+// that no list is ever taken for a matrix with three columns.
 
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/text/number_table.hpp"
