@@ -63,8 +63,6 @@ kainjow::mustache::list stiffness_rows(const results::Result& result);
 /// one of them solved a full 3-D block; otherwise the list is empty.
 kainjow::mustache::list block_cost_rows(const results::Result& result);
 
-kainjow::mustache::list failed_step_rows(std::span<const ReportEntry> entries);
-
 kainjow::mustache::list group_data(std::span<const DrawnGroup> groups);
 
 /// Shows the first figure beside the key numbers if it is a curve, and all

@@ -1,10 +1,8 @@
 #pragma once
 
-// Computes the distributions of pressure and gap over the contact surface, and
-// the connected contact patches. Each density is normalised so that its
-// integral is an area fraction.
+// Computes the distributions of pressure and gap over the contact surface. Each
+// density is normalised so that its integral is an area fraction.
 
-#include "base/grid.hpp"
 #include "results/types/map_view.hpp"
 
 #include <limits>
@@ -50,19 +48,5 @@ Histogram
 gap_histogram(const MapView& gap, const MapView& pressure, int bins,
               std::span<const double> weights = {},
               double closed = std::numeric_limits<double>::infinity());
-
-/// The connected patches of the contact. Each node is connected to its four
-/// neighbours, including periodic ones.
-struct ContactPatches {
-  std::vector<int> patch_of_node; ///< index into `areas`; -1 for open nodes
-  std::vector<double> areas;      ///< [m^2], largest first
-};
-
-/// Finds the contact patches.
-/// @param pressure  grid.size() values [Pa], contact where > 0
-/// @throws std::domain_error  the size of a map is not that of the grid
-ContactPatches contact_patches(const Grid& grid,
-                               std::span<const double> pressure,
-                               std::span<const double> weights = {});
 
 } // namespace asperity::results

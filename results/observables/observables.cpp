@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "ranks/node_sums.hpp"
@@ -120,11 +119,6 @@ double contact_perimeter(const Grid& grid, std::span<const double> pressure,
   return (static_cast<double>(pairs.along_x) * grid.spacing_y() +
           static_cast<double>(pairs.along_y) * grid.spacing_x()) /
          grid.area();
-}
-
-double isotropic_perimeter(double contact_perimeter) {
-  require_not_negative("contact_perimeter", contact_perimeter, "1/m");
-  return 0.25 * std::numbers::pi * contact_perimeter;
 }
 
 PressureCentre pressure_centre(const Grid& grid,

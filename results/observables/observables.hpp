@@ -68,7 +68,7 @@ double counted_area_fraction(std::span<const double> pressure,
 ///
 /// A boundary made of cell edges is longer than the smooth curve it represents,
 /// by a factor 4/pi on average over directions. The perimeter of an isotropic
-/// contact is therefore isotropic_perimeter(S_d).
+/// contact is therefore pi/4 S_d.
 /// @param pressure  grid.size() values [Pa]
 /// @return          S_d [1/m] >= 0
 /// @throws std::domain_error  the size of the map is not that of the grid
@@ -77,10 +77,6 @@ double counted_area_fraction(std::span<const double> pressure,
 double contact_perimeter(const Grid& grid, std::span<const double> pressure,
                          Border border = Border::periodic,
                          const Workers& workers = 1);
-
-/// Returns pi/4 S_d [1/m], the length per nominal area of an isotropic smooth
-/// curve whose representation on the grid has the length S_d.
-double isotropic_perimeter(double contact_perimeter);
 
 /// The place (x, y) of the resultant force of a pressure.
 struct PressureCentre {

@@ -89,28 +89,4 @@ double rms_height(const SharedRows& rows, std::span<const double> heights) {
   return std::sqrt(sums.square / static_cast<double>(rows.grid().size()));
 }
 
-std::vector<HeightBin> height_distribution(const HeightMap& map, int bins) {
-  if (bins < 1)
-    refuse_argument("bins", bins, ">= 1");
-  const auto [lowest, highest] =
-      std::minmax_element(map.heights.begin(), map.heights.end());
-  const double width = (*highest - *lowest) / bins;
-  if (!(width > 0.0))
-    return {};
-
-  const double mean = mean_height(map);
-  std::vector<HeightBin> distribution(static_cast<std::size_t>(bins));
-  for (std::size_t i = 0; i < distribution.size(); ++i)
-    distribution[i].height =
-        *lowest - mean + (static_cast<double>(i) + 0.5) * width;
-  const double share = 1.0 / (static_cast<double>(map.heights.size()) * width);
-  for (const double height : map.heights) {
-    const int bin = static_cast<int>((height - *lowest) / width);
-    // The highest node belongs to the last bin.
-    distribution[static_cast<std::size_t>(std::min(bin, bins - 1))].density +=
-        share;
-  }
-  return distribution;
-}
-
 } // namespace asperity::surfaces

@@ -44,16 +44,4 @@ Statistics statistics(const SharedRows& rows, std::span<const double> heights,
 /// @param rows  of any kind
 double rms_height(const SharedRows& rows, std::span<const double> heights);
 
-/// One bin of the height distribution.
-struct HeightBin {
-  double height = 0.0;  ///< centre of the bin, above the mean [m]
-  double density = 0.0; ///< P_h [1/m]
-};
-
-/// P_h as a histogram of equal bins from the lowest to the highest node; the
-/// sum of density * bin width is 1. Empty for a flat map.
-/// @param bins  >= 1
-/// @throws std::domain_error  bins < 1
-std::vector<HeightBin> height_distribution(const HeightMap& map, int bins = 50);
-
 } // namespace asperity::surfaces

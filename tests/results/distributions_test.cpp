@@ -1,5 +1,5 @@
 // Tests of results/observables/distributions.hpp: densities whose integrals are
-// known, and patches that can be counted in a drawing.
+// known.
 #include "results/observables/distributions.hpp"
 #include "results/observables/observables.hpp"
 
@@ -9,7 +9,6 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "tests/results/shapes.hpp"
@@ -87,97 +86,6 @@ TEST(Histograms, HaveNoBinsWhereNothingIsCounted) {
   EXPECT_THROW(pressure_histogram(std::vector{1.0}, 0), std::domain_error);
   EXPECT_THROW(pressure_histogram(std::vector{1.0 / 0.0}, 3),
                std::domain_error);
-}
-
-/// A map drawn with '#' for contact, row iy = 0 first.
-std::vector<double> drawn(const std::string& rows) {
-  std::vector<double> pressure;
-  for (const char cell : rows)
-    if (cell != '\n')
-      pressure.push_back(cell == '#' ? 1.0 : 0.0);
-  return pressure;
-}
-
-// The four neighbours connect, also across the periodic boundary; a corner does
-// not. The four corners of the drawing are one patch (4 + the 2 beside them),
-// the block of 2 x 2 one, the node at its corner one.
-TEST(ContactPatches, ConnectAcrossBordersButNotAcrossCorners) {
-  const Grid grid{6, 5, 6.0, 10.0}; // cells of 1 x 2 m
-  const auto pressure = drawn("##...#\n"
-                              "......\n"
-                              "..##..\n"
-                              "..##..\n"
-                              "#...##\n");
-
-  const ContactPatches patches = contact_patches(grid, pressure);
-
-  EXPECT_EQ(patches.areas, (std::vector{12.0, 8.0}));
-  EXPECT_EQ(patches.patch_of_node[grid.index(0, 0)], 0);
-  EXPECT_EQ(patches.patch_of_node[grid.index(5, 4)], 0);
-  EXPECT_EQ(patches.patch_of_node[grid.index(3, 3)], 1);
-  EXPECT_EQ(patches.patch_of_node[grid.index(2, 0)], -1);
-}
-
-TEST(ContactPatches, CornersOnlyDoNotConnect) {
-  const Grid grid{4, 4, 4.0, 4.0};
-  const auto pressure = drawn("#...\n.#..\n..##\n....\n");
-
-  const ContactPatches patches = contact_patches(grid, pressure);
-
-  EXPECT_EQ(patches.areas, (std::vector{2.0, 1.0, 1.0}));
-  EXPECT_EQ(patches.patch_of_node[grid.index(2, 2)], 0); // the largest
-  EXPECT_EQ(patches.patch_of_node[grid.index(0, 0)], 1);
-}
-
-// A ring is one patch and a spiral is one, however the labels have to be
-// merged; a checkerboard has one patch per node.
-TEST(ContactPatches, ConnectWindingShapes) {
-  const Grid grid{8, 8, 8.0, 8.0};
-  const auto spiral = drawn("........\n"
-                            ".######.\n"
-                            "......#.\n"
-                            ".####.#.\n"
-                            ".#..#.#.\n"
-                            ".#....#.\n"
-                            ".######.\n"
-                            "........\n");
-  EXPECT_EQ(contact_patches(grid, spiral).areas,
-            std::vector{weighted_mean(spiral) * 64.0});
-
-  std::vector<double> checkerboard(64);
-  for (int iy = 0; iy < 8; ++iy)
-    for (int ix = 0; ix < 8; ++ix)
-      checkerboard[grid.index(ix, iy)] = (ix + iy) % 2;
-  EXPECT_EQ(contact_patches(grid, checkerboard).areas.size(), 32U);
-}
-
-// The areas of the patches sum to the counted area, weighted or not (roundoff
-// of 4096 terms), and neighbours have the same label.
-TEST(ContactPatches, PartitionTheContact) {
-  const Grid grid{64, 64, 1.0, 1.0};
-  std::mt19937 random(5);
-  std::bernoulli_distribution in_contact(0.45);
-  std::vector<double> pressure(grid.size());
-  std::vector<double> weights(grid.size());
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    pressure[i] = in_contact(random) ? 1.0 : 0.0;
-    weights[i] = i % 2 == 0 ? 0.5 : 1.5;
-  }
-
-  const ContactPatches patches = contact_patches(grid, pressure, weights);
-
-  double sum = 0.0;
-  for (const double area : patches.areas)
-    sum += area;
-  EXPECT_NEAR(sum, counted_area_fraction(pressure, weights), 1e-12);
-  EXPECT_TRUE(std::is_sorted(patches.areas.rbegin(), patches.areas.rend()));
-  for (int iy = 0; iy < 64; ++iy)
-    for (int ix = 0; ix < 64; ++ix) {
-      const int here = patches.patch_of_node[grid.index(ix, iy)];
-      const int right = patches.patch_of_node[grid.index((ix + 1) % 64, iy)];
-      EXPECT_TRUE(here < 0 || right < 0 || here == right);
-      EXPECT_EQ(here >= 0, pressure[grid.index(ix, iy)] > 0.0);
-    }
 }
 
 } // namespace

@@ -201,38 +201,17 @@ TEST(Shells, AreThoseOfTheSurfaceAndNotOfTheGrid) {
   }
 }
 
-// The distribution is a density; a ramp is uniform, so that every bin has
-// 1/(range) except for one node in 4096 that roundoff moves into its neighbour.
-TEST(HeightDistribution, IsADensity) {
-  HeightMap map{{64, 64, 1.0, 1.0}, {}};
-  for (int i = 0; i < 4096; ++i)
-    map.heights.push_back((i * 1237 % 4096) / 4095.0);
-
-  const std::vector<HeightBin> bins = height_distribution(map, 16);
-
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 16; ++i) {
-    EXPECT_NEAR(bins[i].density, 1.0, 16.5 / 4096.0);
-    EXPECT_NEAR(bins[i].height, (static_cast<double>(i) + 0.5) / 16.0 - 0.5,
-                1e-14);
-    sum += bins[i].density / 16.0;
-  }
-  EXPECT_NEAR(sum, 1.0, 1e-12);
-}
-
 TEST(Statistics, ReportThatAFlatMapHasNoShape) {
   const HeightMap flat{{4, 4, 1.0, 1.0}, std::vector<double>(16, 0.5)};
 
   EXPECT_EQ(statistics(flat).rms_height, 0.0);
   EXPECT_TRUE(std::isnan(statistics(flat).kurtosis));
-  EXPECT_TRUE(height_distribution(flat).empty());
   EXPECT_TRUE(spectral_shells(flat).empty());
 }
 
 TEST(Statistics, RefuseImpossibleBins) {
   const HeightMap map = noise({4, 4, 1.0, 1.0}, 0);
 
-  EXPECT_THROW(height_distribution(map, 0), std::domain_error);
   EXPECT_THROW(spectral_shells(map, 0.0), std::domain_error);
 }
 
