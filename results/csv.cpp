@@ -23,7 +23,8 @@ constexpr std::array number_headers{"step",
                                     "contact_stiffness [Pa/m]",
                                     "iterations",
                                     "residual",
-                                    "certified_gap_error [m]"};
+                                    "certified_gap_error [m]",
+                                    "estimated_gap_error [m]"};
 
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",

@@ -18,7 +18,7 @@ namespace asperity::results {
 ///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
 ///     area_fraction_moment [1],contact_perimeter [1/m],
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
-///     certified_gap_error [m],status
+///     certified_gap_error [m],estimated_gap_error [m],status
 ///
 /// Two runs of one case by one build give the same bytes. Numbers have the
 /// fewest digits that reproduce the same double. A quantity that a method does

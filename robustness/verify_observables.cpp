@@ -110,6 +110,8 @@ std::optional<Failure> verify_row(const results::CurvePoint& row) {
       Ranged{"residual", row.residual, 0.0, infinity, false},
       Ranged{"certified_gap_error", row.certified_gap_error, 0.0, infinity,
              true},
+      Ranged{"estimated_gap_error", row.estimated_gap_error, 0.0, infinity,
+             true},
       Ranged{"iterations", static_cast<double>(row.iterations), 0.0, infinity,
              false},
       Ranged{"cpu_time", row.cpu_time, 0.0, infinity, false}};

@@ -79,6 +79,7 @@ public:
     costs.linear_iterations = solution.linear_iterations;
     costs.preconditioner_setups = solution.preconditioner_setups;
     costs.memory = solution.memory;
+    const double estimated_gap_error = solution.estimated_gap_error;
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
     const auto [centre_x, centre_y] = solution.pressure_centre;
@@ -92,6 +93,7 @@ public:
          results::Border::periodic, surface_.has_middle},
         surface_);
     answer.row.area_fraction = area;
+    answer.row.estimated_gap_error = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
     answer.row.contact_energy = contact_energy;
     if (surface_.has_middle) {

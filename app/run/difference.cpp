@@ -25,9 +25,10 @@ constexpr std::array<std::string_view, 4> cost_columns{
     "cpu_time", "transform_time", "observation_time", "memory"};
 
 /// Columns that say how a solver came to its answer.
-constexpr std::array<std::string_view, 6> solver_columns{
-    "iterations",        "residual",   "certified_gap_error",
-    "linear_iterations", "transforms", "preconditioner_setups"};
+constexpr std::array<std::string_view, 7> solver_columns{
+    "iterations",           "residual",          "certified_gap_error",
+    "estimated_gap_error",  "linear_iterations", "transforms",
+    "preconditioner_setups"};
 
 /// Facts of the provenance that differ between two runs of one build.
 const std::set<std::string> facts_of_a_run{

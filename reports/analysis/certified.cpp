@@ -5,6 +5,20 @@
 #include <cmath>
 
 namespace asperity::reports {
+namespace {
+
+/// @param error  of the mean gap at the point [h_rms]; NaN: not known
+void add(double error, const results::CurvePoint& point, ErrorsOfSteps& found) {
+  if (!std::isfinite(error))
+    return;
+  ++found.steps;
+  if (!(error <= found.largest)) {
+    found.largest = error;
+    found.pressure = point.nominal_pressure;
+  }
+}
+
+} // namespace
 
 Certified certified_of(const results::Result& result,
                        const results::MethodRecord& method) {
@@ -16,14 +30,11 @@ Certified certified_of(const results::Result& result,
           !(point.nominal_pressure > 0.0))
         continue;
       ++found.steps;
-      if (surface == nullptr || !std::isfinite(point.certified_gap_error))
+      if (surface == nullptr)
         continue;
-      const double bound = point.certified_gap_error / surface->rms_height;
-      if (!(bound <= found.largest)) {
-        found.largest = bound;
-        found.pressure = point.nominal_pressure;
-      }
-      ++found.certified;
+      add(point.certified_gap_error / surface->rms_height, point, found.bounds);
+      add(point.estimated_gap_error / surface->rms_height, point,
+          found.estimates);
     }
   }
   return found;

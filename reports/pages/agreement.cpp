@@ -91,6 +91,7 @@ void add_rows(const results::Curve& curve, const results::Curve& reference,
         1.0;
     row.pressure_difference = difference_of_fields(curve, reference, point);
     row.certified_error = point.certified_gap_error / rms_height;
+    row.estimated_error = point.estimated_gap_error / rms_height;
     if (std::isfinite(row.gap_difference) || std::isfinite(row.area_difference))
       agreement.rows.push_back(row);
   }
@@ -157,7 +158,8 @@ nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
            {"gap_difference [h_rms]", json_number(row.gap_difference)},
            {"area_difference [1]", json_number(row.area_difference)},
            {"pressure_difference [1]", json_number(row.pressure_difference)},
-           {"certified_gap_error [h_rms]", json_number(row.certified_error)}});
+           {"certified_gap_error [h_rms]", json_number(row.certified_error)},
+           {"estimated_gap_error [h_rms]", json_number(row.estimated_error)}});
     list.push_back({{"method", agreement.method},
                     {"reference", agreement.reference},
                     {"problem", agreement.problem},
@@ -169,13 +171,14 @@ nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
 std::string agreement_csv(std::span<const Agreement> agreements) {
   CsvTable table({"method", "realization", "nominal_pressure [Pa]",
                   "gap_difference [h_rms]", "area_difference [1]",
-                  "pressure_difference [1]", "certified_gap_error [h_rms]"});
+                  "pressure_difference [1]", "certified_gap_error [h_rms]",
+                  "estimated_gap_error [h_rms]"});
   for (const Agreement& agreement : agreements)
     for (const AgreementRow& row : agreement.rows)
-      table.add(agreement.method,
-                {static_cast<double>(row.realization), row.nominal_pressure,
-                 row.gap_difference, row.area_difference,
-                 row.pressure_difference, row.certified_error});
+      table.add(agreement.method, {static_cast<double>(row.realization),
+                                   row.nominal_pressure, row.gap_difference,
+                                   row.area_difference, row.pressure_difference,
+                                   row.certified_error, row.estimated_error});
   return table.text();
 }
 
@@ -195,6 +198,8 @@ kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements) {
             number_text(agreement.largest(&AgreementRow::pressure_difference)));
     row.set("certified",
             number_text(agreement.largest(&AgreementRow::certified_error)));
+    row.set("estimated",
+            number_text(agreement.largest(&AgreementRow::estimated_error)));
     rows.push_back(row);
   }
   return rows;

@@ -22,6 +22,7 @@ struct AgreementRow {
   double pressure_difference = not_a_number; ///< of the saved fields: rms(p -
                                              ///< p_ref)/rms(p_ref) [1]
   double certified_error = not_a_number;     ///< bound of u's error [h_rms]
+  double estimated_error = not_a_number;     ///< estimate of it [h_rms]
 };
 
 /// A method beside the reference method.

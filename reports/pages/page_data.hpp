@@ -45,8 +45,8 @@ kainjow::mustache::list skipped_rows(const results::Result& result);
 /// Lists each method with its largest differences from the reference method.
 kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements);
 
-/// Lists the largest bound of the error of the mean gap of each method but the
-/// theories; the list is empty if there is none.
+/// Lists the largest bound and the largest estimate of the error of the mean
+/// gap of each method but the theories; the list is empty if there is none.
 kainjow::mustache::list certified_rows(const ReportEntry& entry);
 
 /// Lists area, mean gap and iterations at each load step of the first

@@ -84,9 +84,16 @@ Json to_json(const Cost& cost) {
 
 Json to_json(const Certified& certified) {
   return {{"steps", certified.steps},
-          {"certified_steps", certified.certified},
-          {"largest_gap_error [h_rms]", json_number(certified.largest)},
-          {"at_nominal_pressure [Pa]", json_number(certified.pressure)}};
+          {"certified_steps", certified.bounds.steps},
+          {"largest_gap_error [h_rms]", json_number(certified.bounds.largest)},
+          {"at_nominal_pressure [Pa]", json_number(certified.bounds.pressure)}};
+}
+
+Json to_json(const ErrorsOfSteps& estimates) {
+  return {
+      {"steps", estimates.steps},
+      {"largest_gap_error_estimate [h_rms]", json_number(estimates.largest)},
+      {"at_nominal_pressure [Pa]", json_number(estimates.pressure)}};
 }
 
 Json to_json(const MethodSummary& method) {
@@ -97,6 +104,8 @@ Json to_json(const MethodSummary& method) {
                {"fits", Json::array()},
                {"cost", to_json(method.cost)},
                {"certified", to_json(method.certified)}};
+  if (method.certified.estimates.steps > 0)
+    json["estimated"] = to_json(method.certified.estimates);
   for (const auto& [name, estimate] : method.quantities)
     json["quantities"][name] = to_json(estimate);
   for (const RealizationFits& fits : method.fits)

@@ -59,6 +59,7 @@ constexpr std::array all_columns{
     column<&CurvePoint::iterations>("iterations", "1"),
     column<&CurvePoint::residual>("residual", "1"),
     column<&CurvePoint::certified_gap_error>("certified_gap_error", "m"),
+    column<&CurvePoint::estimated_gap_error>("estimated_gap_error", "m"),
     column<&CurvePoint::cpu_time>("cpu_time", "s"),
     column<&CurvePoint::transforms>("transforms", "1"),
     column<&CurvePoint::transform_time>("transform_time", "s"),

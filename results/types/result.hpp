@@ -38,6 +38,9 @@ struct CurvePoint {
   /// Bound of the error of mean_gap against the exact answer of the discrete
   /// problem [m]; NaN: the method has no certificate.
   double certified_gap_error = not_given;
+  /// Estimate, no bound, of the error of mean_gap by the mesh of the full 3-D
+  /// block [m]; NaN: another method, no contact, or not converged.
+  double estimated_gap_error = not_given;
   double cpu_time = 0.0; ///< [s]
   int transforms = 0; ///< applications of the elastic operator or its inverse
                       ///< on the method's grid; 0: no such operator

@@ -183,7 +183,7 @@ def check_right_answers(problem, pressures):
     assert len(again) == 2 and again[0]["method"] == "numpy-code-1.0-default", again
     asperity("report", problem.parent / "solved", out, "--out", problem.parent / "both")
     page = (problem.parent / "both/report.html").read_text()
-    assert "numpy-code-1.0-default" in page and "Certified errors" in page
+    assert "numpy-code-1.0-default" in page and "Errors of the mean gap" in page
     theirs, = json.loads((problem.parent / "both/comparison.json").read_text())
     assert "numpy-code" in theirs["method"] and len(theirs["rows"]) == 2, theirs
     for row in theirs["rows"]:  # the same answer in single precision

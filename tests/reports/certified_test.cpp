@@ -1,10 +1,12 @@
 // Tests of reports/analysis/certified.hpp and of its table.
 #include "reports/analysis/certified.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
@@ -40,10 +42,37 @@ TEST_F(CertifiedSteps, AreCountedWithTheLargestBound) {
 
   const int steps = 2 * (static_cast<int>(points.size()) - 2);
   EXPECT_EQ(found.steps, steps);
-  EXPECT_EQ(found.certified, steps);
-  EXPECT_NEAR(found.largest, 2e-6 * static_cast<double>(points.size() - 1),
-              1e-18);
-  EXPECT_EQ(found.pressure, points[points.size() - 2].nominal_pressure);
+  EXPECT_EQ(found.bounds.steps, steps);
+  EXPECT_NEAR(found.bounds.largest,
+              2e-6 * static_cast<double>(points.size() - 1), 1e-18);
+  EXPECT_EQ(found.bounds.pressure, points[points.size() - 2].nominal_pressure);
+}
+
+// The largest estimate is counted likewise, and shown in columns of its own: a
+// method that has estimates only is not "as submitted".
+TEST_F(CertifiedSteps, EstimatesAreNoBounds) {
+  results::Result result = synthetic::rough_result(rough, 1);
+  std::vector<results::CurvePoint>& points =
+      result.methods[1].realizations[0].points;
+  points[1].estimated_gap_error = 0.04 * result.surfaces[0].rms_height;
+  points[2].estimated_gap_error = 0.02 * result.surfaces[0].rms_height;
+
+  const Certified found = certified_of(result, result.methods[1]);
+
+  EXPECT_EQ(found.bounds.steps, 0);
+  EXPECT_EQ(found.estimates.steps, 2);
+  EXPECT_NEAR(found.estimates.largest, 0.04, 1e-12);
+  EXPECT_EQ(found.estimates.pressure, points[1].nominal_pressure);
+  write(result);
+  const std::string html = text_of(folder / "report.html");
+  EXPECT_NE(html.find(fmt::format("<td class=\"number\">2 of {}</td>"
+                                  "<td class=\"number\">4.0e-02</td>",
+                                  points.size())),
+            std::string::npos);
+  EXPECT_EQ(html.find("as submitted"), std::string::npos);
+  EXPECT_NE(text_of(folder / "summary.json")
+                .find("\"largest_gap_error_estimate [h_rms]\": 0.04"),
+            std::string::npos);
 }
 
 // A method without bounds is shown as submitted beside certified ones, and a
@@ -55,11 +84,12 @@ TEST_F(CertifiedSteps, AreInTheReport) {
   for (results::Curve& curve : result.methods.back().realizations)
     for (results::CurvePoint& point : curve.points)
       point.certified_gap_error = results::not_given;
-  EXPECT_EQ(certified_of(result, result.methods.back()).certified, 0);
-  EXPECT_TRUE(std::isnan(certified_of(result, result.methods.back()).largest));
+  EXPECT_EQ(certified_of(result, result.methods.back()).bounds.steps, 0);
+  EXPECT_TRUE(
+      std::isnan(certified_of(result, result.methods.back()).bounds.largest));
   write(result);
   const std::string html = text_of(folder / "report.html");
-  EXPECT_NE(html.find("Certified errors"), std::string::npos);
+  EXPECT_NE(html.find("Errors of the mean gap"), std::string::npos);
   EXPECT_NE(html.find("<td>foreign</td><td class=\"number\">as submitted</td>"),
             std::string::npos);
   EXPECT_NE(html.find(">28 of 28<"), std::string::npos);
@@ -68,7 +98,7 @@ TEST_F(CertifiedSteps, AreInTheReport) {
             std::string::npos);
 
   write(synthetic::rough_result(rough, 1));
-  EXPECT_EQ(text_of(folder / "report.html").find("Certified errors"),
+  EXPECT_EQ(text_of(folder / "report.html").find("Errors of the mean gap"),
             std::string::npos);
 }
 

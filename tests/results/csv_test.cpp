@@ -21,7 +21,7 @@ constexpr const char* header =
     "area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],"
     "area_fraction_moment [1],contact_perimeter [1/m],"
     "elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,"
-    "certified_gap_error [m],status\r\n";
+    "certified_gap_error [m],estimated_gap_error [m],status\r\n";
 
 TEST(CurvesCsv, IsThisTable) {
   CurvePoint loaded;
@@ -38,6 +38,7 @@ TEST(CurvesCsv, IsThisTable) {
   loaded.iterations = 17;
   loaded.residual = 2e-9;
   loaded.certified_gap_error = 3e-12;
+  loaded.estimated_gap_error = 4e-12;
   loaded.cpu_time = 0.25;
   loaded.status = StepStatus::not_converged;
   CurvePoint theory;
@@ -50,9 +51,9 @@ TEST(CurvesCsv, IsThisTable) {
 
   std::string expected(header);
   expected +=
-      "theory,0,0,1,0,0,0,nan,nan,nan,0,0,0,0,nan,converged\r\n"
+      "theory,0,0,1,0,0,0,nan,nan,nan,0,0,0,0,nan,nan,converged\r\n"
       "\"fem, \"\"thin\"\"\",1,3,2500000,-1e-09,0.1,0.09,0.08,0.07,500000,"
-      "0.0015,1000000000000000,17,2e-09,3e-12,not_converged\r\n";
+      "0.0015,1000000000000000,17,2e-09,3e-12,4e-12,not_converged\r\n";
 
   EXPECT_EQ(curves_csv(result), expected);
 }
@@ -111,7 +112,7 @@ TEST_F(ResultFolder, CsvReadsBackEveryDouble) {
   std::vector<double> numbers;
   for (std::string field; std::getline(row, field, ',');)
     numbers.push_back(std::strtod(field.c_str(), nullptr));
-  ASSERT_EQ(numbers.size(), 16U);
+  ASSERT_EQ(numbers.size(), 17U);
   EXPECT_EQ(numbers[3], point.nominal_pressure);
   EXPECT_EQ(numbers[4], point.mean_gap);
   EXPECT_EQ(numbers[5], point.area_fraction);

@@ -52,6 +52,8 @@ inline CurvePoint sample_point(int step) {
   point.contact_stiffness = 1e14 / (13 + step);
   point.iterations = 20 + step;
   point.residual = 1e-9 / (17 + step);
+  point.certified_gap_error = 1e-12 / (47 + step);
+  point.estimated_gap_error = 1e-10 / (53 + step);
   point.cpu_time = 0.1 * step;
   point.transforms = 40 + step;
   point.transform_time = 0.05 * step;
@@ -103,6 +105,8 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);
+  EXPECT_PRED2(is_same, a.certified_gap_error, b.certified_gap_error);
+  EXPECT_PRED2(is_same, a.estimated_gap_error, b.estimated_gap_error);
   EXPECT_PRED2(is_same, a.cpu_time, b.cpu_time);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.is_unloading, b.is_unloading);
