@@ -139,7 +139,7 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                        ".top = \"pressure\" cannot be combined with sides = "
                        "\"free\": the block can tilt as a rigid body; use top "
                        "= \"clamped\" or \"sliding\"");
-    if (fem->full.uses_case_mesh &&
+    if (is_full && fem->full.uses_case_mesh &&
         read.mesh.kind == mechanics::MeshKind::gmsh &&
         read.mesh.geometry != mechanics::MeshGeometry::file &&
         read.mesh.cells == mechanics::MeshCells::tetrahedra &&
@@ -155,18 +155,6 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
     if (fem->full.uses_case_mesh &&
         read.mesh.kind == mechanics::MeshKind::adaptive)
       check_adaptive(file, read, method, *fem, mistakes);
-    if (is_full && fem->full.uses_case_mesh &&
-        read.mesh.kind == mechanics::MeshKind::gmsh &&
-        read.mesh.geometry != mechanics::MeshGeometry::file &&
-        read.mesh.cells == mechanics::MeshCells::tetrahedra &&
-        fem->block.element == mechanics::Element::q2 &&
-        fem->full.contact_at == mechanics::ContactPoints::nodes)
-      mistakes.add(entry_of(file, method.name, "contact_at").place,
-                   method.name +
-                       ".contact_at = \"nodes\" cannot be combined with mesh."
-                       "cells = \"tetrahedra\" and element = \"Q2\", whose "
-                       "vertices have no area; use contact_at = \"gauss\" or "
-                       "element = \"Q1\"");
     const bool is_lattice =
         fem->full.sides == mechanics::BlockSides::periodic &&
         (!fem->full.uses_case_mesh ||
