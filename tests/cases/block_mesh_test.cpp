@@ -124,11 +124,13 @@ TEST(BlockMesh, FreeSidesMayCarryACounterBodyUpToThem) {
   EXPECT_EQ(read.mesh.counter->radius.value, 0.5);
 }
 
-TEST(BlockMesh, ChecksACounterBodyBelowAMeshOfGmshWithoutItsEdges) {
+TEST(BlockMesh, ChecksACounterBodyBelowAMeshOfGmsh) {
   const std::string by_gmsh = "mesh.kind=\"gmsh\"";
 
-  EXPECT_TRUE(block(cylinder + "size_at_contact = \"0.5 h\"\n", {by_gmsh})
-                  .mesh.counter);
+  EXPECT_TRUE(block(cylinder, {by_gmsh}).mesh.counter);
+  EXPECT_NE(refusal(cylinder + "size_at_contact = \"0.5 h\"\n", {by_gmsh})
+                .find("mesh.counter.size_at_contact = \"0.5 h\", which is"),
+            std::string::npos);
   EXPECT_NE(refusal(cylinder + "fine_radius = \"0.3 length\"\n", {by_gmsh})
                 .find("mesh.counter.fine_radius"),
             std::string::npos);

@@ -163,10 +163,13 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
                              "number, \"none\" or \"all\""},
       {"report.fields=-1",
        "report.fields = -1, but must be between 0 and 1000000 [1]"},
-      {"title=3", "title = 3, but must be a string"},
+      {"title=[3]", "title = [3], but must be a string"},
   };
   for (const auto& [entry, answer] : answers) {
     const std::string mistakes = mistakes_in({entry});
+    ASSERT_NE(mistakes.find(answer.substr(0, 6)), std::string::npos)
+        << entry << "\n"
+        << mistakes;
     const std::string last_line =
         mistakes.substr(mistakes.find(answer.substr(0, 6)));
     EXPECT_NE(mistakes.find(": " + answer + "\n"), std::string::npos)

@@ -5,6 +5,7 @@
 
 #include "base/field_sums.hpp"
 #include "contact/solvers/solver.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,8 @@ inline Problem rough_problem() {
   problem.body.thickness = infinity;
   problem.loads = {2e6, 5e6, 2e7};
   problem.rms_height = rms_height(problem.heights);
-  problem.rms_slope = 0.1;
+  problem.rms_slope =
+      surfaces::statistics({problem.grid, problem.heights}).rms_slope;
   return problem;
 }
 

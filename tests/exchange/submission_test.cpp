@@ -108,8 +108,8 @@ TEST_F(SubmissionFolder, NamesEveryMistake) {
   expect(head + "licens = \"MIT\"\n" + load,
          "submission.toml:8: licens is unknown; nearest: licence");
   expect("accuracy = \"good\"\n" + load, "must be \"default\" or \"best\"");
-  expect("authors = \"A\"\n" + load, "must be a list of texts");
-  expect("authors = []\n" + load, "must be a list of texts");
+  expect("authors = \"A\"\n" + load, "must be a list of 1 to 100 texts");
+  expect("authors = []\n" + load, "must be a list of 1 to 100 texts");
   expect(head + "claimed_error = 2\n" + load,
          "claimed_error = 2, but must be a number from 0 to 1");
   expect(head + "[[load]]\nnominal_pressure = 3e6\npressure = \"p.npy\"\n",
