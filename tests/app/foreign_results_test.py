@@ -209,7 +209,7 @@ HOSTILE = {
     dataset_for_a_group: "/surfaces: cannot open this group",
     group_for_a_dataset: "mean_gap: cannot find this dataset",
     nested_case: "is nested more than 32 levels deep",
-    latin_1_title: 'title = "Stra?e", but must be UTF-8',
+    latin_1_title: 'title = "Straße", but must be UTF-8',
     title_that_moves_the_cursor: 'title = "a?[2Jb", but must be UTF-8',
     list_of_titles: "title: cannot read this attribute as one text",
     compound_modulus: "contact_modulus: cannot read this attribute",
