@@ -101,6 +101,31 @@ void check_form(const Node& file, const Case& read, Mistakes& mistakes) {
                        ", which assumes a nominally flat surface");
 }
 
+/// What a full block cannot combine.
+void check_full_block(const Node& file, const Case& read,
+                      const MethodSpec& method,
+                      const mechanics::FemSettings& fem, Mistakes& mistakes) {
+  if (fem.full.sides == mechanics::BlockSides::free &&
+      fem.block.far_boundary == mechanics::FarBoundary::pressure)
+    mistakes.add(entry_of(file, method.name, "top").place,
+                 method.name +
+                     ".top = \"pressure\" cannot be combined with sides = "
+                     "\"free\": the block can tilt as a rigid body; use top "
+                     "= \"clamped\" or \"sliding\"");
+  if (fem.full.uses_case_mesh && read.mesh.kind == mechanics::MeshKind::gmsh &&
+      read.mesh.geometry != mechanics::MeshGeometry::file &&
+      read.mesh.cells == mechanics::MeshCells::tetrahedra &&
+      fem.block.element == mechanics::Element::q2 &&
+      fem.full.contact_at == mechanics::ContactPoints::nodes)
+    mistakes.add(entry_of(file, method.name, "contact_at").place,
+                 method.name +
+                     ".contact_at = \"nodes\" cannot be combined with "
+                     "mesh.cells = \"tetrahedra\" and element = \"Q2\": the "
+                     "vertices of second-order tetrahedra have no share of "
+                     "the contact surface; use contact_at = \"gauss\" with "
+                     "contact = \"augmented\", or element = \"Q1\"");
+}
+
 } // namespace
 
 void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
@@ -132,26 +157,8 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                    method.name +
                        ".bodies = 2 cannot be combined with hard (unilateral) "
                        "contact; use contact = \"augmented\" or \"penalty\"");
-    if (is_full && fem->full.sides == mechanics::BlockSides::free &&
-        fem->block.far_boundary == mechanics::FarBoundary::pressure)
-      mistakes.add(entry_of(file, method.name, "top").place,
-                   method.name +
-                       ".top = \"pressure\" cannot be combined with sides = "
-                       "\"free\": the block can tilt as a rigid body; use top "
-                       "= \"clamped\" or \"sliding\"");
-    if (is_full && fem->full.uses_case_mesh &&
-        read.mesh.kind == mechanics::MeshKind::gmsh &&
-        read.mesh.geometry != mechanics::MeshGeometry::file &&
-        read.mesh.cells == mechanics::MeshCells::tetrahedra &&
-        fem->block.element == mechanics::Element::q2 &&
-        fem->full.contact_at == mechanics::ContactPoints::nodes)
-      mistakes.add(entry_of(file, method.name, "contact_at").place,
-                   method.name +
-                       ".contact_at = \"nodes\" cannot be combined with "
-                       "mesh.cells = \"tetrahedra\" and element = \"Q2\": the "
-                       "vertices of second-order tetrahedra have no share of "
-                       "the contact surface; use contact_at = \"gauss\" with "
-                       "contact = \"augmented\", or element = \"Q1\"");
+    if (is_full)
+      check_full_block(file, read, method, *fem, mistakes);
     if (fem->full.uses_case_mesh &&
         read.mesh.kind == mechanics::MeshKind::adaptive)
       check_adaptive(file, read, method, *fem, mistakes);

@@ -16,8 +16,10 @@ namespace {
 /// only gmsh and the author of a mesh file determine it.
 double edge_of(const Case& read, const mechanics::FemSettings& fem,
                const mechanics::Scales& scales, const Grid& grid) {
-  if (!fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh)
-    return grid.length_x / (grid.points_x / degree_of(fem.block.element));
+  if (!fem.full.uses_case_mesh || read.mesh.kind != mechanics::MeshKind::gmsh) {
+    const int cells = grid.points_x / degree_of(fem.block.element);
+    return grid.length_x / cells;
+  }
   const bool has_columns =
       read.mesh.cells == mechanics::MeshCells::hexahedra &&
       (read.mesh.geometry == mechanics::MeshGeometry::block ||

@@ -48,7 +48,7 @@ std::vector<Key> file_keys() {
   };
 }
 
-std::vector<Key> edge_and_scale_keys() {
+std::vector<Key> edge_keys() {
   const std::vector<std::string> kind = {"measured"};
   return {
       {.name = "edges",
@@ -73,6 +73,12 @@ std::vector<Key> edge_and_scale_keys() {
        .show = Show::no,
        .description = "Confirms edges = \"window\": the surface that is "
                       "pressed then has 9/64 of the measured power."},
+  };
+}
+
+std::vector<Key> scale_keys() {
+  const std::vector<std::string> kind = {"measured"};
+  return {
       {.name = "height_unit",
        .dimension = Dimension::length,
        .range = positive(),
@@ -178,7 +184,8 @@ std::vector<Key> correction_keys() {
 
 std::vector<Key> map_keys() {
   std::vector<Key> keys = file_keys();
-  append_keys(keys, edge_and_scale_keys());
+  append_keys(keys, edge_keys());
+  append_keys(keys, scale_keys());
   append_keys(keys, correction_keys());
   return keys;
 }
