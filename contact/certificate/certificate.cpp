@@ -250,6 +250,28 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   return check;
 }
 
+namespace {
+
+/// The submitted pressure solved further, unless that leads away from the
+/// answer.
+/// @param answer  of the submitted pressure
+Feasible solved_further(SurfaceOperator& elasticity,
+                        const SubmittedField& submitted,
+                        const Weighted& weighted, Feasible answer,
+                        int& iterations) {
+  const double load = submitted.nominal_pressure;
+  const double first_gap = duality_gap(answer, weighted, load);
+  free_memory(answer.displacement); // as all fields before a solver
+  Solved further = polish(elasticity, submitted, answer);
+  iterations = further.iterations;
+  answer = feasible(elasticity, submitted, std::move(further.pressure));
+  return first_gap < duality_gap(answer, weighted, load)
+             ? feasible(elasticity, submitted, pressure_of(submitted))
+             : answer;
+}
+
+} // namespace
+
 SeparationBounds bound_separation(SurfaceOperator& elasticity,
                                   const SubmittedField& submitted) {
   static_cast<void>(sound_or_refused(elasticity, submitted));
@@ -262,16 +284,12 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
            mean_height;
   };
   Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
-  const double first_gap = duality_gap(answer, weighted, load);
   const double claimed = std::isfinite(submitted.mean_gap)
                              ? submitted.mean_gap
                              : mean_gap_by(answer);
-  free_memory(answer.displacement); // as all fields before a solver
-  Solved further = polish(elasticity, submitted, answer);
-  answer = feasible(elasticity, submitted, std::move(further.pressure));
-  if (first_gap < duality_gap(answer, weighted, load))
-    answer = feasible(elasticity, submitted, pressure_of(submitted));
   SeparationBounds bounds;
+  answer = solved_further(elasticity, submitted, weighted, std::move(answer),
+                          bounds.solver_iterations);
   bounds.polished_gap = duality_gap(answer, weighted, load);
   std::vector<double> uniform = uniform_displacement(elasticity);
   const double of_uniform =
@@ -279,7 +297,7 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   for (double& value : uniform)
     value *= load;
   Solved pressed = punch_pressure(elasticity, submitted, answer, uniform);
-  bounds.solver_iterations = further.iterations + pressed.iterations;
+  bounds.solver_iterations += pressed.iterations;
   Feasible punch = feasible(elasticity, submitted, std::move(pressed.pressure));
   displace(elasticity, submitted, answer);
 

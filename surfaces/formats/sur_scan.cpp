@@ -108,7 +108,8 @@ SurHeader sur_header(std::string_view beginning, const std::string& name) {
   std::string_view units[3];
   for (std::string_view& unit : units)
     unit = bytes.take_bytes(16);
-  bytes.skip(std::size_t{3} * 16 + 3 * 4 + 2); // other units, their ratios
+  bytes.skip(std::size_t{3} * 16 + std::size_t{3} * 4 +
+             2); // other units, their ratios
   header.inversion = bytes.take<std::uint16_t>();
   bytes.skip(2 + 12 + 14 + 4 + 4 + 6); // levelling, time, compressed size
   header.begin = sur_header_bytes + bytes.take<std::uint16_t>();
