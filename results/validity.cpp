@@ -108,20 +108,26 @@ void check_point(const std::string& curve, const CurvePoint& point,
   }
 }
 
+/// A number that a result states.
+struct Stated {
+  std::string place;
+  double number = 0.0;
+  std::string_view unit;
+};
+
 /// Adds a stated number that is not the one that follows from the maps.
-void check_follows(const std::string& place, double stated,
-                   const NumberBounds& bounds, double tolerance,
-                   std::string_view unit, const char* source,
-                   Findings& findings) {
-  if (std::isnan(stated) ||
-      (stated >= bounds.low - tolerance && stated <= bounds.high + tolerance))
+void check_follows(const Stated& stated, const NumberBounds& bounds,
+                   double tolerance, const char* source, Findings& findings) {
+  if (std::isnan(stated.number) || (stated.number >= bounds.low - tolerance &&
+                                    stated.number <= bounds.high + tolerance))
     return;
-  findings.add(place, fmt::format(" = {}, but {} {:.9g}{} [{}]", stated, source,
-                                  bounds.low,
-                                  bounds.low < bounds.high
-                                      ? fmt::format(" to {:.9g}", bounds.high)
-                                      : "",
-                                  unit));
+  findings.add(stated.place,
+               fmt::format(" = {}, but {} {:.9g}{} [{}]", stated.number, source,
+                           bounds.low,
+                           bounds.low < bounds.high
+                               ? fmt::format(" to {:.9g}", bounds.high)
+                               : "",
+                           stated.unit));
 }
 
 /// Checks what follows from saved heights.
@@ -142,8 +148,8 @@ void check_height_numbers(const std::string& place,
   const auto check = [&](const char* name, double stated, NumberBounds bounds,
                          double size, const char* unit) {
     if (!std::isnan(bounds.low))
-      check_follows(place + "/" + name, stated, bounds, single_precision * size,
-                    unit, "the heights have", findings);
+      check_follows({place + "/" + name, stated, unit}, bounds,
+                    single_precision * size, "the heights have", findings);
   };
   const auto same = [](double number) { return NumberBounds{number, number}; };
   check("rms_height", surface.rms_height, same(found.rms_height),
@@ -188,8 +194,8 @@ void check_step(const std::string& place, bool has_equal_weights,
   const auto check = [&](const std::string& name, double stated, double found,
                          double size, const char* unit, const char* source) {
     if (std::isfinite(found))
-      check_follows(name, stated, {found, found}, single_precision * size, unit,
-                    source, findings);
+      check_follows({name, stated, unit}, {found, found},
+                    single_precision * size, source, findings);
   };
   check(maps + "/nominal_pressure", fields.nominal_pressure,
         point.nominal_pressure, std::abs(point.nominal_pressure), "Pa",

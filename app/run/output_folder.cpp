@@ -179,7 +179,7 @@ fs::path figure_script_of(const fs::path& file) {
     return {};
   std::string name = file.stem().string();
   for (;;) {
-    const fs::path script = file.parent_path() / (name + ".gp");
+    fs::path script = file.parent_path() / (name + ".gp");
     if (has_text(script, "# gnuplot " + script.filename().string() + "\n"))
       return script;
     const std::size_t dash = name.rfind('-'); // NAME-MAP.csv

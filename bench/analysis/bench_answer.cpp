@@ -83,6 +83,8 @@ std::vector<double> hertz_differences(const results::Curve& curve,
         fields.nominal_pressure * grid.length_x * grid.length_y, is_free);
     double difference = 0.0, expected = 0.0; // sums
     const auto columns = static_cast<std::size_t>(grid.points_x);
+    const int middle_x = grid.points_x / 2; // the sphere's node
+    const int middle_y = grid.points_y / 2;
     results::each_piece(
         std::array{fields.pressure_map()},
         [&](std::size_t first, const auto& values) {
@@ -90,11 +92,10 @@ std::vector<double> hertz_differences(const results::Curve& curve,
           for (std::size_t k = 0; k < values[0].size(); ++k) {
             const std::size_t row = (first + k) / columns;
             const std::size_t column = (first + k) % columns;
-            const double x = (static_cast<double>(column) -
-                              grid.points_x / 2) * // the sphere's node
-                             grid.spacing_x();
-            const double y = (static_cast<double>(row) - grid.points_y / 2) *
-                             grid.spacing_y();
+            const double x =
+                (static_cast<double>(column) - middle_x) * grid.spacing_x();
+            const double y =
+                (static_cast<double>(row) - middle_y) * grid.spacing_y();
             const double hertzian =
                 theory::hertz_pressure(hertz, std::hypot(x, y));
             piece_expected += hertzian;

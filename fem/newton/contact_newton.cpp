@@ -130,8 +130,9 @@ void ContactNewton::leave_contact(BlockSolution& answer) {
 void ContactNewton::add_up(const BlockContact& contact,
                            BlockSolution& answer) const {
   const Grid& grid = system_.grid();
-  const dealii::Point<2> middle(grid.points_x / 2 * grid.spacing_x(),
-                                grid.points_y / 2 * grid.spacing_y());
+  const int middle_x = grid.points_x / 2, middle_y = grid.points_y / 2;
+  const dealii::Point<2> middle(middle_x * grid.spacing_x(),
+                                middle_y * grid.spacing_y());
   // Of a: w; of a p: 1, x, y, w, p.
   std::array<double, 6> sums{};
   for (std::size_t i = 0; i < pressure_.size(); ++i) {

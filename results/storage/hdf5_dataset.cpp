@@ -207,8 +207,8 @@ void Hdf5Group::append(const std::string& name,
   std::vector<std::string> plain; // no other text is read
   std::vector<const char*> characters;
   std::ranges::transform(texts, std::back_inserter(plain), plain_text);
-  for (const std::string& text : plain)
-    characters.push_back(text.c_str());
+  std::ranges::transform(plain, std::back_inserter(characters),
+                         [](const std::string& text) { return text.c_str(); });
   const Hdf5Handle type = text_type();
   const Hdf5Handle dataset =
       has(name) ? dataset_of(handle_.id(), name, place(name))
