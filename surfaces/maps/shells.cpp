@@ -20,7 +20,7 @@ namespace {
 constexpr double exact_up_to = 8.0; // in units of the smallest |q|
 constexpr double resolution = 1e-7; // relative difference of distinct |q|
 constexpr std::int64_t first_logarithmic = 1'000'000'000;
-constexpr std::int64_t none = -1; // below every shell
+constexpr std::int64_t no_shell = -1; // below every shell
 
 /// The index of a shell, ascending with |q|.
 /// @param reduced_wavevector  |q| in units of the smallest one, >= 1
@@ -173,7 +173,7 @@ ModeShells::ModeShells(const Grid& grid, double relative_width) : grid_(grid) {
     for (int jx = 0; jx < n_columns; ++jx)
       numbers.push_back(
           jx == 0 && jy == 0
-              ? none
+              ? no_shell
               : shell_number(mode_wavevector(grid, jx, jy) / longest,
                              relative_width));
   std::vector<std::int64_t> distinct(numbers.begin() + 1, numbers.end());
