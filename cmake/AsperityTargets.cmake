@@ -47,6 +47,9 @@ asperity_show(asperity_test_sources INTERFACE benchmarks)
 # library's sources are therefore unique, also in unnamed namespaces.
 set(ASPERITY_UNITY_BATCH 25 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
 
+# Tests, too; each has a namespace of its own, asperity::theory::persson_test.
+set(ASPERITY_UNITY_TESTS 10 CACHE STRING "Tests that a unity build compiles as one")
+
 # The sources of the program and of the module compute nothing: little is optimised.
 function(asperity_compile_as_one target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
@@ -111,43 +114,58 @@ add_custom_target(asperity_fast_tests)
 
 set(ASPERITY_UNIT_SECONDS 60 CACHE STRING "CPU time that one unit test may take [s]")
 
-# asperity_test(theory/persson DEPENDS asperity::theory [TIER convergence] [RANKS 2])
-# builds tests/theory/persson_test.cpp; TIER becomes the ctest label.
-function(asperity_test path)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIER;RANKS" "DEPENDS")
+# asperity_tests(theory DEPENDS asperity::theory UNIT persson hertz [ANALYTIC ...]
+#                [CONVERGENCE ...] [AGREEMENT ...] [GOLDEN ...] [SOURCES file.cpp])
+# links the tests of a module, tests/theory/persson_test.cpp and so on, into one
+# program, test_theory. Each of these sources is a test of ctest, theory/persson,
+# whose label is its tier; test_theory --source persson runs it by hand.
+function(asperity_tests program)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME module)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" ""
+    "DEPENDS;SOURCES;UNIT;ANALYTIC;CONVERGENCE;AGREEMENT;GOLDEN")
   if(arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "asperity_test(${path}): unknown ${arg_UNPARSED_ARGUMENTS}")
+    message(FATAL_ERROR "asperity_tests(${program}): unknown ${arg_UNPARSED_ARGUMENTS}")
   endif()
-  if(NOT arg_TIER)
-    set(arg_TIER unit)
+  set(is_fast OFF)
+  if(module MATCHES "^(base|cases|contact|exchange|input|md|meshes|ranks|results|surfaces|theory)$")
+    set(is_fast ON)
   endif()
-  string(MAKE_C_IDENTIFIER "test_${path}" target)
-  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_test.cpp)
-  target_link_libraries(${target}
-    PRIVATE ${arg_DEPENDS} asperity_flags asperity_test_main)
-  target_compile_options(${target} PRIVATE ${test_options})
-  target_precompile_headers(${target} REUSE_FROM asperity_test_headers)
-  # A unit test that takes longer than its tier allows is killed. CPU time, which
-  # a busy machine does not change; a sanitizer makes it some times longer.
-  set(launch "")
-  if(arg_TIER STREQUAL unit)
-    set(launch sh -c "ulimit -S -t ${ASPERITY_UNIT_SECONDS} && exec \"$0\" \"$@\"")
+  set(tiers UNIT ANALYTIC CONVERGENCE AGREEMENT GOLDEN)
+  if(ASPERITY_FUZZ AND is_fast)
+    set(tiers UNIT) # the others take too long under sanitizers
   endif()
-  if(arg_RANKS)
-    set(launch ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${arg_RANKS})
+  add_executable(test_${program} ${arg_SOURCES})
+  target_link_libraries(test_${program} PRIVATE ${arg_DEPENDS} asperity_flags asperity_test_main)
+  target_compile_options(test_${program} PRIVATE ${test_options})
+  target_precompile_headers(test_${program} REUSE_FROM asperity_test_headers)
+  set_target_properties(test_${program} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
+    UNITY_BUILD_BATCH_SIZE ${ASPERITY_UNITY_TESTS})
+  if(is_fast)
+    add_dependencies(asperity_fast_tests test_${program})
   endif()
-  add_test(NAME ${path} COMMAND ${launch} $<TARGET_FILE:${target}>
-    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${path} PROPERTIES LABELS ${arg_TIER} TIMEOUT 600)
-  if(arg_TIER STREQUAL unit AND path MATCHES "^(base|cases|contact|exchange|input|md|meshes|ranks|results|surfaces|theory)/")
-    add_dependencies(asperity_fast_tests ${target})
-    set_tests_properties(${path} PROPERTIES LABELS "unit;fast")
-  endif()
-  # OpenMPI keeps memory to the end of the process, so what loads it cannot
-  # pass the leak checker of the preset sanitizers.
-  if(path MATCHES "^(app|exchange|fem|reports|results)/")
-    set_tests_properties(${path} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
-  endif()
+  foreach(tier IN LISTS tiers)
+    string(TOLOWER ${tier} label)
+    # A unit test that takes longer than its tier allows is killed. CPU time, which
+    # a busy machine does not change; a sanitizer makes it some times longer.
+    set(launch "")
+    if(tier STREQUAL UNIT)
+      set(launch sh -c "ulimit -S -t ${ASPERITY_UNIT_SECONDS} && exec \"$0\" \"$@\"")
+      if(is_fast)
+        list(APPEND label fast)
+      endif()
+    endif()
+    foreach(name IN LISTS arg_${tier})
+      target_sources(test_${program} PRIVATE ${name}_test.cpp)
+      add_test(NAME ${module}/${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+        COMMAND ${launch} $<TARGET_FILE:test_${program}> --source ${name})
+      set_tests_properties(${module}/${name} PROPERTIES LABELS "${label}" TIMEOUT 600)
+      # OpenMPI keeps memory to the end of the process, so what loads it cannot
+      # pass the leak checker of the preset sanitizers.
+      if(module MATCHES "^(app|exchange|fem|reports|results|robustness)$")
+        set_tests_properties(${module}/${name} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+      endif()
+    endforeach()
+  endforeach()
 endfunction()
 
 # asperity_benchmark(contact/kernels DEPENDS asperity::contact [SMOKE regex]) builds

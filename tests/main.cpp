@@ -1,15 +1,49 @@
 // The main function of every test program: that of GoogleTest, with a folder of
 // its own for temporary files. Test programs can therefore run at the same
 // time, of several checkouts and users, and leave no file behind.
+//   test_theory --source persson    the tests of tests/theory/persson_test.cpp
 #include "base/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+
+namespace {
+
+/// Selects the tests of one source; false if there is none.
+bool select_source(const std::string& name) {
+  const std::string file = "/" + name + "_test.cpp";
+  const auto& program = *testing::UnitTest::GetInstance();
+  std::string filter;
+  for (int i = 0; i < program.total_test_suite_count(); ++i) {
+    const auto& suite = *program.GetTestSuite(i);
+    std::string tests;
+    bool is_whole = true;
+    for (int j = 0; j < suite.total_test_count(); ++j) {
+      const auto& test = *suite.GetTestInfo(j);
+      if (std::string(test.file()).ends_with(file))
+        tests += std::string(suite.name()) + "." + test.name() + ":";
+      else
+        is_whole = false;
+    }
+    filter += is_whole ? std::string(suite.name()) + ".*:" : tests;
+  }
+  testing::GTEST_FLAG(filter) = filter;
+  return !filter.empty();
+}
+
+} // namespace
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
+  if (argc == 3 && std::string(argv[1]) == "--source" &&
+      !select_source(argv[2])) {
+    std::fprintf(stderr, "%s: no test of %s_test.cpp\n", argv[0], argv[2]);
+    return 1;
+  }
   const asperity::TemporaryFolder folder("asperity-test");
   // Some tests run programs as another user.
   std::filesystem::permissions(folder.path(),

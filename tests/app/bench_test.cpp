@@ -11,8 +11,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::bench_test {
 
 using Json = nlohmann::json;
 
@@ -258,5 +257,4 @@ TEST_F(Bench, ReportsWhatItCannotDo) {
   EXPECT_EQ(method.exit_code, 2);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::bench_test

@@ -8,8 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::block_size_test {
 
 const std::string sphere_case = R"(schema = 1
 title = "sphere"
@@ -109,5 +108,4 @@ TEST(FullBlockOfTetrahedra, IsCountedWithinAFactorOfTwo) {
   }
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::block_size_test

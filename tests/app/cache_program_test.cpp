@@ -5,8 +5,7 @@
 
 #include "tests/app/cached_program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::cache_program_test {
 
 TEST_F(CachedProgram, UnchangedIsReadAndNotComputed) {
   EXPECT_EQ(computed("--out first"), all_steps);
@@ -79,5 +78,4 @@ TEST_F(CachedProgram, TheCacheIsShownAndCleared) {
   EXPECT_EQ(computed("--out again"), all_steps);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::cache_program_test

@@ -17,8 +17,7 @@
 #include "tests/app/rough_case.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::cache_run_test {
 
 using Overrides = std::vector<std::string>;
 
@@ -291,5 +290,4 @@ TEST_F(CachedRun, AnotherBuildHasOtherKeys) {
   EXPECT_NE(ours.of_operator("q2"), theirs.of_operator("q2"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::cache_run_test

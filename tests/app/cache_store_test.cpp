@@ -20,8 +20,7 @@
 
 #include "tests/app/folder.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::cache_store_test {
 
 namespace fs = std::filesystem;
 
@@ -265,5 +264,4 @@ TEST(CacheSize, IsReadWithItsUnit) {
   EXPECT_THROW(size_of("-1"), input::InputError);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::cache_store_test

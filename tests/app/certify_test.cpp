@@ -9,8 +9,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::certify_test {
 
 using Row = std::vector<double>; ///< columns after the name of the method
 
@@ -144,5 +143,4 @@ TEST_F(CertifyCommand, RefusesAFileWithoutFields) {
   EXPECT_NE(bare.output.find("no field could be certified"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::certify_test

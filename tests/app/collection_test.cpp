@@ -4,8 +4,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::collection_test {
 
 namespace fs = std::filesystem;
 
@@ -129,5 +128,4 @@ TEST_F(Collection, AreListedWithTheirParts) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::collection_test

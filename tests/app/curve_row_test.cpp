@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::curve_row_test {
 
 constexpr int points = 16;
 
@@ -130,5 +129,4 @@ TEST(CurveRow, OfANonFiniteStepDidNotConverge) {
   EXPECT_TRUE(no_maps.pressure.empty() && no_maps.gap.empty());
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::curve_row_test

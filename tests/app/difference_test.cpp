@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::difference_test {
 
 using results::CurvePoint;
 
@@ -119,5 +118,4 @@ TEST(Difference, ReportsTheBuildWithoutCountingIt) {
   EXPECT_EQ(json["build"][0]["other"], "def");
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::difference_test

@@ -13,8 +13,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::folder_use_test {
 
 namespace fs = std::filesystem;
 using results::Result;
@@ -382,5 +381,4 @@ TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
   EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::folder_use_test

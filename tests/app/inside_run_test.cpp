@@ -13,8 +13,7 @@
 
 #include "tests/app/folder.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::inside_run_test {
 
 const std::string block_case = R"(schema = 1
 title = "a wave"
@@ -131,5 +130,4 @@ TEST_F(InsideRun, KeepsTheSectionInTheCache) {
   EXPECT_EQ(result("after").table("stress-section-fem"), nullptr);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::inside_run_test

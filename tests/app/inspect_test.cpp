@@ -4,8 +4,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::inspect_test {
 
 using Json = nlohmann::json;
 
@@ -187,5 +186,4 @@ TEST_F(Inspect, TablesOfTwoRunsAreTheSame) {
   EXPECT_NE(text_of(folder / "a/times.csv"), text_of(folder / "b/times.csv"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::inspect_test

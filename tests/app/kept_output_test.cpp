@@ -6,8 +6,7 @@
 
 #include "tests/app/cached_program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::kept_output_test {
 
 // A case with an expectation that is not met.
 const std::string unmet_case =
@@ -260,5 +259,4 @@ TEST_F(CachedProgram, AnInterruptedRunIsNotKept) {
   EXPECT_EQ(again.exit_code, 0) << again.output;
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::kept_output_test

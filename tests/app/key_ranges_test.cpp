@@ -21,8 +21,7 @@
 
 #include "tests/app/folder.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::key_ranges_test {
 
 using cases::Key;
 using cases::Table;
@@ -295,5 +294,4 @@ TEST_F(KeyRanges, SayWhichKeyOfABlockDoesNotFit) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::key_ranges_test

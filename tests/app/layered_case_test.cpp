@@ -14,8 +14,7 @@
 #include <numbers>
 #include <string>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::layered_case_test {
 
 double reference_of(const std::string& folder, const std::string& quantity) {
   for (const cases::ReferenceValue& reference :
@@ -87,5 +86,4 @@ TEST(LayeredBlock, HasTheModulusOfItsCoatingAtContactBoundaries) {
   EXPECT_EQ(boundary_modulus(block, 0.002), 2e9);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::layered_case_test

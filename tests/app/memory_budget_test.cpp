@@ -11,8 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::memory_budget_test {
 
 /// Runs jobs of these sizes, each in its own thread, and returns the largest
 /// number that ran at the same time.
@@ -48,5 +47,4 @@ TEST(MemoryBudget, RunsAloneWhatIsTooLargeOrUnknown) {
   EXPECT_EQ(largest_number_beside(1.0, {2.0, 2.0, unknown, unknown}), 1);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::memory_budget_test

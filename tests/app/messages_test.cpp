@@ -4,8 +4,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::messages_test {
 
 class Messages : public ProgramTest {
 protected:
@@ -362,5 +361,4 @@ TEST_F(Messages, ReportOfNothingIsRefused) {
   EXPECT_TRUE(says(lost, "nowhere")) << lost.output;
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::messages_test

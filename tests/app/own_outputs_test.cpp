@@ -10,8 +10,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::own_outputs_test {
 
 namespace fs = std::filesystem;
 
@@ -194,5 +193,4 @@ TEST_F(OwnOutputs, ALockFileOfOthersIsNotOverwritten) {
   EXPECT_EQ(text_of(folder / "a/.lock"), foreign);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::own_outputs_test

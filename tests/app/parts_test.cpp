@@ -10,8 +10,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::parts_test {
 
 namespace fs = std::filesystem;
 
@@ -285,5 +284,4 @@ TEST_F(Parts, KeepThePreviousResult) {
   EXPECT_TRUE(fs::exists(folder / "out/rough/result.previous.h5"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::parts_test

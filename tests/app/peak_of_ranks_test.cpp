@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::peak_of_ranks_test {
 
 constexpr std::size_t large = 800'000'000; // [B]
 
@@ -34,5 +33,4 @@ TEST(PeakOfRanks, IsThatOfTheLargestRank) {
   EXPECT_LT(peak_memory(), 0.6 * large); // of this rank
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::peak_of_ranks_test

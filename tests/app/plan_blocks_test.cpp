@@ -12,8 +12,7 @@
 
 #include "tests/app/planned_run.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::plan_blocks_test {
 
 using PlannedBlock = PlannedRun;
 
@@ -134,5 +133,4 @@ TEST_F(PlannedBlock, StatesItsUncertainty) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::plan_blocks_test

@@ -14,8 +14,7 @@
 
 #include "tests/app/planned_run.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::plan_test {
 
 using results::Skipped;
 
@@ -249,5 +248,4 @@ TEST_F(PlannedRun, IsPrintedWithReadableNumbers) {
       << text;
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::plan_test

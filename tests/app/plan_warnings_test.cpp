@@ -11,8 +11,7 @@
 
 #include "tests/app/folder.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::plan_warnings_test {
 
 const std::string small_case = R"(schema = 1
 title = "planned"
@@ -97,5 +96,4 @@ TEST_F(PlanWarnings, ARefusedTableOfFactorsIsNamed) {
   }
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::plan_warnings_test

@@ -11,8 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::progress_test {
 
 // Two short steps of 1 s and two long ones of 10 s, on two threads.
 RemainingWork mixed_work() {
@@ -105,8 +104,10 @@ TEST(Progress, ShowsNoNegativeZero) {
   testing::internal::CaptureStdout();
   {
     Progress progress(mixed_work(), 1.0);
-    progress.step_done("dear", 0, {.nominal_pressure = 1.0, .mean_gap = -1e-9},
-                       1.0);
+    results::CurvePoint point;
+    point.nominal_pressure = 1.0;
+    point.mean_gap = -1e-9;
+    progress.step_done("dear", 0, point, 1.0);
   }
   const std::string printed = testing::internal::GetCapturedStdout();
 
@@ -192,5 +193,4 @@ TEST(Progress, IsSilentWithoutWork) {
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::progress_test

@@ -9,8 +9,7 @@
 
 #include "tests/app/folder.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::provenance_test {
 
 class ProvenanceOfAMap : public FolderTest {
 protected:
@@ -52,5 +51,4 @@ TEST_F(ProvenanceOfAMap, SaysWhatTheWindowDoes) {
   EXPECT_EQ(facts()["threads"], "3");
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::provenance_test

@@ -10,8 +10,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::resume_test {
 
 class Resume : public ProgramTest {
 protected:
@@ -112,5 +111,4 @@ TEST_F(Resume, ALostStateIsComputedAgain) {
                    results::read_result(folder / "second"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::resume_test

@@ -6,8 +6,7 @@
 
 #include "tests/app/program.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::run_test {
 
 using results::Result;
 
@@ -217,5 +216,4 @@ TEST_F(RunCommand, RefusesToResumeAnotherCase) {
   EXPECT_EQ(other.exit_code, 2) << other.output;
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::run_test

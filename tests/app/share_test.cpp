@@ -9,8 +9,7 @@
 #include <numeric>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::share_test {
 
 using Shares = std::vector<std::vector<std::size_t>>;
 
@@ -83,5 +82,4 @@ TEST(PartText, IsReadAndWritten) {
     EXPECT_THROW(read_part(wrong), input::InputError) << wrong;
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::share_test

@@ -7,8 +7,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::slurm_scripts_test {
 
 namespace fs = std::filesystem;
 
@@ -148,5 +147,4 @@ TEST_F(SlurmScripts, AreNotNeededForAPlan) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::slurm_scripts_test

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::stress_section_test {
 
 /// Returns a function of the position and stores the requested points.
 class KnownBlock final : public fem::FullBlock {
@@ -147,5 +146,4 @@ TEST(OwnSection, ExtendsThroughBothBodies) {
   }
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::stress_section_test

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::stress_tables_test {
 
 constexpr double modulus = 70e9;
 
@@ -109,5 +108,4 @@ TEST(StressTables, HaveASectionThroughTheCoating) {
   EXPECT_NEAR(depth.back() / coating, 1.5, 1e-12);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::stress_tables_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::study_tables_test {
 
 /// A self-affine surface without roll-off, C ~ q^{-3.6}.
 theory::HeightSpectrum self_affine(double low, double high, double rms_height) {
@@ -142,5 +141,4 @@ TEST(StudyTables, OfAdhesionFindTheTransition) {
                      .front()));
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::study_tables_test

@@ -7,8 +7,7 @@
 #include "tests/app/program.hpp"
 #include "tests/app/same_bits.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::sweep_test {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
@@ -209,5 +208,4 @@ TEST_F(SweepRuns, ReadsDamagedFiles) {
   EXPECT_EQ(run("report out/rough").exit_code, 2);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::sweep_test

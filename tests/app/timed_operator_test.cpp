@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::timed_operator_test {
 
 TEST(TimedOperator, EqualsTheOperatorThatItMeasures) {
   const Grid grid{64, 64, 1.0, 1.0};
@@ -35,5 +34,4 @@ TEST(TimedOperator, EqualsTheOperatorThatItMeasures) {
   EXPECT_GE(tally->cpu_time, 0.0);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::timed_operator_test

@@ -10,8 +10,7 @@
 #include <sys/resource.h>
 #include <vector>
 
-namespace asperity {
-namespace {
+namespace asperity::array_memory_test {
 
 bool begins_at_cache_line(const void* array) {
   return reinterpret_cast<std::uintptr_t>(array) % cache_line == 0;
@@ -96,5 +95,4 @@ TEST(ArrayMemory, KeepsValuesInMemoryThatIsKept) {
   EXPECT_EQ(larger, std::vector<double>(larger.size(), 2.5));
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::array_memory_test

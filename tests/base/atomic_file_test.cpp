@@ -16,8 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace asperity {
-namespace {
+namespace asperity::atomic_file_test {
 
 namespace fs = std::filesystem;
 
@@ -140,5 +139,4 @@ TEST_F(AtomicFile, IsAlwaysCompleteForReadersWhileWritersRace) {
   EXPECT_EQ(n_files(), 1);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::atomic_file_test

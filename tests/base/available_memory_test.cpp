@@ -6,8 +6,7 @@
 #include <cmath>
 #include <sys/resource.h>
 
-namespace asperity {
-namespace {
+namespace asperity::available_memory_test {
 
 TEST(AvailableMemory, IsLessThanAPetabyteAndMoreThanAMebibyte) {
   EXPECT_GT(available_memory(), 1024.0 * 1024.0);
@@ -37,5 +36,4 @@ TEST(MemoryShortage, StatesRequiredAndAvailableMemory) {
   EXPECT_TRUE(shortage.ends_with(" are available")) << shortage;
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::available_memory_test

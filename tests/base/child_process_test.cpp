@@ -16,8 +16,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace asperity {
-namespace {
+namespace asperity::child_process_test {
 
 constexpr double time_limit = 20.0; // seconds, for a busy machine
 
@@ -233,5 +232,4 @@ TEST_F(ChildProcessTest, ProgramsAreFoundAlongPathAlone) {
   ::setenv("PATH", before.c_str(), 1);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::child_process_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity {
-namespace {
+namespace asperity::content_hash_test {
 
 // Verifies the digests of the three bytes "abc": FIPS 180-2, B.1, and RFC 1321,
 // A.5.
@@ -23,5 +22,4 @@ TEST(ContentHash, OfPiecesIsThatOfTheWhole) {
   EXPECT_EQ(hash.text(), content_hash("abc"));
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::content_hash_test

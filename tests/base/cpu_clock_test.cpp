@@ -10,8 +10,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace asperity {
-namespace {
+namespace asperity::cpu_clock_test {
 
 constexpr double work = 0.2;  // [s], not a whole number
 constexpr double tick = 0.02; // [s], two periods of the kernel's slowest clock
@@ -94,5 +93,4 @@ TEST(CpuClock, CountsChildren) {
   EXPECT_LE(measured, child_time + thread_time() - before + tick);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::cpu_clock_test

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asperity {
-namespace {
+namespace asperity::field_sums_test {
 
 TEST(RmsHeight, IsThatAboutTheMean) {
   EXPECT_DOUBLE_EQ(rms_height(std::vector{1.0, -1.0}), 1.0);
@@ -21,5 +20,4 @@ TEST(RmsHeight, IsNaNWithoutNumbers) {
   EXPECT_TRUE(std::isnan(rms_height(std::vector{1.0, HUGE_VAL})));
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::field_sums_test

@@ -11,8 +11,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace asperity {
-namespace {
+namespace asperity::folder_lock_test {
 
 class FolderLockTest : public testing::Test {
 protected:
@@ -80,5 +79,4 @@ TEST_F(FolderLockTest, AFolderThatCannotBeMadeIsAnError) {
   EXPECT_THROW(FolderLock("/proc/new", "run"), std::system_error);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::folder_lock_test

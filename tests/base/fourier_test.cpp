@@ -9,8 +9,7 @@
 
 #include "tests/base/fields.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::fourier_test {
 
 constexpr Grid grid{8, 6, 2.0, 3.0};
 
@@ -93,5 +92,4 @@ TEST(Grid, TreatsRoundedLengthsAsEqual) {
   EXPECT_FALSE(is_same_length(1e-5 * (1.0 + 1e-11), 1e-5));
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::fourier_test

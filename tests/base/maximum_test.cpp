@@ -10,8 +10,7 @@
 
 #include "tests/base/fields.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::maximum_test {
 
 TEST(Maximum, IsTheLargerOrNaN) {
   EXPECT_EQ(maximum(1.0, 2.0), 2.0);
@@ -50,5 +49,4 @@ TEST(LargestDifference, IsSmallForEqualFieldsOnly) {
       tests::largest_difference(std::span(field).subspan(0, 2), field) < 1e300);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::maximum_test

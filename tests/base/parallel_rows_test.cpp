@@ -19,8 +19,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace asperity {
-namespace {
+namespace asperity::parallel_rows_test {
 
 TEST(ParallelRows, DoesEachRowOnce) {
   for (const int threads : {1, 2, 7, 300})
@@ -213,5 +212,4 @@ TEST(ParallelRows, WorksInAChildProcess) {
   EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::parallel_rows_test

@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace asperity {
-namespace {
+namespace asperity::plain_text_test {
 
 constexpr std::size_t plain = std::string_view::npos;
 
@@ -77,5 +76,4 @@ TEST(OneLine, HasALimitAndNoControlCharacters) {
     EXPECT_NE(line_mistake(text), "") << text.size();
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::plain_text_test

@@ -12,8 +12,7 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-namespace asperity {
-namespace {
+namespace asperity::read_file_test {
 
 namespace fs = std::filesystem;
 
@@ -98,5 +97,4 @@ TEST(BytesText, CountsInPowersOf1024) {
   EXPECT_EQ(bytes_text(64.0 * 1024 * 1024), "64 MiB");
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::read_file_test

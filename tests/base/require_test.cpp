@@ -9,8 +9,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::require_test {
 
 TEST(Require, NamesArgumentValueAndRange) {
   EXPECT_EQ(tests::message_of<std::domain_error>(
@@ -59,5 +58,4 @@ TEST(Require, AcceptsTheEndsOfARange) {
             "accepted");
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::require_test

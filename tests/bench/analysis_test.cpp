@@ -16,8 +16,7 @@
 #include "bench/pages/bench_report.hpp"
 #include "tests/bench/rough_case.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::analysis_test {
 
 constexpr double gap_order = 2.0;
 constexpr double area_order = 1.0;
@@ -241,5 +240,4 @@ TEST_F(BenchAnalysis, IsWrittenAsJson) {
             bench.points[2].errors.at("mean_gap"));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::analysis_test

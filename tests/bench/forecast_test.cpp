@@ -6,8 +6,7 @@
 
 #include "bench/analysis/forecast.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::forecast_test {
 
 constexpr double limit = 2.0;
 constexpr double order = 1.5;
@@ -224,5 +223,4 @@ TEST(AskedQuantities, AreThoseOfTheExpectations) {
   EXPECT_EQ(asked_by(rough, {"mean_gap_error"}), Names{"nominal_pressure"});
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::forecast_test

@@ -10,8 +10,7 @@
 #include "tests/bench/rough_case.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::scaling_test {
 
 using reports::Bench;
 using reports::BenchPoint;
@@ -172,5 +171,4 @@ TEST(ScalingRows, AreRelativeToTheFirstRun) {
   EXPECT_TRUE(scaling_rows(bench, {"fem", false, false, {0, 1}}).empty());
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::scaling_test

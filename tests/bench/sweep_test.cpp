@@ -12,8 +12,7 @@
 #include "bench/settings/sweep.hpp"
 #include "tests/bench/rough_case.hpp"
 
-namespace asperity::app {
-namespace {
+namespace asperity::app::sweep_test {
 
 const std::string rough = rough_case("[fem]\n");
 const std::string wave =
@@ -113,5 +112,4 @@ TEST(Sweep, ComparesNoBlockWithFreeSides) {
                std::out_of_range);
 }
 
-} // namespace
-} // namespace asperity::app
+} // namespace asperity::app::sweep_test

@@ -10,8 +10,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::any_text_test {
 
 std::vector<std::string> all_paths() {
   std::vector<std::string> paths = {"load.nominal_pressure.from",
@@ -101,5 +100,4 @@ RC_GTEST_PROP(AnyText, OfLettersAndSignsIsNoCase, ()) {
   RC_ASSERT_THROWS_AS(read_case_text(text, "case.toml"), input::InputError);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::any_text_test

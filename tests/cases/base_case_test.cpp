@@ -12,8 +12,7 @@
 
 #include "case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::base_case_test {
 
 namespace fs = std::filesystem;
 
@@ -163,5 +162,4 @@ TEST_F(BaseCase, StatesWhatABaseMustBe) {
       std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::base_case_test

@@ -6,8 +6,7 @@
 
 #include "tests/cases/block_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::block_mesh_test {
 
 TEST(BlockMesh, IsMeshedByGmshAsAFullBlock) {
   const std::string mesh = "[mesh]\nkind = \"gmsh\"\ngeometry = "
@@ -182,5 +181,4 @@ TEST(BlockMesh, HalvesCellsForMaterials) {
   EXPECT_EQ(read.material.variation->edge->value, 4.0);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::block_mesh_test

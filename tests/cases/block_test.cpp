@@ -8,8 +8,7 @@
 
 #include "tests/cases/block_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::block_test {
 
 TEST(Block, IsUniformUnlessTheCaseSaysMore) {
   const Case read = block("");
@@ -233,5 +232,4 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{gmsh + "\"inclusion\"\n", "fem.growth=1.2",
                 "[material.inclusion] is missing"}));
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::block_test

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::case_test {
 
 constexpr mechanics::Scales scales{2e9, 1e-5, 2e-8, 3.4e-8, 0.25};
 
@@ -67,5 +66,4 @@ TEST(MaterialSpec, NeedsPoissonsRatioForTheBlock) {
   }
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::case_test

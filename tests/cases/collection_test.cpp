@@ -10,8 +10,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::collection_test {
 
 class CollectionFile : public testing::Test {
 protected:
@@ -64,5 +63,4 @@ TEST_F(CollectionFile, RefusesTwoOfAPartAndNone) {
   EXPECT_NE(mistake("parts = [\n").find("not TOML"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::collection_test

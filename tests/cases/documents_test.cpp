@@ -16,8 +16,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::documents_test {
 
 const nlohmann::json& schema() {
   static const nlohmann::json parsed = nlohmann::json::parse(json_schema());
@@ -155,5 +154,4 @@ TEST(CaseReference, IsTheCommittedPage) {
       << "write it anew: ASPERITY_UPDATE_GOLDEN=1 ctest -R cases/documents";
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::documents_test

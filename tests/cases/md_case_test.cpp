@@ -7,8 +7,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::md_case_test {
 
 const std::string atoms_case = R"(schema = 1
 [surface]
@@ -130,5 +129,4 @@ TEST(Magnification, IsRefusedWhereItLeavesNothing) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::md_case_test

@@ -7,8 +7,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::mistakes_test {
 
 /// The messages about a case with a rough surface and these overrides, one per
 /// line.
@@ -261,5 +260,4 @@ TEST(Mistakes, RequirePoissonsRatioOnlyWhereItMatters) {
             "is missing\n");
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::mistakes_test

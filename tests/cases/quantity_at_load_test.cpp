@@ -14,8 +14,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::quantity_at_load_test {
 
 TEST(QuantityAtLoad, IsReadInAnyUnitOfAPressure) {
   const mechanics::Scales scales{2e9, 1.0, 1.0, 1.0};
@@ -107,5 +106,4 @@ TEST(QuantityAtLoad, IsAKeyOfTheSchema) {
   EXPECT_FALSE(std::regex_search("area_fraction", pattern));
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::quantity_at_load_test

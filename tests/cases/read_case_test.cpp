@@ -10,8 +10,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::read_case_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -320,5 +319,4 @@ TEST(CaseHash, IsSha1OfTheText) {
   EXPECT_EQ(case_hash(read), "82fcb544fbd702b51a2174c4ec6a200c09bb501a");
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::read_case_test

@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::reference_test {
 
 const std::string head = "quantity,value,unit,uncertainty,source\n";
 
@@ -113,5 +112,4 @@ TEST(Reference, NeedsItsHeader) {
   EXPECT_THROW(read_reference("/dev/zero"), input::InputError);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::reference_test

@@ -14,8 +14,7 @@
 #include <sstream>
 #include <string>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::shipped_cases_test {
 
 const std::set<std::string> shipped = {
     "hertz",       "layered", "polymer", "polymer-nominal",
@@ -218,5 +217,4 @@ TEST(ShippedCases, StateWhatUndecidedCountsAs) {
       shipped_case("layered").expectations.front().passes_if_undecided);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::shipped_cases_test

@@ -10,8 +10,7 @@
 #include <string>
 #include <utility>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::shipped_references_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -141,5 +140,4 @@ TEST(ShippedReferences, GiveTheWavesReferences) {
   }
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::shipped_references_test

@@ -11,8 +11,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::studies_test {
 
 const std::string studies_case = R"(schema = 1
 [surface]
@@ -180,5 +179,4 @@ TEST(QuantityAtMagnification, IsDistinguishedFromAnyOtherName) {
   }
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::studies_test

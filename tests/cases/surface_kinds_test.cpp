@@ -7,8 +7,7 @@
 
 #include "tests/cases/case_samples.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::surface_kinds_test {
 
 mechanics::SurfaceSpec surface_of(const std::string& keys) {
   return read_case_text(shape_case(keys), "cases/it/case.toml").surface;
@@ -265,5 +264,4 @@ TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
             "surface");
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::surface_kinds_test

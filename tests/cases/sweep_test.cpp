@@ -14,8 +14,7 @@
 #include "case_samples.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::sweep_test {
 
 namespace fs = std::filesystem;
 
@@ -179,5 +178,4 @@ TEST_F(Sweep, MayHaveABase) {
   EXPECT_EQ(read_sweep(file).points.at(2).contact_case.surface.hurst, 0.4);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::sweep_test

@@ -14,8 +14,7 @@
 #include "tests/cases/case_samples.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::toml_limits_test {
 
 std::string repeated(const std::string& part, int count) {
   std::string text;
@@ -144,5 +143,4 @@ TEST(TomlLimits, RefuseWhatIsNotUtf8) {
   EXPECT_EQ(error_of("\xEF\xBB\xBF# \xC3\xBC\n"), "accepted");
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::toml_limits_test

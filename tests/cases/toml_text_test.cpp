@@ -9,8 +9,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::toml_text_test {
 
 std::string error_of(const std::string& text) {
   return tests::message_of<input::InputError>(
@@ -131,5 +130,4 @@ TEST(CaseText, CarriesItsOverridesInItsLastLines) {
   EXPECT_EQ(text_with_overrides(text, {}), text);
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::toml_text_test

@@ -10,8 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::units_test {
 
 const std::vector<mechanics::ReferenceUnit> by_the_grid = {
     mechanics::ReferenceUnit::length, mechanics::ReferenceUnit::spacing};
@@ -156,5 +155,4 @@ RC_GTEST_PROP(UnitsProperty, AnyTextIsReadOrRefused,
   RC_ASSERT(reading.quantity.has_value() == reading.mistake.empty());
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::units_test

@@ -7,8 +7,7 @@
 #include <set>
 #include <string>
 
-namespace asperity::cases {
-namespace {
+namespace asperity::cases::vocabulary_test {
 
 // The block of keys that was agreed on is read as it stands, and the list below
 // is what the vocabulary has beyond it, so that a key cannot be added
@@ -79,5 +78,4 @@ TEST(Vocabulary, HasTheAgreedBlockAndTheseKeysBeyondIt) {
                                            "winkler.stiffness"}));
 }
 
-} // namespace
-} // namespace asperity::cases
+} // namespace asperity::cases::vocabulary_test

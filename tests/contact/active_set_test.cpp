@@ -12,8 +12,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::active_set_test {
 
 const Grid grid{16, 16, 1.0, 1.0};
 
@@ -119,5 +118,4 @@ TEST(ActiveSet, SolvesSlabsThatBendLikePlates) {
     }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::active_set_test

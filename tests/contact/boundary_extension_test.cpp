@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::boundary_extension_test {
 
 constexpr double share = 0.9;
 
@@ -247,5 +246,4 @@ TEST(BoundaryExtension, HasNearlyTheLeastEnergyOnAnyGrid) {
     }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::boundary_extension_test

@@ -17,8 +17,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::certificate_exact_test {
 
 /// The solution of the discrete problem, to 1e-11 h_rms.
 double discrete_gap(FourierOperator& elasticity,
@@ -193,5 +192,4 @@ TEST(ClosedForms, CertifyFullContactAndLessThanThat) {
   }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::certificate_exact_test

@@ -13,8 +13,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::certificate_test {
 
 struct Problem {
   int points;
@@ -299,5 +298,4 @@ TEST_F(FieldCheckOfFlaws, RefusesAnInvalidField) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::certificate_test

@@ -17,8 +17,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::free_halfspace_test {
 
 using std::numbers::pi;
 
@@ -238,5 +237,4 @@ TEST(FreeCertificate, ContainsTheMeanGapOfTheExactAnswer) {
   }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::free_halfspace_test

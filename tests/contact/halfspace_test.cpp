@@ -12,8 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::halfspace_test {
 
 using std::numbers::pi;
 
@@ -197,5 +196,4 @@ TEST(FourierOperator, RefusesAnInvalidSymbol) {
   EXPECT_THROW(FourierOperator(grid, symbol), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::halfspace_test

@@ -22,8 +22,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::hostile_instances_test {
 
 using Kind = mechanics::Control;
 
@@ -246,5 +245,4 @@ TEST(HostileInstances, AreVerifiedOrStateTheReason) {
   EXPECT_GT(outcomes["verified"], static_cast<int>(n_instances / 2));
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::hostile_instances_test

@@ -12,8 +12,7 @@
 #include "tests/contact/problems.hpp"
 #include "tests/narrower_vectors.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::iterations_test {
 
 enum class Borders { periodic, free };
 
@@ -88,5 +87,4 @@ TEST(Iterations, WidthOfVectorsChangesNoBit) {
   });
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::iterations_test

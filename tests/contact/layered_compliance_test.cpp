@@ -13,8 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::layered_compliance_test {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
@@ -289,5 +288,4 @@ TEST(LayeredCompliance, RefusesAnInvalidStack) {
   EXPECT_THROW(layered_compliance(1.0, bad), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::layered_compliance_test

@@ -11,8 +11,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::load_sequence_test {
 
 using Kind = mechanics::Control;
 
@@ -233,5 +232,4 @@ TEST(AugmentedContact, IsFinishedByHardContact) {
             1.1 * problem.gap_tolerance);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::load_sequence_test

@@ -13,8 +13,7 @@
 
 #include "tests/narrower_vectors.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::node_kernels_test {
 
 constexpr float mean = 0.1F;
 constexpr float beta = 0.7F;
@@ -341,5 +340,4 @@ TEST_P(NodeKernels, GiveTheSameBitsForEveryWidth) {
 
 INSTANTIATE_TEST_SUITE_P(EqualAndUnequalAreas, NodeKernels, testing::Bool());
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::node_kernels_test

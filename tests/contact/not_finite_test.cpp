@@ -16,8 +16,7 @@
 #include "tests/contact/faulty_operator.hpp"
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::not_finite_test {
 
 using problems::Fault;
 using problems::FaultyOperator;
@@ -284,5 +283,4 @@ TEST(HugeHeights, AreNoSolutionByOverflow) {
     }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::not_finite_test

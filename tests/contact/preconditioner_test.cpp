@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::preconditioner_test {
 
 /// The preconditioner on an active set of random discs and half of the border.
 class PreconditionerOf : public testing::TestWithParam<bool> {
@@ -129,5 +128,4 @@ INSTANTIATE_TEST_SUITE_P(Boundaries, PreconditionerOf, testing::Bool(),
                            return instance.param ? "free" : "periodic";
                          });
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::preconditioner_test

@@ -12,8 +12,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::random_problems_test {
 
 constexpr int n_problems = 600;
 
@@ -99,5 +98,4 @@ TEST(RandomProblems, AllConvergeAndSatisfyTheirConditions) {
   }
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::random_problems_test

@@ -20,8 +20,7 @@
 #include "tests/contact/solved.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::shared_free_test {
 
 using Kind = mechanics::Control;
 
@@ -240,5 +239,4 @@ TEST(SharedFreeContact, RefusesAPrescribedMeanGap) {
   });
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::shared_free_test

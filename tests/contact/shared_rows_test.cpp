@@ -16,8 +16,7 @@
 #include "tests/contact/solved.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::shared_rows_test {
 
 using Kind = mechanics::Control;
 
@@ -284,5 +283,4 @@ TEST(SharedRows, GiveTheBitsOfOneProcessToSumsOfManyChunks) {
     });
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::shared_rows_test

@@ -12,8 +12,7 @@
 
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::shared_stress_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 const mechanics::ElasticBlock half_space{2.0, 0.3, infinity};
@@ -96,5 +95,4 @@ TEST(SharedStress, OfAPeriodicPressureIsFoundAtTheFirstNode) {
   });
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::shared_stress_test

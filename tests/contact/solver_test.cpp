@@ -13,8 +13,7 @@
 
 #include "tests/contact/problems.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::solver_test {
 
 using std::numbers::pi;
 using Kind = mechanics::Control;
@@ -260,5 +259,4 @@ TEST_F(RoughSurface, RefusesBadArgumentsByName) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::solver_test

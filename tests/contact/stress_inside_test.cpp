@@ -12,8 +12,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::stress_inside_test {
 
 using std::numbers::pi;
 
@@ -217,5 +216,4 @@ TEST(StressInside, RefusesInvalidArguments) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::stress_inside_test

@@ -15,8 +15,7 @@
 
 #include "tests/base/fields.hpp"
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::stress_layers_test {
 
 using std::numbers::pi;
 
@@ -288,5 +287,4 @@ TEST(StressInLayers, IsStrongestBelowASoftCoating) {
   EXPECT_GT(peak.von_mises, largest(InterfaceSide::upper));
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::stress_layers_test

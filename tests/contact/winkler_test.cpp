@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::contact {
-namespace {
+namespace asperity::contact::winkler_test {
 
 constexpr auto by_pressure = mechanics::Control::nominal_pressure;
 constexpr auto by_gap = mechanics::Control::mean_gap;
@@ -107,5 +106,4 @@ TEST(Winkler, RefusesWhatIsOutOfRange) {
       std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::contact
+} // namespace asperity::contact::winkler_test

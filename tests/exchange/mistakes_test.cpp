@@ -11,8 +11,7 @@
 #include "problems.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::exchange {
-namespace {
+namespace asperity::exchange::mistakes_test {
 
 using Field = std::vector<double>;
 
@@ -265,5 +264,4 @@ TEST(RequireGrid, NamesWhatIsWrong) {
                                   "problem has 32 and 64");
 }
 
-} // namespace
-} // namespace asperity::exchange
+} // namespace asperity::exchange::mistakes_test

@@ -19,8 +19,7 @@
 #include "problems.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::exchange {
-namespace {
+namespace asperity::exchange::problem_test {
 
 namespace fs = std::filesystem;
 
@@ -210,5 +209,4 @@ TEST_F(ProblemFolder, RefusesDamagedText) {
   }
 }
 
-} // namespace
-} // namespace asperity::exchange
+} // namespace asperity::exchange::problem_test

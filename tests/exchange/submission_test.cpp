@@ -13,8 +13,7 @@
 #include "problems.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::exchange {
-namespace {
+namespace asperity::exchange::submission_test {
 
 namespace fs = std::filesystem;
 
@@ -173,5 +172,4 @@ TEST_F(SubmissionFolder, ReadsACurve) {
   expect(with_curve, "c.csv:1: begins with \"p,u,A\", but must begin with");
 }
 
-} // namespace
-} // namespace asperity::exchange
+} // namespace asperity::exchange::submission_test

@@ -15,8 +15,7 @@
 #include "tests/fem/adaptive_blocks.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::adaptive_block_test {
 
 // From 1.6 to 7.5 % of contact and back, area and mean gap are those of
 // the uniform block within 1 % (measured: 0.5 and 0.12 %), with at least five
@@ -275,5 +274,4 @@ TEST(AdaptiveBlock, RefusesWhatItCannotDo) {
   EXPECT_EQ(refusal(halved(12)), "accepted");
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::adaptive_block_test

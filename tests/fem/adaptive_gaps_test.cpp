@@ -7,8 +7,7 @@
 
 #include "tests/fem/adaptive_blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::adaptive_gaps_test {
 
 // The mean gap that is found under a load is the load that is found
 // under this mean gap, to 1e-5.
@@ -91,5 +90,4 @@ TEST(AdaptiveGaps, ReachesSmallMeanGaps) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::adaptive_gaps_test

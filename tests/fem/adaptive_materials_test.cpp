@@ -15,8 +15,7 @@
 #include "tests/fem/meshes.hpp"
 #include "tests/fem/rough_surface.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::adaptive_materials_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -170,5 +169,4 @@ TEST(AdaptiveMaterials, KeepRandomCubes) {
       press(pair_of(grid, cubes), sphere_heights(grid, 5.0 * length), 4e-4));
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::adaptive_materials_test

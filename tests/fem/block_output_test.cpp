@@ -15,8 +15,7 @@
 #include "tests/fem/bent_block.hpp"
 #include "tests/fem/vtu_reader.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::block_output_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -271,5 +270,4 @@ TEST_F(BlockFiles, AreCompleteOrAbsent) {
   EXPECT_EQ(n_files, 2 * (n_ranks() + 2)); // of the block and its surface
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::block_output_test

@@ -6,8 +6,7 @@
 
 #include "tests/fem/bent_block.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::block_section_test {
 
 class SectionOfBentBlock : public BentBlock {
 protected:
@@ -92,5 +91,4 @@ TEST(SectionOfTwoBodies, IsThatOfTheRequestedBody) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::block_section_test

@@ -14,8 +14,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::block_springs_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -110,5 +109,4 @@ TEST(FlatSurface, DoesNotDependOnUnits) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::block_springs_test

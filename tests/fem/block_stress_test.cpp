@@ -6,8 +6,7 @@
 
 #include "tests/fem/bent_block.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::block_stress_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -186,5 +185,4 @@ TEST(StrongestStress, IsFoundInTheSecondBody) {
   EXPECT_EQ(peak.depth, -peak.place[2]);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::block_stress_test

@@ -15,8 +15,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::cell_tangents_test {
 
 using Tensor = dealii::SymmetricTensor<2, 3>;
 
@@ -181,5 +180,4 @@ TEST(CellTangents, AreSolvedWithElasticLevels) {
   RecordProperty("flowing", flowing.iterations);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::cell_tangents_test

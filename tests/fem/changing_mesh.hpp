@@ -14,14 +14,14 @@
 
 namespace asperity::fem {
 
-constexpr double length = 1e-6; // m
+constexpr double side = 1e-6; // m
 
 using Mesh = MeshChange::Mesh;
 using Field = std::function<double(const dealii::Point<3>&)>;
 
 inline BlockProblem problem_of(int degree, mechanics::BlockSides sides) {
-  return {.grid = {16 * degree, 16 * degree, length, length},
-          .mesh = meshes::equal_boxes({4, 4, length, length}, length),
+  return {.grid = {16 * degree, 16 * degree, side, side},
+          .mesh = meshes::equal_boxes({4, 4, side, side}, side),
           .degree = degree,
           .moduli = ModuliField(moduli({soft_modulus, 0.3})),
           .sides = sides};

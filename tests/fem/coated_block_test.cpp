@@ -13,8 +13,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::coated_block_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -108,5 +107,4 @@ TEST(CoatedBlock, IsSolvedInHardContactByTheActiveSet) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::coated_block_test

@@ -16,8 +16,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/layer_solution.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::condensed_q1_test {
 
 using mechanics::FarBoundary;
 
@@ -210,5 +209,4 @@ TEST(Q1, RefusesBadBlocksByName) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::condensed_q1_test

@@ -17,8 +17,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/layer_solution.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::condensed_q2_test {
 
 using mechanics::FarBoundary;
 
@@ -261,5 +260,4 @@ TEST(Q2, RefusesAGridOfHalfCells) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::condensed_q2_test

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::contact_marks_test {
 
 /// Eight by eight cells of second order, apart by one length everywhere.
 class Marks : public ::testing::Test {
@@ -99,5 +98,4 @@ TEST_F(Marks, ArePeriodic) {
   EXPECT_FALSE(marks.is_marked_near({6, 7, 7, 8}));
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::contact_marks_test

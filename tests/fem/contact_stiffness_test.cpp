@@ -14,8 +14,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::contact_stiffness_test {
 
 using mechanics::Control;
 
@@ -202,5 +201,4 @@ TEST(ContactStiffness, NeedsAClampedFarBoundaryAndNodes) {
   EXPECT_THROW(make_full_block(problem)->stiffness(), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::contact_stiffness_test

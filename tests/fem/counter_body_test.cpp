@@ -15,8 +15,7 @@
 #include "tests/fem/meshes.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::counter_body_test {
 
 using mechanics::BlockSides;
 using mechanics::ContactLaw;
@@ -242,5 +241,4 @@ TEST(CounterBodies, ThatCannotBeSolvedAreRefused) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::counter_body_test

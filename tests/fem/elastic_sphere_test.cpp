@@ -17,8 +17,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::elastic_sphere_test {
 
 using mechanics::BodyModuli;
 using mechanics::ContactLaw;
@@ -226,5 +225,4 @@ TEST(StiffColumn, IsTheRigidPunch) {
               1e-3);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::elastic_sphere_test

@@ -15,8 +15,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::full_block_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -328,5 +327,4 @@ TEST(FullBlockTest, ReportsNonConvergenceAndRefusesBadArguments) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::full_block_test

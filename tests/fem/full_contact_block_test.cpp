@@ -11,8 +11,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::full_contact_block_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -73,5 +72,4 @@ TEST(FullContactUnderAStiffPenalty, SaysThatGapsCannotBeRepresented) {
       << found.note;
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::full_contact_block_test

@@ -10,8 +10,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::full_request_test {
 
 FullRequest adaptive_request(int points, int halvings) {
   FullRequest request;
@@ -102,5 +101,4 @@ TEST(FullRequest, PassesTheContactSurfaceOn) {
   EXPECT_EQ(problem.sides, mechanics::BlockSides::free);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::full_request_test

@@ -15,8 +15,7 @@
 
 #include "tests/fem/adaptive_blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::gap_error_test {
 
 const Grid grid{32, 32, length, length};
 const mechanics::ElasticBlock bare{.contact_modulus = contact_modulus,
@@ -142,5 +141,4 @@ TEST(GapError, IsGivenForEveryFarBoundary) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::gap_error_test

@@ -12,8 +12,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::height_interpolation_test {
 
 using mechanics::HeightInterpolation;
 
@@ -230,5 +229,4 @@ TEST(InterpolatedHeights, AreThoseOfTheContactPoints) {
   EXPECT_NEAR(gaps[2] / mean(1.0 - t, t), 1.0, 1e-5);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::height_interpolation_test

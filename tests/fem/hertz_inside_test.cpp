@@ -11,8 +11,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::hertz_inside_test {
 
 constexpr double poisson = 0.3;
 constexpr double length = 1e-3;           // m, side and depth
@@ -131,5 +130,4 @@ TEST(HertzInside, IsTheContinuumStressOfItsPressure) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::hertz_inside_test

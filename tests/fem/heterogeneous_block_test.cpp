@@ -8,8 +8,7 @@
 
 #include "tests/fem/heterogeneous_block.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::heterogeneous_block_test {
 
 /// Iterations of conjugate gradients to 1e-10 of the load, with cells that vary
 /// by 50 %.
@@ -64,5 +63,4 @@ TEST(HeterogeneousQuadraticCells, TakeNoMore) {
   EXPECT_LE(iterations(2, 16, 10.0), 22u);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::heterogeneous_block_test

@@ -15,8 +15,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::hexahedron_block_test {
 
 using mechanics::BlockSides;
 using mechanics::FarBoundary;
@@ -279,5 +278,4 @@ TEST(HexahedronBlockHierarchy, IsKeptForSimilarContact) {
   EXPECT_EQ(block.setups(), 2);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::hexahedron_block_test

@@ -10,8 +10,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::lattice_block_test {
 
 using mechanics::BlockSides;
 using mechanics::FarBoundary;
@@ -181,5 +180,4 @@ TEST(BoxLatticeOfAMesh, IsNoneForOtherMeshes) {
   EXPECT_FALSE(box_lattice(renumbered).has_value());
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::lattice_block_test

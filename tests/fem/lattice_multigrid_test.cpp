@@ -13,8 +13,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::lattice_multigrid_test {
 
 /// A graded block with cubes at the surface, as deep as it is wide.
 BoxLattice graded_lattice(int degree, int cells, double growth) {
@@ -274,5 +273,4 @@ TEST(Smoother, EigenvalueEstimateIsAnUpperBound) {
   EXPECT_LE(estimate, 1.1 * exact * (1.0 + 1e-5));
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::lattice_multigrid_test

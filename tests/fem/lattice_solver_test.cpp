@@ -14,8 +14,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/uniform_block.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::lattice_solver_test {
 
 using mechanics::FarBoundary;
 
@@ -235,5 +234,4 @@ TEST(LatticeSolver, RefusesWhatIsOutOfRange) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::lattice_solver_test

@@ -11,8 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::layered_block_test {
 
 using mechanics::FarBoundary;
 
@@ -107,5 +106,4 @@ INSTANTIATE_TEST_SUITE_P(Tops, LayeredBlockOfElements,
                                            FarBoundary::sliding,
                                            FarBoundary::pressure));
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::layered_block_test

@@ -6,8 +6,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::lifted_block_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -55,5 +54,4 @@ INSTANTIATE_TEST_SUITE_P(Laws, LiftedOff,
                                            ContactLaw::hard,
                                            ContactLaw::augmented));
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::lifted_block_test

@@ -13,8 +13,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::locking_test {
 
 const Grid grid{32, 32, 1e-5, 1e-5};
 constexpr int nodes_a_wave = 8;
@@ -62,5 +61,4 @@ TEST(Locking, IsWarnedOfWhereElementsAreTooStiff) {
   EXPECT_GT(error(2, q2 - 0.005), -0.05);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::locking_test

@@ -16,8 +16,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::low_order_test {
 
 using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -141,5 +140,4 @@ TEST(LowOrderMatrix, IsEquivalentToTheSecondOrderOne) {
   EXPECT_LT(steps_of(hanging), 36U);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::low_order_test

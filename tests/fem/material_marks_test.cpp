@@ -18,8 +18,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::material_marks_test {
 
 constexpr double length = 1e-6; // m, of a side and of the depth
 constexpr int halvings = 4;
@@ -207,5 +206,4 @@ TEST(MaterialMarks, RefuseSettingsOutOfRange) {
   EXPECT_NE(refusal(1.5, 5).find("interface_halvings"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::material_marks_test

@@ -15,8 +15,7 @@
 
 #include "tests/fem/changing_mesh.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::mesh_change_test {
 
 constexpr int most_levels = 2;
 
@@ -36,8 +35,8 @@ BoxCell box_of(const Mesh::cell_iterator& cell) {
     if (other->center()[2] < cell->bounding_box().lower_bound(2))
       above.insert(other->bounding_box().lower_bound(2));
   return {0,
-          {static_cast<int>(cell->center()[0] / length * 4),
-           static_cast<int>(cell->center()[1] / length * 4),
+          {static_cast<int>(cell->center()[0] / side * 4),
+           static_cast<int>(cell->center()[1] / side * 4),
            static_cast<int>(above.size())}};
 }
 
@@ -97,7 +96,7 @@ TEST(MeshChange, KeepsPolynomials) {
     return 1e-7 + 0.3 * p[0] - 0.2 * p[1] + 0.5 * p[2];
   };
   const Field quadratic = [](const dealii::Point<3>& p) {
-    return (p[0] * p[0] - 2.0 * p[0] * p[1] + p[2] * p[1]) / length;
+    return (p[0] * p[0] - 2.0 * p[0] * p[1] + p[2] * p[1]) / side;
   };
 
   EXPECT_LT(worst_transfer(1, linear), 1e-13);
@@ -216,10 +215,8 @@ TEST(MeshChange, DoesWhatIsPlanned) {
   BlockProblem problem = problem_of(1, mechanics::BlockSides::periodic);
   expect_what_is_planned(problem);
   problem.mesh = meshes::layered_mesh(
-      {4, 4, length, length},
-      {0.01 * length, 0.1 * length, 0.5 * length, 0.39 * length});
+      {4, 4, side, side}, {0.01 * side, 0.1 * side, 0.5 * side, 0.39 * side});
   expect_what_is_planned(problem);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::mesh_change_test

@@ -7,8 +7,7 @@
 #include <array>
 #include <vector>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::mesh_plan_test {
 
 using Box = BoxCell;
 
@@ -69,5 +68,4 @@ TEST(MeshPlan, RefinesForItsRules) {
   EXPECT_EQ(periodic.change_of({0, {2, 0, 0}}), CellChange::refine);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::mesh_plan_test

@@ -12,8 +12,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::meshed_block_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -274,5 +273,4 @@ TEST(FullBlockCosts, AreNoneForAnUnchangedContact) {
   EXPECT_EQ(again.preconditioner_setups, 0);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::meshed_block_test

@@ -14,8 +14,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::moduli_field_test {
 
 constexpr double young = 2e9; // Pa
 const Grid grid{8, 8, 4e-6, 4e-6};
@@ -243,5 +242,4 @@ TEST(ModuliField, ReadsATableOfBoxes) {
   std::remove(path.c_str());
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::moduli_field_test

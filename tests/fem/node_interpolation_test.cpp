@@ -8,8 +8,7 @@
 
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::node_interpolation_test {
 
 /// Two cubes side by side along x, free sides.
 BoxLattice two_cubes() {
@@ -133,5 +132,4 @@ TEST(NodeInterpolation, TransfersSpringsOnNodesOfAnotherRank) {
   });
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::node_interpolation_test

@@ -14,8 +14,7 @@
 #include "tests/fem/meshes.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::not_finite_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -211,5 +210,4 @@ TEST(ContactNewton, SaysWhichLinearSolverToUseInstead) {
     EXPECT_NE(found.note.find(words), std::string::npos) << found.note;
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::not_finite_test

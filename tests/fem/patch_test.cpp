@@ -9,8 +9,7 @@
 #include "tests/fem/meshes.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::patch_test {
 
 using mechanics::BlockSides;
 using mechanics::FarBoundary;
@@ -143,5 +142,4 @@ TEST(UniformPressureRefusals, NameTheMistake) {
   EXPECT_EQ(words(block), "accepted");
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::patch_test

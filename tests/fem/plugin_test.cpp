@@ -12,8 +12,7 @@
 #include <string>
 #include <thread>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::plugin_test {
 
 BlockRequest request(mechanics::Element element, int points) {
   BlockRequest request;
@@ -121,5 +120,4 @@ TEST(FemModule, NamesItsLibrariesAndRefusesBadBlocks) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::plugin_test

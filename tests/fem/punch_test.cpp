@@ -14,8 +14,7 @@
 
 #include "tests/fem/blocks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::punch_test {
 
 constexpr double length = 1e-3;         // m, side and depth
 constexpr double radius = 0.2 * length; // m, of the punch
@@ -112,5 +111,4 @@ TEST(FlatPunch, BendsABlockWithFreeSides) {
               8e-3);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::punch_test

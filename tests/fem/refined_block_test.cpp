@@ -16,8 +16,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::refined_block_test {
 
 using mechanics::BlockSides;
 using mechanics::ContactPoints;
@@ -233,5 +232,4 @@ TEST(RefinedBlock, NeedsALatticeOfCoarsestCells) {
   EXPECT_FALSE(is_refined_block(mesh.problem));
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::refined_block_test

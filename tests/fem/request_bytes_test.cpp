@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::request_bytes_test {
 
 using mechanics::ReferenceUnit;
 
@@ -130,5 +129,4 @@ TEST(RequestBytes, RestoreTheMesh) {
   EXPECT_EQ(got.depth, sent.depth);
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::request_bytes_test

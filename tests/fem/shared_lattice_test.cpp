@@ -13,8 +13,7 @@
 #include "tests/fem/blocks.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::shared_lattice_test {
 
 enum class Moduli { layers, heterogeneous, heterogeneous_ratios };
 enum class Contact { none, held, sticking, springs };
@@ -295,5 +294,4 @@ TEST(SharedLatticeRows, AreNotSharedIfThereAreFew) {
   });
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::shared_lattice_test

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::solver_choice_test {
 
 /// A multigrid solver from 100 unknowns.
 SolverNeeds needs_of(bool fits_mesh, bool fits_moduli) {
@@ -53,5 +52,4 @@ TEST(SolverChoice, LooksAtTheBlockOnlyIfTheSolverMayBeUsed) {
   EXPECT_FALSE(is_used(choice_of(needs, LinearSolver::automatic, 99)));
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::solver_choice_test

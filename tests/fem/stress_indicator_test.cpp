@@ -12,8 +12,7 @@
 
 #include "tests/fem/changing_mesh.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::stress_indicator_test {
 
 // A uniform strain in two materials has a step of the stress between
 // them, which is no error, not even if a solver left the displacement inexact
@@ -22,7 +21,7 @@ TEST(StressIndicator, IsZeroForASteppedStress) {
   BlockProblem problem = problem_of(1, mechanics::BlockSides::free);
   LayeredBlock layers;
   for (const double modulus : {3.0 * soft_modulus, soft_modulus})
-    layers.layers.push_back(elastic_layer(0.5 * length, modulus, 0.3));
+    layers.layers.push_back(elastic_layer(0.5 * side, modulus, 0.3));
   problem.moduli = ModuliField(layers);
   const BlockSystem system(problem);
   const auto largest = [&](const Field& field) {
@@ -36,12 +35,12 @@ TEST(StressIndicator, IsZeroForASteppedStress) {
   EXPECT_EQ(largest([&](const dealii::Point<3>& p) {
               const std::size_t i = std::hash<double>()(p[0] + 7.0 * p[1]);
               return (1e-3 + 1e-9 * noise[i % noise.size()]) *
-                     (p[2] < 0.5 * length ? 2.0 * p[2] - 1.5 * length
-                                          : p[2] - length);
+                     (p[2] < 0.5 * side ? 2.0 * p[2] - 1.5 * side
+                                        : p[2] - side);
             }),
             0.0);
   EXPECT_GT(largest([](const dealii::Point<3>& p) {
-              return 1e-3 * (p[2] * p[2] / length - length);
+              return 1e-3 * (p[2] * p[2] / side - side);
             }),
             0.0);
 }
@@ -55,14 +54,14 @@ TEST(StressIndicator, ComparesCellsWhoseModuliDifferLittle) {
   const BlockProblem uniform = problem_of(1, mechanics::BlockSides::free);
   BlockProblem varied = uniform;
   const auto factor = [](const meshes::Place& place) {
-    return 1.0 + 0.3 * place[2] / length;
+    return 1.0 + 0.3 * place[2] / side;
   };
   varied.moduli.set_factor(factor);
   const auto indicators = [&](const BlockProblem& problem, double ratio) {
     const BlockSystem system(problem);
     const auto displacement =
         vertical_displacement(system.space(), [](const dealii::Point<3>& p) {
-          return 1e-3 * (p[2] * p[2] * p[2] / (length * length) - length);
+          return 1e-3 * (p[2] * p[2] * p[2] / (side * side) - side);
         });
     return std::pair{mesh_of(problem),
                      stress_indicator(system, displacement, ratio)};
@@ -81,5 +80,4 @@ TEST(StressIndicator, ComparesCellsWhoseModuliDifferLittle) {
   }
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::stress_indicator_test

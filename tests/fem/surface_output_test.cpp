@@ -18,8 +18,7 @@
 #include "tests/fem/meshes.hpp"
 #include "tests/fem/vtu_reader.hpp"
 
-namespace asperity::fem {
-namespace {
+namespace asperity::fem::surface_output_test {
 
 using mechanics::ContactLaw;
 using mechanics::Control;
@@ -345,5 +344,4 @@ TEST_F(SurfaceFiles, AreListedLikeTheBlock) {
   EXPECT_EQ(other, steps(expected).end());
 }
 
-} // namespace
-} // namespace asperity::fem
+} // namespace asperity::fem::surface_output_test

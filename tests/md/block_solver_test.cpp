@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::block_solver_test {
 
 constexpr double spacing = 2.6e-10;
 constexpr double contact_stiffness = 1.2; // N/m
@@ -59,10 +58,10 @@ void PrintTo(const BlockProblem& problem, std::ostream* out) {
        << (problem.is_height_held ? ", held" : "");
 }
 
-class EveryProblem : public ::testing::TestWithParam<BlockProblem> {};
+class EveryBlockProblem : public ::testing::TestWithParam<BlockProblem> {};
 
 INSTANTIATE_TEST_SUITE_P(
-    Problems, EveryProblem,
+    Problems, EveryBlockProblem,
     ::testing::Values(
         BlockProblem{}, BlockProblem{1, 1, 2, 4, true},
         BlockProblem{1, 20, 8, 8}, BlockProblem{2, 2, 6, 10, true},
@@ -74,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
 // springs exactly: these are computed by stencil and hanging atoms, the inverse
 // in Fourier space. Tolerance: roundoff times the condition number of the chain
 // of one wave, some hundreds.
-TEST_P(EveryProblem, InvertsTheForcesOfAnyDisplacement) {
+TEST_P(EveryBlockProblem, InvertsTheForcesOfAnyDisplacement) {
   const auto [levels, layers, atoms_x, atoms_y, is_held, lattice] = GetParam();
   const MultiscaleBlock block =
       block_of(crystal_of(lattice), atoms_x, atoms_y, levels, layers);
@@ -101,7 +100,7 @@ TEST_P(EveryProblem, InvertsTheForcesOfAnyDisplacement) {
 }
 
 // The solver is symmetric and positive, as a preconditioner must be.
-TEST_P(EveryProblem, IsSymmetricAndPositive) {
+TEST_P(EveryBlockProblem, IsSymmetricAndPositive) {
   const auto [levels, layers, atoms_x, atoms_y, is_held, lattice] = GetParam();
   const MultiscaleBlock block =
       block_of(crystal_of(lattice), atoms_x, atoms_y, levels, layers);
@@ -207,5 +206,4 @@ TEST(BlockSolver, RefusesAnUnsupportedBlock) {
   EXPECT_NO_THROW(BlockSolver(block, {0.0, true}));
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::block_solver_test

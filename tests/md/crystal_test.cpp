@@ -10,8 +10,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::crystal_test {
 
 constexpr double spacing = 2.6e-10;
 constexpr double modulus = 77.2e9;
@@ -188,5 +187,4 @@ TEST(Crystal, RefusesWhatIsOutsideItsRange) {
   EXPECT_NE(refusal(crystal).find("youngs_modulus"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::crystal_test

@@ -8,8 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::curvature_memory_test {
 
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
@@ -109,5 +108,4 @@ TEST(CurvatureMemory, WithoutPairsIsTheInverseOfTheCaller) {
   EXPECT_EQ(direction, forces);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::curvature_memory_test

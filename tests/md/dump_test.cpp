@@ -14,8 +14,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::dump_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -114,5 +113,4 @@ TEST_F(Dump, RefusesPressuresThatDoNotFit) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::dump_test

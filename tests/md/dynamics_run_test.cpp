@@ -17,8 +17,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::dynamics_run_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -224,5 +223,4 @@ TEST_F(Runs, RefusesARunThatCannotEnd) {
   EXPECT_THROW(run_dynamics(system, load, state, run), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::dynamics_run_test

@@ -14,8 +14,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::dynamics_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -290,5 +289,4 @@ TEST(Dynamics, RefusesBadSettings) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::dynamics_test

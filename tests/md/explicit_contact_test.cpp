@@ -17,8 +17,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::explicit_contact_test {
 
 using mechanics::AtomMinimizer;
 using mechanics::Control;
@@ -251,5 +250,4 @@ TEST(ExplicitContact, RefusesOtherSettings) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::explicit_contact_test

@@ -13,8 +13,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::explicit_system_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -202,5 +201,4 @@ TEST(ExplicitSystem, RefusesAnInterfaceOfAnotherLayer) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::explicit_system_test

@@ -10,8 +10,7 @@
 
 #include "tests/md/separate_system.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::fire_steps_test {
 
 using problems::Separate;
 
@@ -113,5 +112,4 @@ TEST(FireSteps, ReportsAForceThatIsNotFinite) {
   EXPECT_TRUE(std::isnan(answer.largest_residual));
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::fire_steps_test

@@ -12,8 +12,7 @@
 #include "tests/base/fields.hpp"
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::fire_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -126,5 +125,4 @@ TEST_P(ThreeMinimizers, FireReportsNonConvergence) {
   EXPECT_EQ(stopped.note, "stopped");
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::fire_test

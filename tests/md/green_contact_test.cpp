@@ -16,8 +16,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::green_contact_test {
 
 using mechanics::Control;
 
@@ -305,5 +304,4 @@ TEST(GreenContact, RefusesOtherSettings) {
   EXPECT_THROW(make_atomic_contact(request), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::green_contact_test

@@ -9,8 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::green_system_test {
 
 using mechanics::AtomModes;
 
@@ -247,5 +246,4 @@ TEST(GreenSystem, RefusesTwoLayers) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::green_system_test

@@ -13,8 +13,7 @@
 #include "tests/md/small_interface.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::interaction_test {
 
 using problems::angstrom;
 using problems::paper_atoms;
@@ -142,5 +141,4 @@ TEST(PairLaw, RefusesAnInvalidLaw) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::interaction_test

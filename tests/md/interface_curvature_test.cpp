@@ -15,8 +15,7 @@
 
 #include "tests/md/small_interface.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::interface_curvature_test {
 
 using problems::Planes;
 
@@ -188,5 +187,4 @@ TEST(InterfaceCurvature, EqualisesAllAtoms) {
       EXPECT_NEAR((forces.*axis)[i], alike * (step.*axis)[i], 1e-6 * alike);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::interface_curvature_test

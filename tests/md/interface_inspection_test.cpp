@@ -15,8 +15,7 @@
 #include "tests/md/small_interface.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::interface_inspection_test {
 
 using problems::angstrom;
 using problems::InterfaceProblem;
@@ -191,5 +190,4 @@ TEST(InterfaceRefusal, NamesTheArgument) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::interface_inspection_test

@@ -11,8 +11,7 @@
 #include "tests/md/small_interface.hpp"
 #include "tests/narrower_vectors.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::interface_kernel_test {
 
 /// Windows at random points and heights, a third of them beyond the reach or
 /// hardly within it.
@@ -146,5 +145,4 @@ TEST(Substrate, ListsLittleBeyondTheReach) {
                 2.0 * (2.0 * radius + 1.0) + 2.0 * radius);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::interface_kernel_test

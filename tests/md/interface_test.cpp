@@ -16,8 +16,7 @@
 #include "tests/base/fields.hpp"
 #include "tests/md/small_interface.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::interface_test {
 
 using problems::angstrom;
 using problems::InterfaceProblem;
@@ -242,5 +241,4 @@ TEST(InterfaceKernel, HasThePressureOfAContinuousWall) {
               1e-3);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::interface_test

@@ -16,8 +16,7 @@
 
 #include "tests/md/lammps_requests.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::lammps_agreement_test {
 
 constexpr int points = 24;
 constexpr int cells = 12;
@@ -128,5 +127,4 @@ TEST_F(LammpsAgreement, MapsAreTheSameWhereStrainsAreSmall) {
   EXPECT_LT(fluctuation(difference) / own.nominal_pressure, 1e-3);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::lammps_agreement_test

@@ -11,8 +11,7 @@
 
 #include "tests/md/lammps_requests.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::lammps_answer_test {
 
 const std::string log_of_two = "LAMMPS (29 Sep 2021 - Update 2)\n"
                                "Step PotEng E_bond E_vdwl Fnorm c_push[3] \n"
@@ -117,5 +116,4 @@ TEST_F(LammpsAnswerFiles, MissingOrTruncatedAreRefusedByName) {
   expect_named(lammps_file::energies);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::lammps_answer_test

@@ -17,8 +17,7 @@
 #include "tests/md/lammps_requests.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::lammps_block_test {
 
 constexpr int points = 8;
 constexpr int cells = 3;
@@ -233,5 +232,4 @@ TEST(LammpsBlockRefusals, NameWhatLammpsCannotDo) {
   expect(refusal([](AtomRequest& r) { r.heights.pop_back(); }), "heights = ");
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::lammps_block_test

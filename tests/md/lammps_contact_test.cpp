@@ -13,8 +13,7 @@
 
 #include "tests/md/lammps_requests.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::lammps_contact_test {
 
 using mechanics::Control;
 
@@ -164,5 +163,4 @@ TEST_F(LammpsContactTest, AFailedStepStatesTheReason) {
   EXPECT_NE(contact->description().find("LAMMPS"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::lammps_contact_test

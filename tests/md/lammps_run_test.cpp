@@ -14,8 +14,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::lammps_run_test {
 
 class LammpsRunTest : public testing::Test {
 protected:
@@ -150,5 +149,4 @@ TEST_F(LammpsRunTest, SeveralProcessesAreOneRun) {
       << text;
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::lammps_run_test

@@ -14,8 +14,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::multiscale_block_test {
 
 constexpr double spacing = 2.6e-10;
 
@@ -261,5 +260,4 @@ TEST(MultiscaleBlock, RefusesIndivisibleSizes) {
               }).starts_with("spacing of the layer = 1.25e-10"));
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::multiscale_block_test

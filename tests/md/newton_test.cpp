@@ -13,8 +13,7 @@
 
 #include "tests/md/rough_contact.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::newton_test {
 
 using mechanics::AtomModes;
 
@@ -205,5 +204,4 @@ TEST(RelaxByNewton, StopsOnRequest) {
   EXPECT_THROW(relax_by_newton(system, state, {}), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::newton_test

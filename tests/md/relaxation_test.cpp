@@ -12,8 +12,7 @@
 
 #include "tests/md/separate_system.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::relaxation_test {
 
 using problems::Separate;
 
@@ -207,5 +206,4 @@ TEST(Relax, RefusesInvalidSettings) {
   EXPECT_THROW(relax(system, state, unit_settings()), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::relaxation_test

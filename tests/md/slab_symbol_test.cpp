@@ -13,8 +13,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::slab_symbol_test {
 
 constexpr double spacing = 2.6e-10;
 constexpr int half_space = 1 << 30;
@@ -206,5 +205,4 @@ TEST(SlabSymbol, RefusesNoLayers) {
       std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::slab_symbol_test

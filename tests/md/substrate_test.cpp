@@ -11,8 +11,7 @@
 
 #include "tests/md/small_interface.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::substrate_test {
 
 using problems::angstrom;
 
@@ -79,5 +78,4 @@ TEST(Substrate, HoldsAllPartnersForManyCutoffs) {
     }
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::substrate_test

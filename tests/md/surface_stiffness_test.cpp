@@ -12,8 +12,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::md {
-namespace {
+namespace asperity::md::surface_stiffness_test {
 
 using mechanics::AtomModes;
 
@@ -251,5 +250,4 @@ TEST(SurfaceStiffness, RefusesAnotherLayer) {
   EXPECT_NE(refusal(layer_of(8), 0).find("cells"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::md
+} // namespace asperity::md::surface_stiffness_test

@@ -13,8 +13,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::counter_body_test {
 
 using mechanics::CounterShape;
 using std::numbers::pi;
@@ -245,5 +244,4 @@ TEST(CounterBody, RefusesWhatIsNoBody) {
             0U);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::counter_body_test

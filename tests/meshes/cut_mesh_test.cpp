@@ -12,8 +12,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::cut_mesh_test {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -111,5 +110,4 @@ TEST(CutMesh, RefusesTetrahedra) {
   EXPECT_THROW(cut_mesh(mesh), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::cut_mesh_test

@@ -14,8 +14,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::gmsh_block_test {
 
 using mechanics::BlockSides;
 using mechanics::MeshCells;
@@ -284,5 +283,4 @@ TEST(GmshBlock, RefusesImpossibleNumbers) {
   EXPECT_THROW(gmsh_block(crossed), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::gmsh_block_test

@@ -8,8 +8,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::gmsh_inclusion_test {
 
 using mechanics::MeshCells;
 
@@ -101,5 +100,4 @@ TEST(GmshInclusion, OfTetrahedraConvergesToTheSphere) {
   EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.3);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::gmsh_inclusion_test

@@ -10,8 +10,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::gmsh_session_test {
 
 std::string refusal(const std::function<void()>& work) {
   return tests::message_of<std::domain_error>([&] { in_gmsh(work); });
@@ -65,5 +64,4 @@ TEST(InGmsh, PrintsNothing) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::gmsh_session_test

@@ -11,8 +11,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::graded_layers_test {
 
 double sum_of(const std::vector<double>& thickness) {
   return std::accumulate(thickness.begin(), thickness.end(), 0.0);
@@ -156,5 +155,4 @@ TEST(GradedLayersWithInterfaces, RefuseInterfacesThatDoNotRise) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::graded_layers_test

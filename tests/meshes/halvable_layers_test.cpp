@@ -12,8 +12,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::halvable_layers_test {
 
 double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -112,5 +111,4 @@ TEST(HalvableLayers, RefuseWhatIsOutOfRange) {
   EXPECT_NE(refusal(0.25, 3, {1.5}).find("increasing"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::halvable_layers_test

@@ -10,8 +10,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::hanging_mesh_test {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -132,5 +131,4 @@ TEST(HangingMesh, RefusesOddCounts) {
   EXPECT_NE(refusal(16, 16, 0).find("cells_a_level"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::hanging_mesh_test

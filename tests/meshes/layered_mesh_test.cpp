@@ -12,8 +12,7 @@
 #include "tests/meshes/mesh_measures.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::layered_mesh_test {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -130,5 +129,4 @@ TEST(LayeredMesh, RefusesImpossibleArguments) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::layered_mesh_test

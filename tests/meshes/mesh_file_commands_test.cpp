@@ -11,8 +11,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::mesh_file_commands_test {
 
 namespace fs = std::filesystem;
 
@@ -170,5 +169,4 @@ TEST_F(MeshFileCommands, OptionFilesAreNotRead) {
   EXPECT_FALSE(is_made());
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::mesh_file_commands_test

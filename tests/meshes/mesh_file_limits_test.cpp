@@ -13,8 +13,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::mesh_file_limits_test {
 
 constexpr const char* coated = "tests/meshes/data/coated.geo";
 
@@ -74,5 +73,4 @@ TEST(MeshBytes, AreRefusedIfTruncatedOrTooLong) {
   EXPECT_THROW(mesh_of_bytes(""), std::runtime_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::mesh_file_limits_test

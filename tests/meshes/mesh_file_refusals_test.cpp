@@ -12,8 +12,7 @@
 #include "tests/meshes/block_of_file.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::mesh_file_refusals_test {
 
 using mechanics::BlockSides;
 
@@ -240,5 +239,4 @@ TEST(ReadMeshFileRefuses, AnyDamage) {
   EXPECT_LT(accepted, 20);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::mesh_file_refusals_test

@@ -15,8 +15,7 @@
 #include "tests/meshes/block_of_file.hpp"
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::mesh_file_test {
 
 using mechanics::BlockSides;
 
@@ -145,5 +144,4 @@ Physical Surface("fixed") = {4};
                       FaceGroup::sides}));
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::mesh_file_test

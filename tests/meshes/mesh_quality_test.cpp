@@ -10,8 +10,7 @@
 
 #include "tests/meshes/mesh_measures.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::mesh_quality_test {
 
 BlockMesh one_tetrahedron(const std::array<Place, 4>& corners) {
   BlockMesh mesh;
@@ -111,5 +110,4 @@ TEST(MeshQualityOf, AnEmptyMeshIsRefused) {
   EXPECT_THROW(mesh_quality(BlockMesh{}), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::mesh_quality_test

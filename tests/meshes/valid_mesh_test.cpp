@@ -13,8 +13,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::meshes {
-namespace {
+namespace asperity::meshes::valid_mesh_test {
 
 using mechanics::BlockSides;
 
@@ -234,5 +233,4 @@ TEST(AlignSides, MovesSidesOntoOneAnother) {
   EXPECT_THROW(align_sides(mesh), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::meshes
+} // namespace asperity::meshes::valid_mesh_test

@@ -16,8 +16,7 @@
 #include "ranks/rows_from_rank_0.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::convolution_test {
 
 /// @param grid  or the part of a grid that a field occupies
 std::vector<double> uneven_field(const Grid& grid) {
@@ -334,5 +333,4 @@ TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
   });
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::convolution_test

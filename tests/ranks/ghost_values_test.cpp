@@ -10,8 +10,7 @@
 #include "ranks/rank_sums.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::ghost_values_test {
 
 /// Rank r owns r + 1 items, with the numbers from r (r + 1) / 2, and needs the
 /// first item of each other rank.
@@ -90,5 +89,4 @@ TEST(RankSums, AreThoseOfTheNumbers) {
   EXPECT_EQ(rank_max(nullptr, -0.1), -0.1);
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::ghost_values_test

@@ -7,8 +7,7 @@
 #include "ranks/node_chunks.hpp"
 #include "ranks/workers.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::node_chunks_test {
 
 std::vector<std::size_t> begins_of(const NodeChunks& chunks,
                                    std::size_t nodes) {
@@ -113,5 +112,4 @@ TEST(NodeChunks, AllowCoarserGridsToBeShared) {
   }
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::node_chunks_test

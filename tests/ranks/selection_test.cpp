@@ -14,8 +14,7 @@
 #include "ranks/shared_rows.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::selection_test {
 
 /// Numbers of all magnitudes and both signs, many of them equal.
 std::vector<double> some_numbers() {
@@ -102,5 +101,4 @@ TEST(RowsAt, AreThoseOfTheWholeField) {
     });
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::selection_test

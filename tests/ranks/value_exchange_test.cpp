@@ -4,8 +4,7 @@
 #include "ranks/value_exchange.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity {
-namespace {
+namespace asperity::value_exchange_test {
 
 /// The values of a rank: as many as its number, 10 times it and upwards.
 std::vector<double> values_of(int rank) {
@@ -56,5 +55,4 @@ TEST(ValueExchange, RefusesTargetsThatDecrease) {
   });
 }
 
-} // namespace
-} // namespace asperity
+} // namespace asperity::value_exchange_test

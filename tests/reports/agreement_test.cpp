@@ -11,8 +11,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::agreement_test {
 
 constexpr double shift = 0.03;  // of the foreign mean gap, in h_rms
 constexpr double excess = 0.01; // of the foreign area and pressure
@@ -130,5 +129,4 @@ TEST_F(AgreementOfTwo, IsRefusedWithAReason) {
             "no load lies within the loads of the reference");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::agreement_test

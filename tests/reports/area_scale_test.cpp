@@ -9,8 +9,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::area_scale_test {
 
 Deviation row(double pressure, double area, double theory) {
   return {pressure, 0.0, 0.0, area, theory};
@@ -83,5 +82,4 @@ TEST(AreaScale, IsAQuantityOfAMethod) {
   EXPECT_FALSE(summary.methods[0].quantities.contains("area_scale"));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::area_scale_test

@@ -11,8 +11,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::at_load_test {
 
 const std::string header = "quantity,value,unit,uncertainty,source\n";
 
@@ -115,5 +114,4 @@ TEST_F(AtLoad, HasAVerdict) {
   EXPECT_EQ(checked.verdicts[2].outcome, Outcome::missing);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::at_load_test

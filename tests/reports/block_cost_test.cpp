@@ -8,8 +8,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::block_cost_test {
 
 using BlockCost = ReportFolder;
 
@@ -93,5 +92,4 @@ TEST_F(BlockCost, IsAbsentWithoutAFullBlock) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::block_cost_test

@@ -9,8 +9,7 @@
 
 #include "browser.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::browser_test {
 
 // Three verdicts are ok and one is not, by construction, and each drawn figure
 // is a picture within the page.
@@ -126,5 +125,4 @@ TEST_F(Browser, CanDrawEveryPicture) {
     EXPECT_GE(std::stoi(width), 480);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::browser_test

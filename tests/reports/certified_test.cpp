@@ -11,8 +11,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::certified_test {
 
 using CertifiedSteps = ReportFolder;
 
@@ -102,5 +101,4 @@ TEST_F(CertifiedSteps, AreInTheReport) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::certified_test

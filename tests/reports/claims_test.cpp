@@ -14,8 +14,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::claims_test {
 
 class Claims : public ::testing::Test {
 protected:
@@ -182,5 +181,4 @@ TEST_F(Claims, DrawNoHeightsThatAreNotThere) {
   EXPECT_FALSE(height_figure(entry));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::claims_test

@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::comparison_test {
 
 using results::CurvePoint;
 
@@ -135,5 +134,4 @@ TEST(Deviations, PutEachRowBesideTheReferenceAtItsPressure) {
   EXPECT_TRUE(std::isnan(found[4].reference_gap));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::comparison_test

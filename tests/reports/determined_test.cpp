@@ -12,8 +12,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::determined_test {
 
 std::string why(double value, double half_width) {
   return why_undetermined(value, half_width, gamma_range);
@@ -110,5 +109,4 @@ TEST_F(NoGamma, IsNotOnThePage) {
   EXPECT_EQ(page.find(">1.3"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::determined_test

@@ -16,8 +16,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::distribution_figures_test {
 
 using Rows = std::vector<std::vector<double>>;
 
@@ -198,5 +197,4 @@ TEST_F(Distributions, OfAreasAreDrawnAgainstTheTheory) {
   EXPECT_FALSE(area_theory_figure(series_of(std::span(&alone, 1))).has_value());
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::distribution_figures_test

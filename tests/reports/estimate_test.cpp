@@ -8,8 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::estimate_test {
 
 // Slope, intercept and errors of the four points (0,1) (1,3) (2,2) (3,5): slope
 // 11/10, intercept 11/10, residual squares 2.7, slope error sqrt(1.35/5).
@@ -120,5 +119,4 @@ TEST(PercentText, HasOneDecimalAtMost) {
   EXPECT_EQ(percent_text(estimate), "-12 ± 23 %");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::estimate_test

@@ -11,8 +11,7 @@
 
 #include "tests/reports/exact_samples.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::exact_punch_test {
 
 // A flat punch on a periodic square: approach F/(2 E* a) minus S F/(pi E* L). A
 // tilted one has no exact solution here. Tolerance: roundoff.
@@ -230,5 +229,4 @@ TEST(ExactPunch, FindTheErrorOfTheMoment) {
   EXPECT_FALSE(pressed(1.9 * a * 1e-4).has_value());
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::exact_punch_test

@@ -12,8 +12,7 @@
 
 #include "tests/reports/exact_samples.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::exact_test {
 
 cases::Case wave_case() {
   cases::Case wave;
@@ -251,5 +250,4 @@ TEST(ExactQuantities, HaveTheErrorOfTheTwoDimensionalWave) {
               1.0, 0.1);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::exact_test

@@ -15,8 +15,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::explore_test {
 
 const std::string header = "curve,index,p/(E* h') [1],log10 p/E* [1],u [1]";
 
@@ -313,5 +312,4 @@ TEST(StackFrames, AreTheFirstTheLastAndSomeBetween) {
   EXPECT_EQ(chosen.back(), 99U);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::explore_test

@@ -13,8 +13,7 @@
 
 #include "browser.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::exploring_test {
 
 class Exploring : public Browser {
 protected:
@@ -180,5 +179,4 @@ TEST_F(Exploring, ShowsTheMapOfTheLoadOfTheSlider) {
   }
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::exploring_test

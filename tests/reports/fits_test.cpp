@@ -8,8 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::fits_test {
 
 using results::CurvePoint;
 
@@ -276,5 +275,4 @@ TEST(FitArea, RecoversALinearFallOff) {
   EXPECT_TRUE(std::isnan(fit.kappa.value));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::fits_test

@@ -14,8 +14,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::gnuplot_test {
 
 namespace fs = std::filesystem;
 
@@ -271,5 +270,4 @@ TEST(CsvTable, QuotesLabelsAndWritesNanForWhatIsNotThere) {
   EXPECT_EQ(table.text(), "curve,gap [m]\n\"a \"\"b\"\",c\",0.25\n\"d\",nan\n");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::gnuplot_test

@@ -12,8 +12,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::hostile_test {
 
 using results::CurvePoint;
 using results::Result;
@@ -263,5 +262,4 @@ TEST_F(HostileResult, ReportsWhatIsNotDetermined) {
   EXPECT_TRUE(summary.methods[1].problems.empty());
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::hostile_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::judgement_test {
 
 Estimate ours(double value, double half_width = not_a_number) {
   Estimate estimate;
@@ -97,5 +96,4 @@ TEST(Judgement, HasNoneWithoutANumber) {
   EXPECT_EQ(judgement.words, "not determined: too few rows");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::judgement_test

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::map_image_test {
 
 TEST(MapImage, PlacesValuesAtTheCentresOfTheirBlocks) {
   const Grid grid{3, 2, 6e-6, 2e-6};
@@ -85,5 +84,4 @@ TEST(MapImage, IsThatOfAMapInMemoryIfItIsReadByPieces) {
   EXPECT_EQ(difference.size(), 2U * 2U);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::map_image_test

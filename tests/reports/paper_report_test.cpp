@@ -13,8 +13,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::paper_report_test {
 
 namespace fs = std::filesystem;
 
@@ -212,5 +211,4 @@ TEST_F(PaperReport, OpensInABrowser) {
   EXPECT_EQ(dom.find("src=\"http"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::paper_report_test

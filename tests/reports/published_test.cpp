@@ -12,8 +12,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::published_test {
 
 const std::string reference = "quantity,value,unit,uncertainty,source\n"
                               "gamma_slope,0.4,1,0.05,\"A & B 2008, p. 3\"\n"
@@ -165,5 +164,4 @@ TEST_F(Published, AreOnThePage) {
       "A & B 2008, p. 3");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::published_test

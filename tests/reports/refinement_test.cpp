@@ -8,8 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::refinement_test {
 
 // Any power law passes through two points, so that they determine none.
 TEST(PowerLawThroughTwoPoints, IsNotDetermined) {
@@ -122,5 +121,4 @@ RC_GTEST_PROP(ParetoFront, UndercutsEverythingElse, ()) {
               }));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::refinement_test

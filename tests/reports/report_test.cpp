@@ -16,8 +16,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::report_test {
 
 namespace fs = std::filesystem;
 
@@ -343,5 +342,4 @@ TEST_F(Report, ComparesSeveralResults) {
   EXPECT_NE(data.find("\"other/case: fem\""), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::report_test

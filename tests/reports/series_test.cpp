@@ -9,8 +9,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::series_test {
 
 using Change = std::function<void(results::CurvePoint&)>;
 
@@ -90,5 +89,4 @@ TEST(SeriesOfAVariant, IsNotEveryMethodThatAgrees) {
   EXPECT_EQ(both[1].legend, "fem");
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::series_test

@@ -8,8 +8,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::skipped_test {
 
 using SkippedSection = ReportFolder;
 
@@ -40,5 +39,4 @@ TEST_F(SkippedSection, IsAbsentWhereNothingWas) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::skipped_test

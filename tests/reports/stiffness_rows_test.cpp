@@ -7,8 +7,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::stiffness_rows_test {
 
 using StiffnessRows = ReportFolder;
 
@@ -45,5 +44,4 @@ TEST_F(StiffnessRows, AreAbsentWithoutAStiffness) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::stiffness_rows_test

@@ -18,8 +18,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::stored_maps_test {
 
 namespace fs = std::filesystem;
 
@@ -129,5 +128,4 @@ TEST_F(StoredMaps, GiveTheQuantitiesOfMapsInMemory) {
   EXPECT_EQ(warning_lines(in_file_, case_), warning_lines(in_memory_, case_));
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::stored_maps_test

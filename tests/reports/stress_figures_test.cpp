@@ -10,8 +10,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::stress_figures_test {
 
 class StressFigures : public ::testing::Test {
 protected:
@@ -140,5 +139,4 @@ TEST_F(StressFigures, ShowBothBodies) {
       << section.script;
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::stress_figures_test

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::studies_test {
 
 constexpr double rms_height = 2e-8;
 constexpr double none = not_a_number;
@@ -155,5 +154,4 @@ TEST(StudyFigures, AreDrawnWhereTheTablesAre) {
   EXPECT_TRUE(adhesion_figures({&bare, &studied, {}}).empty());
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::studies_test

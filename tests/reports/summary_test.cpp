@@ -8,8 +8,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::summary_test {
 
 double value_of(const Summary& summary, const std::string& method,
                 const std::string& quantity) {
@@ -163,5 +162,4 @@ TEST_F(RoughSummary, AddsUpTheCost) {
   EXPECT_NEAR(cost.step_cpu_time, 0.05 + 0.01 * 7.5, 1e-12);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::summary_test

@@ -8,8 +8,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::theory_agreement_test {
 
 class TheoryAgreement : public ReportFolder {
 protected:
@@ -61,5 +60,4 @@ TEST_F(TheoryAgreement, ReportsAnotherSeparation) {
       << said[0];
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::theory_agreement_test

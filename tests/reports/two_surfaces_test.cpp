@@ -12,8 +12,7 @@
 
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::two_surfaces_test {
 
 class TwoSurfaces : public ::testing::Test {
 protected:
@@ -111,5 +110,4 @@ TEST_F(TwoSurfaces, AreDrawnWithTheirSum) {
   EXPECT_EQ(spectrum_figure(one)->data.find("sum of both"), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::two_surfaces_test

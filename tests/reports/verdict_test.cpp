@@ -8,8 +8,7 @@
 
 #include <pugixml.hpp>
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::verdict_test {
 
 MethodSummary method_with(const std::string& name, double gamma) {
   MethodSummary method;
@@ -246,5 +245,4 @@ TEST(Summary, IsNotOkWhileAnythingIsMissing) {
   EXPECT_TRUE(summary.all_ok());
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::verdict_test

@@ -13,8 +13,7 @@
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
-namespace asperity::reports {
-namespace {
+namespace asperity::reports::warnings_test {
 
 std::vector<std::string> kinds(const std::vector<Warning>& warnings) {
   std::vector<std::string> names;
@@ -168,5 +167,4 @@ TEST_F(Warnings, AreAtTheTopOfThePageAndInTheSummary) {
   EXPECT_NE(json.find("\"kind\": \"not_gaussian\""), std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::reports
+} // namespace asperity::reports::warnings_test

@@ -20,8 +20,7 @@
 
 #include "tests/results/shapes.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::area_estimate_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double modulus = 2e9; // E* [Pa]
@@ -307,5 +306,4 @@ TEST(AreaMaps, AreCheckedByName) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::area_estimate_test

@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::byte_stream_test {
 
 /// Writes one item and expects it to be read back, also if nothing follows it,
 /// and to be refused if a byte is missing.
@@ -42,5 +41,4 @@ TEST(ByteStream, EndsWithItsLastItem) {
                                            &ByteReader::single_numbers);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::byte_stream_test

@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::contact_stiffness_test {
 
 const std::vector<double> uneven_gaps{90e-9, 70e-9, 64e-9, 40e-9, 11e-9, 1e-9};
 
@@ -116,5 +115,4 @@ TEST(FillContactStiffness, KeepsBranchesApartAndGivenValues) {
         << i;
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::contact_stiffness_test

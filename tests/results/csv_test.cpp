@@ -13,8 +13,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::csv_test {
 
 constexpr const char* header =
     "method,realization,step,nominal_pressure [Pa],mean_gap [m],"
@@ -125,5 +124,4 @@ TEST_F(ResultFolder, CsvReadsBackEveryDouble) {
   EXPECT_EQ(numbers[13], point.residual);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::csv_test

@@ -13,8 +13,7 @@
 
 #include "tests/results/shapes.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::distributions_test {
 
 double integral(const Histogram& histogram) {
   double sum = 0.0;
@@ -88,5 +87,4 @@ TEST(Histograms, HaveNoBinsWhereNothingIsCounted) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::distributions_test

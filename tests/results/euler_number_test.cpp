@@ -10,8 +10,7 @@
 
 #include "tests/results/shapes.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::euler_number_test {
 
 constexpr double modulus = 2e9; // E* [Pa]
 
@@ -78,5 +77,4 @@ RC_GTEST_PROP(EulerNumber, ChangesSignWithTheComplement, ()) {
             -euler_characteristic(grid, complement));
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::euler_number_test

@@ -13,8 +13,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::foreign_file_test {
 
 const std::vector<double> pressures{1e6, 2e6, 4e6};
 const std::vector<double> gaps{3e-9, 2e-9, 1e-9};
@@ -175,5 +174,4 @@ TEST_F(ForeignFile, TruncatedAnywhereIsRefused) {
   }
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::foreign_file_test

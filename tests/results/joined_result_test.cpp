@@ -12,8 +12,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::joined_result_test {
 
 namespace fs = std::filesystem;
 
@@ -195,5 +194,4 @@ TEST_F(JoinedResult, RefusesPartsThatDoNotBelongTogether) {
   EXPECT_THROW(join_results({}, path("whole")), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::joined_result_test

@@ -19,8 +19,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::journal_test {
 
 namespace fs = std::filesystem;
 
@@ -350,5 +349,4 @@ TEST_F(ResultJournal, AFullDiskLosesNoFinishedStep) {
   EXPECT_EQ(rows(), done + 1);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::journal_test

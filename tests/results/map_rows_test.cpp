@@ -14,8 +14,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::map_rows_test {
 
 class MapRowsTest : public ResultFolder {
 protected:
@@ -137,5 +136,4 @@ TEST_F(MapRowsTest, AreWrittenCompletelyOrNotAtAll) {
   EXPECT_FALSE(writer.has_step("md", 0, 1));
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::map_rows_test

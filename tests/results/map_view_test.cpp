@@ -20,8 +20,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::map_view_test {
 
 // Two pieces whose bounds are neither those of chunks of nodes nor those of the
 // chunks of the file.
@@ -163,5 +162,4 @@ TEST_F(LargeMaps, CannotBeReadWithoutTheirFile) {
                input::InputError);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::map_view_test

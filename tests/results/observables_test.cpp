@@ -13,8 +13,7 @@
 
 #include "tests/results/shapes.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::observables_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -169,5 +168,4 @@ TEST(MapSizes, AreCheckedByName) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::observables_test

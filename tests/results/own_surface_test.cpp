@@ -13,8 +13,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::own_surface_test {
 
 using OwnSurface = ResultFolder;
 
@@ -118,5 +117,4 @@ TEST_F(OwnSurface, GivesItsSidesToAMapWithoutThem) {
             (Grid{2, 2, 7e-6, 2e-6}));
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::own_surface_test

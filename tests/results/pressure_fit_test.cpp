@@ -17,8 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::pressure_fit_test {
 
 using Fit = PressureFit (*)(std::span<const double> pressure,
                             std::span<const double> weights);
@@ -291,5 +290,4 @@ TEST(PressureFit, OfASphereIsWithinAFactorOfTwo) {
   }
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::pressure_fit_test

@@ -10,8 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::provenance_test {
 
 std::string fact(const Provenance& facts, const std::string& name) {
   const auto found =
@@ -69,5 +68,4 @@ TEST(RunClock, CountsWorkAndGivesMemory) {
   EXPECT_EQ(fact(after, "peak memory"), "3 MiB");
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::provenance_test

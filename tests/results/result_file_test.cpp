@@ -14,8 +14,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::result_file_test {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -236,5 +235,4 @@ TEST_F(ResultFile, TakesStepsFromManyThreads) {
   }
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::result_file_test

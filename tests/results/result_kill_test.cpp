@@ -16,8 +16,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::result_kill_test {
 
 using ResultKill = ResultFolder;
 
@@ -129,5 +128,4 @@ TEST_F(ResultKill, AtAnyMomentLosesNoFinishedStep) {
   EXPECT_GT(n_kills_in_a_copy, 0) << "no kill hit a copy of the file";
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::result_kill_test

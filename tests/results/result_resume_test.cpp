@@ -14,8 +14,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::result_resume_test {
 
 using ResultResume = ResultFolder;
 
@@ -136,5 +135,4 @@ TEST_F(ResultResume, IgnoresThePartOfAKilledRun) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / ".result.h5.part"));
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::result_resume_test

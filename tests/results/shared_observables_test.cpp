@@ -15,8 +15,7 @@
 
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::shared_observables_test {
 
 /// Patches of contact that cross the border, the rows between ranks and the
 /// ends of chunks.
@@ -182,5 +181,4 @@ TEST(SharedObservables, FailOnAllRanks) {
   });
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::shared_observables_test

@@ -11,8 +11,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::skipped_test {
 
 using SkippedList = ResultFolder;
 
@@ -45,5 +44,4 @@ TEST_F(SkippedList, IsReplacedAsAUnitAndMayBeEmpty) {
   EXPECT_TRUE(read_result(folder_).skipped.empty());
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::skipped_test

@@ -14,8 +14,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::table_test {
 
 using ResultTable = ResultFolder;
 
@@ -142,5 +141,4 @@ TEST_F(ResultTable, IsRefusedWithABadNameOrLength) {
   EXPECT_TRUE(read_result(folder_).tables.empty());
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::table_test

@@ -10,8 +10,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::trial_read_test {
 
 class TrialRead : public ResultFolder {};
 
@@ -41,5 +40,4 @@ TEST_F(TrialRead, LeavesTheRestToTheReader) {
   EXPECT_NO_THROW(require_readable("no/such/file.h5"));
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::trial_read_test

@@ -19,8 +19,7 @@
 
 #include "tests/results/sample_result.hpp"
 
-namespace asperity::results {
-namespace {
+namespace asperity::results::validity_test {
 
 class Validity : public ResultFolder {
 protected:
@@ -305,5 +304,4 @@ TEST_F(Validity, OfTablesByTheNameOfTheirColumns) {
                             "but must lie between 0 and 1 [1]");
 }
 
-} // namespace
-} // namespace asperity::results
+} // namespace asperity::results::validity_test

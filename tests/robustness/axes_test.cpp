@@ -9,8 +9,7 @@
 #include "robustness/axes.hpp"
 #include "robustness/matrix.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::axes_test {
 
 TEST(Axes, HoldEveryLabelOfEveryInstance) {
   for (int index = 0; index < 2000; ++index) {
@@ -93,5 +92,4 @@ TEST(Matrix, CountsEveryInstanceInEachOfItsBins) {
   EXPECT_EQ(matrix.slowest().front().report.iterations, 299);
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::axes_test

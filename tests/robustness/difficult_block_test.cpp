@@ -7,8 +7,7 @@
 
 #include "robustness/run_instance.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::difficult_block_test {
 
 /// Returns the Newton steps of all loads.
 int expect_verified(std::uint64_t seed, int index) {
@@ -51,5 +50,4 @@ TEST(DifficultBlock, OnASoftCylinderTakesFewStepsByAccurateSystems) {
   EXPECT_LT(expect_verified(14001, 41476), 80);
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::difficult_block_test

@@ -6,8 +6,7 @@
 
 #include "robustness/run_instance.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::hard_contact_test {
 
 // A block on an adaptive mesh at a small mean gap. An active set that occurs
 // on its coarse mesh has no solution; the augmented Lagrangian goes on, equal
@@ -33,5 +32,4 @@ TEST(HardContact, WithoutAStationarySetIsRefusedByTheAugmentedLagrangian) {
     EXPECT_NE(report.reason.find(words), std::string::npos) << report.reason;
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::hard_contact_test

@@ -10,8 +10,7 @@
 
 #include "robustness/instance_pool.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::instance_pool_test {
 
 std::vector<Instance> instances(int count) {
   std::vector<Instance> all(static_cast<std::size_t>(count));
@@ -109,5 +108,4 @@ TEST(InstanceReport, IsReadBackUnchanged) {
   EXPECT_EQ(from_line(to_line(report)).area, 0.0);
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::instance_pool_test

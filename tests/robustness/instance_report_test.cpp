@@ -7,8 +7,7 @@
 
 #include "robustness/instance_report.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::instance_report_test {
 
 const std::string advice =
     "the linear solver did not converge; linear_solver must be \"direct\" for "
@@ -58,5 +57,4 @@ TEST(OutcomeOfNote, SolutionsDoNotConverge) {
   EXPECT_EQ(name_of(Outcome::not_converged), "did not converge");
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::instance_report_test

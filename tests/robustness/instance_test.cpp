@@ -14,8 +14,7 @@
 #include "robustness/instance_surface.hpp"
 #include "robustness/kinds.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::instance_test {
 
 TEST(Instance, IsItsSeedAndItsIndex) {
   std::set<std::string> different;
@@ -214,5 +213,4 @@ TEST(InstanceSurface, OfExtremeShapesIsAsDocumented) {
   EXPECT_EQ(values(heights_of(Shape::sawtooth)), 8u);
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::instance_test

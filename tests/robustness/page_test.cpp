@@ -8,8 +8,7 @@
 
 #include "robustness/page.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::page_test {
 
 Matrix small_matrix() {
   Matrix matrix;
@@ -81,5 +80,4 @@ TEST(Locking, IsOfFirstOrder) {
   EXPECT_EQ(n_locked, 4);
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::page_test

@@ -6,8 +6,7 @@
 #include "robustness/kinds.hpp"
 #include "robustness/run_instance.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::program_instance_test {
 
 const std::filesystem::path program = ASPERITY_PROGRAM;
 
@@ -83,5 +82,4 @@ TEST(ProgramInstance, IsNotRefusedWithoutAFlaw) {
   EXPECT_EQ(report.check, "refusal") << report.reason;
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::program_instance_test

@@ -10,8 +10,7 @@
 
 #include "robustness/run_instance.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::slice_test {
 
 TEST(Slice, HasNoOtherOutcome) {
   int verified = 0;
@@ -357,5 +356,4 @@ TEST(Slice, FindsMeanGapsDownToTheLeast) {
   EXPECT_LT(share, 0.009 / 0.003) << refused.reason;
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::slice_test

@@ -10,8 +10,7 @@
 
 #include "robustness/verify_observables.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::verify_observables_test {
 
 class VerifyObservables : public ::testing::Test {
 protected:
@@ -122,5 +121,4 @@ TEST(VerifyRow, FailsOnIterationsBelowZeroAndOnAStepThatDidNotConverge) {
   EXPECT_TRUE(verify_row(row));
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::verify_observables_test

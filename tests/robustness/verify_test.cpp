@@ -11,8 +11,7 @@
 
 #include "robustness/verify.hpp"
 
-namespace asperity::robustness {
-namespace {
+namespace asperity::robustness::verify_test {
 
 using contact::ContactSolution;
 using mechanics::LoadTarget;
@@ -214,5 +213,4 @@ TEST_F(VerifyPair, DetectsAnotherSolutionInOtherUnits) {
   EXPECT_TRUE(verify_same(less_, scaled, 1e3, 1e6));
 }
 
-} // namespace
-} // namespace asperity::robustness
+} // namespace asperity::robustness::verify_test

@@ -9,8 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::assumptions_test {
 
 /// cos along x with n waves in 64 points, amplitude 1 nm.
 HeightMap wave(int n) {
@@ -110,5 +109,4 @@ TEST(LineOffset, DetectsShiftedLines) {
   EXPECT_TRUE(std::isnan(line_offset_ratio(wave(3))));
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::assumptions_test

@@ -18,8 +18,7 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/measured_files.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::binary_rows_test {
 
 using namespace tests_of_rows;
 using namespace tests_of_formats;
@@ -140,5 +139,4 @@ TEST(BinaryRows, OfAFileThatBecomesShorterAreRefused) {
             path + ": cannot be read to its end");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::binary_rows_test

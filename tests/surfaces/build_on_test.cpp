@@ -16,8 +16,7 @@
 #include "tests/base/fields.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::build_on_test {
 
 using mechanics::SurfaceKind;
 using mechanics::SurfaceSpec;
@@ -187,5 +186,4 @@ TEST(BuildSurfaceOn, EvaluatesTheExactShapes) {
       1e-23);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::build_on_test

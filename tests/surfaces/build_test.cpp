@@ -17,8 +17,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::build_test {
 
 using mechanics::SurfaceKind;
 using mechanics::SurfaceSpec;
@@ -287,5 +286,4 @@ TEST(BuildSurface, ReportsATableBeyondTheGrid) {
           "1e-05 m");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::build_test

@@ -15,8 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/surfaces/measured_files.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::corrected_rows_test {
 
 using namespace tests_of_rows;
 using mechanics::Edges;
@@ -191,5 +190,4 @@ TEST(CorrectedRows, OfSingleRowsHaveTheBitsOfOneProcess) {
   });
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::corrected_rows_test

@@ -12,8 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::corrections_test {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
@@ -151,5 +150,4 @@ TEST(FillMissing, NeedsAMeasuredPoint) {
   EXPECT_THROW(fill_missing(rows, map.heights), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::corrections_test

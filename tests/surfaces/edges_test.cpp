@@ -15,8 +15,7 @@
 #include <numbers>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::edges_test {
 
 using mechanics::Edges;
 
@@ -155,5 +154,4 @@ TEST(Mirror, HasARealSpectrumWithThePowerOfTheMap) {
   EXPECT_NEAR(std::sqrt(power) / statistics(map).rms_height, 1.0, 1e-13);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::edges_test

@@ -11,8 +11,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::exact_shapes_test {
 
 constexpr Grid grid{32, 16, 4.0, 2.0};
 
@@ -116,5 +115,4 @@ TEST(ExactShapes, RefuseBadArgumentsByName) {
       "0.25 m");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::exact_shapes_test

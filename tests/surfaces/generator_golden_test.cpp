@@ -8,8 +8,7 @@
 
 #include <numbers>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::generator_golden_test {
 
 // The generator is Philox-4x64-10. Expected: the known answer of its authors
 // for counter 0 and key 0, words 16554d9eca36314c and db20fe9d672d0fdc.
@@ -42,5 +41,4 @@ TEST(GeneratorGolden, GivesTheStoredHeights) {
               1e-23);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::generator_golden_test

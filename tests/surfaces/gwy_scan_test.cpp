@@ -14,8 +14,7 @@
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::gwy_scan_test {
 
 using namespace tests_of_formats;
 
@@ -167,5 +166,4 @@ TEST(GwyScan, ReadsChannelsByTheirNumbers) {
   EXPECT_EQ(gwy_scan(twice, "2").map.heights[0], 2.0);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::gwy_scan_test

@@ -12,8 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::gwyddion_file_test {
 
 template <class Number>
 Number taken(std::string_view& bytes) {
@@ -94,5 +93,4 @@ TEST(GwyddionFile, HoldsTheMap) {
   EXPECT_EQ(found.arrays["/0/data:data"], map.heights);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::gwyddion_file_test

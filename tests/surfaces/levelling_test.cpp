@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::levelling_test {
 
 using mechanics::Levelling;
 
@@ -92,5 +91,4 @@ TEST(RemoveTrend, TakesTheSmallestMaps) {
   EXPECT_NEAR(map.heights[3], 0.25, 1e-15);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::levelling_test

@@ -19,8 +19,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::line_scan_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -253,7 +252,7 @@ TEST(LineScan, IsRefusedWithTheLine) {
 }
 
 TEST(LineScan, IsNotEveryTable) {
-  for (const std::string text :
+  for (const std::string& text :
        {std::string("1 2 3\n4 5 6\n"), std::string("1 2\n0 5\n3 3\n"),
         std::string(99, '\0'), std::string("PK\x03\x04"), std::string("a b\n"),
         std::string("# Width: 1 um\n# Height: 2 um\n1 2\n3 4\n5 6\n7 8\n")})
@@ -322,5 +321,4 @@ TEST(SpectrumTable, IsReadAsATabulatedSpectrum) {
   EXPECT_NEAR(read(1e6) / 3e-28, 1.0, 1e-7);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::line_scan_test

@@ -15,8 +15,7 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/row_file_check.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::list_rows_test {
 
 using namespace tests_of_rows;
 using mechanics::MapFormat;
@@ -350,5 +349,4 @@ TEST(TextRows, WithEmptyCellsAreThoseOfTheWholeFile) {
   }
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::list_rows_test

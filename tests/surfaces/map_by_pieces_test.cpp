@@ -9,8 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::map_by_pieces_test {
 
 /// A map without symmetries.
 HeightMap uneven_map(const Grid& grid) {
@@ -82,5 +81,4 @@ TEST(MapByPieces, HasTheMeasuresOfTheMapInMemory) {
             line_offset_ratio(map));
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::map_by_pieces_test

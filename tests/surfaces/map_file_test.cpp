@@ -14,8 +14,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::map_file_test {
 
 using mechanics::MapFormat;
 using namespace std::string_literals;
@@ -193,5 +192,4 @@ TEST(MapFile, ReadsFromDiskAndRefusesWhatIsNotAFile) {
         << bad;
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::map_file_test

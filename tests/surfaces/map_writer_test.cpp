@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::map_writer_test {
 
 namespace fs = std::filesystem;
 
@@ -147,5 +146,4 @@ TEST_F(MapWriter, ReportsAFileThatNoReaderAccepts) {
   }
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::map_writer_test

@@ -10,8 +10,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::measured_map_test {
 
 /// A rough map of 20 x 20 points of 1 um; `change` replaces single words.
 mechanics::SurfaceSpec surface_of(const std::string& name,
@@ -163,5 +162,4 @@ TEST(MeasuredMap, RemovesASphere) {
   EXPECT_EQ(measured_map(surface).map.heights.size(), 400U);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::measured_map_test

@@ -19,8 +19,7 @@
 #include "tests/message_of.hpp"
 #include "tests/surfaces/measured_files.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::measured_rows_test {
 
 using namespace tests_of_rows;
 
@@ -243,5 +242,4 @@ TEST(MeasuredRows, OfAnHdf5FileAreThoseOfTheWholeFile) {
   EXPECT_ANY_THROW(file->rows(3, 2));
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::measured_rows_test

@@ -15,8 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/surfaces/measured_files.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::missing_rows_test {
 
 using namespace tests_of_rows;
 
@@ -134,5 +133,4 @@ TEST(MissingRows, MarksAreRefusedByAllRanks) {
   });
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::missing_rows_test

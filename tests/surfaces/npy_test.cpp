@@ -13,8 +13,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::npy_test {
 
 using namespace std::string_literals;
 
@@ -132,5 +131,4 @@ TEST(Npy, RefusesWhatItCannotRead) {
       "accepted");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::npy_test

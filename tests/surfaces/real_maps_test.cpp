@@ -12,8 +12,7 @@
 #include <filesystem>
 #include <string>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::real_maps_test {
 
 namespace fs = std::filesystem;
 
@@ -83,5 +82,4 @@ TEST_F(RealMaps, AgreeWithGwyddion) {
   }
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::real_maps_test

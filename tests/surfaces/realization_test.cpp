@@ -18,8 +18,7 @@
 #include "tests/base/fields.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::realization_test {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double length = 1e-5; // m
@@ -226,5 +225,4 @@ TEST(DrawMode, DependsOnEveryPartOfTheKey) {
   EXPECT_NE(draw, draw_mode({42, 3, RandomStream{2}}, 5, -7).second);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::realization_test

@@ -15,8 +15,7 @@
 
 #include "tests/base/fields.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::resample_test {
 
 constexpr double length_x = 3.0;
 constexpr double length_y = 2.0;
@@ -191,5 +190,4 @@ TEST(Resample, RefusesWhatIsNotTheSameRectangle) {
   EXPECT_THROW(low_passed(map, -1.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::resample_test

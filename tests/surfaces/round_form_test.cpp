@@ -8,8 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::round_form_test {
 
 /// Heights over x, y [m] from the middle of a map of 40 by 30 um.
 HeightMap form_of(const std::function<double(double, double)>& height) {
@@ -83,5 +82,4 @@ TEST(RoundForm, KeepsTheRoughness) {
               0.01);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::round_form_test

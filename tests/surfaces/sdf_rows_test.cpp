@@ -8,8 +8,7 @@
 
 #include "tests/surfaces/row_file_check.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::sdf_rows_test {
 
 using namespace tests_of_rows;
 
@@ -87,5 +86,4 @@ TEST(SdfRows, OfAFileThatBecomesShorterAreRefused) {
             path + ": has fewer rows than when the run began");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::sdf_rows_test

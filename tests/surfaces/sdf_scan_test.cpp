@@ -14,8 +14,7 @@
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::sdf_scan_test {
 
 using namespace tests_of_formats;
 
@@ -106,5 +105,4 @@ TEST(SdfScan, ChecksTheSizesInItsHeader) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::sdf_scan_test

@@ -9,8 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::self_affine_fit_test {
 
 constexpr double unit = 2.0 * std::numbers::pi; // of a side of 1 m
 
@@ -144,5 +143,4 @@ TEST(SelfAffineFit, HasIntervalsThatContainTheExactValue) {
   EXPECT_NEAR(width / (3.92 * scatter), 1.0, 0.25);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::self_affine_fit_test

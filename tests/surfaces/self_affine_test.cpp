@@ -11,8 +11,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::self_affine_test {
 
 // The surface of the paper's molecular dynamics, cut at zeta = 4.
 constexpr SelfAffineShape paper{0.8, 6.04e7, 1.81e8, 4.0 * 1.81e8};
@@ -164,5 +163,4 @@ TEST(SelfAffineSpectrum, RefusesAnImpossibleShapeByName) {
             "rms_height = -1, but must be finite and > 0 [m]");
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::self_affine_test

@@ -12,8 +12,7 @@
 
 #include "tests/ranks/thread_ranks.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::shared_rows_test {
 
 constexpr double length = 1e-5; // m
 constexpr double unit = 2.0 * std::numbers::pi / length;
@@ -144,5 +143,4 @@ TEST(SharedSurface, RefusesAnotherGridAndASmoothedShape) {
   });
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::shared_rows_test

@@ -14,8 +14,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::spectrum_estimate_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double unit = 2.0 * pi; // of a side of 1 m
@@ -188,5 +187,4 @@ TEST(ReliableRange, EndsWhereTheTipIsTooBlunt) {
   EXPECT_THROW(tip_length(scales, 0.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::spectrum_estimate_test

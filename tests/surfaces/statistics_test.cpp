@@ -17,8 +17,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::statistics_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double length = 1e-5;
@@ -215,5 +214,4 @@ TEST(Statistics, RefuseImpossibleBins) {
   EXPECT_THROW(spectral_shells(map, 0.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::statistics_test

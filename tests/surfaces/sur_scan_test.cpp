@@ -9,8 +9,7 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/row_file_check.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::sur_scan_test {
 
 using namespace tests_of_rows;
 using tests_of_formats::little_endian;
@@ -249,5 +248,4 @@ TEST(SurScan, AgreesWithGwyddionWithoutSpecialPoints) {
   }
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::sur_scan_test

@@ -16,8 +16,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::surface_parameters_test {
 
 constexpr double pi = std::numbers::pi;
 
@@ -220,5 +219,4 @@ TEST(Autocorrelation, CountsThePairsInsideTheMap) {
       std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::surface_parameters_test

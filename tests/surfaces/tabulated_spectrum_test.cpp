@@ -13,8 +13,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::tabulated_spectrum_test {
 
 TabulatedSpectrum read(const std::string& text) {
   return read_tabulated_spectrum_text(text, "polymer.csv");
@@ -107,5 +106,4 @@ TEST(TabulatedSpectrum, RefusesBadArgumentsByName) {
   EXPECT_THROW(TabulatedSpectrum({1.0, 2.0}, {1.0, 0.0}), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::tabulated_spectrum_test

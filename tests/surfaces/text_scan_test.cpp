@@ -12,8 +12,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::text_scan_test {
 
 using mechanics::MapFormat;
 
@@ -329,5 +328,4 @@ TEST(FourierScan, IsNoOtherTable) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::text_scan_test

@@ -6,8 +6,7 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/row_file_check.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::wsxm_scan_test {
 
 using namespace tests_of_rows;
 using tests_of_formats::little_endian;
@@ -129,5 +128,4 @@ TEST(WsxmScan, AgreesWithGwyddion) {
         << i;
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::wsxm_scan_test

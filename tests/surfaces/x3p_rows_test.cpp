@@ -13,8 +13,7 @@
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/row_file_check.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::x3p_rows_test {
 
 using namespace tests_of_rows;
 using namespace tests_of_formats;
@@ -233,5 +232,4 @@ TEST(X3pRows, OfAListInMainXmlAreNotReadByRows) {
   EXPECT_FALSE(row_file(x3p({{"main.xml", text}}), {}));
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::x3p_rows_test

@@ -13,8 +13,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::surfaces {
-namespace {
+namespace asperity::surfaces::x3p_scan_test {
 
 using Members = std::map<std::string, std::string>;
 
@@ -193,5 +192,4 @@ TEST(X3pScan, ReadsAnArchiveOfAFolder) {
             std::string::npos);
 }
 
-} // namespace
-} // namespace asperity::surfaces
+} // namespace asperity::surfaces::x3p_scan_test

@@ -8,8 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::absorbed_flux_test {
 
 // Times that are dense towards 0, as those of a spectrum are, up to tau = 1.
 MovingBoundary boundary_of(int n_steps, auto distance, auto rate) {
@@ -117,5 +116,4 @@ TEST(AbsorbedFlux, RefusesInvalidBoundaries) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::absorbed_flux_test

@@ -13,8 +13,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::adhesion_test {
 
 using std::numbers::pi;
 
@@ -186,5 +185,4 @@ TEST(RoughAdhesion, PullsOffAsJkrAndRefuses) {
   EXPECT_THROW(adhesion(40).complete_contact(0.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::adhesion_test

@@ -11,8 +11,7 @@
 
 #include "tests/theory/axisymmetric.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::adhesive_sphere_test {
 
 using std::numbers::pi;
 
@@ -196,5 +195,4 @@ TEST(MaugisSphere, FindsTheContactOfALoad) {
   EXPECT_THROW(jkr_contact({1e-2, 3e6, 0.0}, 1e-4), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::adhesive_sphere_test

@@ -13,8 +13,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::asperity_models_test {
 
 using std::numbers::pi;
 
@@ -183,5 +182,4 @@ TEST(AsperityModels, RefuseWhatIsOutsideItsRange) {
   }
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::asperity_models_test

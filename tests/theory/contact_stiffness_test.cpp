@@ -10,8 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::contact_stiffness_test {
 
 constexpr double modulus = 2e9, radius = 1e-4, poisson = 0.3;
 
@@ -74,5 +73,4 @@ TEST(ContactStiffness, RefusesArgumentsOutsideTheirRange) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::contact_stiffness_test

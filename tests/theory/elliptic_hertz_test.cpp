@@ -10,8 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::elliptic_hertz_test {
 
 using std::numbers::pi;
 
@@ -90,5 +89,4 @@ TEST(EllipticHertz, LoadIsTheIntegralOfThePressure) {
   EXPECT_THROW(elliptic_factors(1.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::elliptic_hertz_test

@@ -11,8 +11,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::gap_distribution_test {
 
 double between(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 100001) * 1e-5;
@@ -103,5 +102,4 @@ TEST(GapDistribution, RunsFromTheContactWeightToOne) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::gap_distribution_test

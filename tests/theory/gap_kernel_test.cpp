@@ -10,8 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::gap_kernel_test {
 
 using Quadrature = boost::math::quadrature::tanh_sinh<double>;
 
@@ -146,5 +145,4 @@ TEST(CubicEnergyConstant, IsTheIntegralItReplaces) {
   EXPECT_NEAR(cubic_energy_constant(), integral, 1e-14);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::gap_kernel_test

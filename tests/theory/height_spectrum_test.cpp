@@ -15,8 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::height_spectrum_test {
 
 using std::numbers::pi;
 
@@ -236,5 +235,4 @@ TEST(SpectrumInput, IsRefusedByName) {
                   .starts_with("number of shells with roughness = 0"));
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::height_spectrum_test

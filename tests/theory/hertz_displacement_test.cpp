@@ -10,8 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::hertz_displacement_test {
 
 constexpr double modulus = 70e9; // E*, Pa
 const HertzContact contact = hertz_contact(2.0, 5e-3, modulus);
@@ -141,5 +140,4 @@ TEST(HertzDisplacement, RefusesInvalidPositionsAndBodies) {
       std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::hertz_displacement_test

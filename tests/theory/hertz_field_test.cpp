@@ -9,8 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::hertz_field_test {
 
 const HertzContact contact = hertz_contact(2.0, 5e-3, 70e9);
 const double a = contact.contact_radius;
@@ -113,5 +112,4 @@ TEST(HertzStress, RefusesInvalidPositionsAndBodies) {
   EXPECT_THROW(hertz_stress(contact, 0.0, 0.0, 0.6), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::hertz_field_test

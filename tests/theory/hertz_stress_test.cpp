@@ -10,8 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::hertz_stress_test {
 
 const HertzContact contact = hertz_contact(2.0, 5e-3, 70e9);
 
@@ -76,5 +75,4 @@ TEST(HertzAxisStress, RefusesWhatIsOutsideItsRange) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::hertz_stress_test

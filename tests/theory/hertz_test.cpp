@@ -15,8 +15,7 @@
 #include "tests/message_of.hpp"
 #include "tests/theory/plain_contact.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::hertz_test {
 
 using std::numbers::pi;
 
@@ -238,5 +237,4 @@ TEST(HertzInput, RefusesBadArgumentsByName) {
               }).starts_with("period = 0"));
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::hertz_test

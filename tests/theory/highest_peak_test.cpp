@@ -12,8 +12,7 @@
 
 #include "spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::highest_peak_test {
 
 constexpr double side = 104e-9;
 // The roughness begins at the longest wave of the cell.
@@ -136,5 +135,4 @@ TEST(ExpectedHighest, RefusesWhatIsTooSmall) {
   EXPECT_THROW(peaks_above({0.0, 1.0, 1.0}, 1.0, 3.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::highest_peak_test

@@ -11,8 +11,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::leakage_test {
 
 constexpr double modulus = 10e6, reference = 1e4;
 constexpr Fluid water{1e3, 1e-3};
@@ -95,5 +94,4 @@ TEST(Leakage, RefusesWhatIsOutsideItsRange) {
   EXPECT_THROW(leakage(contact, water, 1e5, 1.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::leakage_test

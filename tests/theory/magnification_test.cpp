@@ -13,8 +13,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::magnification_test {
 
 using std::numbers::pi;
 
@@ -212,5 +211,4 @@ TEST(Magnification, RefusesWhatIsOutsideItsRange) {
   EXPECT_THROW(contact.magnification_of_area(1.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::magnification_test

@@ -12,8 +12,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::persson_identities_test {
 
 using std::numbers::pi;
 
@@ -225,5 +224,4 @@ TEST(PerssonEpsilon, IsThePapersIntegral) {
   }
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::persson_identities_test

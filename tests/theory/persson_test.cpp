@@ -12,8 +12,7 @@
 #include "tests/message_of.hpp"
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::persson_test {
 
 // The numbers are printed to 12 digits: half a unit of the last, relative.
 constexpr double printed = 5e-12;
@@ -206,5 +205,4 @@ TEST(PerssonInput, RefusesBadArgumentsByName) {
               }).starts_with("number of points = 0"));
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::persson_test

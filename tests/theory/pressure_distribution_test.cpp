@@ -15,8 +15,7 @@
 
 #include "tests/message_of.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::pressure_distribution_test {
 
 using std::numbers::pi;
 constexpr double variance = 4.0e16; // G [Pa^2], sqrt(G) = 200 MPa
@@ -149,5 +148,4 @@ TEST(PressureDistributionInput, RefusesBadArgumentsByName) {
       "rms_slope"));
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::pressure_distribution_test

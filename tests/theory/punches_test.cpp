@@ -10,8 +10,7 @@
 
 #include "tests/theory/axisymmetric.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::punches_test {
 
 constexpr double modulus = 2e9, load = 3.0;
 
@@ -130,5 +129,4 @@ TEST(FlatPunch, SinksToItsRecessAtADistance) {
               1e-3, 1e-15);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::punches_test

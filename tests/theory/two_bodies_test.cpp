@@ -11,8 +11,7 @@
 
 #include "tests/theory/spectra.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::two_bodies_test {
 
 // Equal bodies halve E*; with a rigid body it is that of the other. Tolerance:
 // roundoff.
@@ -86,5 +85,4 @@ TEST(TwoBodies, ShellsJoin) {
                std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::two_bodies_test

@@ -14,8 +14,7 @@
 #include "tests/theory/wave_2d_elements.hpp"
 #include "tests/theory/wave_2d_solution.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::wave_2d_table_test {
 
 // D = 1, p* = 1
 const Wave2dContact wave(1.0, 1.0,
@@ -152,5 +151,4 @@ TEST(Wave2dBetween, ScalesWithTheWave) {
               1.0, 1e-12);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::wave_2d_table_test

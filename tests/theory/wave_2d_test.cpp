@@ -11,8 +11,7 @@
 
 #include "tests/theory/plain_contact.hpp"
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::wave_2d_test {
 
 using std::numbers::pi;
 
@@ -128,5 +127,4 @@ TEST(Wave2dInput, RefusesBadArguments) {
   EXPECT_THROW(Wave2dContact(1.0, 1.0, 0.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::wave_2d_test

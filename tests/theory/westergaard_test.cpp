@@ -11,8 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace asperity::theory {
-namespace {
+namespace asperity::theory::westergaard_test {
 
 using std::numbers::pi;
 
@@ -151,5 +150,4 @@ TEST(WestergaardInput, RefusesBadArgumentsByName) {
   EXPECT_THROW(WestergaardContact(1.0, 1.0, -1.0), std::domain_error);
 }
 
-} // namespace
-} // namespace asperity::theory
+} // namespace asperity::theory::westergaard_test
