@@ -3,7 +3,7 @@
 #include "base/maximum.hpp"
 #include "contact/operators/gathered_operator.hpp"
 #include "contact/solvers/active_system.hpp"
-#include "contact/solvers/problem_start.hpp"
+#include "contact/solvers/iteration.hpp"
 #include "contact/solvers/projected_state.hpp"
 
 #include <algorithm>

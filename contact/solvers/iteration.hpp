@@ -62,4 +62,18 @@ protected:
                               const Observed& sums);
 };
 
+/// Factor that scales a pressure with this (weighted) sum over the nodes to the
+/// prescribed load. It is NaN if it cannot be computed to full precision: the
+/// sum is 0, not finite, or out of proportion to the load.
+double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
+                  double pressure_sum);
+
+/// Scales the pressure to the mean pressure of the target, if the target
+/// prescribes one. If no node carries a load, the pressure, and hence its
+/// residual, becomes NaN.
+/// @param workers  the result does not depend on their number
+void scale_to_target(const mechanics::LoadTarget& target,
+                     std::span<const double> weights,
+                     std::span<double> pressure, const Workers& workers = 1);
+
 } // namespace asperity::contact

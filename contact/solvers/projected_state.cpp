@@ -1,7 +1,5 @@
 #include "contact/solvers/projected_state.hpp"
 
-#include "contact/solvers/problem_start.hpp"
-
 #include <cmath>
 #include <utility>
 

@@ -13,6 +13,16 @@
 
 #include "ranks/node_sums.hpp"
 
+// A tour: solve_contact_from() below is the loop. ContactState holds the fields
+// p, C p - h and the residual r and finds the active nodes (contact_state.hpp);
+// Directions, here, is one step of preconditioned conjugate gradients. Its
+// preconditioner (preconditioner.hpp) continues r across the edge of the
+// contact by the extension E (boundary_extension.hpp) and applies the inverse
+// of the operator (operators/surface_operator.hpp). The loops over nodes are in
+// node_kernels.hpp. load_sequence.hpp and coarse_start.cpp choose what pressure
+// an iteration starts from. hand_over() passes a problem that stalls to
+// active_set.hpp and polonsky_keer.cpp.
+
 namespace asperity::contact {
 namespace {
 
@@ -58,19 +68,23 @@ public:
 
   /// Makes one iteration. Returns false if there is no descent direction.
   bool step(ContactState& state) {
+    // z = E^T (C + c)^-1 E r
     precondition(state);
     if (!state.by_pressure())
       correct_load(state);
+    // d = z + beta d,  slope = <r, d>
     const double slope = conjugate(state);
     if (!(slope > 0.0 && std::isfinite(slope)))
       return false;
 
+    // C d,  curvature = <d, (C + c) d>
     state.elasticity.displacement_change(direction_, compliance_direction_);
     ++state.transforms;
     const double curvature = energy(state);
     if (!(curvature > 0.0 && std::isfinite(curvature)))
       return false;
 
+    // p = max(0, p - slope / curvature d)
     state.advance(static_cast<float>(slope / curvature), direction_,
                   compliance_direction_);
     return true;
