@@ -182,9 +182,6 @@ MapFacts prepare_rows(const SurfaceSpec& surface, const SharedRows& rows,
 
 MeasuredMap measured_map(const SurfaceSpec& surface) {
   Scan scan = read_scan(surface.file, request_of_map(surface));
-  for (std::size_t i = 0; i < scan.is_missing.size(); ++i)
-    if (scan.is_missing[i] != 0)
-      scan.map.heights[i] = std::numeric_limits<double>::quiet_NaN();
   if (surface.crop)
     crop(scan.map, window_of_map(surface, scan.map.grid));
   const MapFacts facts = prepare_rows(surface, SharedRows(scan.map.grid),

@@ -14,19 +14,18 @@ namespace asperity::surfaces {
 
 /// Why one process must hold the whole map before its rows can be used, as the
 /// beginning of a sentence; empty if ranks can read its rows, which depends on
-/// the format (row_file.hpp). The file is read once for missing points, by
-/// pieces of a few MB.
+/// the format (OpenMap::reads_rows). The file is then read once for missing
+/// points, by pieces of a few MB.
 /// @throws input::InputError  as measured_map, apart from the flat map and the
 ///                            spikes
 std::string reason_for_whole_map(const mechanics::SurfaceSpec& surface);
 
-/// The grid of the surface after its edge treatment, without its heights if the
-/// format of the file permits it.
+/// The grid of the surface after its edge treatment, without its heights.
 /// @throws input::InputError  as measured_map
 Grid measured_grid(const mechanics::SurfaceSpec& surface);
 
-/// As measured_map(), without the heights if ranks can read its rows and
-/// surface.remove_spikes is not given.
+/// As measured_map(), without the heights unless surface.remove_spikes is
+/// given.
 /// @throws input::InputError  as measured_map
 MeasuredMap described_map(const mechanics::SurfaceSpec& surface);
 

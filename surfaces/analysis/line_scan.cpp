@@ -239,19 +239,20 @@ bool is_line_scan(const std::string& path) {
   head.resize(static_cast<std::size_t>(file.gcount()));
   if (recognised_format(head) != mechanics::MapFormat::automatic)
     return false;
-  NumberTableReader reader(path, NumberStyle::profile);
-  std::size_t columns = 0;
-  bool is_text = true;
   try {
-    each_line(path, 0, [&](std::string_view line, std::uint64_t) {
-      is_text = line.find('\0') == std::string_view::npos;
-      if (is_text)
-        reader.take(line);
+    const std::string text =
+        input::read_input_file(path, input::largest_number_file);
+    if (text.find('\0') != std::string::npos)
+      return false;
+    NumberTableReader reader(path, NumberStyle::profile);
+    std::size_t columns = 0;
+    each_line(text, [&](std::string_view line) {
+      reader.take(line);
       columns = std::max(columns, reader.numbers_so_far().size());
       // A map need not be parsed twice: two rows tell.
-      return is_text && !(reader.rows() > 1 && columns > 2);
+      return reader.rows() <= 1 || columns <= 2;
     });
-    if (!is_text || (reader.rows() > 1 && columns > 2))
+    if (reader.rows() > 1 && columns > 2)
       return false;
     const NumberTable table = reader.finish();
     return is_line(table) && !is_headed_map(table);

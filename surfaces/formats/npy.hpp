@@ -3,8 +3,9 @@
 // Reads and writes matrices in NumPy's .npy format, versions 1 to 3
 // (numpy.lib.format), from any byte order and storage order.
 
+#include "surfaces/formats/map_bytes.hpp"
+
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -31,16 +32,13 @@ struct NpyLayout {
 };
 
 /// Reads the header.
-/// @param beginning   at least the header, or the whole file
-/// @param file_bytes  size of the file
 /// @throws input::InputError  as read_npy_text
-NpyLayout npy_layout(std::string_view beginning, std::uintmax_t file_bytes,
-                     const std::string& name);
+NpyLayout npy_layout(const MapBytes& bytes);
 
-/// Converts bytes of the file to numbers.
-/// @param bytes  numbers.size() * layout.width bytes
-void npy_numbers(const NpyLayout& layout, std::string_view bytes,
-                 std::span<double> numbers);
+/// Reads whole rows, by pieces of some MB [1].
+/// @throws input::InputError  the file has become shorter
+std::vector<double> npy_rows(const MapBytes& bytes, const NpyLayout& layout,
+                             int first, int count);
 
 /// Reads a two-dimensional array of 4- or 8-byte floating-point numbers. They
 /// need not be finite.

@@ -6,6 +6,7 @@
 #include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,10 +39,8 @@ struct FileNumbers {
 /// points not filled.
 struct Scan {
   /// Rows and columns as in the file, the first row at y = 0; pixels need not
-  /// be square. Every height is finite; those of missing points are 0.
+  /// be square. Every height is finite, or NaN at a missing point.
   HeightMap map;
-  /// 1 for each missing point, else 0; empty if no point is missing.
-  std::vector<char> is_missing;
   std::string channel; ///< title of the channel; may be empty
   std::string reader;  ///< which reader answered, e.g. "own reader of X3P"
   FileNumbers numbers = {};
@@ -66,10 +65,34 @@ struct ChannelInfo {
   int points_y = 0;
 };
 
+/// A channel of a file whose rows can be read.
+struct OpenMap {
+  Grid grid;           ///< of the whole file
+  std::string channel; ///< title; may be empty
+  std::string reader;  ///< as Scan::reader
+  /// Returns whole rows in the order of the file [m], not finite at missing
+  /// points. Throws input::InputError if the file can no longer be read.
+  std::function<std::vector<double>(int first, int count)> rows;
+  FileNumbers numbers = {};
+  /// Whether these rows alone are read from the file; else the whole map is in
+  /// memory.
+  bool reads_rows = true;
+};
+
 /// Number of missing points.
 std::size_t count_missing(const Scan& scan);
 
-/// Reads a channel of a file.
+/// Opens a channel of a file.
+/// @throws input::InputError  as read_scan(), unless all points are missing or
+///                            rows() cannot read the numbers
+OpenMap open_map(const std::string& path, const ScanRequest& request);
+
+/// Whether the format of a file permits to read its rows alone: without opening
+/// it, which may take long if false.
+/// @throws input::InputError  the file is not a regular file, or too large
+bool may_read_rows(const std::string& path, mechanics::MapFormat format);
+
+/// Reads a channel of a file: all rows of open_map().
 /// @throws input::InputError  the file is not a regular file, too large, of an
 ///                            unknown format or malformed (with its line or the
 ///                            part of the file), it has no such channel, or a

@@ -1,10 +1,12 @@
 #include "surfaces/formats/scan_formats.hpp"
 
 #include "surfaces/formats/length_units.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <utility>
 
 namespace asperity::surfaces {
@@ -70,41 +72,89 @@ bool looks_like_text(std::string_view bytes) {
          });
 }
 
-} // namespace
-
-bool is_zip(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04"sv);
+bool begins_with(std::string_view bytes,
+                 std::initializer_list<std::string_view> beginnings) {
+  return std::ranges::any_of(
+      beginnings, [&](std::string_view one) { return bytes.starts_with(one); });
 }
 
+bool is_x3p(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04"sv) &&
+         bytes.find("main.xml") != std::string_view::npos;
+}
+
+/// Texts with headers of their own, which Gwyddion reads.
+bool is_foreign_text(std::string_view bytes) {
+  return begins_with(bytes, {"Wyko ASCII Data File Format",
+                             "ISO/TC 201 SPM data transfer format",
+                             "Gwyddion XYZ Field 1.0", "//Exported ASCII-File",
+                             "# Daisy ", "# Sensolytics: ", "[Header Section]",
+                             "\tX,nm\t0\t"});
+}
+
+bool is_never(std::string_view) {
+  return false;
+}
+
+/// All formats. The first one that recognises the bytes reads them.
+constexpr MapReader map_readers[] = {
+    {MapFormat::gwy,
+     [](std::string_view bytes) { return bytes.starts_with("GWYP"); }, open_gwy,
+     false, gwy_channels},
+    {MapFormat::npy,
+     [](std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); },
+     open_npy, true, npy_channels},
+    {MapFormat::hdf5,
+     [](std::string_view bytes) {
+       return bytes.starts_with("\x89HDF\r\n\x1A\n");
+     },
+     open_hdf5, true, hdf5_channels},
+    {MapFormat::sdf,
+     [](std::string_view bytes) {
+       return begins_with(bytes,
+                          {"aISO-1.0", "bISO-1.0", "aBCR-1.0", "bBCR-1.0"});
+     },
+     open_sdf, true},
+    {MapFormat::sur,
+     [](std::string_view bytes) {
+       return begins_with(bytes, {"DIGITAL SURF", "DSCOMPRESSED"});
+     },
+     open_sur, true},
+    {MapFormat::wsxm,
+     [](std::string_view bytes) { return bytes.starts_with("WSxM file"); },
+     open_wsxm, true},
+    {MapFormat::x3p, is_x3p, open_x3p},
+    {MapFormat::automatic,
+     [](std::string_view bytes) {
+       return looks_like_text(bytes) && !is_foreign_text(bytes);
+     },
+     open_text, false, text_channels},
+    {MapFormat::plain, is_never, open_text},
+    {MapFormat::gwyddion, is_never, open_text},
+    {MapFormat::xyz, is_never, open_text},
+    {MapFormat::convert, [](std::string_view) { return true; }, open_converted,
+     false, converted_channels}};
+
+const MapReader& recognised_reader(std::string_view bytes) {
+  return *std::ranges::find_if(map_readers, [&](const MapReader& reader) {
+    return reader.recognises(bytes);
+  });
+}
+
+} // namespace
+
 MapFormat recognised_format(std::string_view bytes) {
-  static constexpr std::pair<std::string_view, MapFormat> beginnings[] = {
-      {"GWYP", MapFormat::gwy},
-      {"\x93NUMPY", MapFormat::npy},
-      {"\x89HDF\r\n\x1A\n", MapFormat::hdf5},
-      {"aISO-1.0", MapFormat::sdf},
-      {"bISO-1.0", MapFormat::sdf},
-      {"aBCR-1.0", MapFormat::sdf},
-      {"bBCR-1.0", MapFormat::sdf},
-      {"DIGITAL SURF", MapFormat::sur},
-      {"DSCOMPRESSED", MapFormat::sur},
-      {"WSxM file", MapFormat::wsxm},
-      // Texts with headers of their own, which Gwyddion reads.
-      {"Wyko ASCII Data File Format", MapFormat::convert},
-      {"ISO/TC 201 SPM data transfer format", MapFormat::convert},
-      {"Gwyddion XYZ Field 1.0", MapFormat::convert},
-      {"//Exported ASCII-File", MapFormat::convert},
-      {"# Daisy ", MapFormat::convert},
-      {"# Sensolytics: ", MapFormat::convert},
-      {"[Header Section]", MapFormat::convert},
-      {"\tX,nm\t0\t", MapFormat::convert}};
-  for (const auto& [beginning, format] : beginnings)
-    if (bytes.starts_with(beginning))
-      return format;
-  if (is_zip(bytes))
-    return bytes.find(x3p_member) != std::string_view::npos
-               ? MapFormat::x3p
-               : MapFormat::convert;
-  return looks_like_text(bytes) ? MapFormat::automatic : MapFormat::convert;
+  return recognised_reader(bytes).format;
+}
+
+const MapReader& reader_of_map(const MapBytes& bytes, MapFormat format) {
+  if (format != MapFormat::automatic)
+    return *std::ranges::find(map_readers, format, &MapReader::format);
+  const MapReader& found = recognised_reader(bytes.beginning());
+  // Texts and archives are known by all of their bytes.
+  const bool is_certain = found.format != MapFormat::automatic &&
+                          found.format != MapFormat::convert;
+  return is_certain ? found : recognised_reader(bytes.all());
 }
 
 namespace {

@@ -1,25 +1,16 @@
 #include "base/require.hpp"
 #include "input/input_error.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace asperity::surfaces {
-
-std::size_t count_missing(const Scan& scan) {
-  return static_cast<std::size_t>(
-      std::count(scan.is_missing.begin(), scan.is_missing.end(), char{1}));
-}
-
-void multiply_heights(Scan& scan, double factor) {
-  for (double& height : scan.map.heights)
-    height *= factor;
-}
 
 void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
                         const std::optional<double>& missing_value) {
@@ -33,19 +24,26 @@ void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
     }
 }
 
-void mark_missing(Scan& scan, const std::string& name) {
-  std::vector<double>& heights = scan.map.heights;
-  const auto is_bad = [](double height) { return !std::isfinite(height); };
-  if (std::none_of(heights.begin(), heights.end(), is_bad))
-    return;
-  scan.is_missing.resize(heights.size(), 0);
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    if (is_bad(heights[i])) {
-      scan.is_missing[i] = 1;
-      heights[i] = 0.0;
-    }
-  if (count_missing(scan) == heights.size())
-    throw input::InputError(name + ": all points are missing");
+OpenMap map_in_memory(const Grid& grid, std::vector<double> values,
+                      const std::string& reader, const FileNumbers& numbers) {
+  for (double& value : values)
+    value *= numbers.unit;
+  const auto heights =
+      std::make_shared<const std::vector<double>>(std::move(values));
+  OpenMap map{grid, "", reader, {}, numbers, false};
+  map.rows = [heights, grid](int first, int count) {
+    const auto begin =
+        heights->begin() + static_cast<std::ptrdiff_t>(grid.index(0, first));
+    return std::vector<double>(
+        begin, begin + static_cast<std::ptrdiff_t>(grid.index(0, count)));
+  };
+  return map;
+}
+
+void require_file(const MapBytes& bytes) {
+  if (!bytes.is_file())
+    throw input::InputError(bytes.name() +
+                            ": this format is read from files only");
 }
 
 Grid grid_by_scale(const Grid& points, const std::string& name,
@@ -70,19 +68,6 @@ Grid grid_by_scale(const Grid& points, const std::string& name,
   return grid;
 }
 
-Scan scan_by_scale(const Grid& points, std::vector<double> numbers,
-                   const std::string& name, const std::string& what,
-                   const MapScale& scale) {
-  Scan scan{{grid_by_scale(points, name, what, scale), std::move(numbers)},
-            {},
-            "",
-            "",
-            {.unit = *scale.height_unit}};
-  multiply_heights(scan, *scale.height_unit);
-  mark_missing(scan, name);
-  return scan;
-}
-
 void refuse_scale(const MapScale& scale, const std::string& name) {
   const std::pair<const char*, const std::optional<double>*> keys[] = {
       {"length", &scale.length},
@@ -99,26 +84,17 @@ void refuse_scale(const MapScale& scale, const std::string& name) {
 
 void refuse_channel(const ScanRequest& request, const std::string& channel,
                     const std::string& name) {
-  if (names_another(request.channel, channel))
+  if (request.channel && *request.channel != channel && *request.channel != "1")
     throw input::InputError(fmt::format(
         "surface.channel must be left out: {} has only one channel", name));
 }
 
-namespace {
-
-constexpr std::int64_t most_points = 1 << 20; // along a side
-
-} // namespace
-
-bool are_sizes_sound(std::int64_t points_x, std::int64_t points_y) {
-  return points_x >= 2 && points_y >= 2 && points_x <= most_points &&
-         points_y <= most_points;
-}
-
 void require_sound_grid(const std::string& name, std::int64_t points_x,
                         std::int64_t points_y, double bytes_each,
-                        std::size_t bytes) {
-  if (!are_sizes_sound(points_x, points_y))
+                        std::uintmax_t bytes) {
+  constexpr std::int64_t most_points = 1 << 20; // along a side
+  if (std::min(points_x, points_y) < 2 ||
+      std::max(points_x, points_y) > most_points)
     throw input::InputError(
         fmt::format("{}: has {} x {} points, but a map must "
                     "have 2 to {} along each side",

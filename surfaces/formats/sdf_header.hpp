@@ -3,14 +3,11 @@
 // This internal header of surfaces/formats contains what binary SDF files and
 // those as text (ISO 25178-71) have in common.
 
-#include "surfaces/formats/row_file.hpp"
 #include "surfaces/formats/scan.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace asperity::surfaces {
 
@@ -33,19 +30,9 @@ struct SdfHeader {
   FileNumbers file_numbers() const {
     return {.unit = scale_z, .has_own_marks = true};
   }
-
-  /// The map of the numbers of the file.
-  /// @throws input::InputError  all points are missing
-  Scan scan(std::vector<double> numbers, const std::string& name,
-            const char* reader) const;
 };
 
 /// A file as text.
-/// @throws input::InputError  as read_sdf_scan()
-Scan read_sdf_text(std::string_view bytes, const std::string& name);
-
-/// The same file by rows. The whole text is read once, by pieces, for the
-/// places of its rows, wherever its lines end.
-RowFile sdf_text_rows(const std::string& path);
+OpenMap open_sdf_text(std::string_view text, const std::string& name);
 
 } // namespace asperity::surfaces

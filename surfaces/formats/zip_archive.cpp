@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <zip.h>
 
@@ -24,58 +25,20 @@ zip_t* as_zip(void* archive) {
 
 } // namespace
 
-void ZipMember::Close::operator()(void* member) const {
-  zip_fclose(static_cast<zip_file_t*>(member));
-}
-
-void ZipMember::refuse(const std::string& what) const {
-  throw input::InputError(name_ + ": " + what);
-}
-
-std::size_t ZipMember::read(std::span<char> bytes) {
-  std::size_t filled = 0;
-  while (filled < bytes.size()) {
-    const zip_int64_t count = zip_fread(static_cast<zip_file_t*>(file_.get()),
-                                        &bytes[filled], bytes.size() - filled);
-    if (count < 0)
-      refuse("is damaged");
-    filled += static_cast<std::size_t>(count);
-    taken_ += static_cast<std::uint64_t>(count);
-    if (taken_ > size_)
-      refuse("is longer than the archive says");
-    if (count == 0 && taken_ != size_)
-      refuse("is shorter than the archive says");
-    if (count == 0)
-      break;
-  }
-  return filled;
-}
-
 ZipArchive::ZipArchive(std::string_view bytes, std::string name)
     : name_(std::move(name)) {
   zip_error_t error;
   zip_error_init(&error);
-  open_source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error),
-              &error);
-}
-
-ZipArchive::ZipArchive(const std::string& path) : name_(path) {
-  zip_error_t error;
-  zip_error_init(&error);
-  open_source(zip_source_file_create(path.c_str(), 0, -1, &error), &error);
-}
-
-void ZipArchive::open_source(void* source, void* error) {
-  auto* const found = static_cast<zip_error_t*>(error);
-  auto* const bytes = static_cast<zip_source_t*>(source);
-  if (bytes != nullptr)
-    archive_ = zip_open_from_source(bytes, ZIP_RDONLY, found);
+  zip_source_t* const source =
+      zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  if (source != nullptr)
+    archive_ = zip_open_from_source(source, ZIP_RDONLY, &error);
   const std::string reason =
-      archive_ == nullptr ? zip_error_strerror(found) : "";
-  zip_error_fini(found);
+      archive_ == nullptr ? zip_error_strerror(&error) : "";
+  zip_error_fini(&error);
   if (archive_ != nullptr)
     return;
-  zip_source_free(bytes);
+  zip_source_free(source);
   throw input::InputError(
       fmt::format("{}: is a damaged zip archive ({})", name_, reason));
 }
@@ -144,7 +107,7 @@ void ZipArchive::refuse_member(const std::string& member,
       fmt::format("{}: {}: {}", name_, printable(member), what));
 }
 
-ZipMember ZipArchive::open(const std::string& member) const {
+std::string ZipArchive::member(const std::string& member) const {
   zip_stat_t facts;
   zip_stat_init(&facts);
   const std::int64_t index = index_of(member);
@@ -158,24 +121,24 @@ ZipMember ZipArchive::open(const std::string& member) const {
                   fmt::format("has {}, but must have at most {}",
                               bytes_text(static_cast<double>(facts.size)),
                               bytes_text(input::largest_number_file)));
-  zip_file_t* const file =
-      zip_fopen_index(as_zip(archive_), static_cast<zip_uint64_t>(index), 0);
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+      zip_fopen_index(as_zip(archive_), static_cast<zip_uint64_t>(index), 0),
+      zip_fclose);
   if (file == nullptr)
     refuse_member(member, "cannot be unpacked");
-  return {file, facts.size, fmt::format("{}: {}", name_, printable(member))};
-}
-
-std::string ZipArchive::member(const std::string& member) const {
-  ZipMember file = open(member);
   // The size is a claim of the archive: memory follows the bytes that come.
   std::string bytes;
-  constexpr std::size_t piece = std::size_t{1} << 20;
-  for (std::size_t count = piece; count == piece;) {
-    const std::size_t begin = bytes.size();
-    bytes.resize(begin + piece);
-    count = file.read(std::span(bytes).subspan(begin));
-    bytes.resize(begin + count);
+  std::string piece(std::size_t{1} << 20, '\0');
+  zip_int64_t count = 0;
+  while ((count = zip_fread(file.get(), piece.data(), piece.size())) > 0) {
+    bytes.append(piece, 0, static_cast<std::size_t>(count));
+    if (bytes.size() > facts.size)
+      refuse_member(member, "is longer than the archive says");
   }
+  if (count < 0)
+    refuse_member(member, "is damaged");
+  if (bytes.size() != facts.size)
+    refuse_member(member, "is shorter than the archive says");
   return bytes;
 }
 

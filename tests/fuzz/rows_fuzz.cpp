@@ -1,7 +1,7 @@
-// Reads any bytes as a map file whose rows are read separately: every row has
-// the heights that the file as a whole has, or the error is an InputError.
+// Reads any bytes as a map file by rows: every row has the heights that the
+// file as a whole has, or the error is an InputError.
 #include "input/input_error.hpp"
-#include "surfaces/formats/row_file.hpp"
+#include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/scan_formats.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +17,11 @@
 namespace asperity::fuzz {
 namespace {
 
-/// A file of its own name for each input, because the index of a text is found
-/// again only if name, size or time of the file have changed.
 class InputFile {
 public:
   explicit InputFile(const std::string& bytes) {
-    static int n_files = 0;
     path_ = std::filesystem::temp_directory_path() /
-            fmt::format("asperity-rows-{}-{}", ::getpid(), ++n_files);
+            fmt::format("asperity-rows-{}", ::getpid());
     std::ofstream(path_, std::ios::binary) << bytes;
   }
 
@@ -48,7 +45,7 @@ std::optional<surfaces::Scan> whole(const std::string& path,
   }
 }
 
-void compare_rows(const surfaces::RowFile& file, const surfaces::Scan& scan,
+void compare_rows(const surfaces::OpenMap& file, const surfaces::Scan& scan,
                   int first, int count) {
   const std::vector<double> rows = file.rows(first, count);
   const auto width = static_cast<std::size_t>(scan.map.grid.points_x);
@@ -56,7 +53,7 @@ void compare_rows(const surfaces::RowFile& file, const surfaces::Scan& scan,
           "rows have the points of the grid");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::size_t node = static_cast<std::size_t>(first) * width + i;
-    const bool is_missing = !scan.is_missing.empty() && scan.is_missing[node];
+    const bool is_missing = std::isnan(scan.map.heights[node]);
     require(std::isfinite(rows[i]) != is_missing,
             "the same points are missing");
     require(is_missing || rows[i] == scan.map.heights[node],
@@ -64,7 +61,7 @@ void compare_rows(const surfaces::RowFile& file, const surfaces::Scan& scan,
   }
 }
 
-void compare(const surfaces::RowFile& file, const surfaces::Scan& scan) {
+void compare(const surfaces::OpenMap& file, const surfaces::Scan& scan) {
   require(file.grid == scan.map.grid, "the grid is that of the file");
   require(file.reader == scan.reader, "the reader is the same");
   const int n_rows = file.grid.points_y;
@@ -72,15 +69,10 @@ void compare(const surfaces::RowFile& file, const surfaces::Scan& scan) {
   compare_rows(file, scan, 0, n_rows);
   compare_rows(file, scan, 0, 1);
   compare_rows(file, scan, n_rows - 1, 1);
-  const std::size_t missing = count_missing(scan);
-  require(file.missing.value_or(missing) == missing,
-          "as many points are missing");
-  require(!file.missing_in || file.missing_in({0, 0, file.grid}) == missing,
-          "as many points are missing in the whole window");
 }
 
 /// Whether no point has a height: the file is then refused as a whole.
-bool is_empty(const surfaces::RowFile& file) {
+bool is_empty(const surfaces::OpenMap& file) {
   for (const double height : file.rows(0, file.grid.points_y))
     if (std::isfinite(height))
       return false;
@@ -91,17 +83,17 @@ void read_as(const std::string& path, mechanics::MapFormat format,
              const surfaces::MapScale& scale) {
   const surfaces::ScanRequest request{format, {}, scale};
   const std::optional<surfaces::Scan> scan = whole(path, request);
-  std::optional<surfaces::RowFile> file;
+  std::optional<surfaces::OpenMap> file;
   try {
-    file = surfaces::row_file(path, request);
+    file = surfaces::open_map(path, request);
   } catch (const input::InputError&) {
     require(!scan, "the rows of a file that is a map are read");
     return;
   }
-  if (file && scan)
+  if (scan)
     compare(*file, *scan);
   else
-    require(!file || is_empty(*file), "a file that is no map is refused");
+    require(is_empty(*file), "a file that is no map is refused");
 }
 
 } // namespace

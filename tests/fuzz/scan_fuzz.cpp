@@ -1,6 +1,5 @@
 // Reads any bytes as a map file of each format that is read from memory: the
-// result is finite heights on a grid with flags of the missing points, or an
-// InputError.
+// result is heights on a grid, finite or missing, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
@@ -23,13 +22,10 @@ void read_as(const std::string& bytes, mechanics::MapFormat format,
     require(map.heights.size() == map.grid.size(), "the grid is the map's");
     require(map.grid.length_x > 0.0 && map.grid.length_y > 0.0,
             "lengths are positive");
-    require(scan.is_missing.empty() ||
-                scan.is_missing.size() == map.heights.size(),
-            "the flags are the map's");
     require(count_missing(scan) < map.heights.size(), "a point is measured");
     require(std::all_of(map.heights.begin(), map.heights.end(),
-                        [](double height) { return std::isfinite(height); }),
-            "heights are finite");
+                        [](double height) { return !std::isinf(height); }),
+            "heights are finite or missing");
   } catch (const input::InputError&) {
   }
 }

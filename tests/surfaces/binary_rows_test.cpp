@@ -1,22 +1,25 @@
-// Tests of the rows of maps in binary formats of instruments: the heights have
-// the bits of one process, and mistakes its messages. Tolerance: none.
+// Tests of the rows of maps in binary formats: the heights have the bits of one
+// process, and mistakes its messages. Tolerance: none.
 #include "input/input_error.hpp"
-#include "surfaces/formats/row_file.hpp"
 #include "surfaces/measured_rows.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/measured_files.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::binary_rows_test {
 
@@ -70,51 +73,13 @@ TEST(BinaryRows, OfSdfWithMissingPointsHaveTheBitsOfOneProcess) {
   EXPECT_EQ(described_map(surface).reader, "own reader of SDF (binary)");
 }
 
-/// A channel of another kind before that of the heights, which has a mask.
-std::string masked_gwy() {
-  std::vector<double> heights = heights_of_file();
-  for (double& number : heights)
-    number *= 1e-3;
-  std::vector<double> mask(heights.size(), 0.25);
-  for (const std::size_t i : {3, 80, 81, 500})
-    mask[i] = 0.5;
-  return gwy_file(
-      gwy_channel("0", "Deflection", "V", 10) +
-      gwy_part("/2/data", 'o', gwy_field("um", heights, width, height)) +
-      gwy_part("/2/data/title", 's', std::string("Height\0", 7)) +
-      gwy_part("/2/mask", 'o', gwy_field("", mask, width, height)));
-}
-
-TEST(BinaryRows, OfGwyHaveTheBitsOfOneProcess) {
-  const SurfaceSpec masked = scaled(file_of("masked.gwy", masked_gwy()));
-  expect_bits_of_one_process(masked);
-  EXPECT_EQ(described_map(masked).missing, 4U);
-  EXPECT_EQ(described_map(masked).channel, "Height");
-  EXPECT_EQ(described_map(masked).reader, "own reader of .gwy");
-
-  SurfaceSpec plain = scaled(file_of(
-      "plain.gwy",
-      gwy_file(gwy_part("/0/data", 'o',
-                        gwy_field("nm", heights_of_file(), width, height)))));
-  plain.edges = mechanics::Edges::mirror;
-  expect_bits_of_one_process(plain);
-}
-
 TEST(BinaryRows, AreRefusedAsInOneProcess) {
   const std::string sdf = binary_sdf(7, numbers_as<double>(), 1e-11, columns);
-  const std::string gwy = masked_gwy();
   const std::vector<SurfaceSpec> refused{
       scaled(file_of("short.sdf", sdf.substr(0, sdf.size() - 1))),
       scaled(file_of("header.sdf", sdf.substr(0, 60))),
       scaled(file_of("type.sdf", binary_sdf<double>(9, {1, 2, 3, 4, 5, 6}, 1))),
-      measured(file_of("scales.sdf", sdf)),
-      scaled(file_of("short.gwy", gwy.substr(0, gwy.size() - 1))),
-      scaled(file_of("volt.gwy", gwy_file(gwy_channel("0", "a", "V", 10)))),
-      scaled(file_of(
-          "mask.gwy",
-          gwy_file(gwy_channel("0", "a", "m", 10) +
-                   gwy_part("/0/mask", 'o', gwy_field("", {1, 2}, 2, 1))))),
-      measured(file_of("scales.gwy", gwy))};
+      measured(file_of("scales.sdf", sdf))};
   for (const SurfaceSpec& surface : refused) {
     SCOPED_TRACE(surface.file);
     const std::string expected = tests::message_of<input::InputError>(
@@ -131,11 +96,54 @@ TEST(BinaryRows, AreRefusedAsInOneProcess) {
 TEST(BinaryRows, OfAFileThatBecomesShorterAreRefused) {
   const std::string path = file_of(
       "shorter.sdf", binary_sdf(7, numbers_as<double>(), 1e-11, columns));
-  const auto file = row_file(path, {});
-  ASSERT_TRUE(file);
+  const OpenMap file = open_map(path, {});
   std::filesystem::resize_file(path, 200);
 
-  EXPECT_EQ(tests::message_of<input::InputError>([&] { file->rows(1, 2); }),
+  EXPECT_EQ(tests::message_of<input::InputError>([&] { file.rows(1, 2); }),
+            path + ": cannot be read to its end");
+}
+
+/// An .npy file in Fortran order.
+template <class Number>
+std::string fortran_npy(const std::vector<Number>& numbers, int rows,
+                        int columns, const std::string& type) {
+  std::string header = fmt::format(
+      "{{'descr': '{}', 'fortran_order': True, 'shape': ({}, {}), }}", type,
+      rows, columns);
+  header.resize(118, ' ');
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\1', '\0', 118, '\0'};
+  bytes += header;
+  for (const Number number : numbers) {
+    std::string one = little_endian(number);
+    if (type.front() == '>')
+      std::ranges::reverse(one);
+    bytes += one;
+  }
+  return bytes;
+}
+
+TEST(FortranRows, AreThoseOfTheWholeFile) {
+  const ScanRequest request{mechanics::MapFormat::automatic, {}, {1e-6, 1e-9}};
+  std::vector<double> numbers(9 * 13);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = i == 50 ? std::nan("") : std::sin(static_cast<double>(i));
+  const std::vector<float> singles(numbers.begin(), numbers.end());
+  for (const std::string type : {"<f8", ">f8"})
+    expect_rows_of(written("f8.npy", fortran_npy(numbers, 9, 13, type)),
+                   request);
+  expect_rows_of(written("f4.npy", fortran_npy(singles, 13, 9, "<f4")),
+                 request);
+  // Columns of more than a page.
+  std::vector<double> high(6000);
+  std::iota(high.begin(), high.end(), 0.5);
+  expect_rows_of(written("high.npy", fortran_npy(high, 1500, 4, "<f8")),
+                 request);
+  const std::string path =
+      written("shorter.npy", fortran_npy(high, 1500, 4, "<f8"));
+  const OpenMap file = open_map(path, request);
+  std::filesystem::resize_file(path, 20000);
+  EXPECT_EQ(tests::message_of<input::InputError>([&] { file.rows(0, 9); }),
             path + ": cannot be read to its end");
 }
 

@@ -183,13 +183,11 @@ TEST(MapFile, ReadsFromDiskAndRefusesWhatIsNotAFile) {
   const std::string path = folder / "asperity_map_file_test.txt";
   std::ofstream(path) << gwyddion;
 
-  EXPECT_EQ(read_height_map(path, MapFormat::automatic, {}).heights.size(), 6u);
+  EXPECT_EQ(read_scan(path, {}).map.heights.size(), 6u);
 
   std::filesystem::remove(path);
   for (const std::string& bad : {path, folder.string(), "/dev/zero"s})
-    EXPECT_THROW(read_height_map(bad, MapFormat::automatic, {}),
-                 input::InputError)
-        << bad;
+    EXPECT_THROW(read_scan(bad, {}), input::InputError) << bad;
 }
 
 } // namespace asperity::surfaces::map_file_test

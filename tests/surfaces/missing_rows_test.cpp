@@ -3,7 +3,6 @@
 #include "input/input_error.hpp"
 #include "surfaces/measured_rows.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -66,17 +65,6 @@ TEST(MissingRows, HaveTheBitsOfOneProcessInAWindow) {
   surface.crop = mechanics::MapWindow{8e-6, 4e-6, 20e-6, 0.0};
   surface.level = mechanics::Levelling::bow;
   expect_bits_of_one_process(surface);
-}
-
-TEST(MissingRows, OfATextHaveTheBitsOfOneProcess) {
-  std::string text;
-  const std::vector<double> heights = heights_with_holes();
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    text += (std::isnan(heights[i]) ? "bad" : fmt::format("{}", heights[i])) +
-            ((i + 1) % columns == 0 ? "\n" : " ");
-  const std::string path = npy_file("holes.txt", heights);
-  std::ofstream(path) << text;
-  expect_bits_of_one_process(with_holes(path));
 }
 
 TEST(MissingRows, AreRefusedAsInOneProcess) {

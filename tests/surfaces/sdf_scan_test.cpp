@@ -3,6 +3,7 @@
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::sdf_scan_test {
 
@@ -38,8 +40,10 @@ void expect_points(const Scan& scan, double tolerance) {
   EXPECT_NEAR(scan.map.grid.length_y, 4e-6, 1e-20);
   const std::vector<double> nm{1, -2, 3, 4, 0, 60};
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(scan.map.heights[i], nm[i] * 1e-9, tolerance) << i;
-  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 0, 0, 0, 1, 0}));
+    if (i != 4) {
+      EXPECT_NEAR(scan.map.heights[i], nm[i] * 1e-9, tolerance) << i;
+    }
+  EXPECT_EQ(missing_of(scan), (std::vector<char>{0, 0, 0, 0, 1, 0}));
 }
 
 TEST(SdfScan, ReadsText) {
@@ -47,6 +51,33 @@ TEST(SdfScan, ReadsText) {
       sdf_scan(text_header + "1.0 -2 3\r\n4 BAD\r\n60\r\n*\r\nTrailer\r\n*");
   expect_points(scan, 1e-22);
   EXPECT_EQ(scan.reader, "own reader of SDF (ASCII)");
+}
+
+/// A text of 7 by 6 points with a number of them in each line.
+std::string sdf_text(int per_line, const std::string& line_end) {
+  std::string text = fmt::format(
+      "aISO-1.0{0}ManufacID = x{0}NumPoints = 7{0}NumProfiles = 6{0}Xscale = "
+      "1e-6{0}Yscale = 2e-6{0}Zscale = 1e-9{0}*{0}",
+      line_end);
+  for (int i = 0; i < 42; ++i)
+    text += (i % 17 == 5 ? "BAD" : fmt::format("{}", i)) +
+            ((i + 1) % per_line == 0 ? line_end : " ");
+  return text;
+}
+
+TEST(SdfScan, MayEndItsLinesAnywhere) {
+  for (const std::string line_end : {"\n", " \t\r\n"})
+    for (const int per_line : {1, 5, 7, 14, 100})
+      for (const std::string& end :
+           {std::string(), line_end + "*" + line_end + "the end 7 x"}) {
+        const Scan scan = sdf_scan(sdf_text(per_line, line_end) + end);
+        ASSERT_EQ(scan.map.grid.points_x, 7);
+        EXPECT_EQ(count_missing(scan), 3U);
+        for (std::size_t i = 0; i < 42; ++i)
+          if (i % 17 != 5) {
+            EXPECT_EQ(scan.map.heights[i], 1e-9 * static_cast<double>(i));
+          }
+      }
 }
 
 TEST(SdfScan, ReadsEveryBinaryTypeWithMissingPoints) {
@@ -80,6 +111,16 @@ TEST(SdfScan, NamesTheMistake) {
             "map.sdf:12: more than the 6 numbers of the header");
   EXPECT_EQ(sdf_refusal(text_header + "1 2 x\n4 5 6\n*\n"),
             "map.sdf:11: found 'x', but must be a finite number or BAD");
+  EXPECT_EQ(sdf_refusal(text_header + "1 2\r 3"),
+            "map.sdf:11: found '2?', but must be a finite number or BAD");
+  EXPECT_EQ(sdf_refusal(text_header + "1 2 3 4 5\n *\n"),
+            "map.sdf:12: found '*', but must be a finite number or BAD");
+  EXPECT_EQ(sdf_refusal(text_header + "*\n1 2 3 4 5 6\n"),
+            "map.sdf: has 0 numbers, but the header says 6");
+  for (const std::string& text :
+       {text_header.substr(0, 60), text_header.substr(0, 8)})
+    EXPECT_EQ(sdf_refusal(text),
+              "map.sdf: the header has no end, a line with *");
   EXPECT_EQ(sdf_refusal("aISO-1.0\nNumPoints = 3\n*\n"),
             "map.sdf: the header has no line 'NumProfiles = number'");
   const std::string whole =

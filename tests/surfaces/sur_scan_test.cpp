@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/row_file_check.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::sur_scan_test {
 
@@ -77,10 +77,8 @@ struct SurFile {
 /// The heights [nm], NaN where a point is missing.
 std::vector<double> heights_of(const Scan& scan) {
   std::vector<double> heights;
-  for (std::size_t i = 0; i < scan.map.heights.size(); ++i)
-    heights.push_back(!scan.is_missing.empty() && scan.is_missing[i] != 0
-                          ? missing
-                          : scan.map.heights[i] * 1e9);
+  for (const double height : scan.map.heights)
+    heights.push_back(height * 1e9);
   return heights;
 }
 

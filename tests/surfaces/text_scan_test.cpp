@@ -11,10 +11,13 @@
 #include <vector>
 
 #include "tests/message_of.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::text_scan_test {
 
 using mechanics::MapFormat;
+using tests_of_formats::missing_of;
+using tests_of_formats::or_zero;
 
 Scan text_scan(const std::string& text, const MapScale& scale = {},
                MapFormat format = MapFormat::automatic) {
@@ -99,7 +102,7 @@ TEST(TextScan, ReadsTheHeaderOfAnEsriGrid) {
   EXPECT_NEAR(scan.map.grid.length_x, 1.5, 1e-15);
   EXPECT_NEAR(scan.map.grid.length_y, 1.0, 1e-15);
   EXPECT_NEAR(scan.map.heights[5], 6e-3, 1e-17);
-  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 0, 1, 0, 0, 0}));
+  EXPECT_EQ(missing_of(scan), (std::vector<char>{0, 0, 1, 0, 0, 0}));
   EXPECT_EQ(refusal(grid, {{}, 1e-3}),
             "surface.length_unit is missing: the header of map.txt gives "
             "cellsize = 0.5 without a unit");
@@ -165,10 +168,10 @@ TEST(TextScan, TakesTheSidesOfPixelsThatAreNotSquare) {
 
 TEST(TextScan, MarksMissingPoints) {
   const Scan scan = text_scan("1 NaN\nBAD 4\n*** ---\n", {1.0, 1.0});
-  EXPECT_EQ(scan.map.heights, (std::vector<double>{1, 0, 0, 4, 0, 0}));
-  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 1, 1, 0, 1, 1}));
+  EXPECT_EQ(or_zero(scan), (std::vector<double>{1, 0, 0, 4, 0, 0}));
+  EXPECT_EQ(missing_of(scan), (std::vector<char>{0, 1, 1, 0, 1, 1}));
   EXPECT_EQ(count_missing(scan), 4U);
-  EXPECT_TRUE(text_scan("1 2\n3 4\n", {1.0, 1.0}).is_missing.empty());
+  EXPECT_EQ(count_missing(text_scan("1 2\n3 4\n", {1.0, 1.0})), 0U);
   EXPECT_EQ(refusal("nan nan\nnan nan\n", {1.0, 1.0}),
             "map.txt: all points are missing");
 }
@@ -186,7 +189,7 @@ TEST(TextScan, ReadsAListOfPoints) {
   EXPECT_NEAR(scan.map.grid.length_y, 1e-6, 1e-18);
   EXPECT_NEAR(scan.map.heights[2], 3e-9, 1e-22);
   EXPECT_NEAR(scan.map.heights[5], 6e-9, 1e-22);
-  EXPECT_EQ(scan.is_missing, (std::vector<char>{0, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(missing_of(scan), (std::vector<char>{0, 0, 0, 0, 1, 0}));
   EXPECT_EQ(scan.reader, "own reader of lists x y z");
 }
 
@@ -227,7 +230,7 @@ TEST(TextScan, KeepsTheColumnsBesideEmptyCells) {
     }
     const Scan scan = text_scan(text, {4.0, 1.0});
     EXPECT_EQ(scan.map.grid.points_x, 4) << text;
-    EXPECT_EQ(scan.map.heights,
+    EXPECT_EQ(or_zero(scan),
               (std::vector<double>{1,  2,  3,  4, 0, 6, 7, 8, 9,  0,  11, 12,
                                    13, 14, 15, 0, 0, 0, 0, 0, 21, 22, 0,  0}))
         << text;

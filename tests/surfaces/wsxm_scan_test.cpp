@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/row_file_check.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::wsxm_scan_test {
 

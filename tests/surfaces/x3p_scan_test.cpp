@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "tests/message_of.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::x3p_scan_test {
 
+using tests_of_formats::missing_of;
 using Members = std::map<std::string, std::string>;
 
 template <class Number>
@@ -110,12 +112,12 @@ TEST(X3pScan, ReadsTheMaskAndTheList) {
   const Scan masked = x3p_scan({{"main.xml", document.text()},
                                 {"d", numbers_as_bytes(six)},
                                 {"v", std::string(1, '\x2E')}});
-  EXPECT_EQ(masked.is_missing, (std::vector<char>{1, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(missing_of(masked), (std::vector<char>{1, 0, 0, 0, 1, 0}));
   document.record3 = "<DataList><Datum>1e-9</Datum><Datum/><Datum>3e-9</Datum>"
                      "<Datum>4e-9</Datum><Datum>5e-9</Datum><Datum>6e-8"
                      "</Datum></DataList>";
   const Scan listed = x3p_scan({{"main.xml", document.text()}});
-  EXPECT_EQ(listed.is_missing, (std::vector<char>{0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(missing_of(listed), (std::vector<char>{0, 1, 0, 0, 0, 0}));
   EXPECT_EQ(listed.map.heights[5], 60e-9);
 }
 

@@ -1,6 +1,6 @@
 #include "base/fourier.hpp"
 #include "input/input_error.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ bool is_index(double number) {
 /// The coefficients of a table; empty if it has none.
 Coefficients coefficients_of(const NumberTable& table) {
   Coefficients found;
-  if (table.columns != fourier_columns)
+  if (table.columns != 4)
     return found;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double x = table.number(row, 0), y = table.number(row, 1);
@@ -134,8 +134,8 @@ int fourier_points(const NumberTable& table) {
   return points_for(with_signs(table));
 }
 
-std::optional<Scan> fourier_scan(const NumberTable& table,
-                                 const MapScale& scale) {
+std::optional<OpenMap> fourier_map(const NumberTable& table,
+                                   const MapScale& scale) {
   const Coefficients coefficients = with_signs(table);
   const int points = points_for(coefficients);
   if (points == 0)
@@ -151,17 +151,15 @@ std::optional<Scan> fourier_scan(const NumberTable& table,
         "{}: has Fourier coefficients of more than the {} waves along a side "
         "that are read",
         table.name, most_waves));
-  Scan scan;
-  scan.map.grid = grid_by_scale({points, points, 0.0, 0.0}, table.name,
-                                "a list of Fourier coefficients", scale);
-  scan.map.heights.resize(scan.map.grid.size());
-  std::vector<std::complex<double>> modes =
-      modes_of(coefficients, scan.map.grid);
-  RealFourier(scan.map.grid).backward(modes, scan.map.heights);
-  multiply_heights(scan, *scale.height_unit);
-  mark_missing(scan, table.name);
-  scan.reader = "own reader of Fourier coefficients";
-  return scan;
+  const Grid grid = grid_by_scale({points, points, 0.0, 0.0}, table.name,
+                                  "a list of Fourier coefficients", scale);
+  std::vector<double> heights(grid.size());
+  std::vector<std::complex<double>> modes = modes_of(coefficients, grid);
+  RealFourier(grid).backward(modes, heights);
+  for (double& height : heights)
+    height *= *scale.height_unit;
+  return map_in_memory(grid, std::move(heights),
+                       "own reader of Fourier coefficients");
 }
 
 } // namespace asperity::surfaces

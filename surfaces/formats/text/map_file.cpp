@@ -4,7 +4,7 @@
 #include "base/require.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
@@ -56,6 +56,14 @@ double header_height_unit(const NumberTable& table, const CommentLine& line,
   return *metres;
 }
 
+/// What a text matrix says of its map.
+struct TextMatrix {
+  Grid grid;
+  std::string channel; ///< may be empty
+  std::string reader;
+  FileNumbers numbers;
+};
+
 TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
                            const MapScale& scale) {
   const GwyddionHeader header = gwyddion_header(table);
@@ -71,8 +79,10 @@ TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
           "'{}'",
           key, *value, header.width.line, table.name,
           printable(header.width.text)));
-  return {grid, header_height_unit(table, header.value_units, scale),
-          header.channel.text, "own reader of Gwyddion text"};
+  return {grid,
+          header.channel.text,
+          "own reader of Gwyddion text",
+          {.unit = header_height_unit(table, header.value_units, scale)}};
 }
 
 TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
@@ -117,16 +127,10 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
   }
   const Grid grid = grid_by_scale(points, table.name, "a plain matrix", scale);
   require_sound_lengths(table.name, grid);
-  return {grid, *scale.height_unit, "", "own reader of plain matrices",
-          header.missing_value};
-}
-
-HeightMap complete_map(Scan scan, const std::string& name) {
-  if (!scan.is_missing.empty())
-    throw input::InputError(
-        fmt::format("{}: {} of {} points are missing, but none must be", name,
-                    count_missing(scan), scan.map.grid.size()));
-  return std::move(scan.map);
+  return {grid,
+          "",
+          "own reader of plain matrices",
+          {.unit = *scale.height_unit, .missing = header.missing_value}};
 }
 
 bool is_gwyddion(const NumberTable& table, mechanics::MapFormat format) {
@@ -134,34 +138,6 @@ bool is_gwyddion(const NumberTable& table, mechanics::MapFormat format) {
          (format == mechanics::MapFormat::automatic &&
           gwyddion_header(table).width.line != 0);
 }
-
-Scan from_table(NumberTable table, const ScanRequest& request) {
-  using mechanics::MapFormat;
-  const bool is_plain = request.format == MapFormat::automatic &&
-                        !is_gwyddion(table, request.format);
-  if (request.format == MapFormat::xyz ||
-      (is_plain && is_regular_list(table))) {
-    if (is_plain)
-      require_list_header(table, request.scale);
-    return scan_of_list(table, request.scale);
-  }
-  if (is_plain)
-    if (std::optional<Scan> scan = fourier_scan(table, request.scale))
-      return std::move(*scan);
-  if (is_plain)
-    refuse_possible_list(table.name, table.columns, table.rows());
-  TextMatrix matrix = text_matrix(table, request);
-  Scan scan{{matrix.grid, std::move(table.numbers)},
-            {},
-            std::move(matrix.channel),
-            std::move(matrix.reader),
-            {.unit = matrix.height_unit, .missing = matrix.missing_value}};
-  multiply_heights(scan, matrix.height_unit);
-  mark_missing(scan, table.name);
-  return scan;
-}
-
-} // namespace
 
 TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
   if (table.columns < 2 || table.rows() < 2)
@@ -177,36 +153,62 @@ TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
              : plain_matrix(table, points, request.scale, request.format);
 }
 
-Scan read_text_scan(std::string_view bytes, const std::string& name,
-                    const ScanRequest& request) {
-  return from_table(read_number_text(bytes, name, NumberStyle::instrument),
-                    request);
+OpenMap map_of_table(NumberTable table, const ScanRequest& request) {
+  using mechanics::MapFormat;
+  const bool is_plain = request.format == MapFormat::automatic &&
+                        !is_gwyddion(table, request.format);
+  if (request.format == MapFormat::xyz ||
+      (is_plain && is_regular_list(table))) {
+    if (is_plain)
+      require_list_header(table, request.scale);
+    return map_of_list(table, request.scale);
+  }
+  if (is_plain)
+    if (std::optional<OpenMap> map = fourier_map(table, request.scale))
+      return std::move(*map);
+  if (is_plain)
+    refuse_possible_list(table.name, table.columns, table.rows());
+  const TextMatrix matrix = text_matrix(table, request);
+  OpenMap map = map_in_memory(matrix.grid, std::move(table.numbers),
+                              matrix.reader, matrix.numbers);
+  map.channel = matrix.channel;
+  return map;
 }
 
-ChannelInfo text_channel(std::string_view bytes, const std::string& name) {
+} // namespace
+
+OpenMap open_text(const MapBytes& bytes, const ScanRequest& request) {
+  OpenMap map = map_of_table(
+      read_number_text(bytes.all(), bytes.name(), NumberStyle::instrument),
+      request);
+  refuse_channel(request, map.channel, bytes.name());
+  return map;
+}
+
+std::vector<ChannelInfo> text_channels(const MapBytes& bytes) {
   const NumberTable table =
-      read_number_text(bytes, name, NumberStyle::instrument);
+      read_number_text(bytes.all(), bytes.name(), NumberStyle::instrument);
   const GwyddionHeader header = gwyddion_header(table);
-  if (header.width.line == 0 && is_regular_list(table)) {
-    const Grid grid = scan_of_list(table, {{}, 1.0, {}, 1.0}).map.grid;
-    return {"", "", grid.points_x, grid.points_y};
+  const bool is_plain = header.width.line == 0;
+  if (is_plain && is_regular_list(table)) {
+    const Grid grid = map_of_list(table, {{}, 1.0, {}, 1.0}).grid;
+    return {{"", "", grid.points_x, grid.points_y}};
   }
-  const int points = header.width.line == 0 ? fourier_points(table) : 0;
-  if (points > 0)
-    return {"", "", points, points};
-  return {header.channel.text, header.value_units.text,
-          static_cast<int>(table.columns), static_cast<int>(table.rows())};
+  if (const int points = is_plain ? fourier_points(table) : 0; points > 0)
+    return {{"", "", points, points}};
+  return {{header.channel.text, header.value_units.text,
+           static_cast<int>(table.columns), static_cast<int>(table.rows())}};
 }
 
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                mechanics::MapFormat format,
                                const MapScale& scale) {
-  return complete_map(read_text_scan(text, name, {format, {}, scale}), name);
-}
-
-HeightMap read_height_map(const std::string& path, mechanics::MapFormat format,
-                          const MapScale& scale) {
-  return complete_map(read_scan(path, {format, {}, scale}), path);
+  Scan scan = scan_of_map(open_text({text, name}, {format, {}, scale}), name);
+  if (const std::size_t missing = count_missing(scan); missing > 0)
+    throw input::InputError(
+        fmt::format("{}: {} of {} points are missing, but none must be", name,
+                    missing, scan.map.grid.size()));
+  return std::move(scan.map);
 }
 
 } // namespace asperity::surfaces

@@ -43,8 +43,5 @@ namespace asperity::surfaces {
 HeightMap read_height_map_text(std::string_view text, const std::string& name,
                                mechanics::MapFormat format,
                                const MapScale& scale);
-/// Reads a map of any format (scan.hpp) that has no missing points.
-HeightMap read_height_map(const std::string& path, mechanics::MapFormat format,
-                          const MapScale& scale);
 
 } // namespace asperity::surfaces

@@ -12,12 +12,10 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 
 namespace asperity::surfaces {
 namespace {
 
-constexpr std::size_t text_piece = std::size_t{1} << 20; // bytes at a time
 constexpr std::string_view blanks = " \t\r\f\v";
 constexpr std::string_view separators = " \t\r\f\v,;";
 
@@ -90,12 +88,6 @@ void PrintedDigits::take(std::string_view word) {
   const double place = std::pow(10.0, exponent - decimals);
   place_ = digits > most_ ? place : std::max(place_, place);
   most_ = digits;
-}
-
-void NumberTableReader::continue_at(int line, std::size_t columns) {
-  line_number_ = line;
-  table_.columns = columns;
-  table_.lines = {line};
 }
 
 void NumberTableReader::take(std::string_view line) {
@@ -225,117 +217,30 @@ void NumberTableReader::finish_row(std::size_t columns) {
                             "every row must have the same number",
                             columns, table_.columns, table_.lines.front()));
   table_.lines.push_back(line_number_);
-  ++n_rows_;
 }
 
 void refuse_line(const std::string& name, int line, const std::string& what) {
   throw input::InputError(fmt::format("{}:{}: {}", name, line, what));
 }
 
-namespace {
-
-/// The place of the first end of a line, LF, CR or CR LF; npos: there is none.
-std::size_t line_end(std::string_view text) {
-  return text.find_first_of("\r\n");
-}
-
-/// Removes the end of a line from the beginning of a text.
-void remove_line_end(std::string_view& text) {
-  text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
-}
-
-/// Where a line can be divided whose end is not known: at the last blank before
-/// a word, because blanks at the end of a line belong to its end; 0: nowhere.
-std::size_t division_of(std::string_view line) {
-  if (line.size() < text_piece)
-    return 0;
-  const std::size_t word = line.find_last_not_of(" \t\r");
-  const std::size_t blank = line.find_last_of(" \t", word);
-  return word == std::string_view::npos || blank == std::string_view::npos
-             ? 0
-             : blank;
-}
-
-/// Takes the lines of a text that begins with the byte part.begin of a file.
-/// @param part     whether a line begins there; receives the same of the rest
-/// @param is_last  whether nothing follows the text
-/// @param divides  whether long lines come in parts
-/// @return  whether more is wanted
-template <class Take>
-bool take_lines(std::string_view text, LinePart& part, bool is_last,
-                bool divides, const Take& take) {
+void each_line(std::string_view text,
+               const std::function<bool(std::string_view)>& take) {
   while (!text.empty()) {
-    const std::size_t end = divides ? text.find('\n') : line_end(text);
-    // A CR at the end of what is there may be followed by an LF.
-    if (!is_last && end + 1 == text.size() && text[end] == '\r')
-      return true;
-    part.is_end = end != std::string_view::npos || is_last;
-    if (!part.is_end && !divides)
-      return true;
-    const std::size_t length =
-        part.is_end ? std::min(end, text.size()) : division_of(text);
-    if (!part.is_end && length == 0)
-      return true;
-    part.text = text.substr(0, length);
-    if (!take(part))
-      return false;
-    const std::size_t before = text.size();
-    text.remove_prefix(length);
-    if (part.is_end)
-      remove_line_end(text);
-    part.begin += before - text.size();
-    part.is_begin = part.is_end;
-  }
-  return true;
-}
-
-template <class Take>
-void read_lines(const std::string& path, std::uint64_t begin, bool divides,
-                const Take& take) {
-  std::ifstream stream(path, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(begin));
-  if (!stream)
-    throw input::InputError(path + ": cannot be read");
-  std::string text; // from the byte part.begin on
-  std::string piece(text_piece, '\0');
-  LinePart part;
-  part.begin = begin;
-  for (bool is_last = false; !is_last;) {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-    is_last = stream.eof();
-    if (!is_last && !stream)
-      throw input::InputError(path + ": cannot be read to its end");
-    const std::uint64_t before = part.begin;
-    if (!take_lines(text, part, is_last, divides, take))
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    if (!take(text.substr(0, end)))
       return;
-    text.erase(0, static_cast<std::size_t>(part.begin - before));
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
   }
-}
-
-} // namespace
-
-void each_line_part(const std::string& path, std::uint64_t begin,
-                    const std::function<bool(const LinePart&)>& take) {
-  read_lines(path, begin, true, take);
-}
-
-void each_line(
-    const std::string& path, std::uint64_t begin,
-    const std::function<bool(std::string_view, std::uint64_t)>& take) {
-  read_lines(path, begin, false,
-             [&](const LinePart& line) { return take(line.text, line.begin); });
 }
 
 NumberTable read_number_text(std::string_view text, const std::string& name,
                              NumberStyle style) {
   NumberTableReader reader(name, style);
-  while (!text.empty()) {
-    const std::size_t end = std::min(line_end(text), text.size());
-    reader.take(text.substr(0, end));
-    text.remove_prefix(end);
-    remove_line_end(text);
-  }
+  each_line(text, [&](std::string_view line) {
+    reader.take(line);
+    return true;
+  });
   return reader.finish();
 }
 

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -74,33 +73,15 @@ public:
     table_.name = name;
   }
 
-  /// Continues in the middle of a file, with lines of this number of columns.
-  /// @param line  number of the line before the next one
-  void continue_at(int line, std::size_t columns);
-
   /// @param line  without its end
   /// @throws input::InputError  as read_number_text()
   void take(std::string_view line);
 
-  std::size_t rows() const { return n_rows_; }
+  std::size_t rows() const { return table_.rows(); }
 
   /// The numbers of the rows since the last call.
   std::vector<double> numbers_so_far() {
     return std::exchange(table_.numbers, {});
-  }
-
-  /// Forgets the line numbers of all rows but the first.
-  void forget_lines() {
-    if (table_.lines.size() > 1)
-      table_.lines.erase(table_.lines.begin() + 1, table_.lines.end());
-  }
-
-  /// Number of the last line, from 1.
-  int line() const { return line_number_; }
-
-  /// Rounding of the positions x and y so far.
-  std::array<double, 2> rounding() const {
-    return {table_.digits[0].rounding(), table_.digits[1].rounding()};
   }
 
   /// @throws input::InputError  the text contains no numbers
@@ -122,8 +103,12 @@ private:
   bool has_commas_ = false; ///< a decimal comma was found
   bool has_points_ = false; ///< a decimal point was found
   int line_number_ = 0;
-  std::size_t n_rows_ = 0;
 };
+
+/// Calls take(line) for the lines of a text, which end with LF, CR LF or CR,
+/// until it returns false.
+void each_line(std::string_view text,
+               const std::function<bool(std::string_view)>& take);
 
 /// Reads a whole text. Numbers are separated by blanks, tabs, commas or
 /// semicolons and written with a decimal point, whatever the locale. Lines end
@@ -153,29 +138,6 @@ NumberTable read_number_text(std::string_view text, const std::string& name,
 /// @throws input::InputError  as above, or the file is not a regular file or is
 ///                            larger than input::largest_number_file
 NumberTable read_number_file(const std::string& path);
-
-/// Calls take(line, its first byte) for the lines of a file from a byte on,
-/// until it returns false. A line and 1 MB of the file are in memory.
-/// @throws input::InputError  the file cannot be read
-void each_line(
-    const std::string& path, std::uint64_t begin,
-    const std::function<bool(std::string_view, std::uint64_t)>& take);
-
-/// A line, or a part of one that is longer than what is in memory.
-struct LinePart {
-  std::string_view text;
-  std::uint64_t begin = 0; ///< first byte in the file
-  bool is_begin = true;    ///< of the line, or the byte where reading began
-  bool is_end = true;      ///< of the line
-};
-
-/// Calls take() for the lines of a file from a byte on, which end with LF,
-/// until it returns false. Lines that are longer than 1 MB come in parts, which
-/// begin with a blank or tab between two words. A part and 1 MB of the file are
-/// in memory.
-/// @throws input::InputError  the file cannot be read
-void each_line_part(const std::string& path, std::uint64_t begin,
-                    const std::function<bool(const LinePart&)>& take);
 
 /// Reports an error in a line of a file.
 /// @throws input::InputError  "name:line: what"

@@ -1,5 +1,5 @@
-// Tests of X3P files whose rows are read separately: bits, missing points and
-// messages are those of the file as a whole. Tolerance: none.
+// Tests of larger X3P files: every type of number, positions, checksums, and
+// archives that are damaged or state wrong sizes. Tolerance: none.
 #include "base/content_hash.hpp"
 #include "surfaces/formats/zip_archive.hpp"
 
@@ -11,15 +11,14 @@
 #include <map>
 
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/row_file_check.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
-namespace asperity::surfaces::x3p_rows_test {
+namespace asperity::surfaces::x3p_rows_test::x3p_archive_test {
 
 using namespace tests_of_rows;
 using namespace tests_of_formats;
 
-/// More points than are decoded at a time, and rows that do not begin with a
-/// byte of the file of valid points.
+/// Rows that do not begin with a byte of the file of valid points.
 constexpr int n_columns = 211;
 constexpr int n_rows = 201;
 constexpr std::size_t n_points = std::size_t{n_columns} * n_rows;
@@ -85,18 +84,42 @@ std::string x3p(const Members& members) {
   return written("map.x3p", zip_bytes(members));
 }
 
-TEST(X3pRows, OfEveryTypeAreThoseOfTheWholeFile) {
+/// @param unit    of the numbers [m]
+/// @param offset  of the heights [m]
+template <class Number>
+void expect_heights(const X3pParts& parts, double factor, double unit,
+                    double offset) {
+  const Scan scan = read_scan(
+      x3p(members_of(parts, heights_as<Number>(factor) + "more")), {});
+  ASSERT_EQ(scan.map.grid.points_x, n_columns);
+  ASSERT_EQ(scan.map.heights.size(), n_points);
+  for (std::size_t i = 0; i < n_points; ++i) {
+    double number = factor * height_of(i);
+    if (std::isnan(number) && std::numeric_limits<Number>::is_integer)
+      number = 0.0;
+    const bool is_missing =
+        std::isnan(number) || (parts.has_mask && i % 13 == 0);
+    ASSERT_EQ(std::isnan(scan.map.heights[i]), is_missing) << i;
+    if (!is_missing) {
+      ASSERT_EQ(scan.map.heights[i],
+                offset +
+                    unit * static_cast<double>(static_cast<Number>(number)))
+          << i;
+    }
+  }
+}
+
+TEST(X3pArchive, HasHeightsOfEveryType) {
   X3pParts parts;
-  expect_rows_of(x3p(members_of(parts, heights_as<double>(1e-9))), {});
+  expect_heights<double>(parts, 1e-9, 1.0, 0.0);
   parts.has_mask = true;
   parts.z = "<AxisType>A</AxisType><DataType>F</DataType><Offset>0.1</Offset>";
-  expect_rows_of(x3p(members_of(parts, heights_as<float>(1e-9))), {});
+  expect_heights<float>(parts, 1e-9, 1.0, 0.1);
   parts.z = "<AxisType>A</AxisType><DataType>I</DataType><Increment>1e-12"
             "</Increment>";
-  expect_rows_of(x3p(members_of(parts, heights_as<std::int16_t>(3e4))), {});
+  expect_heights<std::int16_t>(parts, 3e4, 1e-12, 0.0);
   parts.z = "<AxisType>A</AxisType><DataType>L</DataType>";
-  expect_rows_of(x3p(members_of(parts, heights_as<std::int32_t>(2e9) + "more")),
-                 {});
+  expect_heights<std::int32_t>(parts, 2e9, 1.0, 0.0);
 }
 
 /// Positions of both axes and heights of each point.
@@ -112,10 +135,14 @@ std::string positions(std::size_t moved_x, std::size_t moved_y) {
   return bytes;
 }
 
-TEST(X3pRows, WithAbsoluteAxesAreThoseOfTheWholeFile) {
+TEST(X3pArchive, HasRegularPositions) {
   X3pParts parts;
   parts.x = parts.y = absolute;
-  expect_rows_of(x3p(members_of(parts, positions(n_points, n_points))), {});
+  const Scan scan =
+      read_scan(x3p(members_of(parts, positions(n_points, n_points))), {});
+  EXPECT_NEAR(scan.map.grid.length_x, n_columns * 1e-6, 1e-18); // roundoff
+  EXPECT_NEAR(scan.map.grid.length_y, n_rows * 2e-6, 1e-18);
+  EXPECT_EQ(scan.map.heights[1], 1e-9 * height_of(1));
   EXPECT_NE(refusal_of(x3p(members_of(parts, positions(40000, 3))), {})
                 .find("positions along x are not regular at point (121, 189)"),
             std::string::npos);
@@ -124,14 +151,14 @@ TEST(X3pRows, WithAbsoluteAxesAreThoseOfTheWholeFile) {
             std::string::npos);
 }
 
-TEST(X3pRows, AreRefusedAsTheWholeFileIs) {
+TEST(X3pArchive, IsRefusedIfAMemberIsWrong) {
   X3pParts parts;
   parts.has_mask = true;
   parts.sums = "<MD5ChecksumPointData>" + md5_hash(heights_as<double>(1.0)) +
                "</MD5ChecksumPointData><MD5ChecksumValidPoints>" +
                md5_hash(mask()) + "</MD5ChecksumValidPoints>";
   const Members good = members_of(parts, heights_as<double>(1.0));
-  expect_rows_of(x3p(good), {});
+  EXPECT_NO_THROW(read_scan(x3p(good), {}));
   const auto refusal = [&](const std::string& member,
                            const std::string& bytes) {
     Members bad = good;
@@ -153,16 +180,22 @@ TEST(X3pRows, AreRefusedAsTheWholeFileIs) {
   for (const int columns : {1, -3, 2000000000}) {
     X3pParts other = parts;
     other.columns = columns;
-    refusal("main.xml", other.text());
+    EXPECT_NE(refusal("main.xml", other.text())
+                  .find(columns > 1000 ? "but a map must have 2 to"
+                                       : "points, but a map must"),
+              std::string::npos);
   }
   Members absent = good;
   absent.erase("bindata/valid.bin");
   EXPECT_NE(refusal_of(x3p(absent), {}).find("the archive has no such file"),
             std::string::npos);
-  refusal_of(x3p(good), {mechanics::MapFormat::automatic, {}, {1e-6, {}}});
+  EXPECT_NE(
+      refusal_of(x3p(good), {mechanics::MapFormat::automatic, {}, {1e-6, {}}})
+          .find("surface.length = 1e-06 m, but must be left out"),
+      std::string::npos);
 }
 
-TEST(X3pRows, OfADamagedArchiveAreRefusedAsTheWholeFileIs) {
+TEST(X3pArchive, IsRefusedIfItIsDamaged) {
   const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
   for (const std::size_t bytes : {whole.size() - 1, whole.size() / 2})
     EXPECT_NE(refusal_of(written("short.x3p", whole.substr(0, bytes)),
@@ -187,10 +220,14 @@ std::string with_size(std::string bytes, std::uint32_t stated) {
 
 // The archive cannot make the program unpack more than it says, or allocate
 // what it says.
-TEST(X3pRows, OfAnArchiveThatStatesOtherSizesAreRefused) {
+TEST(X3pArchive, IsRefusedIfItStatesOtherSizes) {
   const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
-  refusal_of(written("less.x3p", with_size(whole, 1000)), {});
-  refusal_of(written("more.x3p", with_size(whole, 1U << 29)), {});
+  EXPECT_NE(refusal_of(written("less.x3p", with_size(whole, 1000)), {})
+                .find("data.bin: is longer than the archive says"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(written("more.x3p", with_size(whole, 1U << 29)), {})
+                .find("data.bin: is shorter than the archive says"),
+            std::string::npos);
   EXPECT_NE(
       refusal_of(written("most.x3p", with_size(whole, 0xFFFFFFFFU - 9)), {})
           .find("must have at most"),
@@ -198,7 +235,7 @@ TEST(X3pRows, OfAnArchiveThatStatesOtherSizesAreRefused) {
 }
 
 // The name main.xml is behind the first 64 kB of the file.
-TEST(X3pRows, OfAnArchiveThatBeginsWithThePointsAreRead) {
+TEST(X3pArchive, MayBeginWithThePoints) {
   std::string noise(400000, '\0');
   for (std::size_t i = 0; i < noise.size(); ++i)
     noise[i] = static_cast<char>(i * i * i / 7 + i / 3);
@@ -210,26 +247,7 @@ TEST(X3pRows, OfAnArchiveThatBeginsWithThePointsAreRead) {
   stream.read(beginning.data(), 1 << 16);
   ASSERT_EQ(beginning.find("main.xml"), std::string::npos);
 
-  expect_rows_of(path, {});
+  EXPECT_EQ(read_scan(path, {}).map.heights[1], 1e-9 * height_of(1));
 }
 
-TEST(X3pRows, OfAFileThatChangesAreRefused) {
-  const std::string path = x3p(members_of({}, heights_as<double>(1e-9)));
-  const auto file = row_file(path, {});
-  ASSERT_TRUE(file);
-  file->rows(0, 2);
-  std::filesystem::resize_file(path, 3000);
-  EXPECT_EQ(tests::message_of<input::InputError>([&] { file->rows(4, 2); }),
-            path + ": has changed since the run began");
-}
-
-// The XML parser holds all numbers.
-TEST(X3pRows, OfAListInMainXmlAreNotReadByRows) {
-  std::string text = X3pParts().text();
-  const std::size_t begin = text.find("<DataLink>");
-  text.replace(begin, text.find("</Record3>") - begin,
-               "<DataList><Datum>1</Datum></DataList>");
-  EXPECT_FALSE(row_file(x3p({{"main.xml", text}}), {}));
-}
-
-} // namespace asperity::surfaces::x3p_rows_test
+} // namespace asperity::surfaces::x3p_rows_test::x3p_archive_test

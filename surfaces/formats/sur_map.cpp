@@ -1,11 +1,10 @@
 #include "base/plain_text.hpp"
 #include "surfaces/formats/byte_reader.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <span>
 #include <utility>
@@ -185,39 +184,40 @@ void take_sur_heights(const SurHeader& header, std::string_view stored,
 
 } // namespace
 
-RowFile sur_row_file(const std::string& path, std::string_view beginning,
-                     const ScanRequest& request) {
+OpenMap open_sur(const MapBytes& bytes, const ScanRequest& request) {
+  const std::string& name = bytes.name();
+  const std::string beginning = bytes.beginning();
   if (beginning.starts_with("DSCOMPRESSED"))
     throw input::InputError(
-        path + ": is a compressed Digital Surf file (DSCOMPRESSED), but only "
+        name + ": is a compressed Digital Surf file (DSCOMPRESSED), but only "
                "uncompressed ones (DIGITAL SURF) can be read; save it without "
                "compression");
   if (!beginning.starts_with("DIGITAL SURF"))
-    throw input::InputError(path + ": is no Digital Surf file: it does not "
+    throw input::InputError(name + ": is no Digital Surf file: it does not "
                                    "begin with DIGITAL SURF");
-  const SurHeader header = sur_header(beginning, path);
-  check_sur(header, std::filesystem::file_size(path), path);
-  refuse_channel(request, "", path);
-  refuse_scale(request.scale, path);
-  RowFile file;
-  file.grid = {header.columns, header.rows,
-               header.unit[sur_x] * header.step[sur_x] * header.columns,
-               header.unit[sur_y] * header.step[sur_y] * header.rows};
-  require_sound_lengths(path, file.grid);
-  file.reader = "own reader of Digital Surf";
-  file.numbers.has_own_marks = true;
-  file.rows = [numbers = StoredNumbers{
-                   path, header.begin, header.width(),
-                   static_cast<std::size_t>(header.columns), header.unit[sur_z],
-                   [header](std::string_view stored, std::span<double> taken) {
-                     if (header.bits == 16)
-                       take_sur_heights<std::int16_t>(header, stored, taken);
-                     else
-                       take_sur_heights<std::int32_t>(header, stored, taken);
-                   }}](int first, int count) {
-    return stored_rows(numbers, first, count);
+  const SurHeader header = sur_header(beginning, name);
+  check_sur(header, bytes.size(), name);
+  refuse_channel(request, "", name);
+  refuse_scale(request.scale, name);
+  OpenMap map;
+  map.grid = {header.columns, header.rows,
+              header.unit[sur_x] * header.step[sur_x] * header.columns,
+              header.unit[sur_y] * header.step[sur_y] * header.rows};
+  require_sound_lengths(name, map.grid);
+  map.reader = "own reader of Digital Surf";
+  map.numbers.has_own_marks = true;
+  map.rows = [numbers = StoredNumbers{
+                  bytes, header.begin, header.width(),
+                  static_cast<std::size_t>(header.columns), header.unit[sur_z],
+                  [header](std::string_view stored, std::span<double> taken) {
+                    if (header.bits == 16)
+                      take_sur_heights<std::int16_t>(header, stored, taken);
+                    else
+                      take_sur_heights<std::int32_t>(header, stored, taken);
+                  }}](int first, int count) {
+    return numbers.rows(first, count);
   };
-  return file;
+  return map;
 }
 
 } // namespace asperity::surfaces

@@ -1,13 +1,11 @@
 #include "base/plain_text.hpp"
 #include "surfaces/formats/byte_reader.hpp"
-#include "surfaces/formats/known_file.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <map>
 #include <span>
@@ -127,7 +125,7 @@ NumberRange wsxm_range(const StoredNumbers& numbers, int rows) {
   constexpr int at_a_time = 256;
   for (int row = 0; row < rows; row += at_a_time)
     for (const double number :
-         stored_rows(numbers, row, std::min(at_a_time, rows - row)))
+         numbers.rows(row, std::min(at_a_time, rows - row)))
       if (std::isfinite(number)) {
         range.least = std::min(range.least, number);
         range.largest = std::max(range.largest, number);
@@ -161,47 +159,44 @@ double wsxm_height_unit(const WsxmHeader& header, const WsxmType& type,
 
 } // namespace
 
-RowFile wsxm_row_file(const std::string& path, std::string_view beginning,
-                      const ScanRequest& request) {
+OpenMap open_wsxm(const MapBytes& bytes, const ScanRequest& request) {
+  const std::string& name = bytes.name();
+  const std::string beginning = bytes.beginning();
   if (!beginning.starts_with("WSxM file"))
-    throw input::InputError(path +
+    throw input::InputError(name +
                             ": is no WSxM file: it does not begin with WSxM");
-  const WsxmHeader header = wsxm_header(beginning, path);
+  const WsxmHeader header = wsxm_header(beginning, name);
   const WsxmType& type = wsxm_type(header);
   const std::int64_t columns = header.count("[General Info] Number of columns");
   const std::int64_t rows = header.count("[General Info] Number of rows");
-  const std::uintmax_t available =
-      std::filesystem::file_size(path) - header.begin;
-  require_sound_grid(path, columns, rows, static_cast<double>(type.bytes),
+  const std::uintmax_t available = bytes.size() - header.begin;
+  require_sound_grid(name, columns, rows, static_cast<double>(type.bytes),
                      available);
   if (available != static_cast<std::uintmax_t>(columns * rows) * type.bytes)
     throw input::InputError(fmt::format(
         "{}: has {} bytes behind its header, but {} x {} numbers of the type "
         "'{}' have {}",
-        path, available, columns, rows, type.name,
+        name, available, columns, rows, type.name,
         static_cast<std::uintmax_t>(columns * rows) * type.bytes));
-  refuse_channel(request, "", path);
-  refuse_scale(request.scale, path);
-  RowFile file;
-  file.grid = {static_cast<int>(columns), static_cast<int>(rows),
-               header.length("[Control] X Amplitude"),
-               header.length("[Control] Y Amplitude")};
-  file.reader = "own reader of WSxM";
-  StoredNumbers numbers{path,       header.begin,
+  refuse_channel(request, "", name);
+  refuse_scale(request.scale, name);
+  OpenMap map;
+  map.grid = {static_cast<int>(columns), static_cast<int>(rows),
+              header.length("[Control] X Amplitude"),
+              header.length("[Control] Y Amplitude")};
+  map.reader = "own reader of WSxM";
+  StoredNumbers numbers{bytes,      header.begin,
                         type.bytes, static_cast<std::size_t>(columns),
                         1.0,        type.take};
-  const auto range = known_of_file<NumberRange>(path, header.begin, [&] {
-    return wsxm_range(numbers, file.grid.points_y);
-  });
-  numbers.height_unit = wsxm_height_unit(header, type, *range);
+  numbers.height_unit =
+      wsxm_height_unit(header, type, wsxm_range(numbers, map.grid.points_y));
   // The file begins with the last point of the last row.
-  file.rows = [numbers, n_rows = file.grid.points_y](int first, int count) {
-    std::vector<double> heights =
-        stored_rows(numbers, n_rows - first - count, count);
+  map.rows = [numbers, n_rows = map.grid.points_y](int first, int count) {
+    std::vector<double> heights = numbers.rows(n_rows - first - count, count);
     std::ranges::reverse(heights);
     return heights;
   };
-  return file;
+  return map;
 }
 
 } // namespace asperity::surfaces

@@ -4,7 +4,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "surfaces/formats/scan_formats.hpp"
 
 #include <fmt/format.h>
@@ -46,24 +46,6 @@ std::string version_of(const std::string& program, const fs::path& folder) {
 
 std::string first_line(const std::string& text) {
   return printable(text.substr(0, text.find('\n')), 200);
-}
-
-/// Converts a file to .gwy and returns the bytes.
-std::string converted(const std::string& program, const std::string& path,
-                      const fs::path& folder) {
-  const fs::path target = folder / "converted.gwy";
-  const ChildAnswer answer = run_child(
-      gwyddion_command({program, "--convert-to-gwy=" + target.string(),
-                        fs::absolute(path).string()},
-                       folder));
-  if (!fs::exists(target) || !answer.end.failure.empty())
-    throw input::InputError(fmt::format(
-        "{}: cannot be read: no own reader knows this format{}, and Gwyddion "
-        "cannot convert it ({})",
-        path, name_in_brackets(path),
-        answer.output.empty() ? answer.end.failure
-                              : first_line(answer.output)));
-  return input::read_input_file(target, 2 * input::largest_number_file);
 }
 
 /// Lengths that the header of a file states in words behind a key.
@@ -129,32 +111,57 @@ void refuse_special_points(std::string_view beginning,
                "takes for heights; format = \"sur\" is our own reader");
 }
 
-} // namespace
+/// The bytes of a .gwy file, and which program has written it.
+struct Converted {
+  std::string bytes;
+  std::string reader;
+};
 
-FileContent read_converted_file(const std::string& path,
-                                const ScanRequest& request, Asked asked) {
+/// Converts a file to .gwy by the program Gwyddion.
+Converted converted(const MapBytes& original) {
+  require_file(original);
+  const std::string& path = original.name();
   const fs::path program = program_on_path("gwyddion");
   if (program.empty())
     throw input::InputError(fmt::format(
         "{}: no own reader knows this format{}; it can be read where the "
         "program gwyddion is installed (Debian: apt-get install gwyddion)",
         path, name_in_brackets(path)));
-  constexpr std::size_t longest_header = std::size_t{1} << 16;
-  const std::string original =
-      input::read_input_file(path, input::largest_number_file);
-  const std::string_view header =
-      std::string_view(original).substr(0, longest_header);
-  refuse_special_points(header, path);
+  refuse_special_points(original.beginning(), path);
   const TemporaryFolder folder("asperity-map");
-  const std::string bytes = converted(program, path, folder.path());
+  const fs::path target = folder.path() / "converted.gwy";
+  const ChildAnswer answer = run_child(
+      gwyddion_command({program, "--convert-to-gwy=" + target.string(),
+                        fs::absolute(path).string()},
+                       folder.path()));
+  if (!fs::exists(target) || !answer.end.failure.empty())
+    throw input::InputError(fmt::format(
+        "{}: cannot be read: no own reader knows this format{}, and Gwyddion "
+        "cannot convert it ({})",
+        path, name_in_brackets(path),
+        answer.output.empty() ? answer.end.failure
+                              : first_line(answer.output)));
+  std::string bytes =
+      input::read_input_file(target, 2 * input::largest_number_file);
   if (!bytes.starts_with("GWYP"))
     throw input::InputError(path + ": Gwyddion wrote no .gwy file");
-  FileContent content = read_gwy_file(bytes, path, request, asked);
-  if (asked == Asked::scan)
-    require_stated_lengths(header, content.scan.map.grid, path);
-  content.scan.numbers.is_converted = true;
-  content.scan.reader = version_of(program, folder.path());
-  return content;
+  return {std::move(bytes), version_of(program, folder.path())};
+}
+
+} // namespace
+
+OpenMap open_converted(const MapBytes& bytes, const ScanRequest& request) {
+  const auto [gwy, reader] = converted(bytes);
+  OpenMap map = open_gwy({gwy, bytes.name()}, request);
+  require_stated_lengths(bytes.beginning(), map.grid, bytes.name());
+  map.numbers.is_converted = true;
+  map.reader = reader;
+  return map;
+}
+
+std::vector<ChannelInfo> converted_channels(const MapBytes& bytes) {
+  const Converted gwy = converted(bytes);
+  return gwy_channels({gwy.bytes, bytes.name()});
 }
 
 } // namespace asperity::surfaces

@@ -1,12 +1,10 @@
 #include "surfaces/formats/byte_reader.hpp"
-#include "surfaces/formats/own_readers.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "surfaces/formats/sdf_header.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
-#include <optional>
 #include <span>
 
 namespace asperity::surfaces {
@@ -44,8 +42,6 @@ SdfType type_of(int code, const std::string& name) {
   return types[code];
 }
 
-constexpr const char* binary_reader = "own reader of SDF (binary)";
-
 /// Reads the header up to the first number.
 /// @param file_bytes  size of the file
 SdfType take_header(ByteReader& bytes, std::uintmax_t file_bytes,
@@ -69,14 +65,26 @@ SdfType take_header(ByteReader& bytes, std::uintmax_t file_bytes,
   return type;
 }
 
-Scan read_sdf_binary(std::string_view content, const std::string& name) {
-  ByteReader bytes(content, name);
+OpenMap open_binary_sdf(const MapBytes& file) {
+  const std::string beginning = file.beginning();
+  ByteReader bytes(beginning, file.name());
   SdfHeader header;
-  const SdfType type = take_header(bytes, content.size(), header);
-  std::vector<double> numbers(
-      static_cast<std::size_t>(header.points * header.profiles));
-  type.take(bytes, numbers);
-  return header.scan(std::move(numbers), name, binary_reader);
+  const SdfType type = take_header(bytes, file.size(), header);
+  OpenMap map{header.grid(),
+              "",
+              "own reader of SDF (binary)",
+              {},
+              header.file_numbers()};
+  map.rows = [numbers = StoredNumbers{
+                  file, bytes.offset(), type.bytes,
+                  static_cast<std::size_t>(header.points), header.scale_z,
+                  [type](std::string_view of_rows, std::span<double> taken) {
+                    ByteReader rows(of_rows, "");
+                    type.take(rows, taken);
+                  }}](int first, int count) {
+    return numbers.rows(first, count);
+  };
+  return map;
 }
 
 } // namespace
@@ -101,47 +109,12 @@ Grid SdfHeader::grid() const {
           scale_y * static_cast<double>(profiles)};
 }
 
-Scan SdfHeader::scan(std::vector<double> numbers, const std::string& name,
-                     const char* reader) const {
-  Scan scan;
-  scan.map.grid = grid();
-  scan.map.heights = std::move(numbers);
-  scan.numbers = file_numbers();
-  multiply_heights(scan, scale_z);
-  mark_missing(scan, name);
-  scan.reader = reader;
-  return scan;
-}
-
-Scan read_sdf_scan(std::string_view bytes, const std::string& name) {
-  return bytes.starts_with('b') ? read_sdf_binary(bytes, name)
-                                : read_sdf_text(bytes, name);
-}
-
-std::optional<RowFile> sdf_row_file(const std::string& path,
-                                    std::string_view beginning,
-                                    const ScanRequest& request) {
-  if (names_another(request.channel, ""))
-    return std::nullopt;
-  refuse_scale(request.scale, path);
-  if (!beginning.starts_with('b'))
-    return sdf_text_rows(path);
-  ByteReader bytes(beginning, path);
-  SdfHeader header;
-  const SdfType type =
-      take_header(bytes, std::filesystem::file_size(path), header);
-  RowFile file{header.grid(), "", binary_reader, {}};
-  file.numbers = header.file_numbers();
-  file.rows = [numbers = StoredNumbers{
-                   path, bytes.offset(), type.bytes,
-                   static_cast<std::size_t>(header.points), header.scale_z,
-                   [type](std::string_view of_rows, std::span<double> taken) {
-                     ByteReader rows(of_rows, "");
-                     type.take(rows, taken);
-                   }}](int first, int count) {
-    return stored_rows(numbers, first, count);
-  };
-  return file;
+OpenMap open_sdf(const MapBytes& bytes, const ScanRequest& request) {
+  refuse_scale(request.scale, bytes.name());
+  refuse_channel(request, "", bytes.name());
+  return bytes.beginning().starts_with('b')
+             ? open_binary_sdf(bytes)
+             : open_sdf_text(bytes.all(), bytes.name());
 }
 
 } // namespace asperity::surfaces

@@ -1,0 +1,259 @@
+#include "base/content_hash.hpp"
+#include "base/plain_text.hpp"
+#include "input/input_error.hpp"
+#include "surfaces/formats/byte_reader.hpp"
+#include "surfaces/formats/length_units.hpp"
+#include "surfaces/formats/map_format.hpp"
+#include "surfaces/formats/x3p_document.hpp"
+#include "surfaces/formats/zip_archive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace asperity::surfaces {
+namespace {
+
+/// Where main.xml names the members with the points.
+const std::string x3p_link_path = "Record3/DataLink/";
+
+/// @param member  in words
+void refuse_other_sum(const std::string& name, const std::string& member,
+                      std::string stated, const std::string& found) {
+  for (char& digit : stated)
+    digit = static_cast<char>(std::tolower(static_cast<unsigned char>(digit)));
+  if (stated != found)
+    throw input::InputError(fmt::format(
+        "{}: {} has the MD5 checksum {}, but the file states {}; it is "
+        "damaged or was changed",
+        name, printable(member), found, printable(stated)));
+}
+
+/// Compares main.xml with the file of its checksum, if there is one.
+void compare_sum_of_document(const std::string& name, const ZipArchive& archive,
+                             const std::string& text,
+                             const X3pDocument& document) {
+  const std::string member = document.text_at("Record4/ChecksumFile");
+  if (member.empty() || !archive.has(member))
+    return;
+  const std::string line = archive.member(member);
+  refuse_other_sum(name, "main.xml",
+                   line.substr(0, line.find_first_of(" \t\r\n*")),
+                   md5_hash(text));
+}
+
+/// A member that main.xml names.
+struct X3pMember {
+  std::string name;
+  std::string bytes;
+};
+
+/// The points of a file [m]; x and y are empty unless their axes are absolute.
+struct X3pPoints {
+  std::vector<double> x, y, z;
+};
+
+/// Reads the points, from members of the archive or from main.xml itself.
+class X3pReader {
+public:
+  X3pReader(const std::string& name, const ZipArchive& archive,
+            const X3pDocument& document)
+      : name_(name),
+        archive_(archive),
+        document_(document),
+        header_(document.header()) {}
+
+  OpenMap map() {
+    if (document_.text_at(x3p_link_path + "PointDataLink").empty())
+      take_listed_points();
+    else
+      take_stored_points();
+    return map_in_memory(grid(), std::move(points_.z), "own reader of X3P",
+                         {.has_own_marks = true});
+  }
+
+private:
+  std::size_t count() const {
+    return static_cast<std::size_t>(header_.size_x * header_.size_y);
+  }
+
+  X3pMember linked_member(const char* link) const {
+    const std::string member = document_.text_at(x3p_link_path + link);
+    return {member, archive_.member(member)};
+  }
+
+  /// @param sum  key of main.xml with the checksum of the member
+  void compare_sum(const X3pMember& member, const char* sum) const {
+    const std::string stated = document_.text_at(x3p_link_path + sum);
+    if (!stated.empty())
+      refuse_other_sum(name_, member.name, stated, md5_hash(member.bytes));
+  }
+
+  void take_stored_points() {
+    const X3pMember stored = linked_member("PointDataLink");
+    const std::string full_name = name_ + ": " + printable(stored.name);
+    require_sound_grid(full_name, header_.size_x, header_.size_y,
+                       static_cast<double>(header_.x.stored_bytes() +
+                                           header_.y.stored_bytes() +
+                                           header_.z.stored_bytes()),
+                       stored.bytes.size());
+    compare_sum(stored, "MD5ChecksumPointData");
+    ByteReader bytes(stored.bytes, full_name);
+    take_points([&](const X3pAxis& axis, std::size_t) {
+      return axis.type == 'I'   ? bytes.take<std::int16_t>()
+             : axis.type == 'L' ? bytes.take<std::int32_t>()
+             : axis.type == 'F' ? static_cast<double>(bytes.take<float>())
+                                : bytes.take<double>();
+    });
+    if (!document_.text_at(x3p_link_path + "ValidPointsLink").empty())
+      remove_points_not_valid();
+  }
+
+  /// Bit i of the file of valid points, from the least significant one of each
+  /// byte, is 0 if point i is missing.
+  void remove_points_not_valid() {
+    const X3pMember valid = linked_member("ValidPointsLink");
+    const std::size_t needed = (count() + 7) / 8;
+    if (valid.bytes.size() < needed)
+      document_.refuse(fmt::format("{} has {} bytes, but {} points need {}",
+                                   printable(valid.name), valid.bytes.size(),
+                                   count(), needed));
+    compare_sum(valid, "MD5ChecksumValidPoints");
+    for (std::size_t i = 0; i < count(); ++i)
+      if ((static_cast<unsigned char>(valid.bytes[i / 8]) >> (i % 8) & 1) == 0)
+        points_.z[i] = std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// Takes the points of main.xml: the absolute coordinates, separated by
+  /// semicolons; an empty text is a missing point.
+  void take_listed_points() {
+    const std::vector<std::string> texts =
+        document_.texts_in("Record3/DataList");
+    if (texts.empty())
+      document_.refuse("Record3 has neither a PointDataLink nor a DataList");
+    require_sound_grid(name_ + ": main.xml", header_.size_x, header_.size_y,
+                       1.0, texts.size());
+    if (texts.size() != count())
+      document_.refuse(fmt::format("{} points in DataList, but {} in "
+                                   "MatrixDimension",
+                                   texts.size(), count()));
+    std::vector<double> numbers; // of one point, the next one last
+    take_points([&](const X3pAxis&, std::size_t point) {
+      if (numbers.empty())
+        numbers = listed_numbers(texts[point]);
+      const double number = numbers.back();
+      numbers.pop_back();
+      return number;
+    });
+  }
+
+  /// The numbers of a listed point from the last one to the first.
+  std::vector<double> listed_numbers(const std::string& text) const {
+    const std::size_t stored = 1 + (header_.x.is_absolute ? 1U : 0U) +
+                               (header_.y.is_absolute ? 1U : 0U);
+    if (text.empty() && stored == 1)
+      return {std::numeric_limits<double>::quiet_NaN()};
+    std::vector<double> numbers;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(';'), rest.size());
+      numbers.push_back(number_of_text(trimmed(rest.substr(0, end))));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (numbers.size() != stored)
+      document_.refuse(
+          fmt::format("found the point '{}', but must be {} number(s)",
+                      printable(text), stored));
+    std::ranges::reverse(numbers);
+    return numbers;
+  }
+
+  /// Takes the absolute coordinates of all points, x, y and z of each.
+  /// @param next  the next number, of an axis of a point
+  template <class Next>
+  void take_points(const Next& next) {
+    const std::pair<const X3pAxis*, std::vector<double>*> axes[] = {
+        {&header_.x, &points_.x},
+        {&header_.y, &points_.y},
+        {&header_.z, &points_.z}};
+    for (const auto& [axis, coordinates] : axes)
+      coordinates->reserve(axis->is_absolute ? count() : 0);
+    for (std::size_t i = 0; i < count(); ++i)
+      for (const auto& [axis, coordinates] : axes)
+        if (axis->is_absolute)
+          coordinates->push_back(axis->offset +
+                                 axis->increment * next(*axis, i));
+  }
+
+  Grid grid() const {
+    const auto width = static_cast<std::size_t>(header_.size_x);
+    Grid grid;
+    grid.points_x = static_cast<int>(header_.size_x);
+    grid.points_y = static_cast<int>(header_.size_y);
+    const double spacing_x =
+        header_.x.is_absolute
+            ? regular_step(points_.x, width - 1, "x",
+                           [&](std::size_t i) { return i % width; })
+            : header_.x.increment;
+    const double spacing_y =
+        header_.y.is_absolute
+            ? regular_step(points_.y, count() - width, "y",
+                           [&](std::size_t i) { return i / width; })
+            : header_.y.increment;
+    grid.length_x = grid.points_x * spacing_x;
+    grid.length_y = grid.points_y * spacing_y;
+    require_sound_lengths(name_, grid);
+    return grid;
+  }
+
+  /// The distance of adjacent points, whose positions along an absolute axis
+  /// must be equidistant within 2 % of it.
+  /// @param last      a point at the other end of the axis
+  /// @param place_of  number of a point along the axis
+  template <class Place>
+  double regular_step(const std::vector<double>& positions, std::size_t last,
+                      const char* axis, const Place& place_of) const {
+    const auto place = [&](std::size_t point) {
+      return static_cast<double>(place_of(point));
+    };
+    const double first = positions.front();
+    const double step = (positions[last] - first) / place(last);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (!(std::abs(positions[i] - (first + place(i) * step)) <=
+            0.02 * std::abs(step))) {
+        const auto width = static_cast<std::size_t>(header_.size_x);
+        document_.refuse(fmt::format("the absolute positions along {} are not "
+                                     "regular at point ({}, {})",
+                                     axis, i % width, i / width));
+      }
+    return std::abs(step);
+  }
+
+  const std::string& name_;
+  const ZipArchive& archive_;
+  const X3pDocument& document_;
+  X3pHeader header_;
+  X3pPoints points_;
+};
+
+} // namespace
+
+OpenMap open_x3p(const MapBytes& bytes, const ScanRequest& request) {
+  const std::string& name = bytes.name();
+  refuse_scale(request.scale, name);
+  refuse_channel(request, "", name);
+  ZipArchive archive(bytes.all(), name);
+  archive.enter_folder_of("main.xml"); // some programs pack a folder
+  const std::string text = archive.member("main.xml");
+  const X3pDocument document(text, name);
+  X3pReader reader(name, archive, document);
+  compare_sum_of_document(name, archive, text, document);
+  return reader.map();
+}
+
+} // namespace asperity::surfaces
