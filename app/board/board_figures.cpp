@@ -42,13 +42,10 @@ reports::Figure surface_figure(const exchange::Problem& problem) {
       image.columns < grid.points_x ? " Means over blocks of nodes." : "");
   figure.data = "h_rms [m]\n" + fmt::format("{}\n", problem.rms_height);
   figure.maps.emplace_back("heights", reports::map_csv(image));
-  figure.script = fmt::format(
-      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\n"
-      "set size ratio -1\nset colorbox\nset palette maxcolors 128 defined (0 "
-      "'#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n"
-      "set xlabel 'x [um]'\nset ylabel 'y [um]'\n{}{}",
-      reports::map_tics(image),
-      reports::plot_of_map(image, figure.name + "-heights.csv"));
+  reports::ChartPanel& panel = figure.panels.emplace_back(
+      reports::map_panel(image, "heights", "height"));
+  panel.x.label = "x [um]";
+  panel.y.label = "y [um]";
   return figure;
 }
 
@@ -64,8 +61,11 @@ reports::Figure error_figure(const BoardProblem& problem) {
   if (codes.empty())
     figure.problem = "no certified answer states a CPU time";
   reports::CsvTable table({"code", "index", "cpu_time [s]", "error [h_rms]"});
-  std::vector<std::string> parts;
-  const std::string file = "'" + figure.name + ".csv' ";
+  reports::ChartPanel panel{
+      .x = {.label = "CPU time [s]", .is_log = true, .has_powers = true},
+      .y = {.label = "bound of |u - u*| / h_{rms}",
+            .is_log = true,
+            .has_powers = true}};
   for (std::size_t c = 0; c < codes.size(); ++c)
     for (const bool is_best : {false, true}) {
       const std::size_t index = 2 * c + (is_best ? 1 : 0);
@@ -79,18 +79,13 @@ reports::Figure error_figure(const BoardProblem& problem) {
           has_any = true;
         }
       if (has_any)
-        parts.push_back(
-            file + reports::of_series(index, "$3:4") +
-            fmt::format(" with points linecolor rgb '{}' pointtype {} "
-                        "pointsize 0.9 linewidth 1.4 title ",
-                        reports::method_color(c), is_best ? 7 : 6) +
-            reports::gnuplot_text(codes[c] + (is_best ? ", best" : "")));
+        panel.add(codes[c] + (is_best ? ", best" : ""),
+                  reports::markers(reports::method_color(c), is_best ? 7 : 6,
+                                   0.9, 1.4),
+                  index, 3, 4);
     }
   figure.data = table.text();
-  figure.script = "set logscale xy\nset format x '10^{%T}'\nset format y "
-                  "'10^{%T}'\nset xlabel 'CPU time [s]'\nset ylabel 'bound of "
-                  "|u - u*| / h_{rms}'\n" +
-                  (parts.empty() ? std::string() : reports::plot_of(parts));
+  figure.panels = {std::move(panel)};
   return figure;
 }
 

@@ -23,9 +23,9 @@ std::vector<std::string> methods_of(const Bench& bench) {
   return methods;
 }
 
-std::string sign_of(std::size_t method) {
-  return fmt::format("linecolor rgb '{}' pointtype {} pointsize 0.7",
-                     method_color(method), 4 + 2 * (method % 5));
+CurveStyle sign_of(std::size_t method, double width) {
+  return markers(method_color(method), 4 + 2 * static_cast<int>(method % 5),
+                 0.7, width);
 }
 
 double error_of(const BenchPoint& point, const std::string& quantity) {
@@ -61,21 +61,19 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
           error_of(point, quantity) > 0.0)
         table.add(point.method, {static_cast<double>(m), point.cpu.median,
                                  error_of(point, quantity)});
-  const std::size_t line = methods.size();
   for (const std::size_t i : front)
-    table.add("front", {static_cast<double>(line), bench.points[i].cpu.median,
-                        error_of(bench.points[i], quantity)});
-  const std::string file = "'" + figure.name + ".csv' ";
-  std::vector<std::string> parts{
-      file + of_series(line, "$3:4") +
-      " with steps linecolor rgb '#888888' linewidth 1.5 title 'Pareto front'"};
+    table.add("front",
+              {static_cast<double>(methods.size()), bench.points[i].cpu.median,
+               error_of(bench.points[i], quantity)});
+  ChartPanel panel{.x = {.label = "CPU time of the run [s]", .is_log = true},
+                   .y = {.label = "error", .is_log = true, .has_powers = true},
+                   .curves = {curve("Pareto front", line("#888888", 1.5),
+                                    methods.size(), 3, 4)}};
+  panel.curves.front().has_steps = true;
   for (std::size_t m = 0; m < methods.size(); ++m)
-    parts.push_back(file + of_series(m, "$3:4") + " with points " + sign_of(m) +
-                    " linewidth 1.4 title " + gnuplot_text(methods[m]));
+    panel.add(methods[m], sign_of(m, 1.4), m, 3, 4);
   figure.data = table.text();
-  figure.script = "set logscale xy\nset format y '10^{%T}'\nset xlabel 'CPU "
-                  "time of the run [s]'\nset ylabel 'error'\n" +
-                  plot_of(parts);
+  figure.panels = {std::move(panel)};
   return figure;
 }
 
@@ -94,7 +92,10 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
   figure.name = what.name;
   figure.title = what.title;
   CsvTable table({"curve", "index", "points a side [1]", what.label});
-  std::vector<std::string> parts;
+  ChartPanel panel{.x = {.label = "points per side", .is_log = true, .base = 2},
+                   .y = {.label = as_markup(what.label),
+                         .is_log = true,
+                         .has_powers = true}};
   std::string exponents;
   std::size_t index = 0;
   for (const BenchSeries& series : bench.series) {
@@ -105,9 +106,7 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
         table.add(series.method, {static_cast<double>(index),
                                   static_cast<double>(bench.points[i].points),
                                   what.value(bench.points[i])});
-    parts.push_back("'" + figure.name + ".csv' " + of_series(index, "$3:4") +
-                    " with linespoints " + sign_of(index) + " title " +
-                    gnuplot_text(series.method));
+    panel.add(series.method, joined(sign_of(index, 1.0)), index, 3, 4);
     if (const double exponent = what.law(series).determined_exponent();
         std::isfinite(exponent))
       exponents += fmt::format("{}{} {:.2f}", exponents.empty() ? "" : ", ",
@@ -116,9 +115,7 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
   }
   figure.caption = what.caption + exponents + ".";
   figure.data = table.text();
-  figure.script = "set logscale x 2\nset logscale y\nset format y "
-                  "'10^{%T}'\nset xlabel 'points per side'\nset ylabel " +
-                  gnuplot_text(what.label) + "\n" + plot_of(parts);
+  figure.panels = {std::move(panel)};
   return figure;
 }
 
@@ -176,22 +173,20 @@ Figure phases_figure(const Bench& bench) {
     shares.push_back(floor > 0.0 ? floor : not_a_number);
     table.add(point.method, shares);
   }
-  std::vector<std::string> parts;
+  ChartPanel panel{
+      .y = {.label = "share of the CPU time", .low = 0.0, .high = 1.02}};
   for (std::size_t i = 0; i < phases.size(); ++i)
-    parts.push_back(fmt::format(
-        "'phases.csv' every ::1 using {}{} linecolor rgb '{}' title '{}'",
-        i + 2, i == 0 ? ":xtic(1)" : "", method_color(i), phases[i].first));
+    panel.curves.push_back({.label = phases[i].first,
+                            .style = {.color = method_color(i)},
+                            .y = static_cast<int>(i) + 2,
+                            .is_per_row = true});
   if (has_floor)
-    parts.emplace_back(
-        "'phases.csv' every ::1 using ($0):8 with points pointtype "
-        "7 pointsize 0.9 linecolor rgb '#000000' title 'transform "
-        "floor'");
+    panel.curves.push_back({.label = "transform floor",
+                            .style = markers("#000000", 7, 0.9),
+                            .y = 8,
+                            .is_per_row = true});
   figure.data = table.text();
-  figure.script = "set style data histogram\nset style histogram "
-                  "rowstacked\nset style fill solid 0.85 border -1\nset "
-                  "boxwidth 0.6\nset yrange [0:1.02]\nset ylabel 'share of the "
-                  "CPU time'\n" +
-                  plot_of(parts);
+  figure.panels = {std::move(panel)};
   return figure;
 }
 

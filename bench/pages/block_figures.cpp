@@ -63,8 +63,9 @@ Figure block_figure(const Bench& bench, const std::string& quantity,
   figure.name = cost.name;
   figure.title = cost.title;
   CsvTable table({"curve", "index", cost.label, "error [1]"});
-  const std::string file = "'" + figure.name + ".csv' ";
-  std::vector<std::string> parts;
+  ChartPanel panel{
+      .x = {.label = as_markup(cost.label), .is_log = true, .has_powers = true},
+      .y = {.label = "error", .is_log = true, .has_powers = true}};
   std::size_t index = 0;
   for (const BenchSeries* series : block_series(bench, quantity)) {
     for (const std::size_t i : series->points)
@@ -78,19 +79,15 @@ Figure block_figure(const Bench& bench, const std::string& quantity,
         std::isfinite(exponent)
             ? fmt::format("{}, order {:.2f}", series->method, -exponent)
             : series->method;
-    parts.push_back(file + of_series(index, "$3:4") +
-                    fmt::format(" with linespoints linecolor rgb '{}' "
-                                "pointtype {} pointsize 0.8 linewidth 1.4 "
-                                "title {}",
-                                method_color(index), 4 + 2 * (index % 5),
-                                gnuplot_text(name)));
+    panel.add(name,
+              joined(markers(method_color(index),
+                             4 + 2 * static_cast<int>(index % 5), 0.8, 1.4)),
+              index, 3, 4);
     ++index;
   }
   figure.caption = error_words(quantity) + ". " + cost.caption;
   figure.data = table.text();
-  figure.script = "set logscale xy\nset format xy '10^{%T}'\nset xlabel " +
-                  gnuplot_text(cost.label) + "\nset ylabel 'error'\n" +
-                  plot_of(parts);
+  figure.panels = {std::move(panel)};
   return figure;
 }
 

@@ -24,9 +24,14 @@ Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
               : "The same work on every number of workers.");
   CsvTable table({"curve", "index", std::string(workers) + " [1]",
                   "speed-up [1]", "efficiency [1]"});
-  const std::string file = "'" + figure.name + ".csv' ";
-  std::vector<std::string> parts{
-      "x linecolor rgb '#bbbbbb' linewidth 1.5 title 'ideal'"};
+  ChartPanel panel{
+      .x = {.label = workers, .low = 0.9, .is_log = true, .base = 2},
+      .y = {.label = "speed-up", .is_log = true, .base = 2},
+      .curves = {{.label = "ideal",
+                  .style = line("#bbbbbb", 1.5),
+                  .slope = 1.0}},
+      .free_corner = "top left",
+      .has_legend_inside = true};
   int most = 1;
   std::size_t index = 0;
   for (const ScalingSeries& series : bench.scaling) {
@@ -39,20 +44,14 @@ Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
       most = std::max(most, row.workers);
     }
     if (!rows.empty())
-      parts.push_back(file + of_series(index, "$3:4") +
-                      fmt::format(" with linespoints linecolor rgb '{}' "
-                                  "pointtype 7 pointsize 0.7 linewidth 1.4 "
-                                  "title {}",
-                                  method_color(index),
-                                  gnuplot_text(series.method)));
+      panel.add(series.method,
+                joined(markers(method_color(index), 7, 0.7, 1.4)), index, 3, 4);
     ++index;
   }
   figure.data = table.text();
-  figure.script = fmt::format("set logscale xy 2\nset xrange [0.9:{}]\nset "
-                              "yrange [:{}]\nset xlabel "
-                              "'{}'\nset ylabel 'speed-up'\nset key left top\n",
-                              1.2 * most, 1.5 * most, workers) +
-                  plot_of(parts);
+  panel.x.high = 1.2 * most;
+  panel.y.high = 1.5 * most;
+  figure.panels = {std::move(panel)};
   return figure;
 }
 

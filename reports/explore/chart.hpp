@@ -1,9 +1,13 @@
 #pragma once
 
-// Describes the curves of a figure for the browser: which columns of the
-// figure's table are drawn against each other, and how. The numbers themselves
-// stay in the table.
+// A figure as data: panels with axes, curves, marks and images.
+// gnuplot_script() writes them for paper and explore_data() for the browser.
+// The numbers of curves stay in the table of the figure.
+//
+// Markup is gnuplot's: "h_{rms}", "10^4"; a backslash takes its meaning from
+// the character behind it.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,30 +16,44 @@
 namespace asperity::reports {
 
 struct ChartAxis {
-  std::string label;     ///< plain text, "u / h_rms"
-  bool is_log = false;   ///< the axis is logarithmic at first
-  bool is_log10 = false; ///< the column holds log10 of the quantity shown
-  std::optional<double> low, high; ///< range at first; empty: that of the data
-  std::vector<std::pair<double, std::string>> ticks = {}; ///< empty: numbers
+  std::string label = {}; ///< markup, with the unit: "x [µm]"
+  std::optional<double> low = {}, high = {}; ///< range; empty: that of the data
+  bool is_log = false;
+  bool is_log10 = false; ///< the columns hold log10 of the quantity, which the
+                         ///< browser shows on a logarithmic axis
+  int base = 10;         ///< of a logarithmic axis on paper
+  bool has_powers = false; ///< numbers on paper are powers of ten
+  double tick_step = 0.0;  ///< on paper; 0: chosen by gnuplot
+  std::vector<std::pair<double, std::string>> ticks = {}; ///< with markup;
+                                                          ///< empty: numbers
 };
 
-/// A curve, or a straight line y = intercept + slope x without data.
-struct ChartCurve {
-  std::string label; ///< in the legend; empty: not listed there
-  std::string color; ///< "#rrggbb"
+struct CurveStyle {
+  std::string color = {}; ///< "#rrggbb"
   bool has_line = false;
   bool has_markers = false;
-  bool has_steps = false;      ///< the line is a staircase
-  bool is_area = false;        ///< the area between `low` and `high` is shaded
-  double width = 1.0;          ///< of lines [px]
-  int dash = 1;                ///< 1: solid; 2: dashed; others: dotted
-  int marker = 6;              ///< gnuplot's number of the marker
+  double width = 1.0;       ///< of lines [px]
+  int dash = 1;             ///< 1: solid; 2: dashed; others: dotted
+  int marker = 6;           ///< gnuplot's number
+  double marker_size = 1.0; ///< of gnuplot's own
+};
+
+/// A curve, a straight line y = intercept + slope x without data, or one value
+/// per row of the table.
+struct ChartCurve {
+  std::string label = {}; ///< plain text in the legend; empty: not listed there
+  CurveStyle style = {};
   int index = 0;               ///< rows whose second column has this value
-  int x = 0, y = 0;            ///< columns, counted from 1; 0: no data
+  int x = 0, y = 0;            ///< columns, counted from 1; x = 0: no data
   int low = 0, high = 0;       ///< columns of the interval; 0: none
   bool has_x_interval = false; ///< the interval is one of x, otherwise of y
-  double factor = 1.0;         ///< y is multiplied by it
+  bool has_steps = false;      ///< the line is a staircase
+  bool is_area = false;        ///< the area between `low` and `high` is shaded
   bool is_on_second_axis = false;
+  bool is_per_row = false; ///< y of every row against its number, named by its
+                           ///< first column; bars on each other if it has no
+                           ///< markers. On paper only
+  double factor = 1.0;     ///< y is multiplied by it
   double slope = 0.0, intercept = 0.0; ///< of a line without data
 };
 
@@ -44,8 +62,9 @@ struct ChartCurve {
 struct ChartMark {
   double low = 0.0, high = 0.0; ///< in units of x; infinite: the edge
   double height = -1.0;         ///< 0: bottom, 1: top; negative: a range
-  std::string color;
-  std::string label; ///< beside a line
+  std::string color = {};
+  std::string label = {}; ///< plain text beside a line
+  double opacity = 0.06;  ///< of a shaded range on paper
 };
 
 /// A shaded area, such as an interval around the curve of the same colour.
@@ -54,17 +73,83 @@ struct ChartBand {
   std::vector<std::pair<double, double>> corners; ///< of a closed polygon
 };
 
-/// One pair of axes with its curves.
-struct ChartPanel {
-  ChartAxis x, y;
-  std::optional<ChartAxis> second; ///< y axis on the right
-  std::vector<ChartCurve> curves;
-  std::vector<ChartMark> marks;
-  std::vector<ChartBand> bands = {};
+/// Shape of an image: one scale on both axes, a square, or what fills the
+/// panel.
+enum class Proportions { equal_scales, square, filling };
+
+/// A map on paper; the browser has a MapStack instead.
+struct ChartImage {
+  std::string map = {};        ///< suffix of a matrix in Figure::maps; empty:
+  int x = 0, y = 0, value = 0; ///< columns of the table
+  bool has_cells = false;      ///< a square of side 1 around each point
+  std::string colors = {};     ///< "pressure", "gap", "height", "cells"
+  std::optional<double> low = {}, high = {}; ///< ends of the colours
+  double tick_step = 0.0; ///< of the colours; 0: chosen by gnuplot
+  std::string label = {}; ///< of the colours, markup
+  Proportions proportions = Proportions::equal_scales;
+  std::vector<std::pair<std::pair<double, double>, std::string>> notes =
+      {}; ///< plain texts at points x, y
 };
 
-struct Chart {
-  std::vector<ChartPanel> panels;
+/// A second x axis above a panel, on which x is multiplied by a factor.
+struct UpperAxis {
+  std::string label; ///< markup
+  double factor = 1.0;
+  double tick_step = 1.0;
+  bool is_hidden = false; ///< it only keeps the range of x
 };
+
+/// One pair of axes with its curves.
+struct ChartPanel {
+  ChartAxis x = {}, y = {};
+  std::optional<ChartAxis> second = {}; ///< y axis on the right
+  std::vector<ChartCurve> curves = {};
+  std::vector<ChartMark> marks = {};
+  std::vector<ChartBand> bands = {};
+  // What follows is for paper only.
+  std::optional<ChartImage> image = {};
+  std::optional<UpperAxis> upper = {};
+  bool has_zero_line = false; ///< a thin line at y = 0 over the whole width
+  std::string title = {};     ///< markup
+  std::string offsets = {};   ///< free space left, right, above and below the
+                            ///< data, in gnuplot's words: "0, 0, graph 0.1, 0"
+  std::optional<std::pair<double, double>> sides =
+      {};                         ///< of the plot, shares of the figure's width
+  std::string free_corner = {};   ///< "top right": the curves leave it free; it
+                                  ///< holds the legend of a journal figure
+  bool has_legend_inside = false; ///< in the free corner, also in the report
+  bool has_narrow_legend = false; ///< of at most two columns
+
+  /// Adds the curve with these columns.
+  ChartCurve& add(std::string label, CurveStyle style, std::size_t index,
+                  int x_column, int y_column);
+};
+
+/// Returns the curve with these columns.
+/// @param label  plain text; empty: not in the legend
+/// @param index  of its rows
+ChartCurve curve(std::string label, CurveStyle style, std::size_t index, int x,
+                 int y);
+
+/// Returns a horizontal line without data.
+ChartCurve level(double y, CurveStyle style, std::string label = "");
+
+CurveStyle line(std::string color, double width = 1.0, int dash = 1);
+CurveStyle markers(std::string color, int marker, double size,
+                   double width = 1.0);
+
+/// Returns markers joined by a line.
+CurveStyle joined(CurveStyle markers);
+
+/// Returns the number as it is written with so many digits, so that a figure
+/// has the same on paper and in the browser.
+double rounded(double number, int digits);
+
+/// Returns markup that shows the text literally.
+std::string as_markup(const std::string& text);
+
+/// Converts markup to plain text: "h_{rms}" to "h_rms", "A_0" to "A₀", "m^4" to
+/// "m⁴".
+std::string plain_label(const std::string& markup);
 
 } // namespace asperity::reports

@@ -7,6 +7,8 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace asperity::reports {
@@ -15,23 +17,32 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const ChartAxis& axis) {
-  Json json{
-      {"label", axis.label}, {"log", axis.is_log}, {"log10", axis.is_log10}};
+  std::string label = plain_label(axis.label);
+  const std::string logarithm = "log₁₀ ";
+  if (axis.is_log10 && label.starts_with(logarithm))
+    label.erase(0, logarithm.size());
+  Json json{{"label", label},
+            {"log", axis.is_log || axis.is_log10},
+            {"log10", axis.is_log10}};
+  const auto shown = [&](double limit) {
+    return axis.is_log10 ? std::pow(10.0, limit) : limit;
+  };
   if (axis.low)
-    json["low"] = *axis.low;
+    json["low"] = shown(*axis.low);
   if (axis.high)
-    json["high"] = *axis.high;
-  if (!axis.ticks.empty())
-    json["ticks"] = axis.ticks;
+    json["high"] = shown(*axis.high);
+  for (const auto& [place, name] : axis.ticks)
+    json["ticks"].push_back({place, plain_label(name)});
   return json;
 }
 
 Json json_of(const ChartCurve& curve) {
-  Json json{{"label", curve.label},     {"color", curve.color},
-            {"line", curve.has_line},   {"markers", curve.has_markers},
+  const CurveStyle& style = curve.style;
+  Json json{{"label", curve.label},     {"color", style.color},
+            {"line", style.has_line},   {"markers", style.has_markers},
             {"steps", curve.has_steps}, {"area", curve.is_area},
-            {"width", curve.width},     {"dash", curve.dash},
-            {"marker", curve.marker},   {"second", curve.is_on_second_axis}};
+            {"width", style.width},     {"dash", style.dash},
+            {"marker", style.marker},   {"second", curve.is_on_second_axis}};
   if (curve.x == 0) {
     json["slope"] = curve.slope;
     json["intercept"] = curve.intercept;
@@ -49,29 +60,35 @@ Json json_of(const ChartCurve& curve) {
   return json;
 }
 
-Json json_of(const Chart& chart) {
-  Json panels = Json::array();
-  for (const ChartPanel& panel : chart.panels) {
-    Json json{{"x", json_of(panel.x)}, {"y", json_of(panel.y)}};
-    if (panel.second)
-      json["second"] = json_of(*panel.second);
-    json["curves"] = Json::array();
-    for (const ChartCurve& curve : panel.curves)
-      json["curves"].push_back(json_of(curve));
-    json["marks"] = Json::array();
-    for (const ChartMark& mark : panel.marks) // infinite: null
-      json["marks"].push_back({{"low", mark.low},
-                               {"high", mark.high},
-                               {"height", mark.height},
-                               {"color", mark.color},
-                               {"label", mark.label}});
-    json["bands"] = Json::array();
-    for (const ChartBand& band : panel.bands)
-      json["bands"].push_back(
-          {{"color", band.color}, {"corners", band.corners}});
-    panels.push_back(std::move(json));
+Json json_of(const ChartPanel& panel) {
+  Json json{{"x", json_of(panel.x)}, {"y", json_of(panel.y)}};
+  if (panel.second)
+    json["second"] = json_of(*panel.second);
+  json["curves"] = Json::array();
+  for (const ChartCurve& curve : panel.curves)
+    json["curves"].push_back(json_of(curve));
+  json["marks"] = Json::array();
+  for (const ChartMark& mark : panel.marks) // infinite: null
+    json["marks"].push_back({{"low", mark.low},
+                             {"high", mark.high},
+                             {"height", mark.height},
+                             {"color", mark.color},
+                             {"label", mark.label}});
+  json["bands"] = Json::array();
+  for (const ChartBand& band : panel.bands) {
+    Json corners = Json::array();
+    for (const auto& [x, y] : band.corners)
+      corners.push_back({panel.x.is_log10 ? std::pow(10.0, x) : x,
+                         panel.y.is_log10 ? std::pow(10.0, y) : y});
+    json["bands"].push_back({{"color", band.color}, {"corners", corners}});
   }
-  return panels;
+  return json;
+}
+
+/// Whether the browser can show all of a panel.
+bool has_only_curves(const ChartPanel& panel) {
+  return !panel.image && !(panel.curves.empty() && panel.bands.empty()) &&
+         std::ranges::none_of(panel.curves, &ChartCurve::is_per_row);
 }
 
 Json json_of(const MapStack& stack) {
@@ -101,15 +118,17 @@ Json json_of(const MapStack& stack) {
 
 std::string explore_data(const std::string& name, const std::string& title,
                          const std::string& table,
-                         const std::optional<Chart>& chart,
+                         std::span<const ChartPanel> panels,
                          const std::optional<MapStack>& maps) {
-  if (!chart && !maps)
+  if (!maps &&
+      (panels.empty() || !std::ranges::all_of(panels, has_only_curves)))
     return "";
   Json json{{"name", name}, {"title", title}, {"table", packed(table)}};
-  if (chart)
-    json["panels"] = json_of(*chart);
   if (maps)
     json["maps"] = json_of(*maps);
+  else
+    for (const ChartPanel& panel : panels)
+      json["panels"].push_back(json_of(panel));
   std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   // None of these stands outside a string of JSON, where the escape sequence
   // means the same character. The text can then end no element of a page.

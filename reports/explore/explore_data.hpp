@@ -8,17 +8,20 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace asperity::reports {
 
-/// Returns the data of one figure, or "" if it has neither curves nor maps.
+/// Returns the data of one figure: its maps or, if it has none, its curves. It
+/// is "" if the browser could show only a part of the panels, because a curve
+/// must not be missing.
 ///
 /// @param name   file name without extension
 /// @param table  text of the CSV; the browser reads its numbers
 std::string explore_data(const std::string& name, const std::string& title,
                          const std::string& table,
-                         const std::optional<Chart>& chart,
+                         std::span<const ChartPanel> panels,
                          const std::optional<MapStack>& maps);
 
 /// Returns the text of Chart.js, the library that draws curves in the browser,

@@ -13,56 +13,57 @@ using results::Table;
 struct Curve {
   const char* column;
   const char* title;
-  const char* style;
+  const char* color;
+  bool is_dashed = false;
 };
 
-const char* const red = "linewidth 1.6 linecolor rgb '#D55E00'";
-const char* const green = "linewidth 1.6 linecolor rgb '#009E73'";
-const char* const blue = "linewidth 1.6 linecolor rgb '#0072B2'";
-const char* const dashed = " dashtype 2";
+const char* const red = "#D55E00";
+const char* const green = "#009E73";
+const char* const blue = "#0072B2";
+
+/// A column of the table as x.
+struct Across {
+  std::string column;
+  double scale = 1.0;
+  std::string name; ///< in the table of the figure, with its unit
+};
 
 /// Plots curves of the table against one of its columns, one series per curve.
 Figure figure_of(const Table& rows, const std::string& name,
-                 const std::string& x_column, double x_scale,
-                 const std::string& x_name, const std::vector<Curve>& curves) {
+                 const Across& across, const std::vector<Curve>& curves) {
   Figure figure;
   figure.name = name;
-  CsvTable table({"curve", "index", x_name, "value [1]"});
-  std::vector<std::string> plots;
-  const std::vector<double> x = rows.values(x_column);
-  for (const Curve& curve : curves) {
-    const std::vector<double> y = rows.values(curve.column);
-    const std::size_t index = plots.size();
+  CsvTable table({"curve", "index", across.name, "value [1]"});
+  ChartPanel panel{.y = {.low = -0.2, .high = 1.05}, .has_zero_line = true};
+  const std::vector<double> x = rows.values(across.column);
+  std::size_t index = 0;
+  for (const Curve& one : curves) {
+    const std::vector<double> y = rows.values(one.column);
     for (std::size_t i = 0; i < x.size() && i < y.size(); ++i)
-      table.add(curve.title,
-                {static_cast<double>(index), x[i] * x_scale, y[i]});
-    plots.push_back(fmt::format("'{}.csv' {} with lines {} title {}", name,
-                                of_series(index, "$3:4"), curve.style,
-                                gnuplot_text(curve.title)));
+      table.add(one.title,
+                {static_cast<double>(index), x[i] * across.scale, y[i]});
+    panel.add(one.title, line(one.color, 1.6, one.is_dashed ? 2 : 1), index++,
+              3, 4);
   }
   figure.data = table.text();
-  figure.script = "set yrange [-0.2:1.05]\nset arrow from graph 0, first 0 to "
-                  "graph 1, first 0 nohead linewidth 0.8 linecolor rgb "
-                  "'#888888'\n" +
-                  plot_of(plots);
+  figure.panels = {std::move(panel)};
   return figure;
 }
 
 void label_axes(Figure& figure, const std::string& x, const std::string& y) {
-  figure.script = "set xlabel " + gnuplot_markup(x) + "\nset ylabel " +
-                  gnuplot_markup(y) + "\n" + figure.script;
+  figure.panels.front().x.label = x;
+  figure.panels.front().y.label = y;
 }
 
 const char* const ratio_axis = "h_{rms} / h_{rms0}";
 const char* const both_axis = "γ_{eff}(1) / Δγ,  A/A_0";
 
 Figure branches_figure(const Table& rows) {
-  const std::string area = std::string(red) + dashed;
   Figure figure = figure_of(
-      rows, "adhesion-branches", "height_ratio", 1.0, "h_rms/h_rms0 [1]",
+      rows, "adhesion-branches", {"height_ratio", 1.0, "h_rms/h_rms0 [1]"},
       {{"binding_partial", "γ_eff/Δγ, partial contact", red},
        {"binding_complete", "γ_eff/Δγ, complete contact", green},
-       {"area_fraction_partial", "A/A₀, partial contact", area.c_str()}});
+       {"area_fraction_partial", "A/A₀, partial contact", red, true}});
   figure.title = "Both branches of adhesive contact";
   figure.caption = "The effective binding energy at the lowest magnification "
                    "and the real contact area against the rms height of the "
@@ -73,11 +74,10 @@ Figure branches_figure(const Table& rows) {
 }
 
 Figure equilibrium_figure(const Table& rows, const Table* flip) {
-  const std::string area = std::string(blue) + dashed;
   Figure figure = figure_of(
-      rows, "adhesion-equilibrium", "height_ratio", 1.0, "h_rms/h_rms0 [1]",
+      rows, "adhesion-equilibrium", {"height_ratio", 1.0, "h_rms/h_rms0 [1]"},
       {{"binding_equilibrium", "γ_eff/Δγ", blue},
-       {"area_fraction_equilibrium", "A/A₀", area.c_str()}});
+       {"area_fraction_equilibrium", "A/A₀", blue, true}});
   figure.title = "Adhesive contact in equilibrium";
   const std::vector<double> ratio =
       flip == nullptr ? std::vector<double>{} : flip->values("height_ratio");
@@ -99,7 +99,7 @@ Figure equilibrium_figure(const Table& rows, const Table* flip) {
 Figure height_figure(const Table& rows) {
   const double in_um = 1e6;
   Figure figure =
-      figure_of(rows, "adhesion-height", "rms_height", in_um, "h_rms [um]",
+      figure_of(rows, "adhesion-height", {"rms_height", in_um, "h_rms [um]"},
                 {{"binding_complete", "complete contact", blue},
                  {"binding_equilibrium", "equilibrium", red}});
   figure.title = "Binding energy against roughness";

@@ -67,9 +67,9 @@ Figure area_figure(std::span<const Series> series) {
       fitted == nullptr ? nullptr : theory_of(series, *fitted);
   const double scale =
       theory != nullptr ? quantity(*fitted, "area_scale").value : not_a_number;
-  std::vector<std::string> plots;
-  Bands bands;
-  const std::string file = "'area-pressure.csv' ";
+  ChartPanel panel{.x = {.label = "p / E*", .low = 0.0},
+                   .y = {.label = "A / A_0", .low = 0.0},
+                   .free_corner = "bottom right"};
   double furthest = 0.0;
   double top = 0.0;
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -83,37 +83,26 @@ Figure area_figure(std::span<const Series> series) {
     }
     if (one.rows.empty() || !one.is_drawn)
       continue;
-    const std::string title = gnuplot_text(one.legend);
     if (one.is_theory()) {
-      plots.push_back(file + of_series(i, "$3:4") + " with lines " +
-                      line_style(one) + " title " + title);
+      panel.add(one.legend, line_style(one), i, 3, 4);
       if (&one == theory && std::isfinite(scale))
-        plots.push_back(
-            file + of_series(i, "$3:6") +
-            " with lines linewidth 1.2 dashtype 2 linecolor rgb '#222222' "
-            "title " +
-            gnuplot_text(fmt::format("{} × {:.3g}", one.label, scale)));
+        panel.add(fmt::format("{} × {:.3g}", one.label, scale),
+                  line("#222222", 1.2, 2), i, 3, 6);
       continue;
     }
-    plots.push_back(file + of_series(i, "$3:4") + " with points " +
-                    point_style(one) + " title " + gnuplot_text(one.legend));
-    plots.push_back(file + of_series(i, "$3:5") + " with lines " +
-                    line_style(one) + " notitle");
-    bands.add(area_band(one.rows), series_color(one));
+    panel.add(one.legend, point_style(one), i, 3, 4);
+    panel.add("", line_style(one), i, 3, 5);
+    add_area_band(panel, one.rows, series_color(one));
   }
-  if (plots.empty())
+  if (panel.curves.empty())
     figure.problem = "no load step converged";
-  bands.add_to(figure, plots);
   figure.caption = area_caption(fitted) + joined_words(series);
-  if (!bands.empty())
+  if (!panel.bands.empty())
     figure.caption += " Bands: 95 % interval of the mean counted area over the "
                       "realisations.";
-  figure.script =
-      fmt::format("set xlabel {}\nset ylabel {}\nset xrange "
-                  "[0:{:.6g}]\nset yrange [0:{:.4g}]\n{}",
-                  gnuplot_markup("p / E*"), gnuplot_markup("A / A_0"),
-                  furthest > 0.0 ? 1.05 * furthest : 1.0,
-                  top > 0.0 && top <= 1.0 ? 1.05 * top : 1.05, plot_of(plots));
+  panel.x.high = rounded(furthest > 0.0 ? 1.05 * furthest : 1.0, 6);
+  panel.y.high = rounded(top > 0.0 && top <= 1.0 ? 1.05 * top : 1.05, 4);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -139,8 +128,8 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   CsvTable table({"curve", "index", "A/A_0 counted [1]",
                   "A E* h'/(A_0 p) counted [1]", "A/A_0 corrected [1]",
                   "A E* h'/(A_0 p) corrected [1]"});
-  std::vector<std::string> plots;
-  const std::string file = "'area-coefficient.csv' ";
+  ChartPanel panel{.x = {.label = "A / A_0", .low = 0.0, .high = 1.0},
+                   .y = {.label = "A E* h' / (A_0 p)"}};
   double lowest = 0.8;  // the axis: Persson's and Bush's values, and all data
   double highest = 3.2; // up to twice these
   for (std::size_t i = 0; i < series.size(); ++i) {
@@ -159,14 +148,11 @@ Figure area_coefficient_figure(std::span<const Series> series) {
     if (one.rows.empty() || !one.is_drawn)
       continue;
     if (one.is_theory()) {
-      plots.push_back(file + of_series(i, "$3:4") + " with lines " +
-                      line_style(one) + " title " + gnuplot_text(one.label));
+      panel.add(one.label, line_style(one), i, 3, 4);
       continue;
     }
-    plots.push_back(file + of_series(i, "$3:4") + " with points " +
-                    point_style(one) + " title " + gnuplot_text(one.legend));
-    plots.push_back(file + of_series(i, "$5:6") + " with lines " +
-                    line_style(one) + " notitle");
+    panel.add(one.legend, point_style(one), i, 3, 4);
+    panel.add("", line_style(one), i, 5, 6);
   }
   figure.caption =
       "Markers: counted; coloured lines: corrected. κ is the value at A/A₀ = 0 "
@@ -177,15 +163,10 @@ Figure area_coefficient_figure(std::span<const Series> series) {
                     joined_words(series);
   for (const double theory :
        {std::sqrt(8.0 / std::numbers::pi), std::sqrt(2.0 * std::numbers::pi)})
-    plots.push_back(fmt::format("{:.9g} with lines linewidth 0.8 dashtype 3 "
-                                "linecolor rgb '#777777' notitle",
-                                theory));
-  figure.script =
-      "set xlabel " + gnuplot_markup("A / A_0") + "\nset ylabel " +
-      gnuplot_markup("A E* h' / (A_0 p)") +
-      fmt::format("\nset xrange [0:1]\nset yrange [{:.4g}:{:.4g}]\n", lowest,
-                  highest) +
-      plot_of(plots);
+    panel.curves.push_back(level(rounded(theory, 9), line("#777777", 0.8, 3)));
+  panel.y.low = rounded(lowest, 4);
+  panel.y.high = rounded(highest, 4);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -220,9 +201,14 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
   CsvTable table({"curve", "index", "A_theory/A_0 [1]", "A/A_0 corrected [1]",
                   "A/A_0 by (21) [1]", "A/A_theory corrected [1]",
                   "A/A_theory by (21) [1]"});
-  std::vector<std::string> areas;
-  std::vector<std::string> ratios;
-  const std::string file = "'area-theory.csv' ";
+  const ChartAxis theory_axis{.label = "A_{theory} / A_0", .high = 1.0};
+  ChartPanel areas{.x = theory_axis,
+                   .y = {.label = "A / A_0", .low = 0.0, .high = 1.0}};
+  areas.x.low = 0.0;
+  ChartPanel ratios{.x = theory_axis,
+                    .y = {.label = "A / A_{theory}"},
+                    .offsets = "0, 0, 0.05, 0.05"};
+  ratios.x.is_log = true;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     bool has_rows = false;
@@ -237,35 +223,24 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
     }
     if (!has_rows || !one.is_drawn)
       continue;
-    const std::string line = " with lines " + line_style(one) + " notitle";
-    const std::string points = " with points " + point_style(one);
-    areas.push_back(file + of_series(i, "$3:4") + line);
-    areas.push_back(file + of_series(i, "$3:5") + points + " title " +
-                    gnuplot_text(one.legend));
-    ratios.push_back(file + of_series(i, "$3:6") + line);
-    ratios.push_back(file + of_series(i, "$3:7") + points + " notitle");
+    areas.add("", line_style(one), i, 3, 4);
+    areas.add(one.legend, point_style(one), i, 3, 5);
+    ratios.add("", line_style(one), i, 3, 6);
+    ratios.add("", point_style(one), i, 3, 7);
   }
-  if (areas.empty())
+  if (areas.curves.empty())
     return std::nullopt;
-  const std::string dotted =
-      " with lines linewidth 0.8 dashtype 3 linecolor rgb '#777777' notitle";
-  areas.push_back("x" + dotted);
-  ratios.push_back("1" + dotted);
+  const CurveStyle dotted = line("#777777", 0.8, 3);
+  areas.curves.push_back({.style = dotted, .slope = 1.0});
+  ratios.curves.push_back(level(1.0, dotted));
   figure.caption =
       "Each method's area against the theory's at the same load (left), and "
       "the ratio of the two (right). Markers: the area by Eq. (21) of Yang and "
       "Persson (2008), from the fitted pressure distribution; lines: the "
       "method's best estimate. Dotted: equal areas." +
       excess_words(series) + joined_words(series);
-  figure.script = fmt::format(
-      "set multiplot layout 1,2 margins 0.086,0.985,0.205,0.96 spacing 0.09\n"
-      "set key at screen 0.5, 0.02 bottom center vertical maxrows 1\nset "
-      "xlabel {0}\nset ylabel {1}\nset xrange [0:1]\n"
-      "set yrange [0:1]\n{2}unset key\nset ylabel {3}\nset logscale x\n"
-      "set xrange [*:1]\nset yrange [*:*]\nset offsets 0, 0, 0.05, 0.05\n{4}"
-      "unset multiplot\n",
-      gnuplot_markup("A_{theory} / A_0"), gnuplot_markup("A / A_0"),
-      plot_of(areas), gnuplot_markup("A / A_{theory}"), plot_of(ratios));
+  figure.panels = {std::move(areas), std::move(ratios)};
+  figure.grid = side_by_side(0.205);
   figure.data = table.text();
   return figure;
 }

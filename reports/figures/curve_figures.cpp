@@ -12,9 +12,8 @@ namespace {
 
 // Draws one bar per method at the bottom axis: its fit window, averaged over
 // its realisations.
-std::string window_bars(std::span<const Series> series) {
-  std::string script;
-  int bars = 0;
+std::vector<ChartMark> window_bars(std::span<const Series> series) {
+  std::vector<ChartMark> bars;
   for (const Series& one : series) {
     double low = 0.0;
     double high = 0.0;
@@ -28,13 +27,13 @@ std::string window_bars(std::span<const Series> series) {
     }
     if (count == 0 || !one.is_drawn)
       continue;
-    script += fmt::format(
-        "set arrow from {0:.6g}, graph {2:.3f} to {1:.6g}, graph {2:.3f} "
-        "nohead linewidth 2.5 linecolor rgb '{3}'\n",
-        low / count, high / count, 0.02 + 0.022 * bars++,
-        one.is_theory() ? "#222222" : method_color(one.color));
+    bars.push_back(
+        {.low = rounded(low / count, 6),
+         .high = rounded(high / count, 6),
+         .height = rounded(0.02 + 0.022 * static_cast<double>(bars.size()), 3),
+         .color = series_color(one)});
   }
-  return script;
+  return bars;
 }
 
 // Adds the fitted exponential of `series` as separate rows.
@@ -53,48 +52,46 @@ void add_fit(CsvTable& table, std::size_t index, const Series& series) {
 
 /// The axis starts at zero separation, or at the lowest (negative) gap where a
 /// penalty method allows penetration.
-std::string gap_range(std::span<const Series> series) {
+ChartAxis gap_axis(std::span<const Series> series) {
   double lowest = 0.0;
   for (const Series& one : series)
     for (const SeriesRow& row : one.rows)
       lowest = std::min(lowest, row.gap_low);
-  return fmt::format("\nset xrange [{:.4g}:*]", 1.1 * lowest);
+  return {.label = "mean separation u / h_{rms}",
+          .low = rounded(1.1 * lowest, 4)};
 }
 
-/// Adds the rows of all series to the table of pressure-gap.csv.
-/// @return  the plots of those that are drawn
-std::vector<std::string> add_gap_curves(std::span<const Series> series,
-                                        const std::string& file,
-                                        CsvTable& table, Bands& bands) {
-  std::vector<std::string> plots;
+/// Adds the rows of all series to the table, and the curves of those that are
+/// drawn.
+void add_gap_curves(std::span<const Series> series, CsvTable& table,
+                    ChartPanel& panel) {
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     for (const SeriesRow& row : one.rows)
       table.add(one.label,
                 {static_cast<double>(i), row.pressure, std::log10(row.pressure),
                  row.gap, row.gap_low, row.gap_high});
-    const std::string title = " title " + gnuplot_text(one.legend);
     if (one.rows.empty() || !one.is_drawn)
       continue;
+    ChartCurve& drawn = panel.add(
+        one.legend, one.is_theory() ? line_style(one) : point_style(one), i, 5,
+        4);
     if (one.is_theory())
-      plots.push_back(file + of_series(i, "$5:4") + " with lines " +
-                      line_style(one) + title);
-    else {
-      plots.push_back(file + of_series(i, "$5:4:6:7") + " with xerrorbars " +
-                      point_style(one) + title);
-      bands.add(gap_band(one.rows), series_color(one));
-    }
+      continue;
+    drawn.low = 6;
+    drawn.high = 7;
+    drawn.has_x_interval = true;
+    add_gap_band(panel, one.rows, series_color(one));
   }
-  return plots;
 }
 
-/// Returns the second x axis of a figure of one case, the gap in nm; "" if the
-/// figure has no length scale.
-std::string nanometre_axis(std::span<const ReportEntry> entries,
-                           std::span<const Series> series) {
+/// Returns the second x axis of a figure of one case, the gap in nm; nothing if
+/// the figure has no length scale.
+std::optional<UpperAxis> nanometre_axis(std::span<const ReportEntry> entries,
+                                        std::span<const Series> series) {
   if (entries.size() != 1 || entries.front().summary.methods.empty() ||
       entries.front().summary.methods.back().fits.empty())
-    return "";
+    return std::nullopt;
   const double height_nm =
       entries.front().summary.methods.back().fits.front().scales.rms_height *
       1e9;
@@ -103,11 +100,9 @@ std::string nanometre_axis(std::span<const ReportEntry> entries,
     for (const SeriesRow& row : one.rows)
       furthest = std::max(furthest, row.gap);
   if (!(furthest > 0.0))
-    return "";
-  return fmt::format(
-      "set link x2 via x*{0:.9g} inverse x/{0:.9g}\nset x2tics 0,{1:g}\n"
-      "set border 7\nset x2label 'u [nm]'\n",
-      height_nm, round_step(furthest * height_nm / 4.0));
+    return std::nullopt;
+  return UpperAxis{"u [nm]", rounded(height_nm, 9),
+                   round_step(furthest * height_nm / 4.0)};
 }
 
 } // namespace
@@ -119,13 +114,16 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
   figure.title = "Pressure against separation";
   CsvTable table({"curve", "index", "p/E* [1]", "log10 p/E* [1]", "u/h_rms [1]",
                   "least u/h_rms [1]", "largest u/h_rms [1]"});
-  const std::string file = "'pressure-gap.csv' ";
-  Bands bands;
-  std::vector<std::string> plots = add_gap_curves(series, file, table, bands);
-  bands.add_to(figure, plots);
+  ChartPanel panel{.x = gap_axis(series),
+                   .y = {.label = "log_{10}  p / E*", .is_log10 = true},
+                   .marks = window_bars(series),
+                   .upper = nanometre_axis(entries, series),
+                   .offsets = "0, 0, 0, graph 0.1",
+                   .free_corner = "top right"};
+  add_gap_curves(series, table, panel);
   figure.caption = "Each marker is a load step, the mean over the "
                    "realisations; its bar spans their range.";
-  if (!bands.empty())
+  if (!panel.bands.empty())
     figure.caption += " Bands: 95 % interval of the mean.";
   const Series* fitted = first_numerical(series);
   if (fitted != nullptr && quantity(*fitted, "gamma_slope").has_value() &&
@@ -133,24 +131,16 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     const std::size_t index = series.size();
     add_fit(table, index, *fitted);
     const Estimate& gamma = quantity(*fitted, "gamma_slope");
-    plots.push_back(
-        file + of_series(index, "$5:4") +
-        " with lines linewidth 0.9 dashtype 3 linecolor rgb '#777777' title " +
-        gnuplot_text("fit to " + fitted->label));
+    panel.add("fit to " + fitted->label, line("#777777", 0.9, 3), index, 5, 4);
     figure.caption += fmt::format(
         " The dotted line is p = β E* exp(−u/u₀) with u₀/h_rms = {} from {}; "
         "the bars at the bottom axis show the window of each method's fit.",
         number_text(gamma), fitted->label);
   }
   figure.caption += joined_words(series);
-  figure.script =
-      "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
-      "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") + gap_range(series) +
-      "\nset offsets 0, 0, 0, graph 0.1\n" + window_bars(series);
-  figure.script += nanometre_axis(entries, series);
-  if (plots.empty())
+  if (panel.curves.empty())
     figure.problem = "no load step converged";
-  figure.script += plot_of(plots);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -160,8 +150,11 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
   figure.name = "gap-deviation";
   figure.title = "Deviation of each method from the theory";
   CsvTable table({"curve", "index", "u/h_rms [1]", "(u - u_theory)/h_rms [%]"});
-  std::vector<std::string> plots{
-      "0 with lines linewidth 1.2 linecolor rgb '#222222' title 'theory'"};
+  ChartPanel panel{.x = gap_axis(series),
+                   .y = {.label = "(u − u_{theory}) / h_{rms}  [%]"},
+                   .curves = {level(0.0, line("#222222", 1.2), "theory")},
+                   .marks = {{.low = 0.3, .high = 1.5, .color = "#0072B2"}},
+                   .offsets = "graph 0, 0, 0.3, 0.1"};
   double largest = 0.0;
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
@@ -176,11 +169,9 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
     }
     if (!has_rows || !one.is_drawn)
       continue;
-    plots.push_back("'gap-deviation.csv' " + of_series(i, "$3:4") +
-                    " with linespoints " + point_style(one) + " title " +
-                    gnuplot_text(one.legend));
+    panel.add(one.legend, joined(point_style(one)), i, 3, 4);
   }
-  if (plots.size() == 1)
+  if (panel.curves.size() == 1)
     return std::nullopt;
   figure.caption = fmt::format(
       "Separation at equal pressure, minus the theory's, in per cent of h_rms; "
@@ -188,14 +179,7 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
       "0.3 < u/h_rms < 1.5, is the one that gap_deviation evaluates.",
       largest);
   figure.caption += joined_words(series);
-  figure.script =
-      "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
-      "\nset ylabel " + gnuplot_markup("(u − u_{theory}) / h_{rms}  [%]") +
-      gap_range(series) +
-      "\nset offsets graph 0, 0, 0.3, 0.1\nset object 1 rectangle from 0.3, "
-      "graph 0 to 1.5, graph 1 behind fillcolor rgb '#0072B2' fillstyle solid "
-      "0.06 noborder\n" +
-      plot_of(plots);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }

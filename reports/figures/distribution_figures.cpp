@@ -89,13 +89,6 @@ double add_histogram(CsvTable& table, const std::string& label, double index,
   return largest;
 }
 
-std::string curve_plot(const std::string& name, std::size_t index,
-                       const std::string& style, const std::string& title) {
-  return fmt::format(
-      "'{}.csv' using ($2=={} ? $3 : NaN):4 {} {}", name, index, style,
-      title.empty() ? "notitle" : "title " + gnuplot_text(title));
-}
-
 std::string legend_of(const Load& load, double modulus, double variance) {
   std::string words =
       fmt::format("p/E* = {:.3g}", load.fields->nominal_pressure / modulus);
@@ -116,7 +109,10 @@ Figure pressure_figure(const std::string& method,
   figure.name = "pressure-distribution-" + file_word(method);
   figure.title = "Distribution of the contact pressure, " + method;
   CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' A_0/A [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel{.x = {.label = "contact pressure σ / (E* h')", .low = 0.0},
+                   .y = {.label = "P(σ) E* h' A_0 / A", .low = 0.0},
+                   .free_corner = "top right",
+                   .has_legend_inside = true};
   double furthest = 0.0;
   double top = 0.0;
   std::size_t index = 0;
@@ -124,24 +120,21 @@ Figure pressure_figure(const std::string& method,
     const Load load = load_of(*maps[i], variance);
     const std::string name = legend_of(load, scales.contact_modulus, variance);
     const double pressure = load.fit.nominal_pressure;
-    plots.push_back(
-        curve_plot(figure.name, index, "with points " + load_sign(i), name));
+    panel.add(name, load_sign(i), index, 3, 4);
     top = std::max(top,
                    add_histogram(table, method + ", " + name,
                                  static_cast<double>(index++), load, stress));
-    plots.push_back(
-        curve_plot(figure.name, index,
-                   "with lines linewidth 0.9 dashtype 2 " + load_color(i),
-                   i + 1 == maps.size() ? "theory, Eq. (1)" : ""));
+    const bool is_last = i + 1 == maps.size();
+    panel.add(is_last ? "theory, Eq. (1)" : "", line(load_color(i), 0.9, 2),
+              index, 3, 4);
     add_curve(table, "theory, " + name, static_cast<double>(index++), pressure,
               variance, stress);
     furthest =
         std::max(furthest, pressure + 4.0 * std::sqrt(2.0 * load.variance));
     if (!(load.fit.variance > 0.0))
       continue;
-    plots.push_back(curve_plot(figure.name, index,
-                               "with lines linewidth 1.5 " + load_color(i),
-                               i + 1 == maps.size() ? "fitted, Eq. (20)" : ""));
+    panel.add(is_last ? "fitted, Eq. (20)" : "", line(load_color(i), 1.5),
+              index, 3, 4);
     top = std::max(top, add_curve(table, "Eq. (20), " + name,
                                   static_cast<double>(index++), pressure,
                                   load.fit.variance, stress));
@@ -153,12 +146,9 @@ Figure pressure_figure(const std::string& method,
       "load, with G of the slope {:.3g}. r = G̃/G. Each curve is divided by its "
       "contact fraction, so that the shapes can be compared.",
       scales.rms_slope);
-  figure.script = fmt::format(
-      "set key top right\nset xlabel {}\nset ylabel {}\nset xrange [0:{:.4g}]\n"
-      "set yrange [0:{:.4g}]\n{}",
-      gnuplot_markup("contact pressure σ / (E* h')"),
-      gnuplot_markup("P(σ) E* h' A_0 / A"), furthest / stress,
-      top > 0.0 ? 1.15 * top : 1.0, plot_of(plots));
+  panel.x.high = rounded(furthest / stress, 4);
+  panel.y.high = rounded(top > 0.0 ? 1.15 * top : 1.0, 4);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -175,7 +165,11 @@ Figure gap_figure(const std::string& method,
   figure.name = "gap-distribution-" + file_word(method);
   figure.title = "Distribution of the separation, " + method;
   CsvTable table({"curve", "index", "u/h_rms [1]", "P_u h_rms [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel{
+      .x = {.label = "separation u / h_{rms}", .low = 0.0},
+      .y = {.label = "P_u h_{rms}", .is_log = true, .has_powers = true},
+      .free_corner = "top right",
+      .has_legend_inside = true};
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const Histogram histogram = open_gaps(*maps[i], scales.rms_height);
     double open = 0.0;
@@ -192,8 +186,7 @@ Figure gap_figure(const std::string& method,
                    histogram.bin_centre(k) / scales.rms_height,
                    histogram.density[k] * scales.rms_height});
     if (!histogram.density.empty())
-      plots.push_back(
-          curve_plot(figure.name, i, "with linespoints " + load_sign(i), name));
+      panel.add(name, joined(load_sign(i)), i, 3, 4);
   }
   figure.caption =
       fmt::format("P_u of Eq. (26) of Yang and Persson (2008) where the "
@@ -201,13 +194,11 @@ Figure gap_figure(const std::string& method,
                   "widest gap; the part in contact is a peak at zero, or below "
                   "zero for a penalty and for atoms. h_rms = {:.3g} nm.",
                   gap_bins, scales.rms_height * 1e9);
-  figure.script = fmt::format(
-      "set key top right\nset logscale y\nset format y '10^{{%T}}'\nset xlabel "
-      "{}\nset ylabel {}\nset xrange [0:*]\n{}",
-      gnuplot_markup("separation u / h_{rms}"), gnuplot_markup("P_u h_{rms}"),
-      plots.empty() ? "" : plot_of(plots));
+  if (panel.curves.empty())
+    return {};
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
-  return plots.empty() ? Figure{} : figure;
+  return figure;
 }
 
 /// Selects up to three complete maps of a method in which some points are in

@@ -32,7 +32,7 @@ Range pressures_of(std::span<const Series> series) {
 struct Curves {
   std::string name;
   std::string title;
-  std::string axis;   // gnuplot markup
+  std::string axis;   // markup
   std::string column; // includes its unit
   std::string caption;
   double (*of_row)(const SeriesRow&);
@@ -47,7 +47,6 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
   figure.title = curves.title;
   figure.caption = curves.caption;
   CsvTable table({"curve", "index", "p/E* [1]", curves.column});
-  const std::string file = "'" + curves.name + ".csv' ";
   const double modulus = entry.result->contact_modulus;
   const double top = entry.result->surfaces.empty()
                          ? not_a_number
@@ -66,9 +65,11 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
                                          pressure * modulus, top, is_free);
     table.add("exact", {0.0, pressure, curves.of_exact(exact) / curves.unit});
   }
-  std::vector<std::string> plots{
-      file + "using ($2==0 ? $3 : NaN):4 with lines linewidth 1.5 linecolor "
-             "rgb '#222222' title 'exact'"};
+  ChartPanel panel{.x = {.label = "p / E*",
+                         .low = 0.0,
+                         .tick_step = round_step(range.high / 6.0)},
+                   .y = {.label = curves.axis},
+                   .curves = {curve("exact", line("#222222", 1.5), 0, 3, 4)}};
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     if (one.is_theory() || one.rows.empty())
@@ -78,15 +79,9 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
                 {static_cast<double>(i + 1), row.pressure, curves.of_row(row)});
     if (!one.is_drawn)
       continue;
-    plots.push_back(
-        fmt::format("{}using ($2=={} ? $3 : NaN):4 with points {} title {}",
-                    file, i + 1, point_style(one), gnuplot_text(one.legend)));
+    panel.add(one.legend, point_style(one), i + 1, 3, 4);
   }
-  figure.script = "set xlabel " + gnuplot_markup("p / E*") + "\nset ylabel " +
-                  gnuplot_markup(curves.axis) +
-                  fmt::format("\nset xrange [0:*]\nset xtics 0,{:g}\n",
-                              round_step(range.high / 6.0)) +
-                  plot_of(plots);
+  figure.panels = {std::move(panel)};
   figure.caption += joined_words(series);
   figure.data = table.text();
   return figure;

@@ -4,8 +4,8 @@
 #include "base/child_process.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
-#include "reports/explore/chart_of_script.hpp"
 #include "reports/explore/explore_data.hpp"
+#include "reports/figures/gnuplot_script.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <fmt/format.h>
@@ -18,28 +18,10 @@
 namespace asperity::reports {
 namespace {
 
-constexpr const char* shared_settings = R"(set encoding utf8
-set datafile separator comma
-set border 3 linewidth 0.8 linecolor rgb '#444444'
-set tics nomirror out scale 0.6 textcolor rgb '#333333'
-set grid linewidth 0.5 linecolor rgb '#e4e4e4'
-set key below center horizontal height 0.7 noopaque reverse Left samplen 1.6 spacing 1.25 textcolor rgb '#222222'
-set errorbars 0
-)";
-
 // Fonts that a browser should try, in place of the single name that gnuplot
 // accepts.
 constexpr const char* font_list =
     "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
-
-// gnuplot 5.4 misreads a doubled quote at the start of a quoted string. A quote
-// is therefore replaced by a typographic one, which does not end the string.
-std::string in_quotes(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : printable(text, text.npos))
-    quoted += c == '\'' ? std::string("’") : std::string(1, c);
-  return quoted + "'";
-}
 
 // These names are written into scripts, between quotes.
 void require_file_word(const char* what, const std::string& name) {
@@ -87,13 +69,15 @@ std::string run_script(const Figure& figure,
   for (const auto& [suffix, matrix] : figure.maps)
     write_file_atomically(
         folder / fmt::format("{}-{}.csv", figure.name, suffix), matrix);
+  if (const std::string polygons = band_file(figure); !polygons.empty())
+    write_file_atomically(folder / (figure.name + "-bands.csv"), polygons);
   const std::string picture = figure.name + "." + ending;
   const std::string script_name = figure.name + ".gp";
   write_file_atomically(folder / script_name,
                         fmt::format("# gnuplot {}\nset terminal {}\nset output "
-                                    "'{}'\n{}{}set output\n",
+                                    "'{}'\n{}set output\n",
                                     script_name, terminal, picture,
-                                    shared_settings, figure.script));
+                                    gnuplot_script(figure)));
   std::error_code ignored;
   std::filesystem::remove(folder / picture, ignored);
   if (std::string problem = run(program, script_name, folder); !problem.empty())
@@ -136,29 +120,8 @@ DrawnFigure draw(const Figure& figure, const std::filesystem::path& folder,
 }
 
 std::string explore_data(const Figure& figure) {
-  std::string polygons;
-  for (const auto& [suffix, text] : figure.maps)
-    if (suffix == "bands")
-      polygons = text;
-  return explore_data(
-      figure.name, figure.title, figure.data,
-      figure.stack ? std::nullopt
-                   : chart_of_script(figure.script, figure.data, polygons),
-      figure.stack);
-}
-
-std::string gnuplot_text(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string_view("\\^_{}@&~").find(c) != std::string_view::npos)
-      escaped += '\\';
-    escaped += c;
-  }
-  return in_quotes(escaped);
-}
-
-std::string gnuplot_markup(const std::string& text) {
-  return in_quotes(text);
+  return explore_data(figure.name, figure.title, figure.data, figure.panels,
+                      figure.stack);
 }
 
 const char* method_color(std::size_t index) {

@@ -4,8 +4,10 @@
 // figures. A figure consists of three files: data (.csv), script (.gp) and
 // image (.svg).
 
+#include "reports/explore/chart.hpp"
 #include "reports/explore/map_stack.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,7 +15,17 @@
 
 namespace asperity::reports {
 
-/// A figure before it is drawn. The script reads "<name>.csv" in its own folder
+/// How the panels of a figure are arranged, row by row.
+struct PanelGrid {
+  int rows = 1, columns = 1;
+  std::optional<std::array<double, 4>> margins =
+      {}; ///< left, right, bottom and top edge of the panels, shares
+          ///< of the figure; empty: chosen by gnuplot
+  double across = 0.0, down = 0.0; ///< between panels
+  bool has_shared_legend = false;  ///< of the first panel, below all
+};
+
+/// A figure before it is drawn. Its script reads "<name>.csv" in its own folder
 /// (and "<name>-<suffix>.csv" for maps), so that it can be run again by hand.
 struct Figure {
   std::string name;    ///< file name without extension, [a-z0-9-]
@@ -21,7 +33,9 @@ struct Figure {
   std::string caption; ///< what the figure shows, with numbers
   std::string data;    ///< text of the CSV
   std::vector<std::pair<std::string, std::string>> maps; ///< suffix, CSV matrix
-  std::string script;                 ///< follows the common style
+  std::vector<ChartPanel> panels;
+  std::optional<PanelGrid> grid = {}; ///< empty: there is one panel
+  std::string arrangement = {};       ///< settings of a journal, for gnuplot
   int width = 480;                    ///< [px]
   int height = 420;                   ///< [px]
   std::optional<MapStack> stack = {}; ///< maps for the browser
@@ -56,16 +70,8 @@ std::string run_script(const Figure& figure,
                        const std::string& terminal, const std::string& ending,
                        const std::string& program);
 
-/// Returns explore_data() of a figure: its maps, or the curves of its script.
+/// Returns explore_data() of a figure.
 std::string explore_data(const Figure& figure);
-
-/// Returns a quoted string for a gnuplot script that shows `text` literally: no
-/// part of it is interpreted as markup or run as a command. A straight single
-/// quote is shown as a typographic one.
-std::string gnuplot_text(const std::string& text);
-
-/// Does the same for text that is already markup, such as "h_{rms}".
-std::string gnuplot_markup(const std::string& text);
 
 /// Returns a colour from a colour-blind-safe list (Okabe and Ito 2008), which
 /// runs from dark to light.

@@ -52,19 +52,16 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
   figure.caption =
       "P_h in units of 1/h_rms; line: the Gaussian with the same h_rms.";
   CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel{.x = {.label = "h/h_{rms}"}, .y = {.label = "P_h h_{rms}"}};
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,
                        const std::string& name) {
     if (surface.height_map().empty() || !(surface.rms_height > 0.0) ||
-        plots.size() == most_curves)
+        panel.curves.size() == most_curves)
       return;
     for (const auto& [bin, density] : densities(surface))
       table.add(name,
                 {static_cast<double>(r), (bin + 0.5) * bin_width, density});
-    plots.push_back(fmt::format(
-        "'height-distribution.csv' using ($2=={} ? $3 : NaN):4 with points "
-        "pointtype 6 pointsize 0.6 linewidth 1.3 linecolor rgb '{}' title {}",
-        r, method_color(r), gnuplot_text(name)));
+    panel.add(name, markers(method_color(r), 6, 0.6, 1.3), r, 3, 4);
     figure.caption += fmt::format(
         " {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} h_rms.",
         capital(name), Shown{surface.skewness}, surface.kurtosis,
@@ -75,7 +72,7 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
     add(surfaces[r], r, fmt::format("realisation {}", r));
   if (const auto sum = sum_of_two_surfaces(*entry.result))
     add(*sum, surfaces.size(), "sum of both");
-  if (plots.empty())
+  if (panel.curves.empty())
     return std::nullopt;
   for (int k = 0; k <= gaussian_points; ++k) {
     const double h = gaussian_end * (2.0 * k / gaussian_points - 1.0);
@@ -83,12 +80,8 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
         "Gaussian",
         {-1.0, h, std::exp(-0.5 * h * h) / std::sqrt(2.0 * std::numbers::pi)});
   }
-  plots.push_back("'height-distribution.csv' using ($2==-1 ? $3 : NaN):4 with "
-                  "lines linewidth 1.5 linecolor rgb '#222222' title "
-                  "'Gaussian'");
-  figure.script = fmt::format("set xlabel {}\nset ylabel {}\n{}",
-                              gnuplot_markup("h/h_{rms}"),
-                              gnuplot_markup("P_h h_{rms}"), plot_of(plots));
+  panel.add("Gaussian", line("#222222", 1.5), 0, 3, 4).index = -1;
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }

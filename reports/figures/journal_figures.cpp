@@ -121,15 +121,13 @@ std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
   const double width = figure.width > widest_column
                            ? 2.0 * format.width + column_distance
                            : format.width;
-  Figure arranged = figure;
   std::string problems;
   for (const std::string& ending : format.endings) {
     const JournalLayout layout =
         journal_layout(figure, width, font_size, line_height(ending));
-    arranged.script = layout.script;
     const std::string problem =
-        run_script(arranged, folder, terminal(ending, width, layout.height),
-                   ending, program);
+        run_script(layout.figure, folder,
+                   terminal(ending, width, layout.height), ending, program);
     if (problem.empty() && ending == "svg")
       set_size_on_paper(folder / (figure.name + ".svg"), width, layout.height);
     if (!problem.empty())

@@ -5,8 +5,6 @@
 
 #include "reports/figures/gnuplot.hpp"
 
-#include <string>
-
 namespace asperity::reports {
 
 /// Share of the figure that the rectangle between the axes covers at least,
@@ -15,7 +13,7 @@ constexpr double least_plot_share = 0.6;
 
 struct JournalLayout {
   double height = 0.0; ///< [m]
-  std::string script;  ///< that of the figure with the arrangement
+  Figure figure;       ///< with the arrangement
 };
 
 /// Arranges a figure of this width.

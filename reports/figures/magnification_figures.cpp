@@ -28,17 +28,15 @@ double log_or_none(double number) {
                                                : not_a_number;
 }
 
-std::string lines(const std::string& figure, std::size_t index,
-                  const std::string& columns, const std::string& style,
-                  const std::string& title) {
-  return fmt::format(
-      "'{}.csv' {} with lines {} {}", figure, of_series(index, columns), style,
-      title.empty() ? "notitle" : "title " + gnuplot_text(title));
+CurveStyle colored(std::size_t load, int dash = 1) {
+  return line(method_color(load), 1.6, dash);
 }
 
-std::string colored(std::size_t load, const std::string& more = "") {
-  return fmt::format("linewidth 1.6 linecolor rgb '{}' {}", method_color(load),
-                     more);
+/// Returns axes against log10 zeta on which y starts at 1e-4.
+ChartPanel logarithmic_panel(const std::string& label) {
+  return {.x = {.label = "log_{10} ζ", .is_log10 = true},
+          .y = {.label = label, .low = -4.0, .is_log10 = true},
+          .offsets = "0, 0, graph 0.05, 0"};
 }
 
 /// Plots log10 u/h_rms against log10 zeta, one curve per load.
@@ -47,7 +45,7 @@ Figure separation_figure(const MagnifiedStudy& study) {
   figure.name = "magnification-separation";
   figure.title = "Separation in the apparent contact";
   CsvTable table({"load", "index", "log10 zeta [1]", "log10 u/h_rms [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel = logarithmic_panel("log_{10} u / h_{rms}");
   for (const MagnifiedLoad& load : study.loads) {
     const std::string name = "p = " + pressure_text(load.pressure);
     const std::vector<double> zeta = load.seen->values("magnification");
@@ -55,17 +53,13 @@ Figure separation_figure(const MagnifiedStudy& study) {
     for (std::size_t i = 0; i < zeta.size(); ++i)
       table.add(name, {static_cast<double>(load.index), std::log10(zeta[i]),
                        log_or_none(gap[i] / study.rms_height)});
-    plots.push_back(
-        lines(figure.name, load.index, "$3:4", colored(load.index), name));
+    panel.add(name, colored(load.index), load.index, 3, 4);
   }
   figure.caption =
       "u(ζ), Eq. (23) of Yang and Persson (2008): the mean separation in the "
       "apparent contact at the magnification ζ = q/q_ref, in units of the rms "
       "height of the whole surface.";
-  figure.script = "set xlabel " + gnuplot_markup("log_{10} ζ") +
-                  "\nset ylabel " + gnuplot_markup("log_{10} u / h_{rms}") +
-                  "\nset yrange [-4:*]\nset offsets 0, 0, graph 0.05, 0\n" +
-                  plot_of(plots);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -77,7 +71,8 @@ Figure parts_figure(const MagnifiedStudy& study) {
   figure.title = "Area, roughness and separation";
   CsvTable table({"load", "index", "log10 zeta [1]", "log10 A/A_0 [1]",
                   "log10 u/h_rms [1]", "log10 h_rms(zeta)/h_rms [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel =
+      logarithmic_panel("log_{10} A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}");
   for (const std::size_t chosen : three_of(study.loads.size())) {
     const MagnifiedLoad& load = study.loads[chosen];
     const std::string name = "p = " + pressure_text(load.pressure);
@@ -90,24 +85,16 @@ Figure parts_figure(const MagnifiedStudy& study) {
                 {static_cast<double>(load.index), std::log10(zeta[i]),
                  log_or_none(area[i]), log_or_none(gap[i] / study.rms_height),
                  log_or_none(height[i] / study.rms_height)});
-    if (plots.empty())
-      plots.push_back(lines(figure.name, load.index, "$3:6",
-                            "linewidth 1.6 linecolor rgb '#222222'",
-                            "h_rms(ζ)/h_rms"));
-    plots.push_back(lines(figure.name, load.index, "$3:4", colored(load.index),
-                          "A/A₀, " + name));
-    plots.push_back(lines(figure.name, load.index, "$3:5",
-                          colored(load.index, "dashtype 2"),
-                          "u/h_rms, " + name));
+    if (panel.curves.empty())
+      panel.add("h_rms(ζ)/h_rms", line("#222222", 1.6), load.index, 3, 6);
+    panel.add("A/A₀, " + name, colored(load.index), load.index, 3, 4);
+    panel.add("u/h_rms, " + name, colored(load.index, 2), load.index, 3, 5);
   }
   figure.caption =
       "Solid: the apparent contact area at the magnification ζ, Eq. (4) of "
       "Yang and Persson (2008) with the roughness up to ζ q_ref; dashed: the "
       "separation in it; black: the rms height still unresolved.";
-  figure.script =
-      "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
-      gnuplot_markup("log_{10} A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}") +
-      "\nset yrange [-4:*]\nset offsets 0, 0, graph 0.05, 0\n" + plot_of(plots);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -119,7 +106,10 @@ Figure opening_figure(const MagnifiedStudy& study) {
   figure.title = "Loss of contact";
   CsvTable table(
       {"load", "index", "log10 zeta [1]", "u [nm]", "u_1 [nm]", "A/A_0 [1]"});
-  std::vector<std::string> plots;
+  ChartPanel panel{.x = {.label = "log_{10} ζ", .is_log10 = true},
+                   .y = {.label = "u, u_1  [nm]", .low = 0.0},
+                   .second =
+                       ChartAxis{.label = "A/A_0", .low = 0.0, .high = 1.0}};
   double top = 0.0;
   for (const std::size_t chosen : three_of(study.loads.size())) {
     const MagnifiedLoad& load = study.loads[chosen];
@@ -136,24 +126,18 @@ Figure opening_figure(const MagnifiedStudy& study) {
                  area[i]});
       top = std::max(top, 2.0 * gap[i] * 1e9);
     }
-    plots.push_back(lines(figure.name, load.index, "$3:4", colored(load.index),
-                          "u" + name));
-    plots.push_back(lines(figure.name, load.index, "$3:5",
-                          colored(load.index, "dashtype 2"), "u₁" + name));
-    plots.push_back(lines(figure.name, load.index, "$3:6",
-                          colored(load.index, "dashtype 3 axes x1y2"),
-                          "A/A₀" + name));
+    panel.add("u" + name, colored(load.index), load.index, 3, 4);
+    panel.add("u₁" + name, colored(load.index, 2), load.index, 3, 5);
+    panel.add("A/A₀" + name, colored(load.index, 3), load.index, 3, 6)
+        .is_on_second_axis = true;
   }
   figure.caption =
       "u₁(ζ), Eq. (25) of Yang and Persson (2008): the separation of the area "
       "that comes into apparent contact as ζ falls; it rises without bound at "
       "small ζ, where hardly any area (dotted, right axis) is left to lose "
       "contact. Drawn up to twice the mean gap.";
-  figure.script =
-      "set xlabel " + gnuplot_markup("log_{10} ζ") + "\nset ylabel " +
-      gnuplot_markup("u, u_1  [nm]") + "\nset y2label " +
-      gnuplot_markup("A/A_0") + fmt::format("\nset yrange [0:{:.6g}]\n", top) +
-      "set y2range [0:1]\nset y2tics\nset border 11\n" + plot_of(plots);
+  panel.y.high = rounded(top, 6);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -175,13 +159,12 @@ const results::Fields* nearest_map(const results::MethodRecord& method,
 
 /// Adds P_u of the methods' maps near the given load, one series per map.
 void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
-              double rms_height, Figure& figure, CsvTable& table,
-              std::vector<std::string>& plots) {
+              double rms_height, CsvTable& table, ChartPanel& panel) {
   for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
     const results::Fields* map = nearest_map(*method, load.pressure);
     if (map == nullptr)
       continue;
-    const std::size_t index = plots.size();
+    const std::size_t index = panel.curves.size();
     const results::Histogram histogram = results::gap_histogram(
         map->gap_map(), map->pressure_map(), shown_gap_bins);
     double open = 0.0;
@@ -191,10 +174,9 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
                                histogram.bin_centre(i) / rms_height,
                                histogram.density[i] * rms_height});
     }
-    plots.push_back(
-        lines(figure.name, index, "$3:4", colored(index - 1, "dashtype 2"),
-              fmt::format("P_u, {} at {}, {:.3g} at u = 0", method->name,
-                          pressure_text(map->nominal_pressure), 1.0 - open)));
+    panel.add(fmt::format("P_u, {} at {}, {:.3g} at u = 0", method->name,
+                          pressure_text(map->nominal_pressure), 1.0 - open),
+              colored(index - 1, 2), index, 3, 4);
   }
 }
 
@@ -217,25 +199,25 @@ Figure distribution_figure(const ReportEntry& entry,
     if (reduced > 0.2)
       top = std::max(top, density[i] * study.rms_height);
   }
-  std::vector<std::string> plots{lines(
-      figure.name, 0, "$3:4", "linewidth 1.6 linecolor rgb '#222222'",
-      fmt::format("theory, Eq. (27), {:.3g} at u = 0", load.contact_weight))};
-  add_maps(entry, load, study.rms_height, figure, table, plots);
+  ChartPanel panel{
+      .x = {.label = "separation u / h_{rms}", .low = 0.0, .high = widest_gap},
+      .y = {.label = "P h_{rms}", .low = 0.0, .high = rounded(1.3 * top, 4)},
+      .curves = {curve(
+          fmt::format("theory, Eq. (27), {:.3g} at u = 0", load.contact_weight),
+          line("#222222", 1.6), 0, 3, 4)}};
+  add_maps(entry, load, study.rms_height, table, panel);
   figure.caption = fmt::format(
       "Solid: the theory's density of u₁, Eq. (27) of Yang and Persson (2008), "
       "a mean over the area that loses contact at one magnification and "
       "therefore narrower than Eq. (26); its delta function at u = 0 has the "
       "weight A(ζ₁)/A₀ = {:.4g}.{}",
       load.contact_weight,
-      plots.size() > 1 ? " Dashed: P_u of Eq. (26) for the saved map at the "
-                         "nearest load; the rest of it is at u = 0, or below "
-                         "zero for a penalty and for atoms."
-                       : "");
-  figure.script = fmt::format(
-      "set xlabel {}\nset ylabel {}\nset xrange [0:{:g}]\nset yrange "
-      "[0:{:.4g}]\n{}",
-      gnuplot_markup("separation u / h_{rms}"), gnuplot_markup("P h_{rms}"),
-      widest_gap, 1.3 * top, plot_of(plots));
+      panel.curves.size() > 1
+          ? " Dashed: P_u of Eq. (26) for the saved map at the "
+            "nearest load; the rest of it is at u = 0, or below "
+            "zero for a penalty and for atoms."
+          : "");
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }

@@ -10,38 +10,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace asperity::reports {
 namespace {
 
-// The palettes are perceptually uniform: a sequential one for non-negative
-// quantities, and a diverging one from blue to red with a light centre for
-// heights.
-constexpr const char* sequential_palette =
-    "set palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
-    "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\n";
-constexpr const char* gap_palette =
-    "set palette maxcolors 128 defined (0 '#08203a', 0.25 '#1f5a8c', 0.5 "
-    "'#5b9fc7', 0.75 '#b5d7e8', 1 '#f7fbfd')\n";
-constexpr const char* height_palette =
-    "set palette maxcolors 128 defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 "
-    "'#f2efe8', 0.75 '#cf8a63', 1 '#7a2a1d')\n";
-
-/// Returns the tics and the plot command of an image.
-std::string image_plot(const MapImage& image, const std::string& file) {
-  return map_tics(image) + plot_of_map(image, file);
+/// Places panels beside each other.
+PanelGrid map_grid(int rows, std::size_t columns) {
+  return {.rows = rows,
+          .columns = static_cast<int>(columns),
+          .margins = {{0.05, 0.93, 0.08, 0.9}},
+          .across = 0.11,
+          .down = 0.05};
 }
-
-/// Returns the commands for the range of colours, with few enough tics that
-/// their numbers fit beside the next map.
-std::string color_range(double low, double high) {
-  return fmt::format("set cbrange [{:.4g}:{:.4g}]\nset cbtics {:g}\n", low,
-                     high, round_step((high - low) / 5.0));
-}
-
-constexpr const char* map_style =
-    "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset size "
-    "ratio -1\nset colorbox\nset cbtics scale 0.4\n";
 
 Figure map_figure(const std::string& method,
                   const std::vector<const results::Fields*>& maps,
@@ -54,8 +35,7 @@ Figure map_figure(const std::string& method,
   figure.width = 350 * static_cast<int>(chosen.size()) + 20;
   figure.height = 590;
   CsvTable table({"map", "step", "nominal_pressure [Pa]"});
-  std::string pressures;
-  std::string gaps;
+  std::vector<ChartPanel> gaps;
   for (const std::size_t i : chosen) {
     const results::Fields& fields = *maps[i];
     const double load = fields.nominal_pressure / scales.contact_modulus;
@@ -67,14 +47,12 @@ Figure map_figure(const std::string& method,
         map_image(fields.grid, fields.gap_map(), scales.rms_height);
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
-    pressures +=
-        fmt::format("set title {}\n",
-                    gnuplot_markup(fmt::format("p / E* = {:.3g}", load))) +
-        color_range(0.0, std::max(pressure.largest, 1e-12));
-    pressures +=
-        image_plot(pressure, figure.name + "-" + pressure_name + ".csv");
-    gaps += "unset title\n" + color_range(0.0, std::max(gap.largest, 1e-12));
-    gaps += image_plot(gap, figure.name + "-" + gap_name + ".csv");
+    ChartPanel& upper = figure.panels.emplace_back(
+        map_panel(pressure, pressure_name, "pressure"));
+    upper.title = fmt::format("p / E* = {:.3g}", load);
+    set_colors(upper, 0.0, std::max(pressure.largest, 1e-12));
+    set_colors(gaps.emplace_back(map_panel(gap, gap_name, "gap")), 0.0,
+               std::max(gap.largest, 1e-12));
     figure.maps.emplace_back(pressure_name, map_csv(pressure));
     figure.maps.emplace_back(gap_name, map_csv(gap));
   }
@@ -83,11 +61,10 @@ Figure map_figure(const std::string& method,
       "where there is none; gap (in print the lower maps) over h_rms ({:.3g} "
       "nm), dark where the surfaces touch. Axes in µm.",
       chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
-  figure.script = fmt::format("{}set multiplot layout 2,{} margins "
-                              "0.05,0.93,0.05,0.94 spacing 0.11,0.06\n{}{}{}{}"
-                              "unset multiplot\n",
-                              map_style, chosen.size(), sequential_palette,
-                              pressures, gap_palette, gaps);
+  std::ranges::move(gaps, std::back_inserter(figure.panels));
+  figure.grid = map_grid(2, chosen.size());
+  figure.grid->margins = {{0.05, 0.93, 0.05, 0.94}};
+  figure.grid->down = 0.06;
   figure.data = table.text();
   figure.stack = contact_stack(maps, scales);
   return figure;
@@ -117,9 +94,8 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   figure.title = "Pressure of " + name + " less that of " + reference;
   figure.width = 350 * static_cast<int>(chosen.size()) + 20;
   figure.height = 330;
-  figure.script = fmt::format("{}{}set multiplot layout 1,{} margins "
-                              "0.05,0.92,0.08,0.9 spacing 0.11,0.05\n",
-                              map_style, height_palette, chosen.size());
+  figure.grid = map_grid(1, chosen.size());
+  (*figure.grid->margins)[1] = 0.92;
   CsvTable table({"map", "nominal_pressure [Pa]", "largest (p - p_ref)/p_0"});
   MapStack stack = stack_on(pairs.front().first->grid);
   stack.quantities = {{"(p − p_ref) / p₀", "height", false}};
@@ -142,14 +118,12 @@ Figure difference_figure(const std::string& name, const std::string& reference,
     const std::string suffix = std::to_string(i);
     figure.maps.emplace_back(suffix, map_csv(picture));
     table.add(suffix, {mine->nominal_pressure, span});
-    figure.script += fmt::format("set title {}\n",
-                                 gnuplot_markup(fmt::format(
-                                     "p / E* = {:.3g}", mine->nominal_pressure /
-                                                            contact_modulus))) +
-                     color_range(-span, span);
-    figure.script += image_plot(picture, figure.name + "-" + suffix + ".csv");
+    ChartPanel& panel =
+        figure.panels.emplace_back(map_panel(picture, suffix, "height"));
+    panel.title = fmt::format("p / E* = {:.3g}",
+                              mine->nominal_pressure / contact_modulus);
+    set_colors(panel, -span, span);
   }
-  figure.script += "unset multiplot\n";
   figure.stack = std::move(stack);
   figure.caption = "Difference over the nominal pressure, at loads at which "
                    "both maps are saved; averaged over blocks of nodes if the "
@@ -220,11 +194,13 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       surface.grid.length_x * 1e6, surface.grid.length_y * 1e6,
       surface.grid.points_x, surface.grid.points_y, surface.rms_height * 1e9,
       surface.rms_slope, Shown{surface.skewness}, surface.kurtosis);
-  figure.script = fmt::format(
-      "{}{}{}set lmargin at screen 0.14\nset rmargin at screen 0.74\nset "
-      "cblabel 'height [nm]'\nset xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}",
-      map_style, height_palette, color_range(-span, span),
-      image_plot(picture, "surface-map.csv"));
+  ChartPanel& panel =
+      figure.panels.emplace_back(map_panel(picture, "map", "height"));
+  set_colors(panel, -span, span);
+  panel.image->label = "height [nm]";
+  panel.x.label = "x [µm]";
+  panel.y.label = "y [µm]";
+  panel.sides = {0.14, 0.74};
   return figure;
 }
 
@@ -237,9 +213,7 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   figure.title = "Both surfaces and their sum";
   figure.width = 1070;
   figure.height = 330;
-  figure.script = fmt::format("{}{}set multiplot layout 1,3 margins "
-                              "0.05,0.93,0.08,0.9 spacing 0.11,0.05\n",
-                              map_style, height_palette);
+  figure.grid = map_grid(1, 3);
   CsvTable table({"face", "rms_height [m]", "rms_slope [1]", "skewness [1]",
                   "kurtosis [1]", "highest [m]"});
   const auto add = [&](const results::SurfaceRecord& face,
@@ -249,17 +223,15 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
     figure.maps.emplace_back(name, map_csv(picture));
     table.add(name, {face.rms_height, face.rms_slope, face.skewness,
                      face.kurtosis, face.highest});
-    figure.script +=
-        fmt::format("set title {}\n",
-                    gnuplot_text(fmt::format("{}, {:.3g} nm rms", title,
-                                             face.rms_height * 1e9))) +
-        color_range(-span, span);
-    figure.script += image_plot(picture, "two-faces-" + name + ".csv");
+    ChartPanel& panel =
+        figure.panels.emplace_back(map_panel(picture, name, "height"));
+    panel.title =
+        fmt::format("{}, {:.3g} nm rms", title, face.rms_height * 1e9);
+    set_colors(panel, -span, span);
   };
   add(entry.result->surfaces[0], "first", "realisation 0");
   add(entry.result->surfaces[1], "second", "realisation 1");
   add(*sum, "sum", "sum of both");
-  figure.script += "unset multiplot\n";
   figure.caption =
       "Heights in nm, axes in µm. The sum is the surface in the equivalent "
       "contact of a flat block with the combined stiffness of the two bodies.";

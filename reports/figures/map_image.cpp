@@ -52,17 +52,23 @@ std::string map_csv(const MapImage& image, double unit) {
   return text + "\n";
 }
 
-std::string map_tics(const MapImage& image) {
+ChartPanel map_panel(const MapImage& image, const std::string& map,
+                     const std::string& colors) {
   const double longest = std::max(image.length_x, image.length_y);
-  return fmt::format("set xtics {:g}\nset ytics {:g}\n",
-                     tic_step(image.length_x, longest),
-                     tic_step(image.length_y, longest));
+  const auto axis = [&](double length) {
+    return ChartAxis{.low = 0.0,
+                     .high = rounded(length, 6),
+                     .tick_step = tic_step(length, longest)};
+  };
+  return {.x = axis(image.length_x),
+          .y = axis(image.length_y),
+          .image = ChartImage{.map = map, .colors = colors}};
 }
 
-std::string plot_of_map(const MapImage& image, const std::string& file) {
-  return fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\n"
-                     "plot '{}' nonuniform matrix with image notitle\n",
-                     image.length_x, image.length_y, file);
+void set_colors(ChartPanel& panel, double low, double high) {
+  panel.image->low = rounded(low, 4);
+  panel.image->high = rounded(high, 4);
+  panel.image->tick_step = round_step((high - low) / 5.0);
 }
 
 } // namespace asperity::reports

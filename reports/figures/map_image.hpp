@@ -1,9 +1,10 @@
 #pragma once
 
-// The image of a map in a figure: its data file and the plot command. The map
+// The image of a map in a figure: its data file and its panel. The map
 // is averaged over blocks, so that no side has more than 256 points.
 
 #include "base/grid.hpp"
+#include "reports/explore/chart.hpp"
 #include "reports/explore/map_stack.hpp"
 
 #include <string>
@@ -41,12 +42,17 @@ MapImage image_of(const Grid& grid, ReducedMap small, double unit);
 /// @param unit  unit of the numbers in the text, in the unit of the image
 std::string map_csv(const MapImage& image, double unit = 1.0);
 
-/// Returns the tics of an image with true proportions: their distance is chosen
-/// for the longer side, so that the numbers below a narrow map do not run into
-/// each other.
-std::string map_tics(const MapImage& image);
+/// Returns the panel of an image with true proportions. The distance of the
+/// ticks is chosen for the longer side, so that the numbers below a narrow map
+/// do not run into each other.
+///
+/// @param map     suffix of the file of map_csv
+/// @param colors  "pressure", "gap" or "height"
+ChartPanel map_panel(const MapImage& image, const std::string& map,
+                     const std::string& colors);
 
-/// Returns the axis ranges and the "plot" command of the file of map_csv.
-std::string plot_of_map(const MapImage& image, const std::string& file);
+/// Sets the ends of the colours, with few enough ticks that their numbers fit
+/// beside the next map.
+void set_colors(ChartPanel& panel, double low, double high);
 
 } // namespace asperity::reports

@@ -10,19 +10,6 @@
 
 namespace asperity::reports {
 
-std::string of_series(std::size_t index, const std::string& columns) {
-  const std::size_t x_end = columns.find(':');
-  return fmt::format("using ($2=={} ? {} : NaN):{}", index,
-                     columns.substr(0, x_end), columns.substr(x_end + 1));
-}
-
-std::string plot_of(const std::vector<std::string>& parts) {
-  std::string text = "plot ";
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : ", \\\n  ") + parts[i];
-  return text + "\n";
-}
-
 double round_step(double step) {
   if (!(step > 0.0) || !std::isfinite(step))
     return 1.0; // empty range: any value will do
@@ -35,72 +22,60 @@ double round_step(double step) {
 
 namespace {
 
-struct BandCorner {
-  double x = 0.0;
-  double y = 0.0;
+/// Sides of a band, from left to right or from below.
+struct BandSides {
+  std::vector<std::pair<double, double>> lower, upper;
 };
 
 /// Joins the lower side of a band with its upper side, which runs back.
-std::string polygon_of(const std::vector<BandCorner>& lower,
-                       const std::vector<BandCorner>& upper) {
-  std::string polygon;
-  const auto add = [&](const BandCorner& corner) {
-    polygon += fmt::format("{:.8g},{:.8g}\n", corner.x, corner.y);
-  };
-  if (lower.size() < 2)
-    return "";
-  std::ranges::for_each(lower, add);
-  std::for_each(upper.rbegin(), upper.rend(), add);
-  return polygon;
+void add_band(ChartPanel& panel, BandSides sides, const std::string& color) {
+  if (sides.lower.size() < 2)
+    return;
+  ChartBand band{color, std::move(sides.lower)};
+  band.corners.insert(band.corners.end(), sides.upper.rbegin(),
+                      sides.upper.rend());
+  for (auto& [x, y] : band.corners) {
+    x = rounded(x, 8);
+    y = rounded(y, 8);
+  }
+  panel.bands.push_back(std::move(band));
 }
 
 } // namespace
 
-std::string gap_band(std::span<const SeriesRow> rows) {
-  std::vector<BandCorner> lower;
-  std::vector<BandCorner> upper;
+void add_gap_band(ChartPanel& panel, std::span<const SeriesRow> rows,
+                  const std::string& color) {
+  BandSides sides;
   for (const SeriesRow& row : rows) {
     if (!std::isfinite(row.gap_interval))
-      return "";
+      return;
     const double y = std::log10(row.pressure);
-    lower.push_back({row.gap - row.gap_interval, y});
-    upper.push_back({row.gap + row.gap_interval, y});
+    sides.lower.emplace_back(row.gap - row.gap_interval, y);
+    sides.upper.emplace_back(row.gap + row.gap_interval, y);
   }
-  return polygon_of(lower, upper);
+  add_band(panel, std::move(sides), color);
 }
 
-std::string area_band(std::span<const SeriesRow> rows) {
-  std::vector<BandCorner> lower;
-  std::vector<BandCorner> upper;
+void add_area_band(ChartPanel& panel, std::span<const SeriesRow> rows,
+                   const std::string& color) {
+  BandSides sides;
   for (const SeriesRow& row : rows) {
     if (!std::isfinite(row.area_interval))
-      return "";
+      return;
     // On a logarithmic axis the band has to end above zero.
-    lower.push_back({row.pressure,
-                     std::max(row.area - row.area_interval, 1e-3 * row.area)});
-    upper.push_back({row.pressure, row.area + row.area_interval});
+    sides.lower.emplace_back(
+        row.pressure, std::max(row.area - row.area_interval, 1e-3 * row.area));
+    sides.upper.emplace_back(row.pressure, row.area + row.area_interval);
   }
-  return polygon_of(lower, upper);
+  add_band(panel, std::move(sides), color);
 }
 
-void Bands::add(const std::string& polygon, const std::string& rgb) {
-  if (polygon.empty())
-    return;
-  polygons_ += (colors_.empty() ? "" : "\n\n") + polygon;
-  colors_.push_back(rgb);
-}
-
-void Bands::add_to(Figure& figure, std::vector<std::string>& plots) const {
-  if (empty())
-    return;
-  figure.maps.emplace_back("bands", polygons_);
-  std::vector<std::string> first;
-  for (std::size_t i = 0; i < colors_.size(); ++i)
-    first.push_back(fmt::format(
-        "'{}-bands.csv' index {} using 1:2 with filledcurves closed fillcolor "
-        "rgb '{}' fillstyle transparent solid 0.18 noborder notitle",
-        figure.name, i, colors_[i]));
-  plots.insert(plots.begin(), first.begin(), first.end());
+PanelGrid side_by_side(double bottom) {
+  return {.columns = 2,
+          .margins = {{0.086, 0.985, bottom, 0.96}},
+          .across = 0.09,
+          .down = 0.09,
+          .has_shared_legend = true};
 }
 
 std::string joined_words(std::span<const Series> series) {
@@ -150,8 +125,6 @@ methods_with_maps(const results::Result& result) {
   return methods;
 }
 
-namespace {} // namespace
-
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method) {
   std::vector<const results::Fields*> whole;
@@ -178,15 +151,14 @@ std::string file_word(std::string name) {
   return name.substr(0, 60);
 }
 
-std::string load_color(std::size_t load) {
+const char* load_color(std::size_t load) {
   constexpr std::array colors{"#56B4E9", "#0072B2", "#35102b"};
-  return fmt::format("linecolor rgb '{}'", colors[load % colors.size()]);
+  return colors[load % colors.size()];
 }
 
-std::string load_sign(std::size_t load) {
+CurveStyle load_sign(std::size_t load) {
   constexpr std::array signs{8, 4, 6};
-  return fmt::format("pointtype {} pointsize 0.6 linewidth 1.2 {}",
-                     signs[load % signs.size()], load_color(load));
+  return markers(load_color(load), signs[load % signs.size()], 0.6, 1.2);
 }
 
 std::vector<std::size_t> three_of(std::size_t count) {

@@ -12,40 +12,21 @@
 
 namespace asperity::reports {
 
-/// Returns the "using" clause for one series of a CSV file whose second column
-/// is the series index. Rows of other series have x = NaN and are not drawn.
-/// `columns` is written as "$5:4".
-std::string of_series(std::size_t index, const std::string& columns);
-
-/// Joins the parts into one plot command.
-std::string plot_of(const std::vector<std::string>& parts);
-
 /// Returns a tic spacing: the smallest of 1, 2, 5 times a power of ten that is
 /// not below `step`; 1 if `step` is not positive.
 double round_step(double step);
 
-/// Return the 95 % interval of the mean over the realisations around a curve,
-/// u/h_rms and log10 p/E*, or p/E* and A/A_0, as a closed polygon of rows
-/// "x,y"; empty if a row has no interval or there are fewer than two rows.
-std::string gap_band(std::span<const SeriesRow> rows);
-std::string area_band(std::span<const SeriesRow> rows);
+/// Add the 95 % interval of the mean over the realisations around a curve,
+/// u/h_rms and log10 p/E*, or p/E* and A/A_0; nothing if a row has no interval
+/// or there are fewer than two rows.
+void add_gap_band(ChartPanel& panel, std::span<const SeriesRow> rows,
+                  const std::string& color);
+void add_area_band(ChartPanel& panel, std::span<const SeriesRow> rows,
+                   const std::string& color);
 
-/// The bands of a figure, for Figure::maps and the start of its plots.
-class Bands {
-public:
-  /// Adds a polygon, unless it is empty.
-  void add(const std::string& polygon, const std::string& rgb);
-
-  /// Adds the file of the polygons to the figure and puts their plots before
-  /// the others.
-  void add_to(Figure& figure, std::vector<std::string>& plots) const;
-
-  bool empty() const { return colors_.empty(); }
-
-private:
-  std::string polygons_; ///< one block each, which gnuplot selects by its index
-  std::vector<std::string> colors_;
-};
+/// Returns the grid of two panels with one legend below them.
+/// @param bottom  edge of the panels, a share of the figure's height
+PanelGrid side_by_side(double bottom);
 
 /// Returns a caption text that lists the variants that are not drawn; empty if
 /// all are drawn.
@@ -79,8 +60,8 @@ std::string file_word(std::string name);
 
 /// Return the colour and marker of the first, second and third load of a
 /// figure.
-std::string load_color(std::size_t load);
-std::string load_sign(std::size_t load);
+const char* load_color(std::size_t load);
+CurveStyle load_sign(std::size_t load);
 
 /// Returns the indices of the first, middle and last of `count` items, without
 /// repetition.

@@ -4,8 +4,6 @@
 #include "reports/analysis/rough.hpp"
 #include "reports/figures/gnuplot.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -182,23 +180,18 @@ const char* series_color(const Series& series) {
   return series.is_theory() ? "#222222" : method_color(series.color);
 }
 
-std::string line_style(const Series& series) {
-  if (series.is_theory())
-    return fmt::format("linewidth 1.8 dashtype {} linecolor rgb '#222222'",
-                       series.color + 1);
-  return fmt::format("linewidth 1 linecolor rgb '{}'",
-                     method_color(series.color));
+CurveStyle line_style(const Series& series) {
+  return series.is_theory()
+             ? line("#222222", 1.8, static_cast<int>(series.color) + 1)
+             : line(method_color(series.color));
 }
 
-std::string point_style(const Series& series) {
+CurveStyle point_style(const Series& series) {
   // Open markers of different sizes stay visible on top of each other.
-  static constexpr std::array<const char*, 6> signs{
-      "pointtype 6 pointsize 0.95", "pointtype 2 pointsize 0.7",
-      "pointtype 8 pointsize 1.1",  "pointtype 4 pointsize 0.8",
-      "pointtype 12 pointsize 1.1", "pointtype 1 pointsize 0.9"};
-  return fmt::format("{} linewidth 1.3 linecolor rgb '{}'",
-                     signs[series.color % signs.size()],
-                     method_color(series.color));
+  static constexpr std::array<std::pair<int, double>, 6> signs{
+      {{6, 0.95}, {2, 0.7}, {8, 1.1}, {4, 0.8}, {12, 1.1}, {1, 0.9}}};
+  const auto [marker, size] = signs[series.color % signs.size()];
+  return markers(method_color(series.color), marker, size, 1.3);
 }
 
 } // namespace asperity::reports

@@ -5,6 +5,7 @@
 // and Persson (2008).
 
 #include "reports/analysis/summary.hpp"
+#include "reports/explore/chart.hpp"
 
 #include <span>
 #include <string>
@@ -62,9 +63,8 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries);
 /// Returns black for a theory, otherwise the colour of the method.
 const char* series_color(const Series& series);
 
-/// Return style fragments, as for "set linetype", of one series: colour, dash
-/// type, marker.
-std::string line_style(const Series& series);
-std::string point_style(const Series& series);
+/// Return how the line and the markers of one series are drawn.
+CurveStyle line_style(const Series& series);
+CurveStyle point_style(const Series& series);
 
 } // namespace asperity::reports

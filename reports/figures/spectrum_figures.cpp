@@ -15,7 +15,7 @@ namespace {
 /// @param index  of the line in the table
 /// @return       the smallest C(q) that the axis shows [m^4]
 double add_formula(const mechanics::SurfaceSpec& spec, std::size_t index,
-                   CsvTable& table, std::vector<std::string>& plots) {
+                   CsvTable& table, ChartPanel& panel) {
   const surfaces::IsotropicSpectrum formula = surfaces::formula_spectrum(spec);
   const double ratio = spec.wavevector_high / spec.wavevector_low;
   for (int k = 0; k <= 200; ++k) {
@@ -24,10 +24,7 @@ double add_formula(const mechanics::SurfaceSpec& spec, std::size_t index,
                               spec.wavevector_high);
     table.add("formula", {static_cast<double>(index), q, formula.density(q)});
   }
-  plots.push_back(fmt::format(
-      "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with lines linewidth 1.5 "
-      "linecolor rgb '#222222' title 'formula'",
-      index));
+  panel.add("formula", line("#222222", 1.5), index, 3, 4);
   return 0.03 * formula.density(spec.wavevector_high);
 }
 
@@ -40,7 +37,9 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   figure.name = "spectrum";
   figure.title = "Power spectrum";
   CsvTable table({"curve", "index", "q [1/m]", "C [m^4]"});
-  std::vector<std::string> plots;
+  ChartPanel panel{
+      .x = {.label = "q [1/m]", .is_log = true, .has_powers = true},
+      .y = {.label = "C(q) [m^4]", .is_log = true, .has_powers = true}};
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t index,
                        const std::string& name, std::size_t color) {
     if (surface.spectrum.empty())
@@ -49,29 +48,27 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
       if (point.spectrum > 0.0)
         table.add(name, {static_cast<double>(index), point.wavevector,
                          point.spectrum});
-    plots.push_back(fmt::format(
-        "'spectrum.csv' using ($2=={} ? $3 : NaN):4 with points pointtype 6 "
-        "pointsize 0.5 linewidth 1 linecolor rgb '{}' title {}",
-        index, method_color(color), gnuplot_text(name)));
+    panel.add(name, markers(method_color(color), 6, 0.5), index, 3, 4);
   };
   for (std::size_t r = 0; r < surfaces.size(); ++r)
     add(surfaces[r], r, fmt::format("realisation {}", r), r);
   const auto sum = sum_of_two_surfaces(*entry.result);
   if (sum)
     add(*sum, surfaces.size() + 1, "sum of both", surfaces.size());
-  if (plots.empty())
+  if (panel.curves.empty())
     return std::nullopt;
   figure.caption = "C(q) with ⟨h²⟩ = 2π ∫ q C dq, averaged over rings of equal "
                    "|q|.";
-  double floor = 0.0; // of the axis: hides roundoff beyond the cut-off
   if (spec.kind == mechanics::SurfaceKind::self_affine) {
-    floor = add_formula(spec, surfaces.size(), table, plots);
+    // Roundoff beyond the cut-off is hidden.
+    const double floor = add_formula(spec, surfaces.size(), table, panel);
+    if (floor > 0.0)
+      panel.y.low = rounded(floor, 3);
     if (sum) {
-      plots.push_back(fmt::format(
-          "'spectrum.csv' using ($2=={} ? $3 : NaN):(2*$4) with lines "
-          "linewidth 1.5 dashtype 2 linecolor rgb '#222222' title 'twice the "
-          "formula'",
-          surfaces.size()));
+      panel
+          .add("twice the formula", line("#222222", 1.5, 2), surfaces.size(), 3,
+               4)
+          .factor = 2.0;
       figure.caption += fmt::format(
           " The spectrum of the sum of both surfaces is expected to be C_0 + "
           "C_1: their ratio is {:.3f} on average between roll-off and cut-off.",
@@ -82,11 +79,7 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
         " Line: the case's own formula, H = {:.3g}, roll-off at 2π/{:.3g} µm.",
         spec.hurst, 2e6 * std::acos(-1.0) / spec.wavevector_roll_off);
   }
-  figure.script = fmt::format(
-      "set logscale xy\nset format '10^{{%T}}'\nset xlabel {}\nset ylabel {}\n"
-      "set yrange [{}:*]\n{}",
-      gnuplot_markup("q [1/m]"), gnuplot_markup("C(q) [m^4]"),
-      floor > 0.0 ? fmt::format("{:.3g}", floor) : "*", plot_of(plots));
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }

@@ -52,10 +52,12 @@ Figure strength_figure(const ReportEntry& entry) {
   const double modulus = entry.result->contact_modulus;
   CsvTable table({"method", "index", "log10 p/E* [1]", "von Mises/E* [1]",
                   "depth [um]", "largest shear/von Mises [1]"});
-  std::vector<std::string> strengths;
-  std::vector<std::string> depths;
+  ChartPanel strengths{.x = {.is_log10 = true},
+                       .y = {.label = "σ_{vM} / E*", .is_log = true}};
+  ChartPanel depths{.x = {.label = "log_{10} p / E*", .is_log10 = true},
+                    .y = {.label = "depth [µm]", .is_log = true}};
   bool has_whole = false;
-  std::size_t color = 0;
+  int color = 0;
   for (const results::MethodRecord& method : entry.result->methods) {
     const results::Table* found =
         entry.result->table(stress_table_name(method.name));
@@ -64,7 +66,7 @@ Figure strength_figure(const ReportEntry& entry) {
     const std::vector<double> pressure = found->values("nominal_pressure");
     for (const Strength& one : strengths_of(*found, method.name)) {
       has_whole = has_whole || one.is_beside;
-      const std::size_t index = strengths.size();
+      const std::size_t index = strengths.curves.size();
       for (std::size_t i = 0; i < pressure.size(); ++i)
         table.add(one.title, {static_cast<double>(index),
                               std::log10(pressure[i] / modulus),
@@ -72,15 +74,11 @@ Figure strength_figure(const ReportEntry& entry) {
                               one.largest_shear.empty()
                                   ? not_a_number
                                   : one.largest_shear[i] / one.von_mises[i]});
-      const std::string style = fmt::format(
-          "with linespoints pointtype {} linewidth 1.4 {}linecolor rgb '{}'",
-          4 + 2 * color, one.is_beside ? "dashtype 2 " : "",
-          method_color(color));
-      strengths.push_back(fmt::format("'{}.csv' {} {} title {}", figure.name,
-                                      of_series(index, "$3:4"), style,
-                                      gnuplot_text(one.title)));
-      depths.push_back(fmt::format("'{}.csv' {} {} notitle", figure.name,
-                                   of_series(index, "$3:5"), style));
+      CurveStyle style =
+          joined(markers(method_color(color), 4 + 2 * color, 1.0, 1.4));
+      style.dash = one.is_beside ? 2 : 1;
+      strengths.add(one.title, style, index, 3, 4);
+      depths.add("", style, index, 3, 5);
     }
     ++color;
   }
@@ -93,12 +91,8 @@ Figure strength_figure(const ReportEntry& entry) {
     figure.caption += " A full 3-D model shows its own values, the largest at "
                       "a quadrature point of its cells; dashed is the "
                       "continuum solution for its pressure.";
-  figure.script =
-      "set multiplot layout 2,1 spacing 0.02,0.11\nset logscale y\nset "
-      "ylabel " +
-      gnuplot_markup("σ_{vM} / E*") + "\n" + plot_of(strengths) +
-      "set xlabel " + gnuplot_markup("log_{10} p / E*") +
-      "\nset ylabel 'depth [µm]'\n" + plot_of(depths) + "unset multiplot\n";
+  figure.panels = {std::move(strengths), std::move(depths)};
+  figure.grid = PanelGrid{.rows = 2, .across = 0.02, .down = 0.11};
   figure.data = table.text();
   return figure;
 }
@@ -199,16 +193,21 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
           ? "the contact surface is at depth 0, and negative depths lie "
             "in the second body"
           : "the contact surface is the upper edge");
-  figure.script = fmt::format(
-      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
-      "palette maxcolors 128 defined (0 '#ffffff', 0.02 '#fdf2d0', 0.25 "
-      "'#f6b65a', 0.5 '#dd6137', 0.75 '#98253f', 1 '#35102b')\nset cbrange "
-      "[0:{:.6g}]\nset cblabel {}\nset xrange [{:.6g}:{:.6g}]\nset yrange "
-      "[{:.6g}:{:.6g}]\nset xlabel 'x [µm]'\nset ylabel 'depth [µm]'\nplot "
-      "'{}.csv' "
-      "using 3:2:4 with image notitle\n",
-      *strongest / modulus, gnuplot_markup("σ_{vM} / E*"), x.front() * 1e6,
-      x.back() * 1e6, depth.back() * 1e6, depth.front() * 1e6, figure.name);
+  figure.panels = {
+      {.x = {.label = "x [µm]",
+             .low = rounded(x.front() * 1e6, 6),
+             .high = rounded(x.back() * 1e6, 6)},
+       .y = {.label = "depth [µm]",
+             .low = rounded(depth.back() * 1e6, 6),
+             .high = rounded(depth.front() * 1e6, 6)},
+       .image = ChartImage{.x = 3,
+                           .y = 2,
+                           .value = 4,
+                           .colors = "pressure",
+                           .low = 0.0,
+                           .high = rounded(*strongest / modulus, 6),
+                           .label = "σ_{vM} / E*",
+                           .proportions = Proportions::filling}}};
   figure.data = table.text();
   return figure;
 }

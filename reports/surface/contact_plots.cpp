@@ -27,12 +27,14 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
       quantity_text(contact.rms_height, "m"), contact.rms_slope,
       quantity_text(contact.decay_length, "m"), contact.pressure_prefactor);
-  separation.script = fmt::format(
-      "set logscale y\nset format y '10^{{%T}}'\nset xlabel 'mean separation u "
-      "[{}]'\nset ylabel 'nominal pressure p [Pa]'\nset xrange [0:*]\n{}",
-      is_high ? "µm" : "nm",
-      plot_of({"'predicted-separation.csv' " + of_series(0, "$3:4") +
-               " with lines linewidth 1.8 linecolor rgb '#222222' notitle"}));
+  const ChartAxis pressure{
+      .label = "nominal pressure p [Pa]", .is_log = true, .has_powers = true};
+  const CurveStyle style = line("#222222", 1.8);
+  separation.panels = {{.x = {.label = is_high ? "mean separation u [µm]"
+                                               : "mean separation u [nm]",
+                              .low = 0.0},
+                        .y = pressure,
+                        .curves = {curve("", style, 0, 3, 4)}}};
   Figure area = separation;
   area.name = "predicted-area";
   area.title = "Predicted contact area";
@@ -40,11 +42,11 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       "Contact area against nominal pressure by the same theory, A/A₀ = erf(√2 "
       "p/(E* h')) with the rms slope h' = {:.3g}; the data hold 31 loads.",
       contact.rms_slope);
-  area.script = "set logscale xy\nset format '10^{%T}'\nset xlabel 'nominal "
-                "pressure p [Pa]'\nset ylabel 'contact area A / A_0'\n" +
-                plot_of({"'predicted-area.csv' " + of_series(0, "$4:5") +
-                         " with lines linewidth 1.8 linecolor rgb '#222222' "
-                         "notitle"});
+  area.panels = {{.x = pressure,
+                  .y = {.label = "contact area A / A_0",
+                        .is_log = true,
+                        .has_powers = true},
+                  .curves = {curve("", style, 0, 4, 5)}}};
   return {separation, area};
 }
 

@@ -41,15 +41,17 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   // A stripe would be unreadable at its true proportions.
   const double ratio = grid.length_y / grid.length_x;
   const bool is_stripe = ratio > 3.0 || ratio < 1.0 / 3.0;
-  figure.script = fmt::format(
-      "unset grid\nset border 15 linewidth 0.6\nset tics out scale 0.4\nset "
-      "size {}\nset colorbox\nset cbtics scale 0.4\nset palette maxcolors 128 "
-      "defined (0 '#1f3b66', 0.25 '#6f93bd', 0.5 '#f2efe8', 0.75 '#cf8a63', 1 "
-      "'#7a2a1d')\nset cbrange [{:.4g}:{:.4g}]\nset cblabel 'height [{}]'\nset "
-      "xlabel 'x [µm]'\nset ylabel 'y [µm]'\n{}{}",
-      is_stripe ? "square" : "ratio -1", -span, span, is_high ? "µm" : "nm",
-      is_stripe ? "" : map_tics(picture),
-      plot_of_map(picture, "topography-heights.csv"));
+  ChartPanel& panel =
+      figure.panels.emplace_back(map_panel(picture, "heights", "height"));
+  panel.x.label = "x [µm]";
+  panel.y.label = "y [µm]";
+  panel.image->low = rounded(-span, 4);
+  panel.image->high = rounded(span, 4);
+  panel.image->label = is_high ? "height [µm]" : "height [nm]";
+  if (is_stripe) {
+    panel.image->proportions = Proportions::square;
+    panel.x.tick_step = panel.y.tick_step = 0.0;
+  }
   return figure;
 }
 
@@ -96,17 +98,15 @@ Figure heights_figure(const surfaces::MapAnalysis& map) {
       "Sq.",
       Shown{map.heights.ssk}, map.heights.sku, map.heights.sp / rms,
       map.heights.sv / rms);
-  figure.script = fmt::format(
-      "set xlabel 'h / Sq'\nset ylabel 'probability density × Sq'\nset "
-      "logscale "
-      "y\nset format y '10^{{%T}}'\nset yrange [{:.3g}:1]\n{}",
-      std::max(1e-6, 0.5 * share),
-      plot_of({"'heights.csv' " + of_series(0, "$3:4") +
-                   " with points pointtype 6 pointsize 0.5 linewidth 1.2 "
-                   "linecolor rgb '#0072B2' title 'measured'",
-               "'heights.csv' " + of_series(1, "$3:4") +
-                   " with lines linewidth 1.5 linecolor rgb '#222222' title "
-                   "'Gaussian'"}));
+  figure.panels = {
+      {.x = {.label = "h / Sq"},
+       .y = {.label = "probability density × Sq",
+             .low = rounded(std::max(1e-6, 0.5 * share), 3),
+             .high = 1.0,
+             .is_log = true,
+             .has_powers = true},
+       .curves = {curve("measured", markers("#0072B2", 6, 0.5, 1.2), 0, 3, 4),
+                  curve("Gaussian", line("#222222", 1.5), 1, 3, 4)}}};
   return figure;
 }
 
@@ -128,13 +128,11 @@ Figure autocorrelation_figure(const surfaces::MapAnalysis& map) {
                         map.correlation.aspect_ratio)
           : "and in some directions not within half of the map, so that Str is "
             "not determined");
-  figure.script =
-      "set xlabel 'distance r [µm]'\nset ylabel 'correlation'\nset xrange "
-      "[0:*]\n" +
-      plot_of({"'autocorrelation.csv' " + of_series(0, "$3:4") +
-                   " with lines linewidth 1.6 linecolor rgb '#0072B2' notitle",
-               "0.2 with lines dashtype 3 linecolor rgb '#59636e' notitle",
-               "0 with lines linewidth 0.6 linecolor rgb '#59636e' notitle"});
+  figure.panels = {{.x = {.label = "distance r [µm]", .low = 0.0},
+                    .y = {.label = "correlation"},
+                    .curves = {curve("", line("#0072B2", 1.6), 0, 3, 4),
+                               level(0.2, line("#59636e", 1.0, 3)),
+                               level(0.0, line("#59636e", 0.6))}}};
   return figure;
 }
 
@@ -168,20 +166,16 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
                         "spectrum: {:.4g} 1/m.",
                         map.scales.front().rms_curvature(),
                         map.spectrum.rms_curvature);
-  const std::string file = "'" + figure.name + ".csv' ";
-  std::vector<std::string> plots{
-      file + of_series(0, "$3:4") +
-      " with linespoints pointtype 6 pointsize 0.6 linewidth 1.3 linecolor "
-      "rgb '#0072B2' title " +
-      (is_slope ? "'rms slope'" : "'rms curvature'")};
+  figure.panels = {
+      {.x = {.label = "distance [µm]", .is_log = true},
+       .y = {.label = is_slope ? "rms slope" : "curvature [1/m]",
+             .is_log = true,
+             .has_powers = true},
+       .curves = {curve(is_slope ? "rms slope" : "rms curvature",
+                        joined(markers("#0072B2", 6, 0.6, 1.3)), 0, 3, 4)}}};
   if (!is_slope)
-    plots.push_back(file + of_series(0, "$3:5") +
-                    " with linespoints pointtype 8 pointsize 0.6 linecolor rgb "
-                    "'#D55E00' title 'sharpest peak'");
-  figure.script = fmt::format(
-      "set logscale xy\nset format y '10^{{%T}}'\nset xlabel 'distance "
-      "[µm]'\nset ylabel '{}'\n{}",
-      is_slope ? "rms slope" : "curvature [1/m]", plot_of(plots));
+    figure.panels.front().add("sharpest peak",
+                              joined(markers("#D55E00", 8, 0.6)), 0, 3, 5);
   return figure;
 }
 
@@ -208,16 +202,12 @@ Figure bearing_figure(const surfaces::MapAnalysis& map) {
       quantity_text(bearing.peak_height, "m"),
       quantity_text(bearing.valley_depth, "m"), 100.0 * bearing.peak_ratio,
       100.0 * bearing.valley_ratio);
-  figure.script = fmt::format(
-      "set xlabel 'material ratio [%]'\nset ylabel 'height [{}]'\nset xrange "
-      "[0:100]\n{}",
-      is_high ? "µm" : "nm",
-      plot_of({"'bearing-curve.csv' " + of_series(0, "$3:4") +
-                   " with lines linewidth 1.6 linecolor rgb '#0072B2' title "
-                   "'measured'",
-               "'bearing-curve.csv' " + of_series(1, "$3:4") +
-                   " with lines dashtype 2 linewidth 1.2 linecolor rgb "
-                   "'#222222' title 'line of the core'"}));
+  figure.panels = {
+      {.x = {.label = "material ratio [%]", .low = 0.0, .high = 100.0},
+       .y = {.label = is_high ? "height [µm]" : "height [nm]"},
+       .curves = {
+           curve("measured", line("#0072B2", 1.6), 0, 3, 4),
+           curve("line of the core", line("#222222", 1.2, 2), 1, 3, 4)}}};
   return figure;
 }
 

@@ -1,6 +1,6 @@
 #include "reports/sweeps/sweep_axis.hpp"
 
-#include "reports/figures/gnuplot.hpp"
+#include "reports/explore/chart.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 
 #include <fmt/format.h>
@@ -75,12 +75,13 @@ std::string scale_color(std::size_t i, std::size_t n) {
   return fmt::format("#{:02x}{:02x}{:02x}", rgb[0], rgb[1], rgb[2]);
 }
 
-std::string tick_labels(const FigureAxis& axis, const std::string& axis_name) {
-  std::string ticks;
-  for (std::size_t i = 0; i < axis.labels.size(); ++i)
-    ticks += fmt::format("{}{} {}", i == 0 ? "" : ", ",
-                         gnuplot_text(axis.labels[i].substr(0, 24)), i);
-  return fmt::format("set {}tics ({})\n", axis_name, ticks);
+std::vector<std::pair<double, std::string>>
+named_ticks(const FigureAxis& axis) {
+  std::vector<std::pair<double, std::string>> ticks;
+  for (const std::string& label : axis.labels)
+    ticks.emplace_back(static_cast<double>(ticks.size()),
+                       as_markup(label.substr(0, 24)));
+  return ticks;
 }
 
 } // namespace asperity::reports

@@ -27,9 +27,8 @@ FigureAxis axis_of(const cases::SweptKey& key);
 /// "#rrggbb"; it keeps its order in grey print and for colour-blind readers.
 std::string scale_color(std::size_t i, std::size_t n);
 
-/// Returns gnuplot's setting of the ticks of an axis that is not numeric, at
-/// 0, 1, 2, ...
-/// @param axis_name  "x" or "y"
-std::string tick_labels(const FigureAxis& axis, const std::string& axis_name);
+/// Returns the ticks of an axis that is not numeric, at 0, 1, 2, ..., with
+/// their markup.
+std::vector<std::pair<double, std::string>> named_ticks(const FigureAxis& axis);
 
 } // namespace asperity::reports

@@ -59,14 +59,12 @@ public:
     }
     const std::vector<std::size_t>& choice =
         record_.points[result.point].choice;
-    bands_.add(kind_ == CurveKind::pressure_gap ? gap_band(series.rows)
-                                                : area_band(series.rows),
-               color(choice));
-    line_plots_.push_back(fmt::format(
-        "'{}.csv' {} with lines linewidth 1.4 dashtype {} linecolor "
-        "rgb '{}' {}",
-        figure_.name, of_series(index, "$3:4"), dash(choice), color(choice),
-        key_entry(choice)));
+    if (kind_ == CurveKind::pressure_gap)
+      add_gap_band(panel_, series.rows, color(choice));
+    else
+      add_area_band(panel_, series.rows, color(choice));
+    panel_.add(key_entry(choice), line(color(choice), 1.4, dash(choice)), index,
+               3, 4);
   }
 
   bool is_empty() const { return n_curves_ == 0; }
@@ -75,14 +73,13 @@ public:
     const bool is_gap = kind_ == CurveKind::pressure_gap;
     figure_.data = table_.text();
     figure_.caption = caption();
-    figure_.script =
-        is_gap ? "set xlabel " + gnuplot_markup("mean separation u / h_{rms}") +
-                     "\nset ylabel " + gnuplot_markup("log_{10}  p / E*") + "\n"
-               : "set logscale xy\nset format xy '10^{%T}'\nset xlabel " +
-                     gnuplot_markup("p / E*") + "\nset ylabel " +
-                     gnuplot_markup("A / A_0") + "\n";
-    bands_.add_to(figure_, line_plots_);
-    figure_.script += "set key maxcols 2\n" + plot_of(line_plots_);
+    panel_.x.label = is_gap ? "mean separation u / h_{rms}" : "p / E*";
+    panel_.y.label = is_gap ? "log_{10}  p / E*" : "A / A_0";
+    for (ChartAxis* axis : {&panel_.x, &panel_.y})
+      axis->is_log = axis->has_powers = !is_gap;
+    panel_.free_corner = is_gap ? "top right" : "bottom right";
+    panel_.has_narrow_legend = true;
+    figure_.panels = {std::move(panel_)};
     return std::move(figure_);
   }
 
@@ -93,16 +90,16 @@ private:
 
   /// The second key of a zip has one value per value of the first, and no dash
   /// type of its own.
-  std::size_t dash(const std::vector<std::size_t>& choice) const {
-    return has_dashes() ? 1 + choice[1] % 5 : 1;
+  int dash(const std::vector<std::size_t>& choice) const {
+    return has_dashes() ? 1 + static_cast<int>(choice[1] % 5) : 1;
   }
 
   bool has_dashes() const {
     return axes_.size() > 1 && record_.combine == cases::Combine::product;
   }
 
-  /// The key has one entry per value of the first swept key, at most ten, and
-  /// one per value of the second.
+  /// The legend has one entry per value of the first swept key, at most ten,
+  /// and one per value of the second; others are empty.
   std::string key_entry(const std::vector<std::size_t>& choice) {
     const std::size_t n = axes_[0].labels.size();
     const std::size_t stride = (n + 9) / 10;
@@ -112,7 +109,7 @@ private:
       title = axes_[0].labels[choice[0]];
     if (has_dashes() && !std::exchange(dashes_shown_[choice[1]], true))
       title += (title.empty() ? "" : ", ") + axes_[1].labels[choice[1]];
-    return title.empty() ? "notitle" : "title " + gnuplot_text(title);
+    return title;
   }
 
   std::string caption() const {
@@ -124,7 +121,7 @@ private:
       words += fmt::format(", the dash type that of {}", record_.keys[1].key);
     for (std::size_t k = has_dashes() ? 2 : 1; k < axes_.size(); ++k)
       words += fmt::format("; {} also varies", record_.keys[k].key);
-    words += !bands_.empty()
+    words += !panel_.bands.empty()
                  ? ". Bands: 95 % interval of the mean over the "
                    "realisations."
                  : ". There are no bands, because each point has one "
@@ -138,8 +135,7 @@ private:
   std::vector<FigureAxis> axes_;
   Figure figure_;
   CsvTable table_{{"curve", "index", "x", "y", "half-width of 95 % interval"}};
-  Bands bands_;
-  std::vector<std::string> line_plots_;
+  ChartPanel panel_;
   std::map<std::size_t, bool> colors_shown_;
   std::map<std::size_t, bool> dashes_shown_;
   std::size_t n_curves_ = 0;

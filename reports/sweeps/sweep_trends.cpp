@@ -106,7 +106,12 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
   const FigureAxis axis = axis_of(record.keys[0]);
   CsvTable table({"line", "index", axis.title, quantity_name,
                   "low end of 95 % interval", "high end of 95 % interval"});
-  std::vector<std::string> parts;
+  ChartPanel panel{.x = {.label = as_markup(axis.title), .is_log = axis.is_log},
+                   .y = {.label = as_markup(quantity_name)},
+                   .offsets = "graph 0.04, graph 0.04, graph 0.08, graph 0.08",
+                   .has_narrow_legend = true};
+  if (!axis.is_numeric)
+    panel.x.ticks = named_ticks(axis);
   const std::vector<TrendLine> lines =
       trend_lines(record, results, axis, quantity_name);
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -114,13 +119,13 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
       table.add(lines[i].name,
                 {static_cast<double>(i), row[0], row[1], row[2], row[3]});
     const bool is_theory = lines[i].name.starts_with("theory");
-    parts.push_back(fmt::format(
-        "'{}.csv' {} with yerrorlines linecolor rgb '{}' dashtype {} pointtype "
-        "{} pointsize 0.7 linewidth 1.2 title {}",
-        figure.name, of_series(i, "$3:4:5:6"),
-        is_theory ? "#222222" : method_color(lines[i].method),
-        1 + lines[i].variant % 5, 4 + 2 * (lines[i].method % 5),
-        gnuplot_text(lines[i].name)));
+    CurveStyle style = joined(
+        markers(is_theory ? "#222222" : method_color(lines[i].method),
+                4 + 2 * static_cast<int>(lines[i].method % 5), 0.7, 1.2));
+    style.dash = 1 + static_cast<int>(lines[i].variant % 5);
+    ChartCurve& drawn = panel.add(lines[i].name, style, i, 3, 4);
+    drawn.low = 5;
+    drawn.high = 6;
   }
   if (lines.size() > most_lines)
     figure.problem = fmt::format("it would have {} lines; the numbers are in "
@@ -128,13 +133,7 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
                                  lines.size());
   figure.caption = "Bars: 95 % interval; where there is none, the point has "
                    "one realisation without an error of its own.";
-  figure.script =
-      "set xlabel " + gnuplot_text(axis.title) + "\nset ylabel " +
-      gnuplot_text(quantity_name) + "\n" +
-      (axis.is_log ? "set logscale x\n" : "") +
-      (axis.is_numeric ? "" : tick_labels(axis, "x")) +
-      "set offsets graph 0.04, graph 0.04, graph 0.08, graph 0.08\n" +
-      "set key maxcols 2\n" + plot_of(parts);
+  figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
 }
@@ -149,7 +148,13 @@ Figure heat_map(const SweepRecord& record, const Results& results,
   const FigureAxis up = axis_of(record.keys[1]);
   CsvTable table(
       {"cell", "x", "y", quantity_name, "half-width of 95 % interval"});
-  std::string labels;
+  ChartImage image{.x = 2,
+                   .y = 3,
+                   .value = 4,
+                   .has_cells = true,
+                   .colors = "cells",
+                   .label = as_markup(quantity_name),
+                   .proportions = Proportions::filling};
   for (const auto& result : results) {
     const Estimate* const estimate =
         swept_estimate(*result, method, quantity_name);
@@ -161,25 +166,21 @@ Figure heat_map(const SweepRecord& record, const Results& results,
               {static_cast<double>(choice[0]), static_cast<double>(choice[1]),
                estimate->value, estimate->half_width});
     if (across.labels.size() <= 8)
-      labels +=
-          fmt::format("set label {} at {},{} center front font ',10' "
-                      "textcolor rgb '#ffffff'\n",
-                      gnuplot_text(fmt::format("{:.3g}", estimate->value)),
-                      choice[0], choice[1]);
+      image.notes.push_back(
+          {{static_cast<double>(choice[0]), static_cast<double>(choice[1])},
+           fmt::format("{:.3g}", estimate->value)});
   }
   figure.caption = "One cell per point, coloured by the value of the method; "
                    "white: no value. The intervals are in the table.";
-  figure.script = fmt::format(
-      "set xlabel {}\nset ylabel {}\n{}{}set xrange [-0.5:{}]\nset yrange "
-      "[-0.5:{}]\nunset grid\nset palette defined (0 '#440154', 1 '#3b528b', 2 "
-      "'#21918c', 3 '#3f9a4d')\nset cblabel {}\n{}plot '{}.csv' using 2:3:"
-      "(0.5):(0.5):4 with boxxyerror palette fillstyle solid noborder "
-      "notitle\n",
-      gnuplot_text(record.keys[0].key), gnuplot_text(record.keys[1].key),
-      tick_labels(across, "x"), tick_labels(up, "y"),
-      static_cast<double>(across.labels.size()) - 0.5,
-      static_cast<double>(up.labels.size()) - 0.5, gnuplot_text(quantity_name),
-      labels, figure.name);
+  const auto cells = [](const FigureAxis& axis, const std::string& key) {
+    return ChartAxis{.label = as_markup(key),
+                     .low = -0.5,
+                     .high = static_cast<double>(axis.labels.size()) - 0.5,
+                     .ticks = named_ticks(axis)};
+  };
+  figure.panels = {{.x = cells(across, record.keys[0].key),
+                    .y = cells(up, record.keys[1].key),
+                    .image = std::move(image)}};
   figure.data = table.text();
   return figure;
 }

@@ -86,7 +86,8 @@ TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
 
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "pressure-distribution-fem");
-  EXPECT_NE(figures[0].script.find("r = 0.64"), std::string::npos);
+  EXPECT_NE(figures[0].panels[0].curves[0].label.find("r = 0.64"),
+            std::string::npos);
   for (const auto& [name, rows] : curves_of(figures[0])) {
     if (!name.starts_with("(20)"))
       continue;
@@ -118,7 +119,8 @@ TEST_F(Distributions, OfGapsAreOfNodesWithoutContact) {
   const std::vector<Figure> figures = gap_distribution_figures(made);
 
   ASSERT_EQ(figures.size(), 1U);
-  EXPECT_NE(figures[0].script.find("40 % in contact"), std::string::npos);
+  EXPECT_NE(figures[0].panels[0].curves[0].label.find("40 % in contact"),
+            std::string::npos);
   for (const auto& [name, rows] : curves_of(figures[0]))
     for (const auto& row : rows)
       if (row[1] > 1.1) {

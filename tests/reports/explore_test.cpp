@@ -1,7 +1,7 @@
-// Tests of reports/explore: the curves in the browser are those of the gnuplot
-// script, packed maps are unpacked unchanged, and no text of a result can end
+// Tests of reports/explore: the browser gets the panels of a figure as they are
+// on paper, packed maps are unpacked unchanged, and no text of a result can end
 // the element of the page that holds it.
-#include "reports/explore/chart_of_script.hpp"
+#include "base/special_numbers.hpp"
 #include "reports/explore/explore_data.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
@@ -17,160 +17,89 @@
 
 namespace asperity::reports::explore_test {
 
-const std::string header = "curve,index,p/(E* h') [1],log10 p/E* [1],u [1]";
-
-std::optional<Chart> chart_of_plot(const std::string& plot) {
-  return chart_of_script(plot, header);
+nlohmann::json json_of_panels(const std::vector<ChartPanel>& panels) {
+  const std::string data = explore_data("a", "", "x,y\n", panels, std::nullopt);
+  return data.empty() ? nlohmann::json()
+                      : nlohmann::json::parse(data).at("panels");
 }
 
-TEST(ChartOfScript, ReadsACurveWithItsStyle) {
-  const auto chart = chart_of_plot(
-      "plot 'a.csv' using ($2==-1 ? $3 : NaN):(2*$5) with linespoints "
-      "pointtype 8 pointsize 0.6 linewidth 1.5 dashtype 2 linecolor rgb "
-      "'#0072B2' title 'theory, A_0 \\_'\n");
-
-  ASSERT_TRUE(chart);
-  const ChartCurve& curve = chart->panels.at(0).curves.at(0);
-  EXPECT_EQ(curve.index, -1);
-  EXPECT_EQ(curve.x, 3);
-  EXPECT_EQ(curve.y, 5);
-  EXPECT_EQ(curve.factor, 2.0);
-  EXPECT_TRUE(curve.has_line && curve.has_markers);
-  EXPECT_EQ(curve.marker, 8);
-  EXPECT_EQ(curve.dash, 2);
-  EXPECT_EQ(curve.width, 1.5);
-  EXPECT_EQ(curve.color, "#0072B2");
-  EXPECT_EQ(curve.label, "theory, A₀ _");
+TEST(PlainLabel, ConvertsMarkup) {
+  EXPECT_EQ(plain_label("A_0 m^4,  h_{rms} 10^{-2}"), "A₀ m⁴, h_rms 10^-2");
+  EXPECT_EQ(plain_label(as_markup("a_b^c{d}@e&f~g\\")), "a_b^c{d}@e&f~g\\");
 }
 
-TEST(ChartOfScript, ReadsIntervalsAxesAndMarks) {
-  const auto chart = chart_of_plot(
-      "set xlabel 'u / h_{rms}'\nset ylabel 'log_{10}  p / E*'\nset xrange "
-      "[0.5:*]\nset yrange [-3:1]\nset arrow from 1, graph 0.02 to 2, graph "
-      "0.02 nohead linewidth 2.5 linecolor rgb '#222222'\nset object 1 "
-      "rectangle from 0.3, graph 0 to 1.5, graph 1 behind fillcolor rgb "
-      "'#0072B2' fillstyle solid 0.06 noborder\nplot 'a.csv' using ($2==0 ? "
-      "$5 : NaN):4:3:5 with xerrorbars linecolor rgb '#0072B2' notitle\n");
+// A column of logarithms is shown as its quantity on a logarithmic axis, with
+// the range and the bands of that quantity.
+TEST(ExploreData, TurnsLogarithmsIntoTheirQuantity) {
+  const nlohmann::json panel =
+      json_of_panels({{.x = {.label = "u / h_{rms}", .low = 0.5},
+                       .y = {.label = "log_{10}  p / E*",
+                             .low = -3.0,
+                             .high = 1.0,
+                             .is_log10 = true},
+                       .curves = {curve("a", line("#222222"), 0, 5, 4)},
+                       .bands = {{"#0072B2", {{4, -1}, {5, 0}, {6, 2}}}}}})
+          .at(0);
 
-  ASSERT_TRUE(chart);
-  const ChartPanel& panel = chart->panels.at(0);
-  EXPECT_EQ(panel.x.label, "u / h_rms");
-  EXPECT_EQ(panel.x.low, 0.5);
-  EXPECT_FALSE(panel.x.high);
-  EXPECT_EQ(panel.y.label, "p / E*"); // its column is a logarithm
-  EXPECT_TRUE(panel.y.is_log && panel.y.is_log10);
-  EXPECT_NEAR(panel.y.low.value(), 1e-3, 1e-18);
-  EXPECT_NEAR(panel.y.high.value(), 10.0, 1e-14);
-  ASSERT_EQ(panel.marks.size(), 2U);
-  EXPECT_EQ(panel.marks[0].height, 0.02);
-  EXPECT_EQ(panel.marks[1].high, 1.5);
-  EXPECT_TRUE(panel.curves.at(0).has_x_interval);
-  EXPECT_EQ(panel.curves.at(0).low, 3);
+  EXPECT_EQ(panel.at("x").at("label"), "u / h_rms");
+  EXPECT_EQ(panel.at("x").at("low"), 0.5);
+  EXPECT_FALSE(panel.at("x").contains("high"));
+  EXPECT_FALSE(panel.at("x").at("log").get<bool>());
+  EXPECT_EQ(panel.at("y").at("label"), "p / E*");
+  EXPECT_TRUE(panel.at("y").at("log").get<bool>());
+  EXPECT_TRUE(panel.at("y").at("log10").get<bool>());
+  EXPECT_NEAR(panel.at("y").at("low").get<double>(), 1e-3, 1e-18);
+  EXPECT_NEAR(panel.at("y").at("high").get<double>(), 10.0, 1e-14);
+  const nlohmann::json corners = panel.at("bands").at(0).at("corners");
+  ASSERT_EQ(corners.size(), 3U);
+  EXPECT_EQ(corners.at(2).at(0), 6.0);
+  EXPECT_NEAR(corners.at(0).at(1).get<double>(), 0.1, 1e-16);
 }
 
-// A band has the corners of its own block, on the axes of the chart.
-TEST(ChartOfScript, ReadsBands) {
-  const std::string script =
-      "plot 'a-bands.csv' index 1 using 1:2 with filledcurves closed "
-      "fillcolor rgb '#0072B2' fillstyle transparent solid 0.18 noborder "
-      "notitle, 'a.csv' using ($2==0 ? $5 : NaN):4 with lines";
-  const std::string polygons = "1,1\n2,2\n3,3\n\n\n4,-1\n5,0\n6,2\n";
+// Columns are counted from 0; an edge of the plot is null.
+TEST(ExploreData, HoldsCurvesMarksAndAxes) {
+  ChartCurve intervals =
+      curve("b", joined(markers("#0072B2", 8, 0.6)), 3, 3, 4);
+  intervals.low = 5;
+  intervals.high = 6;
+  intervals.is_on_second_axis = true;
+  const nlohmann::json panel =
+      json_of_panels({{.x = {.ticks = {{0.0, "soft, thick"}, {1.0, "A_0"}}},
+                       .second = ChartAxis{.is_log = true},
+                       .curves = {intervals, level(2.5, line("#888888"))},
+                       .marks = {{.low = -infinity, .high = 2.0}}}})
+          .at(0);
 
-  const auto chart = chart_of_script(script, header, polygons);
-
-  ASSERT_TRUE(chart);
-  const ChartBand& band = chart->panels.at(0).bands.at(0);
-  EXPECT_EQ(band.color, "#0072B2");
-  ASSERT_EQ(band.corners.size(), 3U);
-  EXPECT_EQ(band.corners[2].first, 6.0);
-  EXPECT_NEAR(band.corners[0].second, 0.1, 1e-16); // the column is a logarithm
-  EXPECT_FALSE(chart_of_script(script, header, "1,1\n2,2\n"));
-  EXPECT_FALSE(chart_of_script(script, header, "\n\n\na,b\n"));
+  EXPECT_EQ(panel.at("x").at("ticks").dump(),
+            "[[0.0,\"soft, thick\"],[1.0,\"A₀\"]]");
+  EXPECT_TRUE(panel.at("second").at("log").get<bool>());
+  const nlohmann::json& found = panel.at("curves").at(0);
+  EXPECT_EQ(found.at("index"), 3);
+  EXPECT_EQ(found.at("x"), 2);
+  EXPECT_EQ(found.at("low"), 4);
+  EXPECT_EQ(found.at("marker"), 8);
+  EXPECT_TRUE(found.at("second").get<bool>());
+  EXPECT_EQ(panel.at("curves").at(1).at("intercept"), 2.5);
+  EXPECT_TRUE(panel.at("marks").at(0).at("low").is_null());
+  EXPECT_EQ(panel.at("marks").at(0).at("high"), 2.0);
 }
 
-// Named ticks, a logarithmic second axis, lines over the full height with their
-// names, and ranges that end at the edge are read.
-TEST(ChartOfScript, ReadsNamesLinesAndEdges) {
-  const auto chart = chart_of_plot(
-      "set xtics ('soft, thick' 0, 'hard' 1)\nset logscale y2\nset arrow from "
-      "3, graph 0 to 3, graph 1 nohead dashtype 3 linecolor rgb '#8a5a00' "
-      "back\nset label 'tip radius' at 3, graph 0.03 rotate by 90\nset object "
-      "rectangle from graph 0, graph 0 to first 2, graph 1 behind fillcolor "
-      "rgb '#59636e' fillstyle solid 0.1\nplot 'a.csv' using ($2==0 ? $3 : "
-      "NaN):5 axes x1y2 with lines title 'a'\n");
-
-  ASSERT_TRUE(chart);
-  const ChartPanel& panel = chart->panels.at(0);
-  ASSERT_EQ(panel.x.ticks.size(), 2U);
-  EXPECT_EQ(panel.x.ticks[0], std::pair(0.0, std::string("soft, thick")));
-  EXPECT_TRUE(panel.second.value().is_log);
-  EXPECT_FALSE(panel.y.is_log);
-  ASSERT_EQ(panel.marks.size(), 2U);
-  EXPECT_EQ(panel.marks[0].low, 3.0);
-  EXPECT_EQ(panel.marks[0].high, 3.0);
-  EXPECT_EQ(panel.marks[0].label, "tip radius");
-  EXPECT_TRUE(std::isinf(panel.marks[1].low));
-  EXPECT_EQ(panel.marks[1].high, 2.0);
-}
-
-// Intervals of y and areas between two columns of the table are read.
-TEST(ChartOfScript, ReadsIntervalsOfYAndAreas) {
-  const auto chart = chart_of_plot(
-      "plot 'a.csv' using ($2==0 ? $3 : NaN):3:5 with filledcurves linecolor "
-      "rgb '#0072B2' fillstyle transparent solid 0.2 noborder title '95 %', "
-      "'a.csv' using ($2==0 ? $3 : NaN):4:3:5 with yerrorlines title 'b'\n");
-
-  ASSERT_TRUE(chart);
-  const std::vector<ChartCurve>& curves = chart->panels.at(0).curves;
-  EXPECT_TRUE(curves.at(0).is_area);
-  EXPECT_EQ(curves.at(0).low, 3);
-  EXPECT_EQ(curves.at(0).high, 5);
-  EXPECT_EQ(curves.at(0).label, "95 %");
-  EXPECT_FALSE(curves.at(1).is_area || curves.at(1).has_x_interval);
-  EXPECT_TRUE(curves.at(1).has_line && curves.at(1).has_markers);
-  EXPECT_EQ(curves.at(1).high, 5);
-}
-
-// Settings remain valid from panel to panel until they are unset.
-TEST(ChartOfScript, ReadsEveryPanel) {
-  const auto chart = chart_of_plot(
-      "set multiplot layout 1,2\nset logscale x\nset yrange [0:1]\nplot x with "
-      "lines, \\\n  2.5 with lines title 'two, and a half'\nunset "
-      "yrange\nunset logscale x\nplot 0 with lines\nunset multiplot\n");
-
-  ASSERT_TRUE(chart);
-  ASSERT_EQ(chart->panels.size(), 2U);
-  EXPECT_TRUE(chart->panels[0].x.is_log);
-  EXPECT_EQ(chart->panels[0].y.high, 1.0);
-  EXPECT_EQ(chart->panels[0].curves.at(0).slope, 1.0);
-  EXPECT_EQ(chart->panels[0].curves.at(1).intercept, 2.5);
-  EXPECT_EQ(chart->panels[0].curves.at(1).label, "two, and a half");
-  EXPECT_FALSE(chart->panels[1].x.is_log);
-  EXPECT_FALSE(chart->panels[1].y.high);
-}
-
-// A figure of which a part is not understood has no chart at all, because a
-// chart with a missing curve would mislead.
-TEST(ChartOfScript, RefusesWhatItDoesNotUnderstand) {
-  const std::string good = "plot 0 with lines";
-  ASSERT_TRUE(chart_of_plot(good));
-  for (const char* part :
-       {", 'm.csv' matrix using 1:2:3 with image notitle",
-        ", sin(x) with lines", ", 'a.csv' using 1:2 with lines",
-        ", 0 with boxes", ", 0",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):9 with lines",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):0 with lines",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):x with lines",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):3 with filledcurves",
-        ", 'a.csv' using ($2==0 ? $3 : NaN):3:4 with lines", ", ",
-        ", 'a.csv' using", "\nreplot"})
-    EXPECT_FALSE(chart_of_plot(good + part)) << part;
-  EXPECT_FALSE(chart_of_plot("set xlabel 'x'"));
-  EXPECT_FALSE(chart_of_plot(""));
+// A figure of which a part cannot be shown has no chart at all, because a chart
+// with a missing curve would mislead.
+TEST(ExploreData, IsEmptyIfAPartCannotBeShown) {
+  const ChartPanel good{.curves = {level(0.0, line("#222222"))}};
+  ChartPanel image = good;
+  image.image = ChartImage{};
+  ChartPanel bars = good;
+  bars.curves.push_back({.y = 2, .is_per_row = true});
+  ASSERT_EQ(json_of_panels({good, good}).size(), 2U);
+  EXPECT_TRUE(json_of_panels({}).is_null());
+  for (const ChartPanel& panel : {image, bars, ChartPanel{}})
+    EXPECT_TRUE(json_of_panels({good, panel}).is_null());
 }
 
 // Every figure of a report on a rough surface can be explored.
-TEST(ChartOfScript, UnderstandsEveryFigureOfAReport) {
+TEST(ExploreData, HoldsEveryFigureOfAReport) {
   const cases::Case rough = synthetic::contact_case();
   const results::Result result = synthetic::rough_result(rough, 3);
   const ReportEntry entry = entry_of(result, rough);
@@ -273,18 +202,18 @@ TEST(PackedMap, HoldsWhatIsDegenerate) {
 }
 
 TEST(ExploreData, CannotEndItsElement) {
-  Chart chart;
-  chart.panels.emplace_back().curves.emplace_back().label =
+  std::vector<ChartPanel> panels(1);
+  panels[0].curves.emplace_back().label =
       "</script><script>alert(1)</script><!-- &amp; ]]>";
 
   const std::string data =
-      explore_data("a", "<b>\"quoted\"</b>", "x,y\n", chart, std::nullopt);
+      explore_data("a", "<b>\"quoted\"</b>", "x,y\n", panels, std::nullopt);
 
   EXPECT_EQ(data.find_first_of("<>&"), std::string::npos);
   const auto json = nlohmann::json::parse(data);
   EXPECT_EQ(json.at("title"), "<b>\"quoted\"</b>");
   EXPECT_EQ(json.at("panels").at(0).at("curves").at(0).at("label"),
-            chart.panels[0].curves[0].label);
+            panels[0].curves[0].label);
   EXPECT_EQ(unpacked(json.at("table")), "x,y\n");
 }
 

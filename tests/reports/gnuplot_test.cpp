@@ -2,6 +2,7 @@
 // are reported.
 #include "base/read_file.hpp"
 #include "reports/figures/gnuplot.hpp"
+#include "reports/figures/gnuplot_script.hpp"
 #include "reports/figures/journal_figures.hpp"
 
 #include <fmt/format.h>
@@ -28,12 +29,17 @@ protected:
 
   ~Drawing() override { fs::remove_all(folder); }
 
-  DrawnFigure drawn(const std::string& script) const {
+  /// A figure of one panel with a table of one curve.
+  static Figure trial(const ChartPanel& panel) {
     Figure figure;
     figure.name = "trial";
-    figure.data = "x,y\n1,2\n2,3\n";
-    figure.script = script;
-    return draw(figure, folder);
+    figure.data = "curve,index,x,y\na,0,1,2\na,0,2,3\n";
+    figure.panels = {panel};
+    return figure;
+  }
+
+  static ChartPanel one_curve(const std::string& label = "") {
+    return {.curves = {curve(label, line("#222222"), 0, 3, 4)}};
   }
 
   fs::path folder = fs::temp_directory_path() / "asperity-gnuplot-test";
@@ -44,9 +50,7 @@ protected:
 TEST_F(Drawing, ShowsHostileTitlesAsTheyAre) {
   for (const std::string title :
        {"'; system('touch owned'); '", "`touch owned`", "a_b^c{d}@e~f"}) {
-    const DrawnFigure figure =
-        drawn("plot 'trial.csv' using 1:2 with lines title " +
-              gnuplot_text(title) + "\n");
+    const DrawnFigure figure = draw(trial(one_curve(title)), folder);
 
     EXPECT_EQ(figure.problem, "") << title;
     EXPECT_FALSE(fs::exists(folder / "owned")) << title;
@@ -73,7 +77,10 @@ TEST_F(Drawing, RefusesNamesThatAreNoFileWords) {
 }
 
 TEST_F(Drawing, ReportsTheMessageOfGnuplot) {
-  const DrawnFigure figure = drawn("plot no_such_function(x)\n");
+  ChartPanel panel = one_curve();
+  panel.offsets = "no_such_function(1)";
+
+  const DrawnFigure figure = draw(trial(panel), folder);
 
   EXPECT_TRUE(figure.svg.empty());
   EXPECT_NE(figure.problem.find("no_such_function"), std::string::npos);
@@ -81,7 +88,7 @@ TEST_F(Drawing, ReportsTheMessageOfGnuplot) {
 
 // gnuplot leaves neither its messages nor a temporary file in the folder.
 TEST_F(Drawing, LeavesThreeFilesAndNothingElse) {
-  drawn("plot 'trial.csv' using 1:2 with lines notitle\n");
+  draw(trial(one_curve()), folder);
 
   std::size_t files = 0;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -94,10 +101,7 @@ TEST_F(Drawing, LeavesThreeFilesAndNothingElse) {
 // The drawings have the requested width, in their own units; a wide figure has
 // that of two columns and 6 mm.
 TEST_F(Drawing, HasTheWidthOfTheJournal) {
-  Figure figure;
-  figure.name = "trial";
-  figure.data = "a,b\n1,2\n3,4\n";
-  figure.script = "plot 'trial.csv' using 1:2 with lines notitle\n";
+  Figure figure = trial(one_curve());
   const JournalFormat format = journal_format({"pdf", "svg", "png"}, "86 mm");
 
   EXPECT_EQ(draw_for_journal(figure, format, folder), "");
@@ -116,6 +120,11 @@ TEST_F(Drawing, HasTheWidthOfTheJournal) {
             std::string::npos);
 }
 
+/// A line through the origin.
+ChartCurve rising(double slope, const std::string& label) {
+  return {.label = label, .style = line("#222222"), .slope = slope};
+}
+
 /// The value behind "set lmargin at screen " and the like.
 double margin_in(const std::string& script, const std::string& name) {
   const std::string words = "set " + name + " at screen ";
@@ -127,31 +136,107 @@ double margin_in(const std::string& script, const std::string& name) {
 // The plot covers at least 60 % of the figure, for any legend and second axes,
 // and the text of a PDF has the requested size.
 TEST_F(Drawing, GivesMostOfAJournalFigureToThePlot) {
-  const std::string title = " title 'p/E* = 0.00133, A/A_0 = 0.0947, r = 0.13'";
-  const std::string curves = "plot x" + title + ", 2*x" + title + ", 3*x" +
-                             title + ", 4*x title 'theory'\n";
-  Figure figure;
-  figure.name = "trial";
-  figure.data = "x,y\n1,2\n";
-  for (const char* settings :
-       {"", "set key top right\n",
-        "set x2tics\nset border 7\nset x2label 'u'\n", "set key maxcols 2\n"})
+  const std::string title = "p/E* = 0.00133, A/A_0 = 0.0947, r = 0.13";
+  ChartPanel below;
+  for (const double slope : {1.0, 2.0, 3.0})
+    below.curves.push_back(rising(slope, title));
+  below.curves.push_back(rising(4.0, "theory"));
+  ChartPanel inside = below;
+  inside.free_corner = "top right";
+  inside.has_legend_inside = true;
+  ChartPanel with_upper_axis = below;
+  with_upper_axis.upper = UpperAxis{"u"};
+  ChartPanel narrow = below;
+  narrow.has_narrow_legend = true;
+  for (const ChartPanel& panel : {below, inside, with_upper_axis, narrow})
     for (const double width : {86e-3, 180e-3}) {
-      figure.script = settings + curves;
-
-      EXPECT_EQ(draw_for_journal(figure, {{"pdf"}, width}, folder), "");
+      EXPECT_EQ(draw_for_journal(trial(panel), {{"pdf"}, width}, folder), "");
 
       const std::string script = text_of(folder / "trial.gp");
       const double share =
           (margin_in(script, "rmargin") - margin_in(script, "lmargin")) *
           (margin_in(script, "tmargin") - margin_in(script, "bmargin"));
-      EXPECT_GE(share, 0.6) << settings << width;
+      EXPECT_GE(share, 0.6) << script << width;
       EXPECT_LE(share, 1.0);
       EXPECT_LE(margin_in(script, "lmargin"), 0.2); // room for numbers
       EXPECT_GE(margin_in(script, "lmargin"), 15e-3 / width);
       EXPECT_NE(script.find("font 'Helvetica,8'"), std::string::npos);
       EXPECT_NE(script.find("fontscale 0.75"), std::string::npos); // of 96 dpi
     }
+}
+
+std::string script_of(const ChartPanel& panel) {
+  Figure figure;
+  figure.name = "a";
+  figure.panels = {panel};
+  return gnuplot_script(figure);
+}
+
+// Each kind of curve is drawn by its own style from its own columns.
+TEST(GnuplotScript, DrawsEachCurveFromItsColumns) {
+  ChartCurve bar = curve("", markers("#222222", 6, 0.5), 1, 5, 4);
+  bar.low = 6;
+  bar.high = 7;
+  bar.has_x_interval = true;
+  ChartCurve interval = curve("", joined(markers("#222222", 6, 0.5)), 1, 3, 4);
+  interval.low = 5;
+  interval.high = 6;
+  ChartCurve area = interval;
+  area.is_area = true;
+  ChartCurve twice = curve("A_0", line("#222222", 1.5, 2), 1, 3, 4);
+  twice.factor = 2.0;
+  twice.is_on_second_axis = true;
+  const std::string rows = "'a.csv' using ($2==1 ? $";
+  for (const auto& [drawn, words] :
+       {std::pair(bar, rows + "5 : NaN):4:6:7 with xerrorbars linewidth 1 "
+                              "linecolor rgb '#222222' pointtype 6 pointsize "
+                              "0.5 notitle"),
+        std::pair(interval, rows + "3 : NaN):4:5:6 with yerrorlines "),
+        std::pair(area, rows + "3 : NaN):5:6 with filledcurves "),
+        std::pair(twice, rows +
+                             "3 : NaN):(2*$4) axes x1y2 with lines linewidth "
+                             "1.5 dashtype 2 linecolor rgb '#222222' title "
+                             "'A\\_0'"),
+        std::pair(level(2.5, line("#222222")), std::string("plot 2.5 with "))})
+    EXPECT_NE(script_of({.curves = {drawn}}).find(words), std::string::npos)
+        << words;
+}
+
+// The bands of a figure are in a file of their own, one block each.
+TEST(GnuplotScript, WritesBandsToAFileOfTheirOwn) {
+  Figure figure;
+  figure.name = "a";
+  figure.panels = {{.bands = {{"#0072B2", {{1, 2}, {3, 4}, {5, 6}}},
+                              {"#D55E00", {{7, 8}, {9, 10}, {11, 12}}}}}};
+
+  EXPECT_EQ(band_file(figure), "1,2\n3,4\n5,6\n\n\n7,8\n9,10\n11,12\n");
+  EXPECT_NE(gnuplot_script(figure).find("'a-bands.csv' index 1 using 1:2 with "
+                                        "filledcurves closed fillcolor rgb "
+                                        "'#D55E00'"),
+            std::string::npos);
+}
+
+// No setting of a panel holds for the next one.
+TEST_F(Drawing, KeepsTheSettingsOfPanelsApart) {
+  Figure figure = trial(one_curve());
+  ChartPanel& first = figure.panels.front();
+  first.title = "heading";
+  first.x = {.label = "across",
+             .low = 1.0,
+             .high = 10.0,
+             .is_log = true,
+             .has_powers = true};
+  first.marks = {
+      {.low = 2.0, .high = 2.0, .color = "#222222", .label = "limit"}};
+  figure.panels.push_back(one_curve());
+  figure.grid = PanelGrid{.columns = 2};
+
+  const std::string svg = draw(figure, folder).svg;
+
+  for (const char* word : {"heading", "across", "limit"})
+    EXPECT_EQ(svg.find(word), svg.rfind(word)) << word;
+  EXPECT_NE(svg.find(" 1.2</tspan>"), std::string::npos)
+      << "a tick of a linear axis";
 }
 
 std::string refusal(const std::vector<std::string>& endings,
@@ -186,16 +271,12 @@ double height_of(const std::string& svg) {
 
 // A legend of several rows does not cover the label of the axis.
 TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
-  Figure figure;
-  figure.name = "trial";
-  figure.data = "x,y\n1,2\n2,3\n";
-  figure.script = "set xlabel 'across'\nplot ";
-  for (const char* number : {"1", "2", "3", "4"})
-    figure.script +=
-        fmt::format("{}*x title 'a title as wide as the plot {}'{}", number,
-                    number, *number == '4' ? "\n" : ", ");
+  ChartPanel panel{.x = {.label = "across"}};
+  for (const int number : {1, 2, 3, 4})
+    panel.curves.push_back(
+        rising(number, fmt::format("a title as wide as the plot {}", number)));
 
-  ASSERT_EQ(draw_for_journal(figure, {{"svg"}, 86e-3}, folder), "");
+  ASSERT_EQ(draw_for_journal(trial(panel), {{"svg"}, 86e-3}, folder), "");
 
   const std::string svg = text_of(folder / "trial.svg");
   const double label = place_of(svg, "across");
@@ -205,38 +286,37 @@ TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
 
 // gnuplot leaves a label out without a message where the margin is too narrow.
 TEST_F(Drawing, LabelsTheAxesOfAJournalFigureAtEachWidth) {
-  Figure figure;
-  figure.name = "trial";
-  figure.data = "x,y\n1,2\n";
-  for (const char* settings : {"", "set key top right\n"})
+  for (const char* corner : {"", "top right"})
     for (const double width : {60e-3, 86e-3, 120e-3, 180e-3}) {
-      figure.script = std::string(settings) +
-                      "set xlabel 'across'\nset ylabel 'upwards'\n"
-                      "set yrange [0:0.45]\nplot x title 'a curve'\n";
+      const ChartPanel panel{
+          .x = {.label = "across"},
+          .y = {.label = "upwards", .low = 0.0, .high = 0.45},
+          .curves = {rising(1.0, "a curve")},
+          .free_corner = corner};
 
-      ASSERT_EQ(draw_for_journal(figure, {{"svg"}, width}, folder), "");
+      ASSERT_EQ(draw_for_journal(trial(panel), {{"svg"}, width}, folder), "");
 
       const std::string svg = text_of(folder / "trial.svg");
-      EXPECT_NE(svg.find("across"), std::string::npos) << settings << width;
-      EXPECT_NE(svg.find("upwards"), std::string::npos) << settings << width;
+      EXPECT_NE(svg.find("across"), std::string::npos) << corner << width;
+      EXPECT_NE(svg.find("upwards"), std::string::npos) << corner << width;
       // An index reaches half a line of 11 px below the line of the label.
       EXPECT_LT(place_of(svg, "across") + 5.0, height_of(svg))
-          << settings << width;
+          << corner << width;
       // An exponent reaches a line above that of the label.
-      EXPECT_GT(column_of(svg, "upwards"), 10.0) << settings << width;
+      EXPECT_GT(column_of(svg, "upwards"), 10.0) << corner << width;
     }
 }
 
 // Text of 8 pt takes a larger part of two columns, 178 mm, than 12 px of a
 // report figure of 860 px.
 TEST_F(Drawing, WidensTheMarginsOfPanelsForAJournal) {
-  Figure figure;
-  figure.name = "trial";
+  Figure figure = trial(one_curve());
   figure.width = 860;
-  figure.data = "x,y\n1,2\n";
-  figure.script =
-      "set multiplot layout 1,2 margins 0.1,0.9,0.2,0.95 spacing 0.08\n"
-      "plot x notitle\nplot 2*x notitle\nunset multiplot\n";
+  figure.panels.push_back(one_curve());
+  figure.grid = PanelGrid{.columns = 2,
+                          .margins = {{0.1, 0.9, 0.2, 0.95}},
+                          .across = 0.08,
+                          .down = 0.08};
 
   ASSERT_EQ(draw_for_journal(figure, {{"pdf"}, 86e-3}, folder), "");
 

@@ -19,9 +19,10 @@ TEST(MapImage, PlacesValuesAtTheCentresOfTheirBlocks) {
   EXPECT_EQ(map_csv(image, 10.0), "3,1,3,5\n"
                                   "0.5,0.1,0.2,0.3\n"
                                   "1.5,-0.4,0.5,6\n");
-  EXPECT_EQ(plot_of_map(image, "a.csv"),
-            "set xrange [0:6]\nset yrange [0:2]\n"
-            "plot 'a.csv' nonuniform matrix with image notitle\n");
+  const ChartPanel panel = map_panel(image, "a", "height");
+  EXPECT_EQ(panel.x.low, 0.0);
+  EXPECT_EQ(panel.x.high, 6.0);
+  EXPECT_EQ(panel.y.high, 2.0);
 }
 
 // 515 points become 171 blocks of three, which end two points before the map.
@@ -43,12 +44,14 @@ TEST(MapImage, DoesNotStretchBlocksOverPointsThatAreLeftOut) {
 // The shorter side keeps two tics at least.
 TEST(MapImage, ChoosesTicsForTheLongerSide) {
   const auto tics = [](double length_x, double length_y) {
-    return map_tics(
-        map_image({1, 1, length_x, length_y}, std::vector<double>{0.0}, 1.0));
+    const ChartPanel panel = map_panel(
+        map_image({1, 1, length_x, length_y}, std::vector<double>{0.0}, 1.0),
+        "a", "height");
+    return std::pair(panel.x.tick_step, panel.y.tick_step);
   };
-  EXPECT_EQ(tics(40e-6, 160e-6), "set xtics 25\nset ytics 50\n");
-  EXPECT_EQ(tics(60e-6, 160e-6), "set xtics 50\nset ytics 50\n");
-  EXPECT_EQ(tics(160e-6, 160e-6), "set xtics 50\nset ytics 50\n");
+  EXPECT_EQ(tics(40e-6, 160e-6), std::pair(25.0, 50.0));
+  EXPECT_EQ(tics(60e-6, 160e-6), std::pair(50.0, 50.0));
+  EXPECT_EQ(tics(160e-6, 160e-6), std::pair(50.0, 50.0));
 }
 
 // Rows are so long that a piece of a map in a file has two of seven, while a

@@ -3,6 +3,7 @@
 #include "reports/analysis/summary.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
+#include "reports/figures/gnuplot_script.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -77,7 +78,7 @@ protected:
 void expect_same(const Figure& left, const Figure& held) {
   EXPECT_EQ(left.name, held.name);
   EXPECT_EQ(left.caption, held.caption) << held.name;
-  EXPECT_TRUE(left.script == held.script) << held.name;
+  EXPECT_TRUE(gnuplot_script(left) == gnuplot_script(held)) << held.name;
   EXPECT_TRUE(left.data == held.data) << held.name;
   EXPECT_TRUE(left.maps == held.maps) << held.name;
   ASSERT_EQ(left.stack.has_value(), held.stack.has_value());
