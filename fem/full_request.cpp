@@ -1,17 +1,22 @@
 #include "fem/full_request.hpp"
 
 #include "base/require.hpp"
+#include "fem/parallel/mpi_group.hpp"
+#include "fem/parallel/ranks.hpp"
 #include "meshes/counter_body.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
+#include "meshes/mesh_bytes.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace asperity::fem {
 namespace {
@@ -148,6 +153,19 @@ BlockProblem problem_of(const FullRequest& request,
   if (full.bodies == 2 && mesh_spec.counter)
     add_counter_mesh(request, problem);
   return problem;
+}
+
+BlockProblem problem_on_ranks(const FullRequest& request) {
+  if (n_ranks() == 1)
+    return problem_of(request);
+  RootWork root(&mpi_group());
+  std::optional<BlockProblem> problem;
+  const std::string mesh = root.value([&] {
+    problem = problem_of(request);
+    return meshes::bytes_of(problem->mesh);
+  });
+  return problem ? std::move(*problem)
+                 : problem_of(request, meshes::mesh_of_bytes(mesh));
 }
 
 } // namespace asperity::fem

@@ -14,8 +14,7 @@
 
 namespace asperity::fem {
 
-/// Describes one full 3-D block, with enough information for another process to
-/// build the same block (request_bytes.hpp).
+/// Describes one full 3-D block.
 struct FullRequest {
   Grid grid; ///< of the surface of the method
   mechanics::BlockSettings block;
@@ -23,7 +22,8 @@ struct FullRequest {
   mechanics::MaterialSpec material; ///< with poisson_ratio
   mechanics::MeshSpec mesh;
   mechanics::Scales scales;
-  /// The mesh of the file that `mesh` names, with fit_sides; otherwise empty.
+  /// The mesh of the file that `mesh` names, with fit_sides; otherwise empty,
+  /// and on other ranks than rank 0.
   std::optional<meshes::BlockMesh> file_mesh = {};
 };
 
@@ -36,6 +36,9 @@ struct FullRequest {
 /// @throws input::InputError  a file that the request names is invalid
 BlockProblem problem_of(const FullRequest& request,
                         std::optional<meshes::BlockMesh> mesh = {});
+
+/// The same on all ranks of mpirun, of which rank 0 makes the mesh. Collective.
+BlockProblem problem_on_ranks(const FullRequest& request);
 
 /// Cell layers of a laterally uniform block with the grading ratio of the
 /// settings and a cell face on each interface between the material's layers.

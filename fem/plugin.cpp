@@ -2,10 +2,8 @@
 
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/adaptive/adaptive_block.hpp"
-#include "fem/block_proxy.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
-#include "fem/request_bytes.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
@@ -77,24 +75,20 @@ public:
                                         request.threads);
   }
 
-  std::string text_of(const BlockRequest& request) const override {
-    return fem::text_of(request);
-  }
-
   std::unique_ptr<contact::SurfaceOperator>
-  condensed_on_ranks(const std::string& text, int threads) const override {
-    const BlockRequest request = block_request_of(text);
+  condensed_on_ranks(const BlockRequest& request) const override {
     if (degree(request) == 2)
       return std::make_unique<Q2Operator>(
           request.grid, mpi_group(),
-          condensed_column_q2(request.grid, layers_of(request)), threads);
+          condensed_column_q2(request.grid, layers_of(request)),
+          request.threads);
     return std::make_unique<contact::FourierOperator>(
         request.grid, mpi_group(),
-        condensed_column_q1(request.grid, layers_of(request)), threads);
+        condensed_column_q1(request.grid, layers_of(request)), request.threads);
   }
 
   std::unique_ptr<FullBlock> full(const FullRequest& request) const override {
-    return make_distributed_block(request, make_block);
+    return make_block(problem_on_ranks(request));
   }
 
   std::unique_ptr<FullBlock>
@@ -102,21 +96,22 @@ public:
     return make_full_block(request.grid, degree(request), layers_of(request));
   }
 
-  bool has_followed(const RankCommand& command) const override {
+  bool has_followed(const std::function<void(const std::string& text)>& execute)
+      const override {
     if (own_rank() == 0) {
       end_followers_at_exit();
       return false;
     }
-    serve_rank_0(make_block, command);
+    follow_rank_0(execute);
     return true;
   }
 
   void on_all_ranks(const std::string& text,
-                    const RankCommand& command) const override {
-    execute_on_all_ranks(text, command);
+                    const std::function<void()>& share) const override {
+    do_on_all_ranks(text, share);
   }
 
-  RankGroup& rank_group() const override { return mpi_group(); }
+  ProgramRanks& rank_group() const override { return mpi_group(); }
 
   int ranks() const override { return n_ranks(); }
 

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "ranks/rank_group.hpp"
+#include "ranks/root_work.hpp"
 
 namespace asperity::fem {
 
@@ -57,18 +57,13 @@ public:
   virtual std::unique_ptr<contact::SurfaceOperator>
   condensed(const BlockRequest& request) const = 0;
 
-  /// A request of a Q1 block as text, with which rank 0 lets every rank build
-  /// its share of the operator.
-  virtual std::string text_of(const BlockRequest& request) const = 0;
-
-  /// The operator of condensed() for Q1 on rows that all ranks share, bitwise
-  /// the same. Collective, within on_all_ranks().
-  /// @param text  a result of text_of()
+  /// The operator of condensed() on rows that all ranks share, bitwise the
+  /// same. Collective; the cache of the request is not used.
   virtual std::unique_ptr<contact::SurfaceOperator>
-  condensed_on_ranks(const std::string& text, int threads) const = 0;
+  condensed_on_ranks(const BlockRequest& request) const = 0;
 
-  /// The full method. Under mpirun all ranks share the work; only one call may
-  /// be active at a time.
+  /// The full method. Under mpirun all ranks share the work, and the call and
+  /// those of the block are collective; rank 0 makes the mesh.
   /// @throws input::InputError  in addition, for a file that the request names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
@@ -80,22 +75,20 @@ public:
   /// Must be called under mpirun before anything else. On rank 0 it returns
   /// false immediately, and the other ranks end when the program does. On the
   /// other ranks it returns true after rank 0 has ended.
-  /// @param command  what this rank does with the text of on_all_ranks()
+  /// @param execute  what this rank does with the text of on_all_ranks()
   virtual bool has_followed(
-      const std::function<void(const std::string& text, int rank)>& command)
-      const = 0;
+      const std::function<void(const std::string& text)>& execute) const = 0;
 
-  /// To be called on rank 0. Calls `command` with this text on every rank, on
-  /// this one the given function and on the others that of has_followed(), and
-  /// waits for all of them. No full block may be at work.
-  virtual void
-  on_all_ranks(const std::string& text,
-               const std::function<void(const std::string& text, int rank)>&
-                   command) const = 0;
+  /// To be called on rank 0. Calls `share` here and the function of
+  /// has_followed() with this text on the other ranks, and waits for all of
+  /// them. A failure on every rank is thrown as an exception; a failure on some
+  /// ranks ends all of them.
+  virtual void on_all_ranks(const std::string& text,
+                            const std::function<void()>& share) const = 0;
 
-  /// All ranks of mpirun as a group that shares rows of fields, to be used
-  /// within on_all_ranks(). The first call is collective.
-  virtual RankGroup& rank_group() const = 0;
+  /// All ranks of mpirun, to be used within on_all_ranks(). The first call is
+  /// collective.
+  virtual ProgramRanks& rank_group() const = 0;
 
   /// Number of processes that share a full 3-D block.
   virtual int ranks() const = 0;

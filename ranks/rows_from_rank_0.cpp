@@ -1,6 +1,10 @@
 #include "ranks/rows_from_rank_0.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 
@@ -16,6 +20,15 @@ rows_from_rank_0(const SharedRows& rows,
       rows.ranks() == nullptr ? 0 : rows.ranks()->rank());
   std::vector<double> own(rows.size());
   std::vector<double> sent;
+  std::exception_ptr failure;
+  const auto read = [&](std::span<double> values) {
+    try {
+      if (!failure)
+        next(values);
+    } catch (...) { // the ranks still exchange the rest
+      failure = std::current_exception();
+    }
+  };
   for (std::size_t r = 0; r < n_ranks; ++r) {
     const std::size_t size =
         static_cast<std::size_t>(rows.bounds()[r + 1] - rows.bounds()[r]) *
@@ -24,12 +37,12 @@ rows_from_rank_0(const SharedRows& rows,
       const std::size_t n = std::min(most, size - at);
       if (r == 0) {
         if (own_rank == 0)
-          next(std::span(own).subspan(at, n));
+          read(std::span(own).subspan(at, n));
         continue;
       }
       sent.resize(own_rank == 0 ? n : 0);
       if (own_rank == 0)
-        next(sent);
+        read(sent);
       std::vector<std::size_t> to(n_ranks, 0);
       std::vector<std::size_t> from(n_ranks, 0);
       to[r] = sent.size() * sizeof(double);
@@ -40,6 +53,11 @@ rows_from_rank_0(const SharedRows& rows,
                              std::as_writable_bytes(received), from);
     }
   }
+  const bool has_failed = rank_max(rows.ranks(), failure ? 1.0 : 0.0) > 0.0;
+  if (failure)
+    std::rethrow_exception(failure);
+  if (has_failed)
+    throw std::runtime_error("rank 0 could not read the field");
   return own;
 }
 

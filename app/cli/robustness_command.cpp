@@ -1,11 +1,13 @@
 #include "app/cli/robustness_command.hpp"
 
 #include "app/asked/case_library.hpp"
+#include "app/run/mpi_world.hpp"
 #include "app/run/output.hpp"
 #include "app/run/output_folder.hpp"
 #include "app/run/remaining_work.hpp"
 #include "base/atomic_file.hpp"
 #include "cases/reader/read_case.hpp"
+#include "input/input_error.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
@@ -204,6 +206,10 @@ ExitCode run_one(const Source& source, const RobustnessCommand& command) {
 } // namespace
 
 ExitCode run_robustness(const RobustnessCommand& command) {
+  if (n_mpi_ranks() > 1)
+    throw input::InputError("asperity robustness distributes its instances "
+                            "among processes itself; please start it without "
+                            "mpirun");
   ExitCode worst = exit_good;
   std::string json; // of each source
   for (const Source& source : sources_of(command))

@@ -4,7 +4,8 @@
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
 #include "app/methods/load_steps.hpp"
-#include "app/methods/shared_load_steps.hpp"
+#include "app/methods/sharing.hpp"
+#include "app/methods/surface_rows.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "results/observables/area_estimate.hpp"
 
@@ -30,26 +31,12 @@ bool has_free_boundaries(const cases::MethodSpec& method) {
   return half != nullptr && half->has_free_boundaries;
 }
 
-/// Applies the contact solver to any surface operator.
-class OperatorSolver final : public StepSolver {
-public:
-  OperatorSolver(std::unique_ptr<LoadSteps> steps, double saved_setup_time)
-      : steps_(std::move(steps)), saved_setup_time_(saved_setup_time) {}
-
-  StepAnswer solve(const StepTarget& target) override {
-    return steps_->solve(target);
-  }
-
-  SavedState state() const override { return steps_->memory(); }
-
-  void restore(const StateReader& state) override { steps_->recall(state); }
-
-  double saved_setup_time() const override { return saved_setup_time_; }
-
-private:
-  std::unique_ptr<LoadSteps> steps_;
-  double saved_setup_time_;
-};
+/// The heights of this rank.
+std::vector<double> own_heights(const SurfaceOfCase& surface,
+                                const SharedRows& rows) {
+  return surface.rows ? surface.rows->taken()
+                      : rows.scattered(surface.record.heights);
+}
 
 } // namespace
 
@@ -88,28 +75,37 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const Grid& grid = surface.record.grid;
   if (has_free_boundaries(method))
     observation.area_coefficients = results::free_area_coefficients;
-  if (is_shared_by_ranks(method, grid, workforce.ranks)) {
+  if (workforce.ranks != nullptr &&
+      is_shared_by_ranks(method, grid, workforce.ranks->size())) {
     setting.threads = workforce.threads_a_rank;
-    return std::make_unique<OperatorSolver>(
-        make_shared_load_steps(
-            surface, shared_block(method, surface, setting.threads), setting),
-        0.0);
+    auto elasticity = operator_on_ranks(method, surface, workforce);
+    std::vector<double> heights =
+        own_heights(surface, *elasticity->shared_rows());
+    return make_load_steps(std::move(elasticity), std::move(heights), setting);
   }
   Face face = shared_operator(method, surface, workforce.threads);
-  return std::make_unique<OperatorSolver>(
-      make_load_steps(std::move(face.elasticity), surface.record.heights,
-                      setting),
-      face.saved_setup_time);
+  setting.saved_setup_time = face.saved_setup_time;
+  return make_load_steps(std::move(face.elasticity), surface.record.heights,
+                         setting);
 }
 
-SharedBlock SolverFactory::shared_block(const cases::MethodSpec& method,
-                                        const SurfaceOfCase& surface,
-                                        int threads) const {
+std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::operator_on_ranks(const cases::MethodSpec& method,
+                                 const SurfaceOfCase& surface,
+                                 const Workforce& workforce) const {
+  const Grid& grid = surface.record.grid;
+  const int threads = workforce.threads_a_rank;
   if (const auto* block = std::get_if<FemSettings>(&method.settings))
-    return fem::load_fem_module().text_of(request(*block, surface, threads));
+    return fem::load_fem_module().condensed_on_ranks(
+        request(*block, surface, threads));
   if (has_free_boundaries(method))
-    return FreeBlock{material_.contact_modulus};
-  return continuum_of(method, material_, surface.scales);
+    return std::make_unique<contact::FreeHalfspace>(
+        grid, *workforce.ranks, material_.contact_modulus, threads);
+  return std::make_unique<contact::FourierOperator>(
+      grid, *workforce.ranks,
+      contact::compliance_column(
+          grid, continuum_of(method, material_, surface.scales)),
+      threads);
 }
 
 SolverFactory::Face

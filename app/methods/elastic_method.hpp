@@ -6,7 +6,6 @@
 
 #include "app/cache/cache.hpp"
 #include "app/cache/case_keys.hpp"
-#include "app/methods/shared_load_steps.hpp"
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "contact/operators/surface_operator.hpp"
@@ -35,8 +34,9 @@ std::string material_words(const cases::MethodSpec& method,
 
 /// The threads and processes that a solver may use.
 struct Workforce {
-  int threads = 1;        ///< for set-up and transforms in this process
-  int ranks = 1;          ///< of mpirun, for blocks that they can share
+  int threads = 1; ///< for set-up and transforms in this process
+  /// Of mpirun, for blocks that they can share; null: this process alone.
+  RankGroup* ranks = nullptr;
   int threads_a_rank = 1; ///< for such a block
 };
 
@@ -74,8 +74,10 @@ private:
   Face build_operator(const cases::MethodSpec& method,
                       const SurfaceOfCase& surface, int threads);
 
-  SharedBlock shared_block(const cases::MethodSpec& method,
-                           const SurfaceOfCase& surface, int threads) const;
+  std::unique_ptr<contact::SurfaceOperator>
+  operator_on_ranks(const cases::MethodSpec& method,
+                    const SurfaceOfCase& surface,
+                    const Workforce& workforce) const;
 
   fem::BlockRequest request(const mechanics::FemSettings& settings,
                             const SurfaceOfCase& surface, int threads) const;

@@ -4,9 +4,8 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
 #include "app/methods/curve_row.hpp"
-#include "app/methods/elastic_method.hpp"
+#include "app/methods/methods.hpp"
 #include "app/methods/stress_section.hpp"
-#include "fem/plugin.hpp"
 #include "results/observables/area_estimate.hpp"
 
 #include <optional>
@@ -163,19 +162,24 @@ private:
 
 std::unique_ptr<StepSolver> make_full_block_solver(
     const cases::Case& contact_case, const cases::MethodSpec& method,
-    const SurfaceOfCase& surface, int realization,
-    const std::filesystem::path& scratch, const fem::BlockWatch& watch) {
+    const SurfaceOfCase& surface, int realization, const Resources& resources) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
+  const Grid& grid = surface.record.grid;
+  fem::FullRequest request{grid,
+                           settings.block,
+                           settings.full,
+                           contact_case.material,
+                           contact_case.mesh,
+                           surface.scales};
+  resources.root->act(
+      [&] { request.file_mesh = file_mesh(contact_case, method, grid); });
   return std::make_unique<FullBlockSolver>(
-      fem::load_fem_module().full(
-          {surface.record.grid, settings.block, settings.full,
-           contact_case.material, contact_case.mesh, surface.scales,
-           file_mesh(contact_case, method, surface.record.grid)}),
-      method, surface,
+      fem::load_fem_module().full(request), method, surface,
       continuum_of(method, contact_case.material, surface.scales),
-      realization == 0 ? extras_of(contact_case, method, surface, scratch)
-                       : StepExtras{},
-      watch);
+      realization == 0
+          ? extras_of(contact_case, method, surface, resources.scratch)
+          : StepExtras{},
+      resources.block_watch);
 }
 
 } // namespace asperity::app

@@ -6,26 +6,25 @@
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "cases/types/case.hpp"
-#include "fem/plugin.hpp"
 
-#include <filesystem>
 #include <memory>
 
 namespace asperity::app {
+
+struct Resources;
 
 /// Creates the solver of a full block. On the first realisation, the steps with
 /// saved fields write files for ParaView if the case requests them, and the
 /// most heavily loaded of these steps records a stress section.
 ///
 /// @param surface  the surface of the method; must outlive the solver
-/// @param scratch  folder of the files, created when needed
-/// @param watch    called during load steps; may be empty
+/// @param resources  of the ranks that solve the block: all calls are
+/// collective
 /// @throws std::domain_error, input::InputError  the mesh cannot be generated
 ///                                               or is rejected; the message
 ///                                               gives the reason
 std::unique_ptr<StepSolver> make_full_block_solver(
     const cases::Case& contact_case, const cases::MethodSpec& method,
-    const SurfaceOfCase& surface, int realization,
-    const std::filesystem::path& scratch, const fem::BlockWatch& watch);
+    const SurfaceOfCase& surface, int realization, const Resources& resources);
 
 } // namespace asperity::app

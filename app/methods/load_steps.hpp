@@ -1,7 +1,7 @@
 #pragma once
 
-// The interface between an elastic method and the solver of its load steps,
-// which runs in this process or on all ranks of mpirun.
+// The solver of the load steps of an elastic method, in this process or on all
+// ranks of mpirun.
 
 #include "app/methods/curve_row.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -10,21 +10,6 @@
 #include <vector>
 
 namespace asperity::app {
-
-/// A loading path on one surface, see contact::LoadSequence.
-class LoadSteps {
-public:
-  virtual ~LoadSteps() = default;
-
-  /// Solves and evaluates a step. If the target needs no maps, the fields may
-  /// be left out.
-  virtual StepAnswer solve(const StepTarget& target) = 0;
-
-  /// The numbers of contact::LoadSequence::memory().
-  virtual SavedState memory() const = 0;
-
-  virtual void recall(const StateReader& memory) = 0;
-};
 
 /// What a loading path is made of besides the operator and the heights.
 struct LoadStepsSetting {
@@ -36,12 +21,14 @@ struct LoadStepsSetting {
   /// What the observables need; weights, rows and border are those of the
   /// operator.
   Observation observation = {};
+  double saved_setup_time = 0.0; ///< see StepSolver
 };
 
-/// Solves the load steps in this process, or, if ranks share the rows of the
-/// operator, the share of this rank: heights, fields and memory then have its
-/// rows, and all calls are collective.
-std::unique_ptr<LoadSteps>
+/// Solves the load steps on one surface, see contact::LoadSequence. If ranks
+/// share the rows of the operator, the heights are those of this rank, and all
+/// calls are collective, as are those that pass the maps of an answer and the
+/// state to rank 0; a state is read on rank 0.
+std::unique_ptr<StepSolver>
 make_load_steps(std::unique_ptr<contact::SurfaceOperator> elasticity,
                 std::vector<double> heights, const LoadStepsSetting& setting);
 

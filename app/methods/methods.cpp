@@ -28,7 +28,8 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::TheorySettings&,
 
 std::unique_ptr<StepSolver> make_on_face(const SolverInput& input) {
   return input.elastic.make(input.method, input.surface,
-                            {input.resources.threads, input.resources.ranks,
+                            {input.resources.threads,
+                             input.resources.root->ranks(),
                              input.resources.threads_a_rank});
 }
 
@@ -40,9 +41,9 @@ std::unique_ptr<StepSolver> make_solver(const mechanics::HalfspaceSettings&,
 std::unique_ptr<StepSolver> make_solver(const mechanics::FemSettings&,
                                         const SolverInput& input) {
   if (is_full_block(input.method))
-    return make_full_block_solver(
-        input.contact_case, input.method, input.surface, input.realization,
-        input.resources.scratch, input.resources.block_watch);
+    return make_full_block_solver(input.contact_case, input.method,
+                                  input.surface, input.realization,
+                                  input.resources);
   return make_on_face(input);
 }
 

@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "ranks/root_work.hpp"
+
 namespace asperity::app {
 
 MethodDescription describe(const cases::MethodSpec& method,
@@ -22,7 +24,7 @@ struct Resources {
   int threads = 1;                  ///< for set-up and steps
   std::filesystem::path scratch;    ///< private folder, created when needed
   md::Watch watch = {};             ///< called during long steps of atoms
-  int ranks = 1;                    ///< of mpirun
+  RootWork* root = nullptr;         ///< of the ranks that solve the method
   int threads_a_rank = 1;           ///< for a half-space that the ranks share
   fem::BlockWatch block_watch = {}; ///< called during steps of full blocks
 };

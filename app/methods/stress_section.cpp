@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ranks/rows_from_rank_0.hpp"
+#include "ranks/workers.hpp"
+
 namespace asperity::app {
 namespace {
 
@@ -94,24 +97,34 @@ std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
 
 } // namespace
 
-StressPoint point_of(const contact::StressInside& inside) {
-  const contact::StressPeak peak = inside.strongest();
-  return {peak, inside.shear_at(peak)};
+contact::StressInside
+StressUnderMaps::inside(const results::Fields& map) const {
+  if (ranks_ == nullptr)
+    return {map.grid, block_, map.pressure_map().whole(), threads_};
+  SharedRows rows(map.grid, *ranks_, row_bounds(map.grid, ranks_->size()));
+  std::vector<double> read;
+  const std::vector<double> pressure = rows_from_rank_0(
+      rows, [&, at = std::size_t{0}](std::span<double> values) mutable {
+        std::ranges::copy(map.pressure_map().values(at, values.size(), read),
+                          values.begin());
+        at += values.size();
+      });
+  return {std::move(rows), block_, pressure, threads_};
 }
 
 StressPoint StressUnderMaps::strongest(const results::Fields& map) const {
-  return point_of(contact::StressInside(map.grid, block_,
-                                        map.pressure_map().whole(), threads_));
+  const contact::StressInside found = inside(map);
+  const contact::StressPeak peak = found.strongest();
+  return {peak, found.shear_at(peak)};
 }
 
 std::vector<std::vector<double>>
 StressUnderMaps::von_mises_rows(const results::Fields& map,
                                 std::span<const double> depths, int row) const {
-  const contact::StressInside inside(map.grid, block_,
-                                     map.pressure_map().whole(), threads_);
+  const contact::StressInside found = inside(map);
   std::vector<std::vector<double>> rows;
   for (const double depth : depths)
-    rows.push_back(inside.von_mises_row(depth, row));
+    rows.push_back(found.von_mises_row(depth, row));
   return rows;
 }
 

@@ -22,36 +22,36 @@ struct StressPoint {
   double largest_shear = 0.0;
 };
 
-StressPoint point_of(const contact::StressInside& inside);
-
-/// Finds the stress inside a block under pressure maps in this process. A
-/// derived class may let several processes find the same.
+/// Finds the stress inside a block under pressure maps, in this process or on
+/// all ranks of mpirun, with the same bits.
 class StressUnderMaps {
 public:
   /// @param block    of the maps, as in contact::StressInside
-  /// @param threads  >= 1
-  explicit StressUnderMaps(mechanics::ElasticBlock block, int threads = 1)
-      : block_(std::move(block)), threads_(threads) {}
-
-  virtual ~StressUnderMaps() = default;
-  StressUnderMaps(const StressUnderMaps&) = delete;
-  StressUnderMaps& operator=(const StressUnderMaps&) = delete;
+  /// @param threads  >= 1, of each process
+  /// @param ranks    null: this process alone. Otherwise all calls are
+  ///                 collective; rank 0 reads the pressure of a map by pieces,
+  ///                 of which the others read only the grid, so that no rank
+  ///                 holds a whole map. If it cannot be read, all ranks throw.
+  explicit StressUnderMaps(mechanics::ElasticBlock block, int threads = 1,
+                           RankGroup* ranks = nullptr)
+      : block_(std::move(block)), threads_(threads), ranks_(ranks) {}
 
   const mechanics::ElasticBlock& block() const { return block_; }
 
-  int threads() const { return threads_; }
-
-  virtual StressPoint strongest(const results::Fields& map) const;
+  StressPoint strongest(const results::Fields& map) const;
 
   /// Von Mises stress [Pa] in one row of nodes at each depth.
   /// @param depths  [m], 0..thickness of the block
-  virtual std::vector<std::vector<double>>
+  std::vector<std::vector<double>>
   von_mises_rows(const results::Fields& map, std::span<const double> depths,
                  int row) const;
 
 private:
+  contact::StressInside inside(const results::Fields& map) const;
+
   mechanics::ElasticBlock block_;
   int threads_;
+  RankGroup* ranks_;
 };
 
 /// The sample points of a section. It extends from the contact surface to four

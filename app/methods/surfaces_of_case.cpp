@@ -36,19 +36,14 @@ bool presses_single_map(const cases::Case& contact_case,
 /// method presses, would dominate them.
 SurfaceOfCase single_map(const cases::Case& contact_case,
                          const SurfaceOfCase& continued,
-                         const BuildByRows& by_rows) {
+                         const BuildSurface& build) {
   mechanics::SurfaceSpec alone = contact_case.surface;
   alone.edges = mechanics::Edges::periodic; // the map as it is
+  SurfaceOfCase built = build({alone, 0});
   SurfaceOfCase surface = continued;
-  if (by_rows) {
-    const SurfaceOfCase rows = by_rows({alone, 0});
-    surface.record.grid = rows.record.grid;
-    surface.source = rows.source;
-  } else {
-    surfaces::HeightMap map = surfaces::build_surface(alone, 0);
-    surface.record.grid = map.grid;
-    surface.record.heights = std::move(map.heights);
-  }
+  surface.record.grid = built.record.grid;
+  surface.record.heights = std::move(built.record.heights);
+  surface.rows = built.rows;
   surface.scales.length = surface.record.grid.length_x;
   surface.has_middle = true;
   return surface;
@@ -103,6 +98,19 @@ SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
   return surface;
 }
 
+surfaces::HeightMap built_map(const SurfaceSource& source) {
+  return source.highest_wavevector
+             ? surfaces::build_surface_on(source.surface, source.realization,
+                                          source.grid,
+                                          source.highest_wavevector)
+             : surfaces::build_surface(source.surface, source.realization);
+}
+
+SurfaceOfCase whole_surface(const SurfaceSource& source,
+                            double contact_modulus) {
+  return surface_of_map(built_map(source), contact_modulus);
+}
+
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
   return std::ranges::any_of(methods, &cases::MethodSpec::needs_surface);
 }
@@ -116,49 +124,38 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 
 CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
                            const std::vector<cases::MethodSpec>& methods,
-                           const std::set<int>& only,
-                           const BuildByRows& by_rows)
+                           const std::set<int>& only, const BuildSurface& given)
     : case_(contact_case) {
   if (!needs_surfaces(methods))
     return;
+  const BuildSurface build =
+      given ? given : [this](const SurfaceSource& source) {
+        return whole_surface(source, case_.material.contact_modulus);
+      };
   const auto is_built = [&](int r) { return only.empty() || only.contains(r); };
   for (int r = 0; r < contact_case.surface.realizations; ++r)
-    whole_.push_back(is_built(r) ? built(r, by_rows) : SurfaceOfCase{});
+    whole_.push_back(
+        is_built(r) ? as_taken(contact_case, build({contact_case.surface, r}))
+                    : SurfaceOfCase{});
   if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
       }))
-    single_map_ = single_map(contact_case, whole_.front(), by_rows);
+    single_map_ = single_map(contact_case, whole_.front(), build);
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || !method.needs_surface() ||
         magnified_.contains(*method.magnification))
       continue;
+    const double highest = *highest_wavevector(contact_case, method);
     std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
     for (int r = 0; r < contact_case.surface.realizations; ++r)
       shown.push_back(
           is_built(r)
-              ? magnified(r, *highest_wavevector(contact_case, method), by_rows)
+              ? as_taken(
+                    contact_case,
+                    build({contact_case.surface, r, highest,
+                           whole_[static_cast<std::size_t>(r)].record.grid}))
               : SurfaceOfCase{});
   }
-}
-
-SurfaceOfCase CaseSurfaces::built(int realization,
-                                  const BuildByRows& by_rows) const {
-  return as_taken(case_, by_rows
-                             ? by_rows({case_.surface, realization})
-                             : surface_of_map(surfaces::build_surface(
-                                                  case_.surface, realization),
-                                              case_.material.contact_modulus));
-}
-
-SurfaceOfCase CaseSurfaces::magnified(int realization, double highest,
-                                      const BuildByRows& by_rows) const {
-  const Grid& grid = whole_[static_cast<std::size_t>(realization)].record.grid;
-  return as_taken(
-      case_,
-      by_rows ? by_rows({case_.surface, realization, highest})
-              : surface_of_map(surfaces::build_surface_on(
-                                   case_.surface, realization, grid, highest),
-                               case_.material.contact_modulus));
 }
 
 const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {

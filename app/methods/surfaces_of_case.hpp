@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,16 +21,15 @@
 
 namespace asperity::app {
 
-/// What the rows of a surface are built from.
+/// What a surface is built from.
 struct SurfaceSource {
   mechanics::SurfaceSpec surface;
   int realization = 0;
   std::optional<double> highest_wavevector = {}; ///< of a magnification [rad/m]
-  Grid grid = {};
-  /// Why rank 0 builds the whole surface and sends its rows
-  /// (surfaces::reason_for_whole()); empty: each rank builds its own.
-  std::string whole_because = {};
+  Grid grid = {};                                ///< then needed
 };
+
+class SurfaceRows;
 
 /// The surface of one realisation as a method uses it.
 struct SurfaceOfCase {
@@ -41,7 +41,7 @@ struct SurfaceOfCase {
   std::vector<surfaces::Shell> shells = {};
   /// Set if ranks build the rows of the surface when they need them; the record
   /// then has no heights.
-  std::optional<SurfaceSource> source = {};
+  std::shared_ptr<const SurfaceRows> rows = {};
   /// What the ranks found of a map whose rows they have read.
   std::optional<surfaces::MapFacts> map_facts = {};
 };
@@ -57,6 +57,14 @@ SurfaceOfCase described_surface(const Grid& grid,
 /// @param contact_modulus  E* [Pa]
 SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus);
+
+/// Builds the heights of a surface.
+surfaces::HeightMap built_map(const SurfaceSource& source);
+
+/// Builds a surface in this process.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase whole_surface(const SurfaceSource& source,
+                            double contact_modulus);
 
 /// Returns true if one of the methods needs heights. Only a theory that uses
 /// the formula of the spectrum does not.
@@ -78,7 +86,7 @@ bool has_own_surface(const cases::Case& contact_case,
 Grid pressed_grid(const cases::Case& contact_case,
                   const cases::MethodSpec& method, const Grid& grid);
 
-using BuildByRows = std::function<SurfaceOfCase(const SurfaceSource& source)>;
+using BuildSurface = std::function<SurfaceOfCase(const SurfaceSource& source)>;
 
 /// The surfaces of a case: one per realisation, one more per realisation for
 /// each magnification that a method uses, and the measured map itself if a
@@ -90,13 +98,13 @@ public:
   ///
   /// @param only  builds the surfaces of these realisations only, and those of
   ///              the others have no points; empty: all
-  /// @param by_rows  builds a surface without heights on the ranks of mpirun
-  ///                 (shared_surface.hpp); empty: in this process
+  /// @param build  builds a surface, see surface_rows.hpp; empty: in this
+  ///               process
   /// @throws input::InputError, std::domain_error  the surfaces module rejects
   ///           the surface
   CaseSurfaces(const cases::Case& contact_case,
                const std::vector<cases::MethodSpec>& methods,
-               const std::set<int>& only = {}, const BuildByRows& by_rows = {});
+               const std::set<int>& only = {}, const BuildSurface& build = {});
 
   /// Returns the surfaces with full roughness, one per realisation.
   const std::vector<SurfaceOfCase>& whole() const;
@@ -113,10 +121,6 @@ public:
                                    int realization) const;
 
 private:
-  SurfaceOfCase built(int realization, const BuildByRows& by_rows) const;
-  SurfaceOfCase magnified(int realization, double highest,
-                          const BuildByRows& by_rows) const;
-
   const cases::Case& case_;
   std::vector<SurfaceOfCase> whole_;
   std::map<double, std::vector<SurfaceOfCase>> magnified_;

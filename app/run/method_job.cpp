@@ -5,7 +5,6 @@
 #include "app/methods/theory_method.hpp"
 #include "app/run/interrupt.hpp"
 #include "app/run/last_run.hpp"
-#include "app/run/mpi_world.hpp"
 #include "base/array_memory.hpp"
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
@@ -64,24 +63,30 @@ double share_of(const cases::Case& contact_case,
 } // namespace
 
 MethodJob::MethodJob(const RunContext& context, const cases::MethodSpec& method,
-                     int realization)
+                     int realization, RootWork& root)
     : context_(context),
       method_(method),
       realization_(realization),
+      root_(root),
       chain_(leaves_files(method, context.contact_case.report) ? no_cache_
                                                                : context.cache,
              context.keys.steps(method, realization)) {}
 
 void MethodJob::run() {
-  if (is_interrupted())
-    return;
-  const std::vector<std::size_t> missing = take_kept();
-  if (missing.empty() || is_interrupted())
+  const std::vector<std::size_t> missing = root_.value([&] {
+    return is_interrupted() ? std::vector<std::size_t>() : take_kept();
+  });
+  if (missing.empty() || is_to_end())
     return;
   if (!method_.has_fields())
     compute_theory(missing);
   else
     compute_elastic(missing);
+}
+
+/// Whether the run is interrupted, of which rank 0 decides.
+bool MethodJob::is_to_end() {
+  return root_.value(is_interrupted);
 }
 
 bool MethodJob::needs_maps(std::size_t step) const {
@@ -106,8 +111,8 @@ std::vector<std::size_t> MethodJob::take_kept() {
   CachedStep last;
   for (std::size_t step = 0; step < context_.contact_case.load.targets.size();
        ++step) {
-    if (context_.writer.has_step(method_.name, realization_,
-                                 static_cast<int>(step)))
+    if (context_.writer->has_step(method_.name, realization_,
+                                  static_cast<int>(step)))
       continue;
     std::optional<CachedStep> kept =
         chain_.read(step, needs_maps(step), needs_section(step));
@@ -122,10 +127,10 @@ std::vector<std::size_t> MethodJob::take_kept() {
   }
   if (work.steps == 0)
     return missing;
-  context_.writer.append_steps(method_.name, realization_, rows);
+  context_.writer->append_steps(method_.name, realization_, rows);
   if (missing.empty()) {
-    context_.writer.record_setup_time(method_.name, realization_,
-                                      last.setup_cpu_time);
+    context_.writer->record_setup_time(method_.name, realization_,
+                                       last.setup_cpu_time);
     work.cpu_time += last.setup_cpu_time;
   }
   describe_found(last.found_at_setup);
@@ -150,20 +155,20 @@ void MethodJob::take(std::size_t step, CachedStep& kept,
 
 void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
   if (!needs_maps(step) || (answer.pressure.empty() && !answer.rows)) {
-    context_.writer.append_step(method_.name, realization_, row);
+    context_.writer->append_step(method_.name, realization_, row);
     return;
   }
   if (needs_section(step)) // before the step, which counts as done when it is
                            // written
-    context_.writer.record_table(answer.section.value());
+    context_.writer->record_table(answer.section.value());
   if (answer.rows) {
     answer.rows->step = row.step;
     answer.rows->nominal_pressure = row.nominal_pressure;
-    context_.writer.append_step_with_fields(method_.name, realization_, row,
-                                            answer.grid, *answer.rows);
+    context_.writer->append_step_with_fields(method_.name, realization_, row,
+                                             answer.grid, *answer.rows);
     return;
   }
-  context_.writer.append_step_with_fields(
+  context_.writer->append_step_with_fields(
       method_.name, realization_, row, answer.grid,
       results::Fields{row.step, row.nominal_pressure,
                       std::move(answer.pressure), std::move(answer.gap)});
@@ -174,8 +179,8 @@ void MethodJob::describe_found(const std::string& found) {
     return;
   const MethodDescription description =
       describe(method_, context_.contact_case.material);
-  context_.writer.begin_method(method_.name, description.kind,
-                               description.text + "; " + in_one_line(found));
+  context_.writer->begin_method(method_.name, description.kind,
+                                description.text + "; " + in_one_line(found));
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
@@ -196,8 +201,8 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
     return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
            steps.end();
   });
-  context_.writer.record_setup_time(method_.name, realization_, setup_time);
-  context_.writer.append_steps(method_.name, realization_, rows);
+  context_.writer->record_setup_time(method_.name, realization_, setup_time);
+  context_.writer->append_steps(method_.name, realization_, rows);
   for (const CurvePoint& row : rows) {
     chain_.keep(static_cast<std::size_t>(row.step),
                 {{row, {}, {}, {}}, setup_time, ""});
@@ -221,8 +226,10 @@ void MethodJob::compute_elastic(const std::vector<std::size_t>& steps) {
   if (solver->saved_setup_time() > 0.0)
     context_.tally.add_kept(method_.name + ", operator",
                             {0, solver->saved_setup_time()});
-  context_.writer.record_setup_time(method_.name, realization_, setup_time);
-  describe_found(solver->found_at_setup());
+  root_.act([&] {
+    context_.writer->record_setup_time(method_.name, realization_, setup_time);
+    describe_found(solver->found_at_setup());
+  });
   std::size_t next = 0; // the step with which the solver would continue
   for (const std::size_t step : steps) {
     if (!go_to(*solver, next, step) || !compute_step(*solver, step, setup_time))
@@ -259,19 +266,27 @@ std::string MethodJob::activity_text(const std::string& part) const {
 ///
 /// @return  false if the run is to end
 bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
-  for (std::size_t known = step; known > next; --known)
-    if (const auto state = chain_.state_after(known - 1)) {
-      solver.restore(*state);
-      next = known;
-      break;
-    }
+  StateReader state;
+  const std::size_t found = root_.value([&] {
+    for (std::size_t known = step; known > next; --known)
+      if (auto kept = chain_.state_after(known - 1)) {
+        state = std::move(*kept);
+        return known;
+      }
+    return next;
+  });
+  if (found > next) {
+    state.count = root_.value([&] { return state.count; });
+    solver.restore(state);
+    next = found;
+  }
   if (next < step)
     fmt::print("{}, realization {}: steps {} to {} are computed again, because "
                "the state after them was not saved\n",
                method_.name, realization_, next, step - 1);
   const mechanics::Scales& scales =
       context_.surfaces.of(method_, realization_).scales;
-  for (; next < step && !is_interrupted(); ++next) {
+  for (; next < step && !is_to_end(); ++next) {
     const Progress::Activity activity(
         context_.progress, activity_text(fmt::format("step {} again", next)));
     StepTarget target = target_of(context_.contact_case.load, next, scales);
@@ -279,7 +294,7 @@ bool MethodJob::go_to(StepSolver& solver, std::size_t next, std::size_t step) {
     solver.solve(target);
     ++context_.tally.repeated_steps;
   }
-  return !is_interrupted();
+  return !is_to_end();
 }
 
 /// Solves one step and records it.
@@ -297,7 +312,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
   StepAnswer answer = solver.solve(target);
   distrust_non_finite(answer);
   CurvePoint row = answer.row;
-  if (has_failed(row) && is_interrupted())
+  if (has_failed(row) && is_to_end())
     return false;
   row.step = static_cast<int>(step);
   row.is_unloading = context_.contact_case.load.is_unloading[step];
@@ -309,13 +324,33 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
     free_memory(answer.pressure, answer.gap);
     answer.rows = {};
   }
-  CachedStep kept{std::move(answer), setup_time, solver.found_at_setup()};
-  if (chain_.is_on())
-    chain_.keep(step, kept, solver.state());
-  record(row, kept.answer, step);
+  CachedStep kept{std::move(answer), setup_time, ""};
+  keep_and_record(solver, kept, step);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);
   return true;
+}
+
+/// Rank 0 writes a step to the cache and to the result, with the maps and the
+/// state that all ranks hold.
+void MethodJob::keep_and_record(StepSolver& solver, CachedStep& kept,
+                                std::size_t step) {
+  StepAnswer& answer = kept.answer;
+  SavedState state;
+  if (root_.value([&] { return chain_.is_on(); })) {
+    state = solver.state();
+    state.numbers = root_.shared(std::move(state.numbers));
+  }
+  if (answer.rows) {
+    answer.rows->pressure = root_.shared(answer.rows->pressure);
+    answer.rows->gap = root_.shared(answer.rows->gap);
+  }
+  root_.act([&] {
+    kept.found_at_setup = solver.found_at_setup();
+    chain_.keep(step, kept, state);
+    state = {}; // its memory
+    record(answer.row, answer, step);
+  });
 }
 
 Resources MethodJob::resources() const {
@@ -328,8 +363,8 @@ Resources MethodJob::resources() const {
                             work.evaluations, work.residual, work.energy));
             return !is_interrupted();
           },
-          n_mpi_ranks(),
-          std::max(1, context_.pool.threads() / n_ranks_on_machine()),
+          &root_,
+          context_.threads_a_rank,
           [this](const fem::BlockProgress& work) {
             context_.progress.at_work(
                 method_.name, realization_, words_on(work),

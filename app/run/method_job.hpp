@@ -26,12 +26,14 @@ struct RunContext {
   Cache& cache;
   const CaseKeys& keys;
   const CaseSurfaces& surfaces;
-  results::ResultWriter& writer;
+  results::ResultWriter* writer; ///< null on other ranks than rank 0
   MethodFactory& solvers;
   Progress& progress;
   const WorkerPool& pool;
   std::set<std::size_t> field_steps; ///< steps whose fields are saved
   Tally& tally;
+  RootWork& root;     ///< of the ranks that run the case
+  int threads_a_rank; ///< for methods that they share
 };
 
 /// Words on an unfinished load step of a full block.
@@ -40,8 +42,9 @@ std::string words_on(const fem::BlockProgress& work);
 class MethodJob {
 public:
   /// All arguments must outlive the job.
+  /// @param root  of the ranks that solve the method: all of them run the job
   MethodJob(const RunContext& context, const cases::MethodSpec& method,
-            int realization);
+            int realization, RootWork& root);
 
   /// Runs the job. It ends early when the run is interrupted.
   void run();
@@ -53,11 +56,13 @@ private:
   void take(std::size_t step, CachedStep& kept,
             std::vector<results::CurvePoint>& rows);
   void record(results::CurvePoint& row, StepAnswer& answer, std::size_t step);
+  void keep_and_record(StepSolver& solver, CachedStep& kept, std::size_t step);
   void describe_found(const std::string& found);
   void compute_theory(const std::vector<std::size_t>& steps);
   void compute_elastic(const std::vector<std::size_t>& steps);
   std::unique_ptr<StepSolver> set_up();
   std::string activity_text(const std::string& part) const;
+  bool is_to_end();
   bool go_to(StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(StepSolver& solver, std::size_t step, double setup_time);
   Resources resources() const;
@@ -65,6 +70,7 @@ private:
   const RunContext& context_;
   const cases::MethodSpec& method_;
   int realization_;
+  RootWork& root_;
   Cache no_cache_;
   StepChain chain_;
 };

@@ -1,19 +1,17 @@
 #include "app/run/mpi_world.hpp"
 
-#include "app/methods/shared_load_steps.hpp"
-#include "app/methods/shared_surface.hpp"
 #include "app/run/child_run.hpp"
-#include "app/run/shared_stress.hpp"
-#include "base/peak_memory.hpp"
+#include "app/run/run_case.hpp"
 #include "fem/plugin.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
-
-#include "ranks/rank_sums.hpp"
+#include <system_error>
 
 namespace asperity::app {
 namespace {
@@ -34,32 +32,10 @@ nlohmann::json json_of(const RankedRun& run) {
   return {{"words", run.words}, {"last_words", run.last_words}, {"logs", logs}};
 }
 
-constexpr const char* memory_key = "largest peak memory";
-
-/// The largest peak memory of the ranks [B]. Collective.
-double peak_memory_of_ranks() {
-  return rank_max(&fem::load_fem_module().rank_group(), peak_memory());
-}
-
-void run_own_share(const std::string& text, int rank) {
-  if (is_for_shared_steps(text)) {
-    follow_shared_steps(text);
-    return;
-  }
-  if (is_for_shared_surface(text)) {
-    follow_shared_surface(text);
-    return;
-  }
-  if (is_for_shared_stress(text)) {
-    follow_shared_stress(text);
-    return;
-  }
-  const nlohmann::json run = nlohmann::json::parse(text);
-  if (run.contains(memory_key)) {
-    static_cast<void>(peak_memory_of_ranks());
-    return;
-  }
-  const auto i = static_cast<std::size_t>(rank);
+/// Runs the command of this rank, if there is one.
+void run_own_command(const nlohmann::json& run) {
+  const auto i =
+      static_cast<std::size_t>(fem::load_fem_module().rank_group().rank());
   if (i >= run.at("last_words").size())
     return;
   auto words = run.at("words").get<std::vector<std::string>>();
@@ -69,11 +45,26 @@ void run_own_share(const std::string& text, int rank) {
   run_self(words, log);
 }
 
+/// Rank 0 alone talks to the user, but for failures of one rank.
+void silence_standard_output() {
+  if (std::freopen("/dev/null", "w", stdout) == nullptr)
+    throw std::system_error(errno, std::generic_category(), "/dev/null");
+}
+
+/// What rank 0 tells the others is a run of a case or of their commands.
+void follow(const std::string& text) {
+  silence_standard_output();
+  const nlohmann::json run = nlohmann::json::parse(text);
+  if (run.contains("words"))
+    run_own_command(run);
+  else
+    follow_run(text);
+}
+
 } // namespace
 
 bool has_followed_rank_0() {
-  return is_one_of_several() &&
-         fem::load_fem_module().has_followed(run_own_share);
+  return is_one_of_several() && fem::load_fem_module().has_followed(follow);
 }
 
 int n_mpi_ranks() {
@@ -90,18 +81,10 @@ int n_ranks_on_machine() {
   return n_mpi_ranks();
 }
 
-double largest_peak_memory() {
-  if (n_mpi_ranks() == 1)
-    return peak_memory();
-  double largest = 0.0;
-  fem::load_fem_module().on_all_ranks(
-      nlohmann::json{{memory_key, true}}.dump(),
-      [&](const std::string&, int) { largest = peak_memory_of_ranks(); });
-  return largest;
-}
-
 void run_on_ranks(const RankedRun& run) {
-  fem::load_fem_module().on_all_ranks(json_of(run).dump(), run_own_share);
+  const nlohmann::json text = json_of(run);
+  fem::load_fem_module().on_all_ranks(text.dump(),
+                                      [&] { run_own_command(text); });
 }
 
 } // namespace asperity::app

@@ -11,9 +11,9 @@ namespace asperity::app {
 
 /// Returns false on rank 0 of several MPI processes, which then runs the
 /// program. On the other ranks it returns true after the program has ended;
-/// until then they share the work of the full blocks, of half-spaces
-/// (methods/shared_load_steps.hpp) and of run_on_ranks(). In
-/// a single process it returns false without initialising MPI.
+/// until then they take part in the runs of cases whose methods all ranks share
+/// (run_case.hpp) and in run_on_ranks(). In a single process it returns false
+/// without initialising MPI.
 bool has_followed_rank_0();
 
 /// Returns the number of MPI processes; 1 without initialising MPI in a single
@@ -23,10 +23,6 @@ int n_mpi_ranks();
 /// Returns the number of MPI processes on this machine, as mpirun tells it,
 /// otherwise n_mpi_ranks().
 int n_ranks_on_machine();
-
-/// To be called on rank 0. Returns the largest peak memory of the MPI processes
-/// so far [B].
-double largest_peak_memory();
 
 /// One command of this program for each rank; with fewer commands than ranks,
 /// the last ranks have none.

@@ -31,8 +31,16 @@ struct RunOutcome {
 /// realisation 0. Cached steps are read, including their CPU times, instead of
 /// being computed, and the result records this.
 ///
+/// Under mpirun all ranks run the case if they share one of its methods, and
+/// only rank 0 reads and writes results and the cache.
+///
 /// @throws input::InputError  an unknown method name, or a module rejects the
 ///                            case
 RunOutcome run_case(const cases::Case& contact_case, const RunOptions& options);
+
+/// To be called on the other ranks of mpirun. Takes part in a run_case() of
+/// rank 0: reads the case from the text that rank 0 has sent and does the same
+/// steps, but writes nothing.
+void follow_run(const std::string& text);
 
 } // namespace asperity::app

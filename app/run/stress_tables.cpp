@@ -2,13 +2,12 @@
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/continuum_block.hpp"
-#include "app/methods/shared_load_steps.hpp"
-#include "app/run/shared_stress.hpp"
+#include "app/methods/sharing.hpp"
 #include "results/result_reader.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
 
 namespace asperity::app {
@@ -58,17 +57,93 @@ bool have_one_grid(std::span<const results::Fields> maps) {
       maps, [&](const auto& map) { return map.grid == maps.front().grid; });
 }
 
-/// All ranks if they have shared the rows of these maps, or this process.
-std::unique_ptr<StressUnderMaps>
-stress_of(const cases::MethodSpec& method, const mechanics::ElasticBlock& block,
-          std::span<const results::Fields> maps, const StressWorkers& workers) {
-  const bool is_shared = std::ranges::all_of(maps, [&](const auto& map) {
-    return is_shared_by_ranks(method, map.grid, workers.n_ranks);
-  });
-  if (is_shared)
-    return std::make_unique<SharedStress>(block, workers.threads_a_rank);
-  return std::make_unique<StressUnderMaps>(block, workers.threads);
+/// The first realisation of a method with saved maps; null if there is none.
+results::Curve* curve_of(const cases::MethodSpec& method,
+                         results::Result& result) {
+  for (results::MethodRecord& record : result.methods)
+    if (record.name == method.name && method.is_continuum() &&
+        !record.realizations.empty())
+      return &record.realizations.front();
+  return nullptr;
 }
+
+/// What all ranks need to know of a map.
+struct MapHead {
+  int step;
+  double nominal_pressure; ///< [Pa]
+  Grid grid;
+};
+
+/// The maps of a method for all ranks, whose pressures rank 0 alone can read.
+std::vector<results::Fields> maps_for_ranks(RootWork& root,
+                                            std::vector<results::Fields> maps) {
+  const std::vector<MapHead> heads = root.value([&] {
+    std::vector<MapHead> own;
+    for (const results::Fields& map : maps)
+      own.push_back({map.step, map.nominal_pressure, map.grid});
+    return own;
+  });
+  maps.resize(heads.size());
+  for (std::size_t k = 0; k < heads.size(); ++k) {
+    maps[k].step = heads[k].step;
+    maps[k].nominal_pressure = heads[k].nominal_pressure;
+    maps[k].grid = heads[k].grid;
+  }
+  return maps;
+}
+
+/// The tables of one method.
+class MethodStress {
+public:
+  MethodStress(const RunContext& run, const cases::MethodSpec& method,
+               const StressUnderMaps& stress, RootWork& root)
+      : run_(run), method_(method), stress_(stress), root_(root) {}
+
+  /// @param points   rows of the curve of the maps, on rank 0
+  /// @param has_own  whether the result has a section of the method's own
+  void record(std::span<const results::Fields> maps,
+              std::span<const CurvePoint> points, bool has_own) const {
+    const auto table = attempt("subsurface stress, ", [&] {
+      return stress_table(method_.name, stress_, maps);
+    });
+    if (!table)
+      return;
+    record(is_full_block(method_) ? own_stress_table(*table, maps, points)
+                                  : *table);
+    if (has_own)
+      return;
+    const Heaviest heaviest = heaviest_of(maps, *table);
+    record(attempt("stress section, ", [&] {
+      return stress_section(method_.name, stress_, heaviest.map, heaviest.peak);
+    }));
+    if (maps.size() < 2 || !have_one_grid(maps))
+      return;
+    record(attempt("stress sections, ", [&] {
+      return stress_sections(method_.name, stress_, maps, heaviest.peak);
+    }));
+  }
+
+private:
+  template <class Make>
+  std::optional<results::Table> attempt(const char* what,
+                                        const Make& make) const {
+    return run_.tally.attempt(what + method_.name, [&] {
+      results::Table table;
+      root_.together([&] { table = make(); });
+      return table;
+    });
+  }
+
+  void record(const std::optional<results::Table>& table) const {
+    if (table)
+      root_.act([&] { run_.writer->record_table(*table); });
+  }
+
+  const RunContext& run_;
+  const cases::MethodSpec& method_;
+  const StressUnderMaps& stress_;
+  RootWork& root_;
+};
 
 } // namespace
 
@@ -118,58 +193,46 @@ results::Table own_stress_table(const results::Table& of_pressure,
   return table;
 }
 
-void record_stress_inside(const cases::Case& contact_case,
+void record_stress_inside(const RunContext& run,
                           std::span<const cases::MethodSpec> methods,
-                          const mechanics::Scales& scales,
-                          const StressWorkers& workers,
-                          results::ResultWriter& writer, Tally& tally) {
-  if (!contact_case.report.stress_inside)
+                          const mechanics::Scales& scales) {
+  if (!run.contact_case.report.stress_inside)
     return;
-  results::Result result =
-      results::read_result(writer.path(), results::MapsInFile::large);
-  for (results::MethodRecord& record : result.methods) {
-    const auto method =
-        std::find_if(methods.begin(), methods.end(),
-                     [&](const auto& one) { return one.name == record.name; });
-    if (method == methods.end() || !method->is_continuum() ||
-        record.realizations.empty())
-      continue;
-    results::Curve& curve = record.realizations.front();
-    std::vector<results::Fields> maps = std::move(curve.fields);
-    std::erase_if(maps, [](const auto& map) { return !has_maps(map); });
+  results::Result result;
+  run.root.act([&] {
+    result =
+        results::read_result(run.writer->path(), results::MapsInFile::large);
+  });
+  for (const cases::MethodSpec& method : methods) {
+    results::Curve none;
+    results::Curve* const found = curve_of(method, result);
+    results::Curve& curve = found != nullptr ? *found : none;
+    std::erase_if(curve.fields, [](const auto& map) { return !has_maps(map); });
+    const std::vector<results::Fields> maps =
+        maps_for_ranks(run.root, std::move(curve.fields));
     if (maps.empty())
       continue;
     const mechanics::ElasticBlock block =
-        continuum_of(*method, contact_case.material, scales);
-    const std::unique_ptr<StressUnderMaps> stress =
-        stress_of(*method, block, maps, workers);
-    const auto table = tally.attempt("subsurface stress, " + method->name, [&] {
-      return stress_table(method->name, *stress, maps);
-    });
-    if (!table)
-      continue;
-    writer.record_table(is_full_block(*method)
-                            ? own_stress_table(*table, maps, curve.points)
-                            : *table);
-    const bool has_own =
-        is_full_block(*method) &&
-        result.table("stress-section-" + method->name) != nullptr;
-    if (has_own)
-      continue;
-    const Heaviest heaviest = heaviest_of(maps, *table);
-    const auto section = tally.attempt("stress section, " + method->name, [&] {
-      return stress_section(method->name, *stress, heaviest.map, heaviest.peak);
-    });
-    if (section)
-      writer.record_table(*section);
-    if (maps.size() < 2 || !have_one_grid(maps))
-      continue;
-    const auto sections =
-        tally.attempt("stress sections, " + method->name, [&] {
-          return stress_sections(method->name, *stress, maps, heaviest.peak);
+        continuum_of(method, run.contact_case.material, scales);
+    const bool is_shared =
+        run.root.ranks() != nullptr &&
+        std::ranges::all_of(maps, [&](const auto& map) {
+          return is_shared_by_ranks(method, map.grid, run.root.ranks()->size());
         });
-    if (sections)
-      writer.record_table(*sections);
+    if (is_shared) {
+      const StressUnderMaps stress(block, run.threads_a_rank, run.root.ranks());
+      MethodStress(run, method, stress, run.root)
+          .record(maps, curve.points, false);
+      continue;
+    }
+    run.root.act([&] {
+      RootWork alone;
+      MethodStress(run, method, StressUnderMaps(block, run.pool.threads()),
+                   alone)
+          .record(maps, curve.points,
+                  is_full_block(method) &&
+                      result.table("stress-section-" + method.name) != nullptr);
+    });
   }
 }
 

@@ -7,18 +7,10 @@
 #include "app/run/method_job.hpp"
 #include "cases/types/case.hpp"
 #include "contact/operators/stress_inside.hpp"
-#include "results/result_writer.hpp"
 
 #include <span>
 
 namespace asperity::app {
-
-/// Who computes the stress.
-struct StressWorkers {
-  int threads = 1;        ///< of this process, if it is alone
-  int n_ranks = 1;        ///< share the rows of large maps
-  int threads_a_rank = 1; ///< of each rank then
-};
 
 /// Returns a table with one row per map: load, largest von Mises stress,
 /// largest shear stress at that point, and the position of the point.
@@ -43,11 +35,12 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// model of the method: a half-space or slab with E* and nu of the case (atoms:
 /// the half-space). A full block stores its own strongest points in its rows,
 /// and its own section was written to the file when its step was solved. What
-/// cannot be computed is recorded in `tally` and does not end the run.
-void record_stress_inside(const cases::Case& contact_case,
+/// cannot be computed is recorded in the tally and does not end the run.
+///
+/// @param run     on all ranks that solve the case together
+/// @param scales  of the surface of the case
+void record_stress_inside(const RunContext& run,
                           std::span<const cases::MethodSpec> methods,
-                          const mechanics::Scales& scales,
-                          const StressWorkers& workers,
-                          results::ResultWriter& writer, Tally& tally);
+                          const mechanics::Scales& scales);
 
 } // namespace asperity::app

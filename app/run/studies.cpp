@@ -37,31 +37,31 @@ private:
 
 bool StudyTables::take(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
-    if (context_.writer.has_table(name))
+    if (context_.writer->has_table(name))
       continue;
     const std::optional<std::string> bytes = context_.cache.read(
         context_.keys.table(theory_, name), entry_kind::table);
     if (!bytes)
       continue;
     if (const std::optional<Table> table = kept_table(*bytes)) {
-      context_.writer.record_table(*table);
+      context_.writer->record_table(*table);
       context_.tally.add_kept("table " + name, {0, 0.0});
     }
   }
   return std::ranges::all_of(names, [&](const std::string& name) {
-    return context_.writer.has_table(name);
+    return context_.writer->has_table(name);
   });
 }
 
 void StudyTables::record(const std::string& name,
                          const std::function<Table()>& make) {
-  if (context_.writer.has_table(name) || is_interrupted())
+  if (context_.writer->has_table(name) || is_interrupted())
     return;
   const std::optional<Table> table =
       context_.tally.attempt("table " + name, make);
   if (!table)
     return;
-  context_.writer.record_table(*table);
+  context_.writer->record_table(*table);
   context_.cache.write(context_.keys.table(theory_, name), entry_kind::table,
                        bytes_of(*table));
 }

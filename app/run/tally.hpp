@@ -24,6 +24,9 @@ struct KeptWork {
 /// Counters that the jobs update while they run.
 class Tally {
 public:
+  /// @param is_told  whether failures are printed
+  explicit Tally(bool is_told = true) : is_told_(is_told) {}
+
   std::atomic<int> computed_steps = 0;
   std::atomic<int> failed_steps = 0; ///< not converged
   /// Computed again only for the state of the solver after them.
@@ -54,6 +57,7 @@ public:
 private:
   void add_failure(const std::string& what, const std::string& why);
 
+  bool is_told_;
   mutable std::mutex mutex_;
   std::map<std::string, KeptWork> kept_;
   std::vector<results::Skipped> failures_;

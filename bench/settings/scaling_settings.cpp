@@ -1,7 +1,7 @@
 #include "bench/settings/scaling_settings.hpp"
 
 #include "app/methods/chosen.hpp"
-#include "app/methods/shared_load_steps.hpp"
+#include "app/methods/sharing.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>

@@ -26,7 +26,7 @@ struct MessageParts {
   }
 };
 
-class MpiGroup final : public RankGroup {
+class MpiGroup final : public ProgramRanks {
 public:
   MpiGroup() : rank_(own_rank()), size_(n_ranks()) {
     MPI_Comm_dup(MPI_COMM_WORLD, &ranks_);
@@ -70,6 +70,14 @@ public:
                  is_forwards ? before : after, tag, ranks_, MPI_STATUS_IGNORE);
   }
 
+  void from_rank_0(std::span<std::byte> bytes) override {
+    broadcast_from_rank_0(bytes);
+  }
+
+  void together(const std::function<void()>& share) override {
+    do_share(share);
+  }
+
 private:
   int rank_, size_;
   MPI_Comm ranks_ = MPI_COMM_NULL;
@@ -77,7 +85,7 @@ private:
 
 } // namespace
 
-RankGroup& mpi_group() {
+ProgramRanks& mpi_group() {
   static MpiGroup group;
   return group;
 }

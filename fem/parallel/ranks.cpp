@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -19,10 +18,6 @@ namespace asperity::fem {
 namespace {
 
 constexpr int leader = 0;
-
-/// The command's kind, its block, the length of its text and the number of its
-/// numbers.
-using Head = std::array<std::int64_t, 4>;
 
 using Clock = std::chrono::steady_clock;
 
@@ -55,20 +50,19 @@ bool is_done_by(MPI_Request& request, Clock::time_point end) {
   return is_done != 0;
 }
 
-void broadcast_asleep(Head& head) {
-  agreement();
-  MPI_Request request = MPI_REQUEST_NULL;
-  MPI_Ibcast(head.data(), static_cast<int>(head.size()), MPI_INT64_T, leader,
-             MPI_COMM_WORLD, &request);
-  is_done_by(request, Clock::time_point::max());
+/// The length of the text with which rank 0 ends the other ranks.
+constexpr std::int64_t no_text = -1;
+
+void broadcast_length(std::int64_t& length) {
+  broadcast_from_rank_0(std::as_writable_bytes(std::span(&length, 1)));
 }
 
-void broadcast_body(Order& order) {
-  MPI_Bcast(order.text.data(), static_cast<int>(order.text.size()), MPI_CHAR,
-            leader, MPI_COMM_WORLD);
-  MPI_Bcast(order.numbers.data(), static_cast<int>(order.numbers.size()),
-            MPI_DOUBLE, leader, MPI_COMM_WORLD);
-}
+struct EndOfFollowers {
+  ~EndOfFollowers() {
+    std::int64_t length = no_text;
+    broadcast_length(length);
+  }
+};
 
 struct Failure {
   std::string words;
@@ -146,11 +140,8 @@ void do_share(const std::function<void()>& share) {
   const int n_failed = count_failed(failure != nullptr);
   if (n_failed == 0)
     return;
-  if (n_failed == n_ranks()) {
-    if (own_rank() == leader)
-      std::rethrow_exception(failure);
-    return;
-  }
+  if (n_failed == n_ranks())
+    std::rethrow_exception(failure);
   if (!failure) { // another rank terminates this one
     std::this_thread::sleep_for(failure_timeout);
     failure =
@@ -159,26 +150,47 @@ void do_share(const std::function<void()>& share) {
   end_all_ranks(failure);
 }
 
-void pass_on(const Order& order) {
-  if (n_ranks() == 1)
-    return;
-  // Oversized commands are refused before anything is sent.
-  Head head{static_cast<std::int64_t>(order.kind), order.block,
-            mpi_count(order.text.size(), "bytes of a command"),
-            mpi_count(order.numbers.size(), "numbers of a command")};
-  broadcast_asleep(head);
-  Order sent = order; // MPI_Bcast does not accept a pointer to const
-  broadcast_body(sent);
+void broadcast_from_rank_0(std::span<std::byte> bytes) {
+  const int size = mpi_count(bytes.size(), "bytes of a message");
+  agreement();
+  char is_here = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  MPI_Ibcast(&is_here, 1, MPI_CHAR, leader, MPI_COMM_WORLD, &request);
+  is_done_by(request, Clock::time_point::max());
+  MPI_Bcast(bytes.data(), size, MPI_BYTE, leader, MPI_COMM_WORLD);
 }
 
-Order next_order() {
-  Head head{};
-  broadcast_asleep(head);
-  Order order{static_cast<OrderKind>(head[0]), static_cast<int>(head[1])};
-  order.text.resize(static_cast<std::size_t>(head[2]));
-  order.numbers.resize(static_cast<std::size_t>(head[3]));
-  broadcast_body(order);
-  return order;
+void do_on_all_ranks(const std::string& text,
+                     const std::function<void()>& share) {
+  if (n_ranks() > 1) {
+    auto length = static_cast<std::int64_t>(text.size());
+    std::string sent = text; // MPI_Bcast does not accept a pointer to const
+    broadcast_length(length);
+    broadcast_from_rank_0(std::as_writable_bytes(std::span(sent)));
+  }
+  do_share(share);
+}
+
+void follow_rank_0(
+    const std::function<void(const std::string& text)>& execute) try {
+  std::int64_t length = 0;
+  for (broadcast_length(length); length != no_text; broadcast_length(length)) {
+    std::string text(static_cast<std::size_t>(length), '\0');
+    broadcast_from_rank_0(std::as_writable_bytes(std::span(text)));
+    try {
+      do_share([&] { execute(text); });
+    } catch (...) { // all ranks have failed, and rank 0 says why
+    }
+  }
+
+} catch (...) {
+
+  end_all_ranks(std::current_exception());
+}
+
+void end_followers_at_exit() {
+  if (n_ranks() > 1)
+    static const EndOfFollowers end;
 }
 
 } // namespace asperity::fem

@@ -1,56 +1,41 @@
 #pragma once
 
-// The processes of one mpirun: rank 0 broadcasts commands and the other ranks
-// execute them. This file defines how a command is broadcast and how a failure
-// on any rank terminates all of them; block_proxy defines what a command means.
+// The processes of one mpirun: rank 0 runs the program and lets the others do
+// what all ranks do together, and a failure on any rank ends all of them.
 
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <span>
 #include <string>
-#include <vector>
 
 namespace asperity::fem {
-
-enum class OrderKind : int {
-  build,        ///< text: a FullRequest and its mesh
-  displacement, ///< numbers: the pressure
-  solve,        ///< numbers: the heights, then load and contact
-  stiffness,
-  strongest_stress,
-  section, ///< numbers: the plane
-  write,   ///< text: folder and stem of the files
-  drop,    ///< the block is no longer needed
-  command, ///< text: a command of the program that is about no block
-  quit,    ///< rank 0 has ended
-};
-
-/// A command that every rank executes for one block.
-struct Order {
-  OrderKind kind = OrderKind::quit;
-  int block = 0; ///< number of the block, from 0 in the order of construction
-  std::string text = {};
-  std::vector<double> numbers = {};
-};
 
 /// Size of MPI_COMM_WORLD, which is initialised if necessary; 1 without mpirun.
 int n_ranks();
 int own_rank();
 
-/// To be called on rank 0. Broadcasts a command to all other ranks; does
-/// nothing on a single rank.
-void pass_on(const Order& order);
+/// Gives the bytes of rank 0 to every rank; the others sleep instead of polling
+/// continuously until rank 0 calls. Collective.
+void broadcast_from_rank_0(std::span<std::byte> bytes);
 
-/// To be called on the other ranks. Waits for the next command, sleeping
-/// instead of polling continuously.
-Order next_order();
+/// To be called on rank 0. Sends a text to the other ranks, which execute it,
+/// calls `share` on this one, and waits for all of them as do_share() does.
+void do_on_all_ranks(const std::string& text,
+                     const std::function<void()>& share);
 
-/// To be called on every rank. Executes this rank's share of a command and
-/// waits for the other ranks. If the share failed on all ranks, the ranks are
-/// still synchronised: rank 0 throws its own failure and the others return. If
-/// it failed on some ranks only, or if the others do not arrive within seconds
-/// because one of their collective calls waits for this rank, each failed rank
-/// terminates all ranks as end_all_ranks does.
+/// To be called on the other ranks. Executes the texts that rank 0 sends until
+/// it ends.
+void follow_rank_0(const std::function<void(const std::string& text)>& execute);
+
+/// To be called on rank 0. Lets the other ranks end when the program exits.
+void end_followers_at_exit();
+
+/// To be called on every rank. Executes this rank's share and waits for the
+/// other ranks. If the share failed on all ranks, each throws its own failure.
+/// If it failed on some ranks only, or if the others do not arrive within
+/// seconds because one of their collective calls waits for this rank, each
+/// failed rank terminates all ranks as end_all_ranks does.
 void do_share(const std::function<void()>& share);
 
 /// Prints the failure with the number of this rank and terminates all ranks.

@@ -1,12 +1,13 @@
 // A program for several ranks: a map that rank 0 can read only in part is an
-// exception on rank 0, after which the same ranks find the stress under another
-// map. Exit code 1 with a sentence if not.
-#include "app/run/shared_stress.hpp"
+// exception on all ranks, after which they find the stress under another map.
+// Exit code 1 with a sentence if not.
+#include "app/methods/stress_section.hpp"
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -18,7 +19,8 @@ namespace {
 constexpr std::size_t side = 512; // points
 const Grid grid{side, side, 1e-3, 1e-3};
 
-/// A wave of pressure, stored; rows from `readable` on cannot be read.
+/// A wave of pressure, stored; rows from `readable` on cannot be read, and none
+/// on other ranks than rank 0.
 results::Fields stored_map(std::size_t readable) {
   results::Fields map;
   map.nominal_pressure = 1e6;
@@ -37,10 +39,11 @@ results::Fields stored_map(std::size_t readable) {
   return map;
 }
 
-std::string failure_of(const SharedStress& stress, const results::Fields& map) {
+std::string failure_of(const StressUnderMaps& stress,
+                       const results::Fields& map) {
   try {
     static_cast<void>(stress.strongest(map));
-  } catch (const input::InputError& error) {
+  } catch (const std::exception& error) {
     return error.what();
   }
   return "none";
@@ -52,25 +55,25 @@ int fail(const std::string& words) {
 }
 
 int run_test() {
-  const fem::FemModule& module = fem::load_fem_module();
-  if (module.has_followed(
-          [](const std::string& text, int) { follow_shared_stress(text); }))
-    return 0;
+  ProgramRanks& ranks = fem::load_fem_module().rank_group();
+  const bool is_root = ranks.rank() == 0;
   mechanics::ElasticBlock block;
   block.contact_modulus = 1e9;
   block.poisson_ratio = 0.3;
   block.thickness = std::numeric_limits<double>::infinity();
-  const SharedStress stress(block, 1);
+  const StressUnderMaps stress(block, 1, &ranks);
 
   // The rows of rank 0 can be read, those of the others cannot.
   for (const std::size_t readable : {side / 2, std::size_t{0}})
-    if (const std::string found = failure_of(stress, stored_map(readable));
-        found != "the map ends")
+    if (const std::string found =
+            failure_of(stress, stored_map(is_root ? readable : 0));
+        found != (is_root ? "the map ends" : "rank 0 could not read the field"))
       return fail("instead of the failure to read: " + found);
 
   const double alone =
       StressUnderMaps(block).strongest(stored_map(side)).peak.von_mises;
-  const double found = stress.strongest(stored_map(side)).peak.von_mises;
+  const double found =
+      stress.strongest(stored_map(is_root ? side : 0)).peak.von_mises;
   return found == alone ? 0 : fail("another stress than that of one process");
 }
 

@@ -6,7 +6,7 @@
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
 #include "cases/reader/read_case.hpp"
-#include "fem/block_proxy.hpp"
+#include "fem/full_request.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "input/input_error.hpp"
 #include "meshes/mesh_file.hpp"
@@ -84,7 +84,7 @@ private:
   Injection injection_;
 };
 
-void lead(const std::string& path, const BlockMaker& make_block) {
+void solve(const std::string& path, const Injection& injection) {
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
@@ -98,20 +98,32 @@ void lead(const std::string& path, const BlockMaker& make_block) {
                       contact_case.material,
                       contact_case.mesh,
                       {2e9, 1e-6, 1.25e-7, 1e-9}};
-  if (const auto& mesh = contact_case.mesh; !mesh.file.empty()) {
+  if (const auto& mesh = contact_case.mesh;
+      !mesh.file.empty() && own_rank() == 0) {
     request.file_mesh =
         meshes::read_mesh_file({mesh.file, mesh.file_unit, mesh.allow_commands})
             .mesh;
     meshes::fit_sides(*request.file_mesh, settings.full.sides);
   }
-  const auto block = make_distributed_block(request, make_block);
+  injection.at("build", "before");
+  FailingBlock block(problem_on_ranks(request), injection);
+  injection.at("build", "after");
   std::vector<double> heights(grid.size(), 0.0);
   heights[9] = 1e-9;
   const BlockSolution found =
-      block->solve(heights, {mechanics::Control::nominal_pressure, 1e6},
-                   {mechanics::ContactLaw::penalty, 1e18, 1e-8, 50});
-  block->write("files/block");
-  std::printf("done %d\n", found.converged);
+      block.solve(heights, {mechanics::Control::nominal_pressure, 1e6},
+                  {mechanics::ContactLaw::penalty, 1e18, 1e-8, 50});
+  block.write("files/block");
+  if (own_rank() == 0)
+    std::printf("done %d\n", found.converged);
+}
+
+/// Rank 0 says why all ranks have failed.
+int ended(const std::string& words, int exit_code) {
+  if (own_rank() != 0)
+    return 0;
+  std::fprintf(stderr, "%s\n", words.c_str());
+  return exit_code;
 }
 
 } // namespace
@@ -121,27 +133,14 @@ int main(int n_arguments, char** arguments) {
   Injection injection;
   if (words.size() == 4)
     injection = {words[1], words[2], words[3]};
-  const BlockMaker make_block = [&](const BlockProblem& problem) {
-    injection.at("build", "before");
-    auto block = std::make_unique<FailingBlock>(problem, injection);
-    injection.at("build", "after");
-    return block;
-  };
-  if (own_rank() != 0) {
-    serve_rank_0(make_block);
-    return 0;
-  }
-  end_followers_at_exit();
   try {
-    lead(words.at(0), make_block);
+    do_share([&] { solve(words.at(0), injection); });
     return 0;
   } catch (const input::InputError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    return ended(error.what(), 2);
   } catch (const std::domain_error& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    return ended(error.what(), 2);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "asperity: %s\n", error.what());
-    return 4;
+    return ended(std::string("asperity: ") + error.what(), 4);
   }
-  return 2;
 }

@@ -330,15 +330,6 @@ Grid grid_of(const std::string& points) {
   return {points_x, points_y, 1.0, static_cast<double>(points_y) / points_x};
 }
 
-/// As the program does it: rank 0 broadcasts a command, then all execute it.
-void on_all_ranks(const std::function<void()>& share) {
-  if (fem::own_rank() == 0)
-    fem::pass_on({fem::OrderKind::command});
-  else
-    static_cast<void>(fem::next_order());
-  fem::do_share(share);
-}
-
 } // namespace
 } // namespace asperity
 
@@ -357,5 +348,5 @@ int main(int argc, char** argv) {
   if (asked.is_alone)
     solve(asked);
   else
-    on_all_ranks([&] { solve(asked); });
+    fem::do_share([&] { solve(asked); });
 }

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "ranks/rank_group.hpp"
+#include "ranks/root_work.hpp"
 
 namespace asperity::tests {
 
@@ -58,7 +58,7 @@ private:
   std::vector<std::vector<std::span<const std::byte>>> data_;
 };
 
-class ThreadRank final : public RankGroup {
+class ThreadRank final : public ProgramRanks {
 public:
   ThreadRank(MeetingPlace& place, int rank) : place_(place), rank_(rank) {}
 
@@ -109,6 +109,15 @@ public:
     place_.wait();
   }
 
+  void from_rank_0(std::span<std::byte> bytes) override {
+    show({bytes});
+    if (rank_ != 0)
+      copy(place_.data()[0][0], bytes);
+    place_.wait();
+  }
+
+  void together(const std::function<void()>& share) override { share(); }
+
 private:
   void show(std::vector<std::span<const std::byte>> data) {
     place_.data()[static_cast<std::size_t>(rank_)] = std::move(data);
@@ -128,7 +137,8 @@ private:
 
 /// Calls act(rank) on n threads at a time; a failure of any is a failure of the
 /// test.
-inline void on_thread_ranks(int n, const std::function<void(RankGroup&)>& act) {
+inline void on_thread_ranks(int n,
+                            const std::function<void(ProgramRanks&)>& act) {
   MeetingPlace place(n);
   std::vector<std::thread> threads;
   for (int r = 0; r < n; ++r)
