@@ -43,12 +43,6 @@ std::string text_of(const Node& file, const std::string& table) {
   return found == nullptr ? "" : canonical(*found);
 }
 
-bool is_key(const std::string& table, const std::string& name) {
-  const std::vector<cases::Key>& keys = cases::vocabulary_table(table).keys;
-  return std::any_of(keys.begin(), keys.end(),
-                     [&](const cases::Key& key) { return key.name == name; });
-}
-
 std::string hash_of_input(const std::filesystem::path& path) {
   try {
     require_regular_file(path, input::largest_number_file);
@@ -110,7 +104,7 @@ Node CaseKeys::table_of(const cases::MethodSpec& method) const {
   merged.type = cases::NodeType::table;
   for (const NodeEntry& entry : base.entries)
     if (!merged.find(entry.key) &&
-        (!entry.node.is_table() || is_key(kind, entry.key)))
+        (!entry.node.is_table() || cases::find_key(kind, entry.key) != nullptr))
       merged.entries.push_back(entry);
   return merged;
 }

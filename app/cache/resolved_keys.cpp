@@ -14,6 +14,7 @@ namespace {
 
 using cases::Case;
 using cases::Dimension;
+using cases::find_key;
 using cases::Key;
 using cases::Node;
 using cases::NodeEntry;
@@ -126,11 +127,6 @@ std::string unit_of(const Key& key, const Node& value) {
              : "";
 }
 
-bool applies(const Key& key, const std::string& kind) {
-  return key.kinds.empty() ||
-         std::find(key.kinds.begin(), key.kinds.end(), kind) != key.kinds.end();
-}
-
 /// Lists the keys of one table of the case after another.
 class KeyLister {
 public:
@@ -168,11 +164,6 @@ private:
     return node;
   }
 
-  static bool has_key(const cases::Table& table, const std::string& name) {
-    return std::ranges::any_of(
-        table.keys, [&](const Key& key) { return key.name == name; });
-  }
-
   void add(const std::string& path, Node value, const std::string& unit,
            const std::string& written) {
     keys_.push_back({path, std::move(value), unit, written});
@@ -183,7 +174,7 @@ private:
     const std::string prefix = path.empty() ? "" : path + ".";
     for (const Key& key : table.keys) {
       const Node* const given = node.find(key.name);
-      if (given == nullptr && (key.fallback.empty() || !applies(key, kind_)))
+      if (given == nullptr && (key.fallback.empty() || !key.applies_to(kind_)))
         continue;
       const Node value = resolver_.value(
           given ? *given : parse_toml_value(key.fallback, {"default", 0}, path),
@@ -193,7 +184,7 @@ private:
     }
     for (const NodeEntry& entry : node.entries) // quantities at a load
       if (!entry.node.is_table() || path == "expect")
-        if (!path.empty() && !has_key(table, entry.key))
+        if (!path.empty() && find_key(table.name, entry.key) == nullptr)
           add(prefix + toml_key(entry.key), entry.node, "",
               toml_value(entry.node));
   }
@@ -201,12 +192,14 @@ private:
   /// Adds the keys of each variant, [fem.hard], with those it inherits.
   void add_variants(const cases::Table& table, const Node& base) {
     for (const NodeEntry& variant : base.entries) {
-      if (!variant.node.is_table() || has_key(table, variant.key))
+      if (!variant.node.is_table() ||
+          find_key(table.name, variant.key) != nullptr)
         continue;
       Node merged = variant.node;
       for (const NodeEntry& entry : base.entries)
         if (!merged.find(entry.key) &&
-            (!entry.node.is_table() || has_key(table, entry.key)))
+            (!entry.node.is_table() ||
+             find_key(table.name, entry.key) != nullptr))
           merged.entries.push_back(entry);
       add_table(table, merged, table.name + "." + variant.key);
     }

@@ -28,17 +28,6 @@ const Node* table_at(const Node& file, const std::string& path) {
   return table;
 }
 
-/// Returns the key of the vocabulary; null for a table or a key that is not in
-/// it.
-const cases::Key* known_key(const std::string& table, const std::string& key) {
-  for (const cases::Table& known : cases::vocabulary())
-    if (known.name == table)
-      for (const cases::Key& one : known.keys)
-        if (one.name == key)
-          return &one;
-  return nullptr;
-}
-
 /// Splits a text into its leading number and the remainder.
 std::pair<double, std::string> split(const std::string& text) {
   double number = std::numeric_limits<double>::quiet_NaN();
@@ -57,7 +46,7 @@ void add_without_spacings(const Node& table, const std::string& path,
                            overrides);
       continue;
     }
-    const cases::Key* key = known_key(kind_of_method(path), entry.key);
+    const cases::Key* key = cases::find_key(kind_of_method(path), entry.key);
     if (key == nullptr || entry.node.type != NodeType::text ||
         (key->dimension != cases::Dimension::length &&
          key->dimension != cases::Dimension::wavevector))
@@ -92,7 +81,7 @@ std::optional<Node> CaseValues::value(const std::string& table,
     if (path.find('.') == std::string::npos)
       break;
   }
-  const cases::Key* known = known_key(kind_of_method(table), key);
+  const cases::Key* known = cases::find_key(kind_of_method(table), key);
   if (known == nullptr || known->fallback.empty())
     return std::nullopt;
   return cases::parse_toml_value(known->fallback, {"the vocabulary", 0}, key);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -146,13 +145,11 @@ std::vector<AxisValue> words_of(const cases::Node& own, const cases::Key& key) {
 } // namespace
 
 std::vector<Axis> axes_of(const CaseValues& values, const std::string& method) {
-  const cases::Table& table = cases::vocabulary_table(kind_of_method(method));
   std::vector<Axis> axes;
   for (const Rule& rule : rules()) {
-    const auto key = std::find_if(
-        table.keys.begin(), table.keys.end(),
-        [&](const cases::Key& one) { return one.name == rule.key; });
-    if (key == table.keys.end() || !rule.acts(values, method))
+    const cases::Key* const key =
+        cases::find_key(kind_of_method(method), rule.key);
+    if (key == nullptr || !rule.acts(values, method))
       continue;
     const auto own = values.value(method, rule.key);
     if (!own)

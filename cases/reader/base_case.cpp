@@ -6,7 +6,6 @@
 #include "cases/text/toml_text.hpp"
 #include "input/input_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace asperity::cases {
@@ -27,20 +26,12 @@ std::string text_of_file(const std::string& path, const Place& asked_at) {
   }
 }
 
-bool is_key(const std::string& table, const std::string& name) {
-  return std::any_of(
-      vocabulary().begin(), vocabulary().end(), [&](const Table& known) {
-        return known.name == table &&
-               std::any_of(known.keys.begin(), known.keys.end(),
-                           [&](const Key& key) { return key.name == name; });
-      });
-}
-
 // Returns true for a table that holds keys, such as [fem] or [fem.hard], and
 // false for a value that is written as a table, such as a sweep or a band.
 bool holds_keys(const Node& table, const NodeEntry& entry) {
   return entry.node.is_table() && table.path != "expect" &&
-         !is_key(table.path.substr(0, table.path.find('.')), entry.key);
+         find_key(table.path.substr(0, table.path.find('.')), entry.key) ==
+             nullptr;
 }
 
 void flatten(const Node& table, const std::string& prefix,

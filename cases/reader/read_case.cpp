@@ -5,7 +5,6 @@
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/table_reader.hpp"
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_file.hpp"
@@ -16,36 +15,18 @@
 namespace asperity::cases {
 namespace {
 
-std::vector<std::string> table_names() {
-  std::vector<std::string> names;
-  for (const Table& table : vocabulary())
-    if (!table.name.empty() && table.name.find('.') == std::string::npos)
-      names.push_back(table.name);
-  return names;
+// Returns the table of that name, null if there is none, and reports a mistake
+// if it is required.
+const Node* table_called(TableReader& file, const std::string& name,
+                         bool is_needed, Mistakes& mistakes) {
+  if (is_needed && !file.has(name))
+    mistakes.add(file.node().place, "the table [" + name + "] is missing");
+  return file.sub_table(name);
 }
 
-// Returns the table of that name. If it is missing, returns an empty node, and
-// reports a mistake if the table is required.
-Node table_called(const Node& file, const std::string& name, bool is_needed,
-                  Mistakes& mistakes) {
-  const Node* const found = file.find(name);
-  if (found && found->is_table())
-    return *found;
-  if (found)
-    mistakes.add(found->place, name + " = " + written(*found) +
-                                   ", but must be a table: [" + name + "]");
-  else if (is_needed)
-    mistakes.add(file.place, "the table [" + name + "] is missing");
-  Node empty;
-  empty.type = NodeType::other; // marks that its keys must not be read
-  empty.path = name;
-  empty.place = file.place;
-  return empty;
-}
-
-mechanics::SurfaceKind kind_of(const Node& surface) {
+mechanics::SurfaceKind kind_of(const Node* surface) {
   const Key& key = vocabulary_key(vocabulary_table("surface"), "kind");
-  const Node* const found = surface.find("kind");
+  const Node* const found = surface ? surface->find("kind") : nullptr;
   const auto match =
       found ? std::find(key.words.begin(), key.words.end(), found->text)
             : key.words.end();
@@ -54,61 +35,51 @@ mechanics::SurfaceKind kind_of(const Node& surface) {
              : static_cast<mechanics::SurfaceKind>(match - key.words.begin());
 }
 
-void read_top(const Node& file, Case& read, Mistakes& mistakes) {
-  TableReader top(file, vocabulary_table(""), mistakes);
-  top.refuse_unknown(table_names());
-  if (const Node* const base = file.find("base"))
-    mistakes.add(base->place,
-                 "base = " + written(*base) +
-                     ", but only a case file can have a base case");
+void read_top(TableReader& top, Case& read) {
+  top.refuse_unknown();
+  if (top.has("base"))
+    top.complain(top.said_by("base"), "= " + written(top.said_by("base")) +
+                                          ", but only a case file can have a "
+                                          "base case");
   top.integer("schema");
-  read.title = top.has("title") ? top.text("title") : read.name;
+  read.title = read.name;
+  top.read(read);
 }
 
-void read_studies(const Node& file, Case& read, Mistakes& mistakes) {
-  const Node magnification =
-      table_called(file, "magnification", false, mistakes);
-  if (magnification.is_table())
-    read.magnification_study =
-        read_magnification_study(magnification, read, mistakes);
-  const Node adhesion = table_called(file, "adhesion", false, mistakes);
-  if (adhesion.is_table())
-    read.adhesion_study = read_adhesion_study(adhesion, read, mistakes);
-}
-
-void read_tables(const Node& file, Case& read, Mistakes& mistakes) {
-  const Node surface = table_called(file, "surface", true, mistakes);
+void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
+  const auto table = [&](const char* name, bool is_needed = false) {
+    return table_called(file, name, is_needed, mistakes);
+  };
+  const auto part = [&](const Node& node) {
+    return file.part(node, node.path);
+  };
+  const Node* const surface = table("surface", true);
   const mechanics::SurfaceKind kind = kind_of(surface);
   read.methods = read_methods(file, kind, mistakes);
   const Demands demands = demands_of(read.methods);
-  const std::string folder =
-      std::filesystem::path(read.path).parent_path().string();
-  if (surface.is_table())
-    read.surface =
-        read_surface(surface, folder, demands.is_surface_built, mistakes);
-  const Node material = table_called(file, "material", true, mistakes);
-  if (material.is_table())
-    read.material =
-        read_material(material, folder, demands.is_poisson_needed, mistakes);
-  const Node mesh = table_called(file, "mesh", false, mistakes);
-  if (mesh.is_table())
-    read.mesh = read_mesh(mesh, folder, read, mistakes);
-  const Node load = table_called(file, "load", true, mistakes);
-  if (load.is_table())
-    read.load = read_load(load, mistakes);
-  read_studies(file, read, mistakes);
-  const Node report = table_called(file, "report", false, mistakes);
-  if (report.is_table())
-    read.report = read_report(report, mistakes);
-  if (read.report.stress_inside && material.is_table() &&
+  if (surface != nullptr)
+    read.surface = read_surface(part(*surface), demands.is_surface_built);
+  const Node* const material = table("material", true);
+  if (material != nullptr)
+    read.material = read_material(part(*material), demands.is_poisson_needed);
+  if (const Node* const mesh = table("mesh"))
+    read.mesh = read_mesh(part(*mesh), read);
+  if (const Node* const load = table("load", true))
+    read.load = read_load(part(*load));
+  if (const Node* const study = table("magnification"))
+    read.magnification_study = read_magnification_study(part(*study), read);
+  if (const Node* const study = table("adhesion"))
+    read.adhesion_study = read_adhesion_study(part(*study), read);
+  if (const Node* const report = table("report"))
+    part(*report).read(read.report);
+  if (read.report.stress_inside && material != nullptr &&
       !read.material.poisson_ratio)
-    mistakes.add(report.find("stress_inside")->place,
+    mistakes.add(file.node().find("report")->find("stress_inside")->place,
                  "report.stress_inside needs material.poisson_ratio, which is "
                  "missing");
-  const Node expect = table_called(file, "expect", false, mistakes);
-  if (expect.is_table())
-    read.expectations = read_expectations(expect, kind, read, mistakes);
-  check_together(file, read, mistakes);
+  if (const Node* const expect = table("expect"))
+    read.expectations = read_expectations(*expect, kind, read, mistakes);
+  check_together(file.node(), read, mistakes);
 }
 
 /// @param table  that has the key "file", or null
@@ -165,8 +136,11 @@ Case read_text(const StackedText& stacked, const std::string& path,
     mistakes.add(sweep->place,
                  "[sweep] describes many cases, but one case is needed here: "
                  "--set sweep= removes the table");
-  read_top(file, read, mistakes);
-  read_tables(file, read, mistakes);
+  const std::string folder =
+      std::filesystem::path(read.path).parent_path().string();
+  TableReader whole(file, vocabulary_table(""), mistakes, folder);
+  read_top(whole, read);
+  read_tables(whole, read, mistakes);
   mistakes.throw_if_any();
   if (files == FilesOfCase::required)
     require_files(file, read);

@@ -1,6 +1,5 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/table_reader.hpp"
 #include "cases/types/expectations.hpp"
 #include "cases/types/quantity_at_load.hpp"
 #include "input/nearest.hpp"
@@ -167,7 +166,7 @@ Expectation read_band(const Node& node, const std::string& name,
   read_ends(band, expectation);
   check_surface(band, quantity, read_so_far);
   read_method_names(band, quantity, read_so_far, expectation);
-  expectation.passes_if_undecided = band.choice("if_undecided", 0) == 1;
+  band.read(expectation);
   return expectation;
 }
 

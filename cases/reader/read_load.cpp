@@ -1,6 +1,5 @@
 #include "cases/reader/read_case.hpp"
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/table_reader.hpp"
 
 #include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
@@ -46,10 +45,7 @@ double interpolated(double from, double to, double fraction, Spacing spacing) {
   return from + (to - from) * fraction;
 }
 
-std::vector<mechanics::Quantity> read_sweep(const Node& node, const Key& key,
-                                            Mistakes& mistakes) {
-  TableReader part(node, vocabulary_table("load.sweep"), mistakes);
-  part.refuse_unknown();
+std::vector<mechanics::Quantity> read_sweep(TableReader part, const Key& key) {
   const Node* const from_node = part.entry("from");
   const Node* const to_node = part.entry("to");
   const mechanics::Quantity from =
@@ -105,60 +101,46 @@ void append_way_back(mechanics::LoadingPath& program) {
 
 } // namespace
 
-std::vector<mechanics::Quantity>
-read_targets(TableReader& table, const std::string& name, Mistakes& mistakes) {
-  const Node* const found = table.entry(name);
-  if (!found)
-    return {};
-  const Key& key = table.key_called(name);
-  if (found->is_table())
-    return read_sweep(*found, key, mistakes);
-  if (found->type != NodeType::list)
-    return {table.quantity_in(*found, key)};
-  if (found->list.empty())
-    table.refuse(*found, "must be " + allowed_text(key));
+std::vector<mechanics::Quantity> read_targets(TableReader& table,
+                                              const Key& key) {
+  const Node& found = *table.node().find(key.name);
+  if (found.is_table())
+    return read_sweep(table.part(found, "load.sweep"), key);
+  if (found.type != NodeType::list)
+    return {table.quantity_in(found, key)};
+  if (found.list.empty())
+    table.refuse(found, "must be " + allowed_text(key));
   std::vector<mechanics::Quantity> targets;
-  for (const Node& element : found->list)
+  for (const Node& element : found.list)
     targets.push_back(table.quantity_in(element, key));
   return targets;
 }
 
-mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes) {
-  TableReader load(table, vocabulary_table("load"), mistakes);
-  load.refuse_unknown();
+mechanics::LoadingPath read_load(TableReader load) {
   mechanics::LoadingPath program;
   if (load.has("nominal_pressure") && load.has("mean_gap"))
     load.refuse_both("nominal_pressure", "mean_gap");
-  if (load.has("mean_gap")) {
+  if (load.has("mean_gap"))
     program.control = mechanics::Control::mean_gap;
-    program.targets = read_targets(load, "mean_gap", mistakes);
-  } else if (load.has("nominal_pressure")) {
-    program.targets = read_targets(load, "nominal_pressure", mistakes);
-  } else {
+  else if (!load.has("nominal_pressure"))
     load.complain_missing("nominal_pressure", " (or mean_gap)");
-  }
+  load.read(program);
   program.is_unloading.assign(program.targets.size(), false);
   if (load.choice("cycle", Cycle::load) == Cycle::load_unload)
     append_way_back(program);
   return program;
 }
 
-ReportSpec read_report(const Node& table, Mistakes& mistakes) {
-  TableReader report(table, vocabulary_table("report"), mistakes);
-  report.refuse_unknown();
-  ReportSpec spec;
-  spec.stress_inside = report.boolean("stress_inside");
-  spec.vtu = report.boolean("vtu");
-  const Node* const fields = report.entry("fields");
-  if (fields->text == "none")
+void read_fields(TableReader& report, const Key& key, ReportSpec& spec) {
+  const Node& fields = *report.node().find(key.name);
+  if (fields.text == "none")
     spec.fields = 0;
-  else if (fields->text == "all")
+  else if (fields.text == "all")
     spec.fields = all_fields;
-  else if (fields->type == NodeType::integer)
-    spec.fields = report.integer("fields");
+  else if (fields.type == NodeType::integer)
+    spec.fields = report.integer(key.name);
   else
-    report.refuse(*fields, "must be a whole number, \"none\" or \"all\"");
-  return spec;
+    report.refuse(fields, "must be a whole number, \"none\" or \"all\"");
 }
 
 } // namespace asperity::cases

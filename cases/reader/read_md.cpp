@@ -8,105 +8,75 @@
 namespace asperity::cases {
 namespace {
 
-void refuse_if_odd(TableReader& table, const char* key) {
-  if (table.has(key) && table.integer(key) % 2 != 0)
-    table.refuse(*table.node().find(key), "must be even");
-}
-
-std::optional<int> count(TableReader& table, const char* key) {
-  refuse_if_odd(table, key);
-  return table.has(key) ? std::optional(table.integer(key)) : std::nullopt;
-}
-
-void read_lattice(TableReader& table, mechanics::MdSettings& md) {
-  md.engine = table.choice("engine", md.engine);
-  md.lattice = table.choice("lattice", md.lattice);
-  md.bulk = table.choice("bulk", md.bulk);
-  md.modes = table.choice("modes", md.modes);
-  md.atoms = count(table, "atoms");
-  md.substrate_atoms = count(table, "substrate_atoms");
-  md.depth = table.quantity("depth");
-  md.levels = table.integer("levels");
-  md.layers = table.integer("layers");
+void check_lattice(TableReader& table, const mechanics::MdSettings& md) {
+  for (const auto& [key, number] :
+       {std::pair("atoms", md.atoms),
+        std::pair("substrate_atoms", md.substrate_atoms)})
+    if (number.value_or(0) % 2 != 0)
+      table.refuse(table.said_by(key), "must be even");
   if (md.engine == mechanics::AtomEngine::lammps &&
       md.lattice != mechanics::AtomLattice::central)
-    table.complain(*table.node().find("engine"),
+    table.complain(table.said_by("engine"),
                    "= \"lammps\" needs lattice = \"central\": its bonds are "
                    "central springs");
   const int coarsest = 1 << std::clamp(md.levels - 1, 0, 30); // range: above
   if (md.modes == mechanics::AtomModes::normal &&
       (md.bulk == mechanics::AtomBulk::explicit_layers ||
        md.engine == mechanics::AtomEngine::lammps))
-    table.refuse(*table.node().find("modes"),
+    table.refuse(table.said_by("modes"),
                  "needs engine = \"asperity\" and bulk = \"green\": other "
                  "atoms move in all three directions");
   if (md.bulk == mechanics::AtomBulk::explicit_layers &&
       md.engine == mechanics::AtomEngine::lammps)
-    table.refuse(*table.node().find("bulk"),
+    table.refuse(table.said_by("bulk"),
                  "needs engine = \"asperity\": \"lammps\" always uses one "
                  "spacing from the surface down to depth; remove bulk, levels "
                  "and layers");
   if (md.bulk == mechanics::AtomBulk::explicit_layers && md.atoms &&
       *md.atoms % coarsest != 0)
-    table.refuse(*table.node().find("atoms"),
+    table.refuse(table.said_by("atoms"),
                  fmt::format("must be a multiple of {} for {} levels, each "
                              "twice as coarse as the one before",
                              coarsest, md.levels));
 }
 
-void read_interaction(TableReader& table, mechanics::MdSettings& md) {
-  md.potential = table.choice("potential", md.potential);
-  md.interaction_energy = table.number("interaction_energy");
-  md.interaction_distance = table.number("interaction_distance");
-  md.cutoff = table.number("cutoff");
-  md.contact_distance = table.number("contact_distance");
-  if (md.cutoff > 0.0 && md.cutoff <= md.contact_distance)
-    table.refuse(*table.node().find("cutoff"),
-                 fmt::format("must be > contact_distance = {:g} m: otherwise "
-                             "atoms in contact would not interact",
-                             md.contact_distance));
-}
-
-double if_given(TableReader& table, const char* key, bool is_needed) {
-  if (table.has(key))
-    return table.number(key);
-  if (is_needed)
-    table.complain_missing(key, ", which this minimizer needs");
-  return 0.0;
-}
-
-void read_balance(TableReader& table, mechanics::MdSettings& md) {
-  md.minimizer = table.choice("minimizer", md.minimizer);
-  md.tolerance = table.number("tolerance");
-  md.max_evaluations = table.integer("max_evaluations");
-  const bool moves = md.minimizer == mechanics::AtomMinimizer::fire ||
-                     md.minimizer == mechanics::AtomMinimizer::dynamics;
+void check_balance(TableReader& table, const mechanics::MdSettings& md) {
   const bool is_dynamics = md.minimizer == mechanics::AtomMinimizer::dynamics;
-  md.mass = if_given(table, "mass", is_dynamics);
-  md.time_step = if_given(table, "time_step", is_dynamics);
-  md.damping = if_given(table, "damping", is_dynamics);
-  md.duration = if_given(table, "duration", is_dynamics);
-  md.temperature = table.number("temperature");
-  if (table.has("seed"))
-    md.seed = static_cast<std::uint64_t>(table.integer("seed"));
-  else if (md.temperature > 0.0)
-    table.complain_missing("seed", ", which a temperature needs");
+  if (is_dynamics)
+    for (const char* const key : {"mass", "time_step", "damping", "duration"})
+      table.require(key, ", which this minimizer needs");
+  if (md.temperature > 0.0)
+    table.require("seed", ", which a temperature needs");
   if (is_dynamics && md.engine == mechanics::AtomEngine::lammps)
-    table.refuse(*table.node().find("minimizer"),
+    table.refuse(table.said_by("minimizer"),
                  "needs engine = \"asperity\": \"lammps\" supports only static "
                  "equilibrium");
   if (is_dynamics && md.duration > 0.0 && md.duration < md.time_step)
-    table.refuse(*table.node().find("duration"),
-                 "must be at least md.time_step");
+    table.refuse(table.said_by("duration"), "must be at least md.time_step");
   if (is_dynamics && md.temperature == 0.0 && md.damping == 0.0 &&
       table.has("damping"))
-    table.refuse(*table.node().find("damping"),
+    table.refuse(table.said_by("damping"),
                  "must be > 0 [1/s] at a temperature of 0");
-  if (moves && md.bulk != mechanics::AtomBulk::explicit_layers)
-    table.complain(*table.node().find("minimizer"),
+  if ((is_dynamics || md.minimizer == mechanics::AtomMinimizer::fire) &&
+      md.bulk != mechanics::AtomBulk::explicit_layers)
+    table.complain(table.said_by("minimizer"),
                    "needs bulk = \"explicit\": the atoms of a condensed block "
                    "have no mass");
 }
+
+} // namespace
+
+void check_md(TableReader& table, const mechanics::MdSettings& md) {
+  check_lattice(table, md);
+  if (md.cutoff > 0.0 && md.cutoff <= md.contact_distance)
+    table.refuse(table.said_by("cutoff"),
+                 fmt::format("must be > contact_distance = {:g} m: otherwise "
+                             "atoms in contact would not interact",
+                             md.contact_distance));
+  check_balance(table, md);
+}
+
+namespace {
 
 const Node* method_node(const Node& file, const std::string& name) {
   const std::size_t dot = name.find('.');
@@ -153,16 +123,6 @@ const Node& entry_of(const Node& file, const std::string& name,
   const Node* const inherited =
       own ? own : file.find(name.substr(0, name.find('.')))->find(key);
   return inherited ? *inherited : method;
-}
-
-mechanics::MdSettings read_md(TableReader& table) {
-  mechanics::MdSettings md;
-  read_lattice(table, md);
-  read_interaction(table, md);
-  read_balance(table, md);
-  md.ranks = table.integer("ranks");
-  md.dump = table.boolean("dump");
-  return md;
 }
 
 void check_together(const Node& file, const Case& read, Mistakes& mistakes) {

@@ -1,13 +1,10 @@
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/table_reader.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace asperity::cases {
 namespace {
-
-enum class Boundaries { periodic, free };
 
 bool has_free_edges(const Node& file) {
   const Node* const surface = file.find("surface");
@@ -17,14 +14,53 @@ bool has_free_edges(const Node& file) {
 
 mechanics::ContactSettings read_contact(TableReader& table) {
   mechanics::ContactSettings contact;
-  contact.law = table.choice("contact", contact.law);
-  if (table.has("penalty"))
-    contact.penalty = table.quantity("penalty");
-  else if (contact.law != mechanics::ContactLaw::hard)
-    table.complain_missing("penalty", ", which this contact needs");
-  contact.tolerance = table.number("tolerance");
-  contact.max_iterations = table.integer("max_iterations");
+  table.read(contact);
+  if (contact.law != mechanics::ContactLaw::hard)
+    table.require("penalty", ", which this contact needs");
   return contact;
+}
+
+/// Refuses the stiffness of the contact for blocks that do not find it.
+void refuse_stiffness(TableReader& table, const mechanics::FemSettings& fem) {
+  const auto refuse_if = [&](bool is_refused, const std::string& key,
+                             const std::string& needed) {
+    if (fem.full.has_stiffness && is_refused)
+      table.refuse(table.said_by("stiffness"),
+                   "cannot be combined with " + key + "; it needs " + needed);
+  };
+  refuse_if(fem.full.contact_at == mechanics::ContactPoints::gauss,
+            "contact_at = \"gauss\"", "contact_at = \"nodes\"");
+  refuse_if(fem.full.bodies == 2, "bodies = 2", "bodies = 1");
+  refuse_if(fem.block.far_boundary != mechanics::FarBoundary::clamped,
+            "this far boundary (top)", "top = \"clamped\"");
+}
+
+/// Reports what the full block cannot combine, and what only it has.
+void check_full_block(TableReader& table, bool has_mesh,
+                      const mechanics::FemSettings& fem) {
+  const mechanics::FullBlockSettings& full = fem.full;
+  const mechanics::FullBlockSettings defaults;
+  const auto only_full = [&](bool is_asked, const std::string& key) {
+    if (is_asked && fem.solver != mechanics::FemSolver::full)
+      table.refuse(table.said_by(key), "needs solver = \"full\"");
+  };
+  only_full(full.uses_case_mesh, "mesh");
+  only_full(full.sides != defaults.sides, "sides");
+  only_full(full.linear_solver != defaults.linear_solver, "linear_solver");
+  only_full(full.contact_at != defaults.contact_at, "contact_at");
+  only_full(full.height_interpolation != defaults.height_interpolation,
+            "height_interpolation");
+  only_full(full.bodies == 2, "bodies");
+  only_full(full.has_stiffness, "stiffness");
+  refuse_stiffness(table, fem);
+  if (full.uses_case_mesh && !has_mesh)
+    table.refuse(table.said_by("mesh"), "the table [mesh] is missing");
+  if (full.contact_at == mechanics::ContactPoints::gauss &&
+      fem.contact.law == mechanics::ContactLaw::hard)
+    table.refuse(
+        table.said_by("contact_at"),
+        "hard (unilateral) contact at more points than the contact surface has "
+        "nodes is overconstrained; use contact = \"augmented\" or \"penalty\"");
 }
 
 /// The properties of the case that determine which keys of a method are valid.
@@ -34,18 +70,23 @@ struct MethodSurroundings {
   bool has_free_edges; ///< surface.edges = "free"
 };
 
+/// Reads the settings of a method whose keys need no check between them.
+template <class Settings>
+void read_settings(TableReader& table, const MethodSurroundings&,
+                   Settings& settings) {
+  table.read(settings);
+}
+
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    mechanics::TheorySettings& theory) {
   const mechanics::SurfaceKind kind = surroundings.surface;
   const bool has_formula = kind == mechanics::SurfaceKind::self_affine ||
                            kind == mechanics::SurfaceKind::spectrum;
-  theory.gamma = table.number("gamma");
   theory.spectrum = has_formula ? mechanics::TheorySpectrum::formula
                                 : mechanics::TheorySpectrum::surface;
-  if (table.has("spectrum"))
-    theory.spectrum = table.choice("spectrum", theory.spectrum);
+  table.read(theory);
   if (theory.spectrum == mechanics::TheorySpectrum::formula && !has_formula)
-    table.refuse(*table.node().find("spectrum"),
+    table.refuse(table.said_by("spectrum"),
                  "must be \"surface\": only the kinds self-affine and spectrum "
                  "have a formula");
 }
@@ -53,15 +94,10 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    mechanics::HalfspaceSettings& halfspace) {
   halfspace.contact = read_contact(table);
-  if (table.has("thickness"))
-    halfspace.thickness = table.quantity("thickness");
-  halfspace.far_boundary = table.choice("top", halfspace.far_boundary);
   halfspace.has_free_boundaries = surroundings.has_free_edges;
-  if (table.has("boundaries"))
-    halfspace.has_free_boundaries =
-        table.choice("boundaries", Boundaries::periodic) == Boundaries::free;
+  table.read(halfspace);
   if (halfspace.has_free_boundaries && halfspace.thickness)
-    table.refuse(*table.node().find("thickness"),
+    table.refuse(table.said_by("thickness"),
                  "free boundaries need a half-space of infinite thickness; "
                  "boundaries = \"periodic\" allows a slab");
 }
@@ -69,23 +105,18 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    mechanics::FemSettings& fem) {
   fem.contact = read_contact(table);
-  fem.block.element = table.choice("element", fem.block.element);
-  fem.block.surface_cell_depth = table.number("surface_cell_depth");
-  fem.block.growth = table.number("growth");
-  fem.block.depth = table.quantity("depth");
-  fem.block.far_boundary = table.choice("top", fem.block.far_boundary);
-  fem.solver = table.choice("solver", fem.solver);
-  read_full_block(table, surroundings.has_mesh, fem);
+  table.read(fem.block);
+  table.read(fem);
+  fem.full.uses_case_mesh =
+      fem.solver == mechanics::FemSolver::full && surroundings.has_mesh;
+  table.read(fem.full);
+  check_full_block(table, surroundings.has_mesh, fem);
 }
 
 void read_settings(TableReader& table, const MethodSurroundings&,
                    mechanics::MdSettings& md) {
-  md = read_md(table);
-}
-
-void read_settings(TableReader& table, const MethodSurroundings&,
-                   mechanics::WinklerSettings& winkler) {
-  winkler.stiffness = table.quantity("stiffness");
+  table.read(md);
+  check_md(table, md);
 }
 
 /// Returns the default settings of the kind: the alternative of MethodSettings
@@ -100,28 +131,17 @@ MethodSettings default_settings(const std::string& kind) {
   }
 }
 
-std::optional<double> read_magnification(TableReader& table,
-                                         mechanics::SurfaceKind surface) {
-  if (!table.has("magnification"))
-    return std::nullopt;
-  const double magnification = table.number("magnification");
-  if (surface != mechanics::SurfaceKind::self_affine)
-    table.refuse(*table.node().find("magnification"),
-                 "this key applies only to self-affine surfaces, because it is "
-                 "relative to their roll-off wavevector");
-  return magnification;
-}
-
 MethodSpec read_method(const Node& node, const std::string& kind,
                        const MethodSurroundings& surroundings,
-                       Mistakes& mistakes) {
-  TableReader table(node, vocabulary_table(kind), mistakes);
-  table.refuse_unknown();
-  MethodSpec method{
-      node.path, {}, read_magnification(table, surroundings.surface)};
-  if (table.has("realizations"))
-    method.realizations = table.integer("realizations");
-  method.settings = default_settings(kind);
+                       const TableReader& file) {
+  TableReader table = file.part(node, kind);
+  MethodSpec method{node.path, default_settings(kind)};
+  table.read(method);
+  if (method.magnification &&
+      surroundings.surface != mechanics::SurfaceKind::self_affine)
+    table.refuse(table.said_by("magnification"),
+                 "this key applies only to self-affine surfaces, because it is "
+                 "relative to their roll-off wavevector");
   std::visit([&](auto& own) { read_settings(table, surroundings, own); },
              method.settings);
   return method;
@@ -129,19 +149,16 @@ MethodSpec read_method(const Node& node, const std::string& kind,
 
 // Returns true for a variant, which is a sub-table whose name is not a key:
 // [fem.hard].
-bool is_variant(const NodeEntry& entry, const Table& table) {
-  return entry.node.is_table() &&
-         std::none_of(table.keys.begin(), table.keys.end(),
-                      [&](const Key& key) { return key.name == entry.key; });
+bool is_variant(const NodeEntry& entry, const std::string& kind) {
+  return entry.node.is_table() && find_key(kind, entry.key) == nullptr;
 }
 
-void check_variant_name(const NodeEntry& entry, Mistakes& mistakes) {
+void check_variant_name(const NodeEntry& entry, TableReader& file) {
   if (entry.key.empty() ||
       entry.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
           std::string::npos)
-    mistakes.add(entry.node.place,
-                 entry.node.path + " names a variant, but must consist of the "
-                                   "letters a-z, digits and hyphens");
+    file.complain(entry.node, "names a variant, but must consist of the "
+                              "letters a-z, digits and hyphens");
 }
 
 /// Merges the keys of a variant into those of its base method. Inherited keys
@@ -167,45 +184,39 @@ std::string names_of_methods() {
 void read_family(const Node& node, const std::string& kind,
                  const MethodSurroundings& surroundings,
                  std::vector<std::vector<MethodSpec>>& ranks,
-                 Mistakes& mistakes) {
-  const Table& table = vocabulary_table(kind);
+                 TableReader& file) {
   Node base = node;
   std::erase_if(base.entries, [&](const NodeEntry& entry) {
-    return is_variant(entry, table);
+    return is_variant(entry, kind);
   });
-  ranks[0].push_back(read_method(base, kind, surroundings, mistakes));
+  ranks[0].push_back(read_method(base, kind, surroundings, file));
   for (const NodeEntry& entry : node.entries) {
-    if (!is_variant(entry, table))
+    if (!is_variant(entry, kind))
       continue;
-    check_variant_name(entry, mistakes);
+    check_variant_name(entry, file);
     ranks[1].push_back(
-        read_method(inherited(base, entry.node), kind, surroundings, mistakes));
+        read_method(inherited(base, entry.node), kind, surroundings, file));
   }
 }
 
 } // namespace
 
-std::vector<MethodSpec> read_methods(const Node& file,
+std::vector<MethodSpec> read_methods(TableReader& file,
                                      mechanics::SurfaceKind kind,
                                      Mistakes& mistakes) {
   std::vector<std::vector<MethodSpec>> ranks(2); // methods, then their variants
-  const MethodSurroundings surroundings{kind, file.find("mesh") != nullptr,
-                                        has_free_edges(file)};
+  const MethodSurroundings surroundings{kind, file.has("mesh"),
+                                        has_free_edges(file.node())};
   bool has_any = false;
   for (const Table& table : vocabulary()) {
-    const Node* const node = table.is_method ? file.find(table.name) : nullptr;
-    if (!node)
+    if (!table.is_method || !file.has(table.name))
       continue;
     has_any = true;
-    if (node->is_table())
-      read_family(*node, table.name, surroundings, ranks, mistakes);
-    else
-      mistakes.add(node->place, table.name + " = " + written(*node) +
-                                    ", but must be a table: [" + table.name +
-                                    "]");
+    if (const Node* const node = file.sub_table(table.name))
+      read_family(*node, table.name, surroundings, ranks, file);
   }
   if (!has_any)
-    mistakes.add(file.place,
+    mistakes.add(file.node().place,
                  "no method is given; allowed: " + names_of_methods());
   std::vector<MethodSpec> methods = ranks[0];
   methods.insert(methods.end(), ranks[1].begin(), ranks[1].end());

@@ -20,39 +20,27 @@ struct Demands {
   bool is_poisson_needed = false;
 };
 
-std::vector<MethodSpec>
-read_methods(const Node& file, mechanics::SurfaceKind kind, Mistakes& mistakes);
-/// @param has_mesh  whether the case has a [mesh]
-void read_full_block(TableReader& table, bool has_mesh,
-                     mechanics::FemSettings& fem);
-mechanics::MdSettings read_md(TableReader& table);
+/// @param file  reader of the whole case
+std::vector<MethodSpec> read_methods(TableReader& file,
+                                     mechanics::SurfaceKind kind,
+                                     Mistakes& mistakes);
 Demands demands_of(const std::vector<MethodSpec>& methods);
+void check_md(TableReader& table, const mechanics::MdSettings& md);
 
-mechanics::SurfaceSpec read_surface(const Node& node, const std::string& folder,
-                                    bool is_surface_built, Mistakes& mistakes);
-/// Reads the keys of a measured map; length has been read before.
-void read_map(TableReader& table, mechanics::SurfaceSpec& spec);
-/// @param folder  folder to which file paths are relative
-mechanics::MaterialSpec read_material(const Node& table,
-                                      const std::string& folder,
-                                      bool is_poisson_needed,
-                                      Mistakes& mistakes);
-/// Reads layers, inclusion and variation of [material].
-void read_block(TableReader& material, const std::string& folder,
-                mechanics::MaterialSpec& spec, Mistakes& mistakes);
-/// @param read  the case with its material already read
-mechanics::MeshSpec read_mesh(const Node& node, const std::string& folder,
-                              const Case& read, Mistakes& mistakes);
-/// Reads a quantity, a list of quantities, or a sweep of them.
-std::vector<mechanics::Quantity>
-read_targets(TableReader& table, const std::string& name, Mistakes& mistakes);
-mechanics::LoadingPath read_load(const Node& table, Mistakes& mistakes);
+mechanics::SurfaceSpec read_surface(TableReader table, bool is_surface_built);
+/// Checks the keys of a measured map, which have been read.
+void check_map(TableReader& table, const mechanics::SurfaceSpec& spec);
+mechanics::MaterialSpec read_material(TableReader material,
+                                      bool is_poisson_needed);
+/// @param read  the case with its surface and material already read
+mechanics::MeshSpec read_mesh(TableReader table, const Case& read);
+mechanics::LoadingPath read_load(TableReader load);
 /// @param read  the case with its surface and methods already read
-MagnificationStudy read_magnification_study(const Node& node, const Case& read,
-                                            Mistakes& mistakes);
-AdhesionStudy read_adhesion_study(const Node& node, const Case& read,
-                                  Mistakes& mistakes);
-ReportSpec read_report(const Node& table, Mistakes& mistakes);
+MagnificationStudy read_magnification_study(TableReader table,
+                                            const Case& read);
+AdhesionStudy read_adhesion_study(TableReader table, const Case& read);
+/// Reads report.fields: a number, "none" or "all".
+void read_fields(TableReader& report, const Key& key, ReportSpec& spec);
 /// @param read  the case with its methods and studies already read
 std::vector<Expectation> read_expectations(const Node& table,
                                            mechanics::SurfaceKind kind,

@@ -1,6 +1,5 @@
 #include "cases/reader/table_reader.hpp"
 
-#include "cases/text/toml_text.hpp"
 #include "input/nearest.hpp"
 
 #include <fmt/format.h>
@@ -18,10 +17,7 @@ namespace {
 std::string home_of_key(const std::string& key, const std::string& path) {
   std::string homes;
   for (const Table& table : vocabulary()) {
-    const bool is_known =
-        std::any_of(table.keys.begin(), table.keys.end(),
-                    [&](const Key& known) { return known.name == key; });
-    if (!is_known || table.name.empty())
+    if (table.name.empty() || find_key(table.name, key) == nullptr)
       continue;
     if (!table.is_part)
       homes += (homes.empty() ? "[" : " or [") + table.name + "]";
@@ -37,8 +33,25 @@ std::string home_of_key(const std::string& key, const std::string& path) {
 } // namespace
 
 TableReader::TableReader(const Node& node, const Table& vocabulary,
-                         Mistakes& mistakes)
-    : node_(node), vocabulary_(vocabulary), mistakes_(mistakes) {}
+                         Mistakes& mistakes, std::string folder)
+    : node_(node),
+      vocabulary_(vocabulary),
+      mistakes_(mistakes),
+      folder_(std::move(folder)) {}
+
+TableReader TableReader::part(const Node& node,
+                              const std::string& vocabulary) const {
+  TableReader reader(node, vocabulary_table(vocabulary), mistakes_, folder_);
+  reader.refuse_unknown();
+  return reader;
+}
+
+void TableReader::read_members(const std::any& settings) {
+  const std::string& kind = said_by("kind").text;
+  for (const Key& key : vocabulary_.keys)
+    if (key.read && key.applies_to(kind))
+      key.read(*this, key, settings);
+}
 
 std::string TableReader::path_of(const std::string& key) const {
   return node_.path.empty() ? key : node_.path + "." + key;
@@ -55,16 +68,8 @@ bool TableReader::has(const std::string& key) const {
 const Node* TableReader::entry(const std::string& name) {
   if (const Node* const present = node_.find(name))
     return present;
-  const Key& key = key_called(name);
-  if (key.fallback.empty()) {
-    complain_missing(name);
-    return nullptr;
-  }
-  defaults_.reserve(vocabulary_.keys.size()); // keeps pointers to the elements
-                                              // valid
-  defaults_.push_back(
-      parse_toml_value(key.fallback, {"default", 0}, path_of(name)));
-  return &defaults_.back();
+  complain_missing(name);
+  return nullptr;
 }
 
 mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
@@ -177,10 +182,9 @@ std::vector<std::string> TableReader::names(const std::string& key) {
   return texts;
 }
 
-std::string TableReader::path(const std::string& key,
-                              const std::string& folder) {
+std::string TableReader::path(const std::string& key) {
   const std::string file = text(key);
-  return file.empty() ? file : (std::filesystem::path(folder) / file).string();
+  return file.empty() ? file : (std::filesystem::path(folder_) / file).string();
 }
 
 const Node* TableReader::sub_table(const std::string& name) {
@@ -206,6 +210,11 @@ void TableReader::complain_missing(const std::string& name,
                                          why, allowed_text(key)));
 }
 
+void TableReader::require(const std::string& name, const std::string& why) {
+  if (!has(name))
+    complain_missing(name, why);
+}
+
 void TableReader::refuse(const Node& found, const std::string& rule) {
   complain(found, "= " + written(found) + ", but " + rule);
 }
@@ -218,6 +227,13 @@ void TableReader::refuse_both(const std::string& first,
 
 void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
   std::vector<std::string> known = also_known;
+  const std::string prefix =
+      vocabulary_.name.empty() ? "" : vocabulary_.name + ".";
+  for (const Table& table : vocabulary())
+    if (!table.is_part && table.name.size() > prefix.size() &&
+        table.name.starts_with(prefix) &&
+        table.name.find('.', prefix.size()) == std::string::npos)
+      known.push_back(table.name.substr(prefix.size()));
   for (const Key& key : vocabulary_.keys)
     known.push_back(key.name);
   for (const NodeEntry& candidate : node_.entries) {

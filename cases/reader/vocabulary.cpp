@@ -1,12 +1,15 @@
 #include "cases/reader/vocabulary.hpp"
 
 #include "base/special_numbers.hpp"
+#include "cases/reader/bound_key.hpp"
+#include "cases/reader/read_parts.hpp"
 #include "cases/types/expectations.hpp"
 #include "mechanics/limits.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,65 +17,53 @@ namespace asperity::cases {
 namespace {
 
 Table top_table() {
-  return {.name = "",
-          .when = "Always needed.",
-          .description = "Keys at the top of the file, before the first table.",
-          .keys = {
-              {.name = "base",
-               .type = ValueType::path,
-               .when = "optional; must be the first key",
-               .example = "\"../polymer/case.toml\"",
-               .show = Show::no,
-               .description = "Base case; every other key here overrides it, "
-                              "and a key or table set to \"\" is removed."},
-              {.name = "schema",
-               .type = ValueType::integer,
-               .range = between(1, 1),
-               .need = Need::always,
-               .example = "1",
-               .show = Show::yes,
-               .description = "Version of the case format."},
-              {.name = "title",
-               .type = ValueType::text,
-               .when = "default: the case's name",
-               .example = "\"A rough block\"",
-               .show = Show::yes,
-               .description = "Title of the report, one line."},
-          }};
+  return {
+      .name = "",
+      .when = "Always needed.",
+      .description = "Keys at the top of the file, before the first table.",
+      .keys = hidden({
+          key("base", ValueType::path,
+              "Base case; every other key here overrides it, and a key or "
+              "table set to \"\" is removed.",
+              eg("../polymer/case.toml", "optional; must be the first key")),
+          key("schema", {ValueType::integer, between(1, 1)},
+              "Version of the case format.", needed("1"))
+              .shown(),
+          key<&Case::title>("title", ValueType::text,
+                            "Title of the report, one line.",
+                            eg("A rough block", "default: the case's name"))
+              .shown(),
+      })};
 }
 
 Table report_table() {
-  return {
-      .name = "report",
-      .when = "Optional.",
-      .description = "Fields that are saved in the result for the report.",
-      .keys = {
-          {.name = "fields",
-           .type = ValueType::fields,
-           .range = between(0, 1000000),
-           .fallback = "3",
-           .example = "3",
-           .show = Show::yes,
-           .description = "Number of load steps, spread over the loading path, "
-                          "whose pressure and gap fields are saved."},
-          {.name = "stress_inside",
-           .type = ValueType::boolean,
-           .fallback = "false",
-           .example = "true",
-           .description = "Compute the subsurface stress under each saved "
-                          "pressure field, by continuum elasticity or from the "
-                          "cells of a full 3-D block: the maximum von Mises "
-                          "stress, its location, and a section through it."},
-          {.name = "vtu",
-           .type = ValueType::boolean,
-           .fallback = "false",
-           .example = "true",
-           .show = Show::no,
-           .description = "The full 3-D block ([fem] with solver = \"full\") "
-                          "writes displacement and stress, and on the contact "
-                          "surface gap, pressure and contact status, of the "
-                          "steps whose fields are saved, for ParaView."},
-      }};
+  return {.name = "report",
+          .when = "Optional.",
+          .description = "Fields that are saved in the result for the report.",
+          .keys = {
+              read_by<ReportSpec>(
+                  read_fields,
+                  key<&ReportSpec::fields>(
+                      "fields", {ValueType::fields, between(0, 1000000)},
+                      "Number of load steps, spread over the loading path, "
+                      "whose pressure and gap fields are saved."))
+                  .shown(),
+              key<&ReportSpec::stress_inside>(
+                  "stress_inside", ValueType::boolean,
+                  "Compute the subsurface stress under each saved pressure "
+                  "field, by continuum elasticity or from the cells of a full "
+                  "3-D block: the maximum von Mises stress, its location, and "
+                  "a section through it.",
+                  eg("true")),
+              key<&ReportSpec::vtu>(
+                  "vtu", ValueType::boolean,
+                  "The full 3-D block ([fem] with solver = \"full\") writes "
+                  "displacement and stress, and on the contact surface gap, "
+                  "pressure and contact status, of the steps whose fields are "
+                  "saved, for ParaView.",
+                  eg("true"))
+                  .hidden(),
+          }};
 }
 
 Table expect_table() {
@@ -102,33 +93,21 @@ Table band_table() {
       .is_part = true,
       .description = "A band: value and within, or below, above or both.",
       .keys = {
-          {.name = "value",
-           .need = Need::conditional,
-           .when = "with within",
-           .example = "0.40",
-           .description = "Centre of the band."},
-          {.name = "within",
-           .type = ValueType::tolerance,
-           .range = at_least(0.0),
-           .need = Need::conditional,
-           .when = "with value",
-           .example = "0.05",
-           .description =
-               "Half-width of the band: a number, or \"5 %\" of value."},
-          {.name = "below", .example = "0.3", .description = "Upper bound."},
-          {.name = "above", .example = "0.2", .description = "Lower bound."},
-          {.name = "methods",
-           .type = ValueType::names,
-           .when = "default: every method of the case that yields the quantity",
-           .example = "[\"fem\", \"theory\"]",
-           .description = "Methods whose values must lie in the band."},
-          {.name = "if_undecided",
-           .type = ValueType::word,
-           .words = {"fail", "pass"},
-           .fallback = "\"fail\"",
-           .example = "\"fail\"",
-           .description = "Verdict on an undecided value: one whose 95 % "
-                          "confidence interval contains an end of the band."},
+          key("value", ValueType::quantity, "Centre of the band.",
+              needed("0.40", "with within")),
+          key("within", {ValueType::tolerance, at_least(0.0)},
+              "Half-width of the band: a number, or \"5 %\" of value.",
+              needed("0.05", "with value")),
+          key("below", ValueType::quantity, "Upper bound.", eg("0.3")),
+          key("above", ValueType::quantity, "Lower bound.", eg("0.2")),
+          key("methods", ValueType::names,
+              "Methods whose values must lie in the band.",
+              eg("[\"fem\", \"theory\"]",
+                 "default: every method of the case that yields the quantity")),
+          key<&Expectation::passes_if_undecided>(
+              "if_undecided", {"fail", "pass"},
+              "Verdict on an undecided value: one whose 95 % confidence "
+              "interval contains an end of the band."),
       }};
 }
 
@@ -213,6 +192,28 @@ Range inside(double low, double high) {
   return {low, high, false, false};
 }
 
+bool Key::applies_to(const std::string& surface_kind) const {
+  return kinds.empty() || std::ranges::count(kinds, surface_kind) > 0;
+}
+
+Key Key::of(std::vector<std::string> surface_kinds) const {
+  Key key = *this;
+  key.kinds = std::move(surface_kinds);
+  return key;
+}
+
+Key Key::hidden() const {
+  Key key = *this;
+  key.show = Show::no;
+  return key;
+}
+
+Key Key::shown() const {
+  Key key = *this;
+  key.show = Show::yes;
+  return key;
+}
+
 const std::vector<Table>& vocabulary() {
   static const std::vector<Table> tables = all_tables();
   return tables;
@@ -231,6 +232,14 @@ const Key& vocabulary_key(const Table& table, const std::string& name) {
       return key;
   throw std::domain_error("key " + name + " is not in the vocabulary of [" +
                           table.name + "]");
+}
+
+const Key* find_key(const std::string& table, const std::string& name) {
+  for (const Table& known : vocabulary())
+    for (const Key& key : known.keys)
+      if (known.name == table && key.name == name)
+        return &key;
+  return nullptr;
 }
 
 void append_keys(std::vector<Key>& keys, const std::vector<Key>& more) {
@@ -266,8 +275,8 @@ std::string allowed_text(const Key& key) {
   case ValueType::names:
     return "a list of strings";
   case ValueType::band:
-    return "{ value, within } or { below } or { above }, or a list of "
-           "such bands";
+    return "{ value, within } or { below } or { above }, or a list of such "
+           "bands";
   case ValueType::layers:
     return "a list of { thickness, youngs_modulus, poisson_ratio }";
   }

@@ -1,12 +1,15 @@
 #pragma once
 
-// The vocabulary of case files. The reader, the JSON Schema, the template and
+// The vocabulary of case files: each key with the member of the settings that
+// holds its value. The reader, the JSON Schema, the template and
 // docs/reference/case.md are all derived from this table. Its rows are in
-// vocabulary*.cpp.
+// vocabulary*.cpp, in the notation of bound_key.hpp.
 
 #include "cases/types/case.hpp"
 #include "cases/types/units.hpp"
 
+#include <any>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -63,6 +66,9 @@ enum class Need {
 /// How the template of `asperity new` shows a key.
 enum class Show { yes, as_comment, no };
 
+class TableReader;
+
+/// One key.
 struct Key {
   std::string name;
   ValueType type = ValueType::quantity;
@@ -78,6 +84,22 @@ struct Key {
   std::string example = {};  ///< example as TOML
   Show show = Show::as_comment;
   std::string description = {}; ///< one sentence
+
+  /// Reads the value into its member if `settings` points to the struct that
+  /// has this member, and does nothing otherwise. A key that is not given
+  /// leaves the member as it is, its default, and is a mistake if it is needed.
+  /// Empty for a key that the reader of its table reads.
+  using Read = std::function<void(TableReader& table, const Key& key,
+                                  const std::any& settings)>;
+  Read read = {};
+
+  /// Whether surfaces of this kind have the key.
+  bool applies_to(const std::string& surface_kind) const;
+
+  /// Only surfaces of these kinds have the key.
+  Key of(std::vector<std::string> surface_kinds) const;
+  Key shown() const;
+  Key hidden() const;
 };
 
 struct Table {
@@ -99,6 +121,9 @@ const std::vector<Table>& vocabulary();
 const Table& vocabulary_table(const std::string& name);
 const Key& vocabulary_key(const Table& table, const std::string& name);
 
+/// Returns the key of a table; null if there is no such table or key.
+const Key* find_key(const std::string& table, const std::string& name);
+
 /// Returns the allowed words, units or type of a key as messages show them:
 /// "clamped | sliding".
 std::string allowed_text(const Key& key);
@@ -106,10 +131,6 @@ std::string allowed_text(const Key& key);
 /// Returns why keys of other kinds do not apply to this kind of surface; may be
 /// "".
 std::string reason_of_kind(const std::string& kind);
-
-/// Returns a key for a length in SI, in multiples of the side length or in node
-/// spacings.
-Key length_key(std::string name, std::string example, std::string description);
 
 void append_keys(std::vector<Key>& keys, const std::vector<Key>& more);
 
@@ -119,7 +140,6 @@ std::vector<Key> map_keys(); ///< part of [surface]: files and measured maps
 Table md_table();
 std::vector<Table> mesh_tables();
 std::vector<Table> block_tables();
-std::vector<Key> full_block_keys(); ///< part of [fem]
 std::vector<Table> method_tables();
 std::vector<Table> study_tables();
 Table case_sweep_table();

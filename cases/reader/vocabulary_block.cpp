@@ -1,67 +1,57 @@
 // The rows of [material] and of heterogeneous blocks: layers, inclusion and
 // variation.
-#include "cases/reader/vocabulary.hpp"
+#include "cases/reader/bound_key.hpp"
 #include "mechanics/limits.hpp"
 
 namespace asperity::cases {
 namespace {
 
-Key youngs_modulus_key() {
-  return {.name = "youngs_modulus",
-          .dimension = Dimension::pressure,
-          .range = positive(),
-          .need = Need::always,
-          .example = "\"2 GPa\"",
-          .show = Show::no,
-          .description = "Young's modulus E."};
+using mechanics::BodyModuli;
+using mechanics::MaterialLayer;
+using mechanics::VariationKind;
+using Inclusion = mechanics::MaterialInclusion;
+using Variation = mechanics::MaterialVariation;
+using Material = mechanics::MaterialSpec;
+
+Key youngs_modulus_key(Given given = needed("2 GPa")) {
+  return key<&BodyModuli::youngs_modulus>("youngs_modulus", Dimension::pressure,
+                                          "Young's modulus E.",
+                                          std::move(given));
 }
 
-Key poisson_ratio_key() {
-  return {.name = "poisson_ratio",
-          .range = between(mechanics::lowest_poisson_ratio,
-                           mechanics::highest_poisson_ratio),
-          .need = Need::always,
-          .example = "0.3",
-          .show = Show::no,
-          .description = "Poisson's ratio nu."};
+template <auto member = &BodyModuli::poisson_ratio>
+Key poisson_ratio_key(Given given = needed("0.3")) {
+  return key<member>("poisson_ratio",
+                     between(mechanics::lowest_poisson_ratio,
+                             mechanics::highest_poisson_ratio),
+                     "Poisson's ratio nu.", std::move(given));
 }
 
 Table material_table() {
-  Key modulus = youngs_modulus_key();
-  modulus.need = Need::conditional;
-  modulus.when = "this with poisson_ratio, or contact_modulus";
-  modulus.show = Show::yes;
-  Key ratio = poisson_ratio_key();
-  ratio.need = Need::conditional;
-  ratio.when = "with youngs_modulus, [fem] or a finite thickness";
-  ratio.show = Show::yes;
   return {
       .name = "material",
       .when = "Always needed.",
       .description = "The elastic block.",
-      .keys = {
-          modulus,
-          ratio,
-          {.name = "contact_modulus",
-           .dimension = Dimension::pressure,
-           .range = positive(),
-           .need = Need::conditional,
-           .when = "this, or youngs_modulus with poisson_ratio",
-           .example = "\"2 GPa\"",
-           .show = Show::no,
-           .description = "E* = E / (1 - nu^2), the unit \"E*\" of this file."},
-          {.name = "layers",
-           .type = ValueType::layers,
-           .when = "default: none",
-           .example = "[{ thickness = \"0.05 length\", youngs_modulus = "
-                      "\"20 GPa\", poisson_ratio = 0.2 }]",
-           .show = Show::no,
-           .description =
-               "Bonded layers of other moduli, listed from the contact surface "
-               "down. The block below them has the moduli of this table, and "
-               "these define E* in every case. The methods halfspace and fem "
-               "take the layers into account."},
-      }};
+      .keys = hidden({
+          youngs_modulus_key(
+              needed("2 GPa", "this with poisson_ratio, or contact_modulus"))
+              .shown(),
+          poisson_ratio_key<&Material::poisson_ratio>(
+              needed("0.3", "with youngs_modulus, [fem] or a finite thickness"))
+              .shown(),
+          key<&Material::contact_modulus>(
+              "contact_modulus", Dimension::pressure,
+              "E* = E / (1 - nu^2), the unit \"E*\" of this file.",
+              needed("2 GPa", "this, or youngs_modulus with poisson_ratio")),
+          key("layers", ValueType::layers,
+              "Bonded layers of other moduli, listed from the contact surface "
+              "down. The block below them has the moduli of this table, and "
+              "these define E* in every case. The methods halfspace and fem "
+              "take the layers into account.",
+              eg("[{ thickness = \"0.05 length\", youngs_modulus = \"20 GPa\", "
+                 "poisson_ratio = 0.2 }]",
+                 "default: none")),
+      })};
 }
 
 Table counter_table() {
@@ -72,7 +62,7 @@ Table counter_table() {
               "the sum of (1 - nu^2)/E of both bodies. One block with this E* "
               "and the first body's nu represents both, which is exact for "
               "thick bodies; [fem] with bodies = 2 meshes both.",
-          .keys = {youngs_modulus_key(), poisson_ratio_key()}};
+          .keys = {youngs_modulus_key(), poisson_ratio_key<>()}};
 }
 
 Table layer_table() {
@@ -80,9 +70,10 @@ Table layer_table() {
           .when = "An entry of material.layers.",
           .is_part = true,
           .description = "One bonded layer.",
-          .keys = {length_key("thickness", "\"0.05 length\"",
-                              "Thickness of the layer."),
-                   youngs_modulus_key(), poisson_ratio_key()}};
+          .keys = {key<&MaterialLayer::thickness>("thickness", by_the_grid(),
+                                                  "Thickness of the layer.",
+                                                  needed("0.05 length")),
+                   youngs_modulus_key(), poisson_ratio_key<>()}};
 }
 
 Table inclusion_table() {
@@ -92,20 +83,21 @@ Table inclusion_table() {
               "\"full\") takes it into account.",
       .description =
           "A sphere of other moduli below the centre of the contact surface.",
-      .keys = {length_key("radius", "\"0.1 length\"", "Radius of the sphere."),
-               length_key("depth", "\"0.2 length\"",
-                          "Depth of its centre below the contact surface, "
-                          "larger than the radius."),
-               youngs_modulus_key(), poisson_ratio_key()}};
+      .keys = {key<&Inclusion::radius>("radius", by_the_grid(),
+                                       "Radius of the sphere.",
+                                       needed("0.1 length")),
+               key<&Inclusion::depth>("depth", by_the_grid(),
+                                      "Depth of its centre below the contact "
+                                      "surface, larger than the radius.",
+                                      needed("0.2 length")),
+               youngs_modulus_key(), poisson_ratio_key<>()}};
 }
 
-Key edge_key() {
-  Key key = length_key("edge", "\"8 h\"",
-                       "With random: edge of the cubes that share a factor. "
-                       "Without it each cell has its own.");
-  key.need = Need::never;
-  key.show = Show::no;
-  return key;
+template <VariationKind kind>
+Key if_kind(Key key) {
+  return where<Variation>(
+      [](const Variation& variation) { return variation.kind == kind; },
+      std::move(key));
 }
 
 Table variation_table() {
@@ -116,65 +108,38 @@ Table variation_table() {
       .description = "Young's modulus times a factor that varies from cell to "
                      "cell; nu is constant.",
       .keys = {
-          {.name = "kind",
-           .type = ValueType::word,
-           .words = {"function", "random", "table"},
-           .need = Need::always,
-           .example = "\"random\"",
-           .show = Show::no,
-           .description = "Source of the factor."},
-          {.name = "factor",
-           .type = ValueType::text,
-           .need = Need::conditional,
-           .when = "with kind = \"function\"",
-           .example = "\"1 + 0.5 * sin(2 * _pi * x) * exp(-z / 0.1)\"",
-           .show = Show::no,
-           .description = "An expression (muParser) of x, y and z, each "
-                          "divided by length; z = 0 is the contact surface."},
-          {.name = "spread",
-           .range = {0.0, mechanics::largest_spread, false, true},
-           .need = Need::conditional,
-           .when = "with kind = \"random\"",
-           .example = "0.5",
-           .show = Show::no,
-           .description = "The factors are uniform between 1 - spread and "
-                          "1 + spread."},
-          {.name = "seed",
-           .type = ValueType::integer,
-           .range = between(0, 2147483647),
-           .need = Need::conditional,
-           .when = "with kind = \"random\"",
-           .example = "1",
-           .show = Show::no,
-           .description = "Seed of the factors, which depend on the positions "
-                          "of the cells."},
-          edge_key(),
-          {.name = "file",
-           .type = ValueType::path,
-           .need = Need::conditional,
-           .when = "with kind = \"table\"",
-           .example = "\"factors.txt\"",
-           .show = Show::no,
-           .description = "Table of equal boxes that fill the block: a first "
-                          "line `# boxes nx ny nz`, then ny nz rows of nx "
-                          "factors, with y varying after x and z last; the "
-                          "boxes at the contact surface come first."},
+          key<&Variation::kind>("kind", {"function", "random", "table"},
+                                "Source of the factor.", needed("random")),
+          if_kind<VariationKind::function>(key<&Variation::factor>(
+              "factor", ValueType::text,
+              "An expression (muParser) of x, y and z, each divided by length; "
+              "z = 0 is the contact surface.",
+              needed("1 + 0.5 * sin(2 * _pi * x) * exp(-z / 0.1)",
+                     "with kind = \"function\""))),
+          if_kind<VariationKind::random>(key<&Variation::spread>(
+              "spread", Range{0.0, mechanics::largest_spread, false, true},
+              "The factors are uniform between 1 - spread and 1 + spread.",
+              needed("0.5", "with kind = \"random\""))),
+          if_kind<VariationKind::random>(
+              key<&Variation::seed>("seed", between(0, 2147483647),
+                                    "Seed of the factors, which depend on the "
+                                    "positions of the cells.",
+                                    needed("1", "with kind = \"random\""))),
+          if_kind<VariationKind::random>(key<&Variation::edge>(
+              "edge", by_the_grid(),
+              "With random: edge of the cubes that share a factor. Without it "
+              "each cell has its own.",
+              eg("8 h"))),
+          if_kind<VariationKind::table>(key<&Variation::file>(
+              "file", ValueType::path,
+              "Table of equal boxes that fill the block: a first line `# boxes "
+              "nx ny nz`, then ny nz rows of nx factors, with y varying after "
+              "x and z last; the boxes at the contact surface come first.",
+              needed("factors.txt", "with kind = \"table\""))),
       }};
 }
 
 } // namespace
-
-Key length_key(std::string name, std::string example, std::string description) {
-  return {.name = std::move(name),
-          .dimension = Dimension::length,
-          .range = positive(),
-          .references = {mechanics::ReferenceUnit::length,
-                         mechanics::ReferenceUnit::spacing},
-          .need = Need::always,
-          .example = std::move(example),
-          .show = Show::no,
-          .description = std::move(description)};
-}
 
 std::vector<Table> block_tables() {
   std::vector<Table> tables{material_table(), counter_table(), layer_table(),
@@ -182,93 +147,6 @@ std::vector<Table> block_tables() {
   for (Table& table : mesh_tables())
     tables.push_back(std::move(table));
   return tables;
-}
-
-namespace {
-
-std::vector<Key> full_block_mesh_keys() {
-  return {
-      {.name = "mesh",
-       .type = ValueType::word,
-       .words = {"layers", "case"},
-       .when = "with solver = \"full\"; default: the case's [mesh] if it has "
-               "one",
-       .example = "\"layers\"",
-       .show = Show::no,
-       .description = "Mesh of the full 3-D block: its own graded layers, or "
-                      "the case's [mesh]."},
-      {.name = "sides",
-       .type = ValueType::word,
-       .words = {"periodic", "free"},
-       .fallback = "\"periodic\"",
-       .example = "\"free\"",
-       .show = Show::no,
-       .description = "Lateral boundary conditions of the block; free sides "
-                      "need solver = \"full\"."},
-      {.name = "linear_solver",
-       .type = ValueType::word,
-       .words = {"auto", "direct", "multigrid", "fourier"},
-       .fallback = "\"auto\"",
-       .example = "\"fourier\"",
-       .show = Show::no,
-       .description =
-           "With solver = \"full\": direct factorisation, or conjugate "
-           "gradients with multigrid or with the condensed block (fourier; "
-           "periodic layers only) as preconditioner; auto selects the fastest "
-           "that the mesh allows."},
-      {.name = "contact_at",
-       .type = ValueType::word,
-       .words = {"nodes", "gauss"},
-       .fallback = "\"nodes\"",
-       .example = "\"gauss\"",
-       .show = Show::no,
-       .description = "With solver = \"full\": points at which the contact law "
-                      "is evaluated; Gauss points are not available with hard "
-                      "(unilateral) contact."},
-      {.name = "height_interpolation",
-       .type = ValueType::word,
-       .words = {"bicubic", "band-limited", "bilinear"},
-       .fallback = "\"bicubic\"",
-       .example = "\"band-limited\"",
-       .show = Show::no,
-       .description =
-           "With solver = \"full\": the surface at contact points between the "
-           "points of the map, such as Gauss points; band-limited is exact for "
-           "waves longer than two spacings, bilinear stays within the heights "
-           "around the point."},
-  };
-}
-
-std::vector<Key> full_block_contact_keys() {
-  return {
-      {.name = "bodies",
-       .type = ValueType::integer,
-       .range = between(1, 2),
-       .fallback = "1",
-       .example = "2",
-       .show = Show::no,
-       .description =
-           "With solver = \"full\": 2 meshes [material.counter] against the "
-           "block, with the heights between the two bodies."},
-      {.name = "stiffness",
-       .type = ValueType::boolean,
-       .fallback = "false",
-       .example = "true",
-       .show = Show::no,
-       .description =
-           "With solver = \"full\": finds the normal and the tangential "
-           "stiffness of the contact after each load step, by one linear "
-           "solve per direction; needs top = \"clamped\", contact at nodes "
-           "and one body."},
-  };
-}
-
-} // namespace
-
-std::vector<Key> full_block_keys() {
-  std::vector<Key> keys = full_block_mesh_keys();
-  append_keys(keys, full_block_contact_keys());
-  return keys;
 }
 
 } // namespace asperity::cases

@@ -1,56 +1,53 @@
-#include "cases/reader/vocabulary.hpp"
+// The rows of [load] and of the methods.
+#include "cases/reader/bound_key.hpp"
 
 namespace asperity::cases {
 namespace {
 
+using mechanics::LoadingPath;
+using Block = mechanics::BlockSettings;
+using Contact = mechanics::ContactSettings;
+using Fem = mechanics::FemSettings;
+using FullBlock = mechanics::FullBlockSettings;
+using Halfspace = mechanics::HalfspaceSettings;
+using Theory = mechanics::TheorySettings;
+using Winkler = mechanics::WinklerSettings;
+
+Values stiffness_per_area() {
+  return {Dimension::stiffness,
+          positive(),
+          {mechanics::ReferenceUnit::contact_modulus_per_spacing}};
+}
+
+template <auto member>
 Key top_key() {
-  return {.name = "top",
-          .type = ValueType::word,
-          .words = {"clamped", "sliding", "pressure"},
-          .fallback = "\"clamped\"",
-          .example = "\"clamped\"",
-          .description =
-              "Boundary condition at the far boundary of the block."};
+  return key<member>("top", {"clamped", "sliding", "pressure"},
+                     "Boundary condition at the far boundary of the block.");
 }
 
 std::vector<Key> contact_keys() {
   return {
-      {.name = "contact",
-       .type = ValueType::word,
-       .words = {"penalty", "hard", "augmented"},
-       .fallback = "\"hard\"",
-       .example = "\"hard\"",
-       .show = Show::yes,
-       .description =
-           "Penalty, hard (unilateral) or augmented-Lagrangian contact."},
-      {.name = "penalty",
-       .dimension = Dimension::stiffness,
-       .range = positive(),
-       .references = {mechanics::ReferenceUnit::contact_modulus_per_spacing},
-       .need = Need::conditional,
-       .when =
-           "with contact = \"penalty\" or \"augmented\"; ignored with \"hard\"",
-       .example = "\"100 E*/h\"",
-       .description = "Penalty stiffness: contact pressure per penetration."},
-      {.name = "tolerance",
-       .range = between(1e-15, 0.01),
-       .fallback = "1e-8",
-       .example = "1e-8",
-       .description = "Complementarity error at which a step has converged, "
-                      "relative to h_rms and the nominal pressure."},
-      {.name = "max_iterations",
-       .type = ValueType::integer,
-       .range = between(1, 10000000),
-       .fallback = "2000",
-       .example = "2000",
-       .description = "Iterations after which a step is stopped and marked as "
-                      "not converged."},
+      key<&Contact::law>(
+          "contact", {"penalty", "hard", "augmented"},
+          "Penalty, hard (unilateral) or augmented-Lagrangian contact.")
+          .shown(),
+      key<&Contact::penalty>(
+          "penalty", stiffness_per_area(),
+          "Penalty stiffness: contact pressure per penetration.",
+          needed("100 E*/h", "with contact = \"penalty\" or \"augmented\"; "
+                             "ignored with \"hard\"")),
+      key<&Contact::tolerance>(
+          "tolerance", between(1e-15, 0.01),
+          "Complementarity error at which a step has converged, relative to "
+          "h_rms and the nominal pressure."),
+      key<&Contact::max_iterations>("max_iterations", between(1, 10000000),
+                                    "Iterations after which a step is stopped "
+                                    "and marked as not converged."),
   };
 }
 
 std::vector<Key> with_contact(std::vector<Key> keys) {
-  for (Key& key : contact_keys())
-    keys.push_back(std::move(key));
+  append_keys(keys, contact_keys());
   return keys;
 }
 
@@ -60,37 +57,30 @@ Table load_table() {
           .description =
               "The loading path; its steps are computed in the given order.",
           .keys = {
-              {.name = "nominal_pressure",
-               .type = ValueType::program,
-               .dimension = Dimension::pressure,
-               .range = positive(),
-               .references =
+              key<&LoadingPath::targets>(
+                  "nominal_pressure",
+                  {Dimension::pressure,
+                   positive(),
                    {mechanics::ReferenceUnit::contact_modulus,
-                    mechanics::ReferenceUnit::contact_modulus_times_slope},
-               .need = Need::conditional,
-               .when = "this or mean_gap",
-               .example = "{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
-                          "spacing = \"log\" }",
-               .show = Show::yes,
-               .description = "Load divided by the nominal area; h' is the rms "
-                              "slope of the realisation."},
-              {.name = "mean_gap",
-               .type = ValueType::program,
-               .dimension = Dimension::length,
-               .range = positive(),
-               .references = {mechanics::ReferenceUnit::length,
-                              mechanics::ReferenceUnit::spacing,
-                              mechanics::ReferenceUnit::rms_height},
-               .need = Need::conditional,
-               .when = "this or nominal_pressure",
-               .example = "[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
-               .description = "Mean gap between block and surface."},
-              {.name = "cycle",
-               .type = ValueType::word,
-               .words = {"load", "load-unload"},
-               .fallback = "\"load\"",
-               .example = "\"load\"",
-               .description = "Loading, or loading and unloading."},
+                    mechanics::ReferenceUnit::contact_modulus_times_slope}},
+                  "Load divided by the nominal area; h' is the rms slope of "
+                  "the realisation.",
+                  needed("{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
+                         "spacing = \"log\" }",
+                         "this or mean_gap"))
+                  .shown(),
+              key<&LoadingPath::targets>(
+                  "mean_gap",
+                  {Dimension::length,
+                   positive(),
+                   {mechanics::ReferenceUnit::length,
+                    mechanics::ReferenceUnit::spacing,
+                    mechanics::ReferenceUnit::rms_height}},
+                  "Mean gap between block and surface.",
+                  needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
+                         "this or nominal_pressure")),
+              key("cycle", {"load", "load-unload"},
+                  "Loading, or loading and unloading.", or_else("\"load\"")),
           }};
 }
 
@@ -100,82 +90,105 @@ Table sweep_table() {
           .is_part = true,
           .description = "Steps between two values, both included.",
           .keys = {
-              {.name = "from",
-               .type = ValueType::target,
-               .need = Need::always,
-               .example = "\"1e-3 E*\"",
-               .description = "First value."},
-              {.name = "to",
-               .type = ValueType::target,
-               .need = Need::always,
-               .example = "\"0.1 E*\"",
-               .description = "Last value, in the same kind of unit as from."},
-              {.name = "steps",
-               .type = ValueType::integer,
-               .range = between(2, 10000),
-               .need = Need::always,
-               .example = "8",
-               .description = "Number of values."},
-              {.name = "spacing",
-               .type = ValueType::word,
-               .words = {"log", "linear", "area"},
-               .need = Need::always,
-               .example = "\"log\"",
-               .description =
-                   "Equal ratios or differences of the values, or equal ratios "
-                   "of the contact areas erf(2^(1/2) p/(E* h')) by Persson's "
-                   "theory, for pressures of up to 3 E* h'."},
+              key("from", ValueType::target, "First value.", needed("1e-3 E*")),
+              key("to", ValueType::target,
+                  "Last value, in the same kind of unit as from.",
+                  needed("0.1 E*")),
+              key("steps", {ValueType::integer, between(2, 10000)},
+                  "Number of values.", needed("8")),
+              key("spacing", {"log", "linear", "area"},
+                  "Equal ratios or differences of the values, or equal ratios "
+                  "of the contact areas erf(2^(1/2) p/(E* h')) by Persson's "
+                  "theory, for pressures of up to 3 E* h'.",
+                  needed("log")),
           }};
 }
 
 Table theory_table() {
-  return {.name = "theory",
-          .description = "Persson's theory.",
-          .keys = {
-              {.name = "gamma",
-               .range = {0.0, 1.0, false, true},
-               .need = Need::always,
-               .example = "0.42",
-               .show = Show::yes,
-               .description = "Parameter gamma of Eq. (10) of Yang and Persson "
+  return {
+      .name = "theory",
+      .description = "Persson's theory.",
+      .keys = {
+          key<&Theory::gamma>("gamma", Range{0.0, 1.0, false, true},
+                              "Parameter gamma of Eq. (10) of Yang and Persson "
                               "(2008), the fraction of the elastic energy; not "
-                              "the slope of ln p against u."},
-              {.name = "spectrum",
-               .type = ValueType::word,
-               .words = {"formula", "surface"},
-               .when = "default: formula for self-affine and spectrum, surface "
-                       "for the others, which have no formula",
-               .example = "\"formula\"",
-               .description = "The case's own spectrum, or the one measured on "
-                              "the same surface that the other methods use."},
-          }};
+                              "the slope of ln p against u.",
+                              needed("0.42"))
+              .shown(),
+          key<&Theory::spectrum>(
+              "spectrum", {"formula", "surface"},
+              "The case's own spectrum, or the one measured on the same "
+              "surface that the other methods use.",
+              eg("formula", "default: formula for self-affine and spectrum, "
+                            "surface for the others, which have no formula")),
+      }};
 }
 
 Table halfspace_table() {
-  return {.name = "halfspace",
-          .description = "The elastic half-space, or a slab of finite "
-                         "thickness, by a spectral (Fourier) method.",
-          .keys = with_contact({
-              {.name = "thickness",
-               .dimension = Dimension::length,
-               .range = positive(),
-               .references = {mechanics::ReferenceUnit::length,
-                              mechanics::ReferenceUnit::spacing},
-               .when = "default: infinitely thick",
-               .example = "\"1 length\"",
-               .description = "Thickness of the slab."},
-              top_key(),
-              {.name = "boundaries",
-               .type = ValueType::word,
-               .words = {"periodic", "free"},
-               .when = "default: free with surface.edges = \"free\", else "
-                       "periodic",
-               .example = "\"free\"",
-               .description =
-                   "Whether the surface continues periodically, or is pressed "
-                   "once on an infinite half-space. Free boundaries need loads "
-                   "by nominal pressure and a uniform half-space."},
-          })};
+  return {
+      .name = "halfspace",
+      .description = "The elastic half-space, or a slab of finite thickness, "
+                     "by a spectral (Fourier) method.",
+      .keys = with_contact({
+          key<&Halfspace::thickness>(
+              "thickness", by_the_grid(), "Thickness of the slab.",
+              eg("1 length", "default: infinitely thick")),
+          top_key<&Halfspace::far_boundary>(),
+          key<&Halfspace::has_free_boundaries>(
+              "boundaries", {"periodic", "free"},
+              "Whether the surface continues periodically, or is pressed once "
+              "on an infinite half-space. Free boundaries need loads by "
+              "nominal pressure and a uniform half-space.",
+              eg("free",
+                 "default: free with surface.edges = \"free\", else periodic")),
+      })};
+}
+
+std::vector<Key> full_block_keys() {
+  return {
+      key<&FullBlock::uses_case_mesh>(
+          "mesh", {"layers", "case"},
+          "Mesh of the full 3-D block: its own graded layers, or the case's "
+          "[mesh].",
+          eg("layers", "with solver = \"full\"; default: the case's [mesh] if "
+                       "it has one")),
+      key<&FullBlock::sides>("sides", {"periodic", "free"},
+                             "Lateral boundary conditions of the block; free "
+                             "sides need solver = \"full\".",
+                             eg("free")),
+      key<&FullBlock::linear_solver>(
+          "linear_solver", {"auto", "direct", "multigrid", "fourier"},
+          "With solver = \"full\": direct factorisation, or conjugate "
+          "gradients with multigrid or with the condensed block (fourier; "
+          "periodic layers only) as preconditioner; auto selects the fastest "
+          "that the mesh allows.",
+          eg("fourier")),
+      key<&FullBlock::contact_at>(
+          "contact_at", {"nodes", "gauss"},
+          "With solver = \"full\": points at which the contact law is "
+          "evaluated; Gauss points are not available with hard (unilateral) "
+          "contact.",
+          eg("gauss")),
+      key<&FullBlock::height_interpolation>(
+          "height_interpolation", {"bicubic", "band-limited", "bilinear"},
+          "With solver = \"full\": the surface at contact points between the "
+          "points of the map, such as Gauss points; band-limited is exact for "
+          "waves longer than two spacings, bilinear stays within the heights "
+          "around the point.",
+          eg("band-limited")),
+      key<&FullBlock::bodies>(
+          "bodies", between(1, 2),
+          "With solver = \"full\": 2 meshes [material.counter] against the "
+          "block, with the heights between the two bodies.",
+          eg("2")),
+      key<&FullBlock::has_stiffness>(
+          "stiffness", ValueType::boolean,
+          "With solver = \"full\": finds the normal and the tangential "
+          "stiffness of the contact after each load step, by one linear solve "
+          "per direction; needs top = \"clamped\", contact at nodes and one "
+          "body.",
+          eg("true")),
+  };
 }
 
 Table fem_table() {
@@ -183,99 +196,61 @@ Table fem_table() {
       .name = "fem",
       .description = "The elastic block by finite elements.",
       .keys = with_contact({
-          {.name = "element",
-           .type = ValueType::word,
-           .words = {"Q1", "Q2"},
-           .fallback = "\"Q2\"",
-           .example = "\"Q2\"",
-           .description =
-               "Trilinear (Q1) or triquadratic (Q2) hexahedra; points counts "
-               "nodes for both, and Q2 requires an even number."},
-          {.name = "surface_cell_depth",
-           .range = between(0.001, 10.0),
-           .fallback = "1.0",
-           .example = "1.0",
-           .description = "Depth of the cells at the contact surface, in node "
-                          "spacings h."},
-          {.name = "growth",
-           .range = between(1.0, 4.0),
-           .fallback = "1.2",
-           .example = "1.2",
-           .description =
-               "Grading ratio: thickness ratio of successive layers of cells."},
-          {.name = "depth",
-           .dimension = Dimension::length,
-           .range = positive(),
-           .references = {mechanics::ReferenceUnit::length,
-                          mechanics::ReferenceUnit::spacing},
-           .fallback = "\"1 length\"",
-           .example = "\"1 length\"",
-           .description = "Depth of the block."},
-          top_key(),
-          {.name = "solver",
-           .type = ValueType::word,
-           .words = {"auto", "condensed", "full"},
-           .fallback = "\"auto\"",
-           .example = "\"auto\"",
-           .description = "The block condensed to its contact surface, the "
-                          "full 3-D block, or the condensed one where the "
-                          "problem allows it (auto)."},
+          key<&Block::element>(
+              "element", {"Q1", "Q2"},
+              "Trilinear (Q1) or triquadratic (Q2) hexahedra; points counts "
+              "nodes for both, and Q2 requires an even number."),
+          key<&Block::surface_cell_depth>(
+              "surface_cell_depth", between(0.001, 10.0),
+              "Depth of the cells at the contact surface, in node spacings h."),
+          key<&Block::growth>(
+              "growth", between(1.0, 4.0),
+              "Grading ratio: thickness ratio of successive layers of cells."),
+          key<&Block::depth>("depth", by_the_grid(), "Depth of the block."),
+          top_key<&Block::far_boundary>(),
+          key<&Fem::solver>(
+              "solver", {"auto", "condensed", "full"},
+              "The block condensed to its contact surface, the full 3-D block, "
+              "or the condensed one where the problem allows it (auto)."),
       })};
 }
 
 Table fem_table_with_full_block() {
   Table table = fem_table();
-  for (Key& key : full_block_keys())
-    table.keys.push_back(std::move(key));
+  append_keys(table.keys, hidden(full_block_keys()));
   return table;
 }
 
 Table winkler_table() {
-  return {.name = "winkler",
-          .description =
-              "A Winkler foundation: independent springs without elastic "
-              "coupling, in hard contact. Its contact area is the bearing "
-              "area; the difference from the other methods shows what elastic "
-              "coupling does.",
-          .keys = {
-              {.name = "stiffness",
-               .dimension = Dimension::stiffness,
-               .range = positive(),
-               .references =
-                   {mechanics::ReferenceUnit::contact_modulus_per_spacing},
-               .need = Need::always,
-               .example = "\"0.1 E*/h\"",
-               .description = "Pressure per compression of a spring."},
-          }};
-}
-
-Key magnification_key() {
-  return {.name = "magnification",
-          .range = positive(),
-          .when = "default: all of the roughness; self-affine surfaces only",
-          .example = "4.0",
-          .description = "zeta: the surface of this method has no roughness "
-                         "above zeta times the roll-off wavevector; the "
-                         "remaining waves keep their phases and amplitudes."};
-}
-
-Key realizations_key() {
-  return {.name = "realizations",
-          .type = ValueType::integer,
-          .range = between(1, 1000),
-          .when = "default: all",
-          .example = "4",
-          .description = "Number of realisations of the surface that this "
-                         "method solves, beginning with the first; more than "
-                         "surface.realizations means all of them."};
+  return {
+      .name = "winkler",
+      .description =
+          "A Winkler foundation: independent springs without elastic coupling, "
+          "in hard contact. Its contact area is the bearing area; the "
+          "difference from the other methods shows what elastic coupling does.",
+      .keys = {
+          key<&Winkler::stiffness>("stiffness", stiffness_per_area(),
+                                   "Pressure per compression of a spring.",
+                                   needed("0.1 E*/h")),
+      }};
 }
 
 /// Appends the keys that all methods have to those of a method.
 Table as_method(Table table) {
   table.is_method = true;
   table.when = "The method runs only if this table is present.";
-  table.keys.push_back(magnification_key());
-  table.keys.push_back(realizations_key());
+  table.keys.push_back(key<&MethodSpec::magnification>(
+      "magnification", positive(),
+      "zeta: the surface of this method has no roughness above zeta times the "
+      "roll-off wavevector; the remaining waves keep their phases and "
+      "amplitudes.",
+      eg("4.0", "default: all of the roughness; self-affine surfaces only")));
+  table.keys.push_back(key<&MethodSpec::realizations>(
+      "realizations", between(1, 1000),
+      "Number of realisations of the surface that this method solves, "
+      "beginning with the first; more than surface.realizations means all of "
+      "them.",
+      eg("4", "default: all")));
   return table;
 }
 

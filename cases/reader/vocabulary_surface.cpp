@@ -1,217 +1,202 @@
-#include "cases/reader/vocabulary.hpp"
+// The rows of [surface].
+#include "cases/reader/bound_key.hpp"
+
+#include <numbers>
 
 namespace asperity::cases {
 namespace {
 
-const std::vector<mechanics::ReferenceUnit> by_the_grid = {
-    mechanics::ReferenceUnit::length, mechanics::ReferenceUnit::spacing};
-const std::vector<std::string> random_kinds = {"self-affine", "spectrum"};
-const std::vector<std::string> wave_kinds = {"wave-1d", "wave-2d"};
+using Surface = mechanics::SurfaceSpec;
+
+/// Returns a length in metres; the reference units "length" and "h" are
+/// converted here. 0 if these were not read.
+double metres_of(TableReader& table, const Key& key, const Surface& spec) {
+  const mechanics::Quantity quantity = table.quantity(key.name);
+  if (quantity.reference == mechanics::ReferenceUnit::si)
+    return quantity.value;
+  const bool is_by_spacing =
+      quantity.reference == mechanics::ReferenceUnit::spacing;
+  if (!table.has("length") || (is_by_spacing && !table.has("points")))
+    table.refuse(*table.node().find(key.name),
+                 is_by_spacing ? "h needs surface.length and surface.points"
+                               : "this needs surface.length");
+  const double length = spec.length.value_or(0.0);
+  const double points = is_by_spacing ? spec.points.value_or(0) : 1.0;
+  if (length <= 0.0 || points <= 0.0)
+    return 0.0; // reported here or where the values were read
+  return quantity.in_si(
+      {.length = length, .spacing = is_by_spacing ? length / points : 0.0});
+}
+
+/// A length that is a member in metres.
+template <auto member>
+Key metres(std::string name, std::string description, Given given) {
+  return read_by<Surface>(
+      [](TableReader& table, const Key& key, Surface& spec) {
+        spec.*member = metres_of(table, key, spec);
+      },
+      key<member>(std::move(name), by_the_grid(), std::move(description),
+                  std::move(given)));
+}
+
+/// Two keys for a wavevector q [rad/m], the second one of which is the
+/// wavelength 2 pi/q.
+/// @param description  begins with the symbol: "q_L, where ..."
+template <auto member>
+std::vector<Key> cut_off_keys(const std::string& wavevector,
+                              const std::string& wavelength,
+                              const std::string& description,
+                              const std::string& wavevector_example,
+                              const std::string& wavelength_example) {
+  const auto read_wavelength = [](TableReader& table, const Key& key,
+                                  Surface& spec) {
+    if (spec.*member != 0.0)
+      return; // given by its wavevector
+    const double length = metres_of(table, key, spec);
+    spec.*member = length > 0.0 ? 2.0 * std::numbers::pi / length : 0.0;
+  };
+  return {key<member>(wavevector, Dimension::wavevector, description + ".",
+                      needed(wavevector_example, "this or " + wavelength)),
+          read_by<Surface>(
+              read_wavelength,
+              key<member>(wavelength, by_the_grid(),
+                          description + ", as a wavelength 2 pi / q.",
+                          needed(wavelength_example, "this or " + wavevector)))
+              .shown()};
+}
+
+void read_seed(TableReader& table, const Key& key, Surface& spec) {
+  const Node& seed = *table.node().find(key.name);
+  if (seed.type != NodeType::integer || seed.integer < 0)
+    table.refuse(seed, "must be a whole number >= 0");
+  spec.seed = static_cast<std::uint64_t>(seed.integer);
+}
 
 std::vector<Key> kind_and_grid_keys() {
   return {
-      {.name = "kind",
-       .type = ValueType::word,
-       .words = {"self-affine", "spectrum", "measured", "sphere", "wave-1d",
-                 "wave-2d", "punch"},
-       .need = Need::always,
-       .example = "\"self-affine\"",
-       .show = Show::yes,
-       .description = "Type of surface."},
-      {.name = "length",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .need = Need::conditional,
-       .when = "always, except for measured maps whose file states it and for "
-               "a theory from a formula alone",
-       .example = "\"10 um\"",
-       .show = Show::yes,
-       .description = "Side length of the periodic square."},
-      {.name = "points",
-       .type = ValueType::integer,
-       .range = between(4, 65536),
-       .need = Need::conditional,
-       .when = "always, except for measured maps and for a theory from a "
-               "formula alone",
-       .kinds = {"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d",
-                 "punch"},
-       .example = "256",
-       .show = Show::yes,
-       .description =
-           "Nodes per side, even; the node spacing is h = length / points."},
+      key<&Surface::kind>("kind",
+                          {"self-affine", "spectrum", "measured", "sphere",
+                           "wave-1d", "wave-2d", "punch"},
+                          "Type of surface.", needed("self-affine"))
+          .shown(),
+      key<&Surface::length>(
+          "length", Dimension::length, "Side length of the periodic square.",
+          needed("10 um", "always, except for measured maps whose file states "
+                          "it and for a theory from a formula alone"))
+          .shown(),
+      key<&Surface::points>(
+          "points", between(4, 65536),
+          "Nodes per side, even; the node spacing is h = length / points.",
+          needed("256", "always, except for measured maps and for a theory "
+                        "from a formula alone"))
+          .of({"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d",
+               "punch"})
+          .shown(),
   };
 }
 
 std::vector<Key> random_keys() {
   return {
-      {.name = "seed",
-       .type = ValueType::integer,
-       .range = at_least(0),
-       .need = Need::conditional,
-       .when = "always, except for a theory from a formula alone",
-       .kinds = random_kinds,
-       .example = "7",
-       .show = Show::yes,
-       .description = "Seed of the random phases: the same seed gives the same "
-                      "surface on any grid."},
-      {.name = "realizations",
-       .type = ValueType::integer,
-       .range = between(1, 1000),
-       .kinds = random_kinds,
-       .fallback = "1",
-       .example = "1",
-       .show = Show::yes,
-       .description = "Number of realisations of the surface, each from its "
-                      "own random stream of the seed."},
-      {.name = "amplitudes",
-       .type = ValueType::word,
-       .words = {"spectrum", "gaussian"},
-       .kinds = random_kinds,
-       .fallback = "\"spectrum\"",
-       .example = "\"spectrum\"",
-       .description = "Fourier amplitudes: exactly those of the spectrum, or "
-                      "Gaussian with the spectrum as their mean square."},
-      {.name = "rescale",
-       .type = ValueType::boolean,
-       .kinds = random_kinds,
-       .fallback = "false",
-       .example = "false",
-       .description =
-           "Scale each realisation so that its rms height (or rms slope, where "
-           "that is given) equals the spectrum's exactly."},
+      read_by<Surface>(
+          read_seed,
+          key<&Surface::seed>(
+              "seed", at_least(0),
+              "Seed of the random phases: the same seed gives the same surface "
+              "on any grid.",
+              needed("7", "always, except for a theory from a formula alone")))
+
+          .shown(),
+      key<&Surface::realizations>("realizations", between(1, 1000),
+                                  "Number of realisations of the surface, each "
+                                  "from its own random stream of the seed.")
+
+          .shown(),
+      key<&Surface::amplitudes>(
+          "amplitudes", {"spectrum", "gaussian"},
+          "Fourier amplitudes: exactly those of the spectrum, or Gaussian with "
+          "the spectrum as their mean square."),
+      key<&Surface::rescale>(
+          "rescale", ValueType::boolean,
+          "Scale each realisation so that its rms height (or rms slope, where "
+          "that is given) equals the spectrum's exactly."),
   };
 }
 
 std::vector<Key> self_affine_keys() {
-  const std::vector<std::string> kind = {"self-affine"};
   return {
-      {.name = "rms_height",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::conditional,
-       .when = "this or rms_slope",
-       .kinds = kind,
-       .example = "\"34 nm\"",
-       .show = Show::yes,
-       .description = "Root-mean-square height of the whole spectrum."},
-      {.name = "rms_slope",
-       .range = positive(),
-       .need = Need::conditional,
-       .when = "this or rms_height",
-       .kinds = kind,
-       .example = "0.1",
-       .description = "Root-mean-square slope: root of <|grad height|^2>, both "
-                      "directions included."},
-      {.name = "hurst",
-       .range = {0.0, 1.0, false, true},
-       .need = Need::always,
-       .kinds = kind,
-       .example = "0.8",
-       .show = Show::yes,
-       .description =
-           "Hurst exponent H: C(q) falls as q^(-2-2H) beyond the roll-off."},
+      metres<&Surface::rms_height>(
+          "rms_height", "Root-mean-square height of the whole spectrum.",
+          needed("34 nm", "this or rms_slope"))
+
+          .shown(),
+      key<&Surface::rms_slope>("rms_slope", positive(),
+                               "Root-mean-square slope: root of <|grad "
+                               "height|^2>, both directions included.",
+                               needed("0.1", "this or rms_height")),
+      key<&Surface::hurst>(
+          "hurst", Range{0.0, 1.0, false, true},
+          "Hurst exponent H: C(q) falls as q^(-2-2H) beyond the roll-off.",
+          needed("0.8"))
+
+          .shown(),
   };
 }
 
-struct CutOff {
-  std::string wavevector;
-  std::string wavelength;
-  std::string wavevector_example;
-  std::string wavelength_example;
-  std::string description; ///< begins with the symbol: "q_L, where ..."
-};
-
-void add_cut_off(std::vector<Key>& keys, const CutOff& cut_off) {
-  keys.push_back({.name = cut_off.wavevector,
-                  .dimension = Dimension::wavevector,
-                  .range = positive(),
-                  .need = Need::conditional,
-                  .when = "this or " + cut_off.wavelength,
-                  .kinds = {"self-affine"},
-                  .example = cut_off.wavevector_example,
-                  .show = Show::no,
-                  .description = cut_off.description + "."});
-  keys.push_back(
-      {.name = cut_off.wavelength,
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::conditional,
-       .when = "this or " + cut_off.wavevector,
-       .kinds = {"self-affine"},
-       .example = cut_off.wavelength_example,
-       .show = Show::yes,
-       .description = cut_off.description + ", as a wavelength 2 pi / q."});
+std::vector<Key> all_cut_off_keys() {
+  std::vector<Key> keys = cut_off_keys<&Surface::wavevector_low>(
+      "wavevector_low", "wavelength_long",
+      "q_L, low cut-off wavevector of the spectrum", "1.2566e6 1/m",
+      "1 length");
+  append_keys(keys,
+              cut_off_keys<&Surface::wavevector_roll_off>(
+                  "wavevector_roll_off", "wavelength_roll_off",
+                  "q_0, roll-off wavevector, below which the spectrum is flat",
+                  "2.8274e6 1/m", "0.25 length"));
+  append_keys(keys, cut_off_keys<&Surface::wavevector_high>(
+                        "wavevector_high", "wavelength_short",
+                        "q_1, high cut-off wavevector of the spectrum",
+                        "8.0425e7 1/m", "8 h"));
+  return keys;
 }
 
 std::vector<Key> round_shape_keys() {
   return {
-      {.name = "radius",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::always,
-       .kinds = {"sphere", "punch"},
-       .example = "\"1 mm\"",
-       .show = Show::no,
-       .description = "Radius of the sphere, or of the flat end of the punch."},
-      {.name = "form_radius",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .when = "default: none, nominally flat",
-       .kinds = {"self-affine", "spectrum", "measured"},
-       .example = "\"5 length\"",
-       .show = Show::no,
-       .description =
-           "The rough surface lies on a sphere of this radius R, the "
-           "paraboloid "
-           "-r^2/(2 R) around the centre of the map: a rough ball. All numbers "
-           "of the surface, such as its rms height, are those of the sum; "
-           "[theory] is refused, because it assumes a nominally flat surface."},
-      {.name = "recess",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::always,
-       .kinds = {"punch"},
-       .example = "\"0.01 length\"",
-       .show = Show::no,
-       .description = "Depth of the surface around the flat end of the punch, "
-                      "which must be larger than its approach."},
-      {.name = "tilt",
-       .range = between(-0.1, 0.1),
-       .kinds = {"punch"},
-       .fallback = "0.0",
-       .example = "0.001",
-       .show = Show::no,
-       .description = "Slope of the flat end along x: an eccentric load."},
+      metres<&Surface::radius>(
+          "radius", "Radius of the sphere, or of the flat end of the punch.",
+          needed("1 mm"))
+          .of({"sphere", "punch"}),
+      metres<&Surface::form_radius>(
+          "form_radius",
+          "The rough surface lies on a sphere of this radius R, the paraboloid "
+          "-r^2/(2 R) around the centre of the map: a rough ball. All numbers "
+          "of the surface, such as its rms height, are those of the sum; "
+          "[theory] is refused, because it assumes a nominally flat surface.",
+          eg("5 length", "default: none, nominally flat"))
+          .of({"self-affine", "spectrum", "measured"}),
+      metres<&Surface::recess>(
+          "recess",
+          "Depth of the surface around the flat end of the punch, which must "
+          "be larger than its approach.",
+          needed("0.01 length"))
+          .of({"punch"}),
+      key<&Surface::tilt>("tilt", between(-0.1, 0.1),
+                          "Slope of the flat end along x: an eccentric load.",
+                          eg("0.001"))
+          .of({"punch"}),
   };
 }
 
 std::vector<Key> wave_keys() {
   return {
-      {.name = "amplitude",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::always,
-       .kinds = wave_kinds,
-       .example = "\"10 nm\"",
-       .show = Show::no,
-       .description = "Amplitude D of the wave D cos(2 pi x / wavelength), in "
-                      "two dimensions times cos(2 pi y / wavelength)."},
-      {.name = "wavelength",
-       .dimension = Dimension::length,
-       .range = positive(),
-       .references = by_the_grid,
-       .need = Need::always,
-       .kinds = wave_kinds,
-       .example = "\"1 length\"",
-       .show = Show::no,
-       .description =
-           "Wavelength of the wave; length must be a whole multiple of it."},
+      metres<&Surface::amplitude>(
+          "amplitude",
+          "Amplitude D of the wave D cos(2 pi x / wavelength), in two "
+          "dimensions times cos(2 pi y / wavelength).",
+          needed("10 nm")),
+      metres<&Surface::wavelength>(
+          "wavelength",
+          "Wavelength of the wave; length must be a whole multiple of it.",
+          needed("1 length")),
   };
 }
 
@@ -222,21 +207,12 @@ Table surface_table() {
               .when = "Always needed.",
               .description = "The rough, rigid surface.",
               .keys = kind_and_grid_keys()};
-  append_keys(table.keys, random_keys());
-  append_keys(table.keys, self_affine_keys());
-  add_cut_off(table.keys,
-              {"wavevector_low", "wavelength_long", "\"1.2566e6 1/m\"",
-               "\"1 length\"", "q_L, low cut-off wavevector of the spectrum"});
-  add_cut_off(table.keys,
-              {"wavevector_roll_off", "wavelength_roll_off", "\"2.8274e6 1/m\"",
-               "\"0.25 length\"",
-               "q_0, roll-off wavevector, below which the spectrum is flat"});
-  add_cut_off(table.keys,
-              {"wavevector_high", "wavelength_short", "\"8.0425e7 1/m\"",
-               "\"8 h\"", "q_1, high cut-off wavevector of the spectrum"});
-  append_keys(table.keys, map_keys());
-  append_keys(table.keys, round_shape_keys());
-  append_keys(table.keys, wave_keys());
+  append_keys(table.keys, of({"self-affine", "spectrum"}, random_keys()));
+  append_keys(table.keys, of({"self-affine"}, self_affine_keys()));
+  append_keys(table.keys, of({"self-affine"}, hidden(all_cut_off_keys())));
+  append_keys(table.keys, of({"measured"}, hidden(map_keys())));
+  append_keys(table.keys, hidden(round_shape_keys()));
+  append_keys(table.keys, of({"wave-1d", "wave-2d"}, hidden(wave_keys())));
   return table;
 }
 

@@ -40,7 +40,7 @@ struct AdhesionStudy {
   std::optional<double> detachment_factor; ///< c; none: 2/pi, the default of
                                            ///< the theory
   std::optional<double> sphere_radius; ///< R [m] > 0, for the pull-off force
-  int steps = 0;                       ///< number of steps from q_L to q_1
+  int steps = 400;                     ///< number of steps from q_L to q_1
 };
 
 } // namespace asperity::cases

@@ -153,31 +153,6 @@ TEST(ReadCase, LetsAVariantInheritItsTable) {
   EXPECT_EQ(fem_of(read, 4).block.growth, 1.3);
 }
 
-// An empty [fem] is FemSettings{}: verifies that the defaults of the vocabulary
-// and those of case.hpp agree, which nothing else enforces.
-TEST(ReadCase, HasTheDefaultsOfTheStructs) {
-  const Case read = rough({"fem={}", "expect="});
-  const mechanics::FemSettings& fem = fem_of(read, 2);
-  const mechanics::FemSettings plain;
-  const auto& slab =
-      std::get<mechanics::HalfspaceSettings>(read.methods[1].settings);
-
-  EXPECT_EQ(fem.contact.law, plain.contact.law);
-  EXPECT_EQ(fem.contact.tolerance, plain.contact.tolerance);
-  EXPECT_EQ(fem.contact.max_iterations, plain.contact.max_iterations);
-  EXPECT_EQ(fem.block.element, plain.block.element);
-  EXPECT_EQ(fem.block.surface_cell_depth, plain.block.surface_cell_depth);
-  EXPECT_EQ(fem.block.growth, plain.block.growth);
-  EXPECT_EQ(fem.block.depth.value, plain.block.depth.value);
-  EXPECT_EQ(fem.block.depth.reference, plain.block.depth.reference);
-  EXPECT_EQ(fem.block.far_boundary, plain.block.far_boundary);
-  EXPECT_EQ(fem.solver, plain.solver);
-  EXPECT_EQ(slab.far_boundary, mechanics::HalfspaceSettings{}.far_boundary);
-  EXPECT_EQ(read.report.fields, ReportSpec{}.fields);
-  EXPECT_EQ(read.surface.amplitudes, mechanics::SurfaceSpec{}.amplitudes);
-  EXPECT_EQ(read.surface.rescale, mechanics::SurfaceSpec{}.rescale);
-}
-
 TEST(ReadCase, KeepsTheRequestedNumberOfMaps) {
   EXPECT_EQ(rough({"report.fields=none"}).report.fields, 0);
   EXPECT_EQ(rough({"report.fields=5"}).report.fields, 5);
