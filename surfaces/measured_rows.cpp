@@ -27,19 +27,12 @@ public:
 
   /// Heights as in the file [m].
   std::vector<double> rows(int first, int count) const {
-    std::vector<double> heights = map_.rows(window_.first_y + first, count);
-    const auto width = static_cast<std::size_t>(map_.grid.points_x);
-    const auto kept = static_cast<std::size_t>(window_.grid.points_x);
-    if (kept == width)
-      return heights;
-    for (std::size_t row = 0; row < static_cast<std::size_t>(count); ++row)
-      std::copy_n(
-          heights.begin() +
-              static_cast<std::ptrdiff_t>(
-                  row * width + static_cast<std::size_t>(window_.first_x)),
-          kept, heights.begin() + static_cast<std::ptrdiff_t>(row * kept));
-    heights.resize(static_cast<std::size_t>(count) * kept);
-    return heights;
+    HeightMap read{map_.grid, map_.rows(window_.first_y + first, count)};
+    PixelWindow kept{window_.first_x, 0, window_.grid};
+    kept.grid.points_y = count;
+    if (kept.grid.points_x != map_.grid.points_x)
+      crop(read, kept);
+    return std::move(read.heights);
   }
 
   /// Counts the points without a height, by pieces of a few MB.

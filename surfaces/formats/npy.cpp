@@ -186,11 +186,11 @@ std::vector<double> npy_rows(const MapBytes& bytes, const NpyLayout& layout,
       .rows(first, count);
 }
 
-Matrix read_npy_text(std::string_view text, const std::string& name) {
-  const MapBytes bytes(text, name);
-  const NpyLayout layout = npy_layout(bytes);
+Matrix read_npy_text(std::string_view bytes, const std::string& name) {
+  const MapBytes file(bytes, name);
+  const NpyLayout layout = npy_layout(file);
   return {layout.rows, layout.columns,
-          npy_rows(bytes, layout, 0, static_cast<int>(layout.rows))};
+          npy_rows(file, layout, 0, static_cast<int>(layout.rows))};
 }
 
 Matrix read_npy(const std::filesystem::path& path) {
