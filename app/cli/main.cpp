@@ -342,6 +342,7 @@ int main(int argc, char** argv) {
     return asperity::app::exit_of(error.code());
   } catch (const std::exception& error) {
     complain(fmt::format("asperity: {}", error.what()));
+    asperity::app::end_at_once_of_several(asperity::app::exit_internal);
     return asperity::app::exit_internal;
   }
   return asperity::app::exit_bad_input;

@@ -67,6 +67,13 @@ bool has_followed_rank_0() {
   return is_one_of_several() && fem::load_fem_module().has_followed(follow);
 }
 
+void end_at_once_of_several(int exit_code) {
+  if (!is_one_of_several())
+    return;
+  std::fflush(nullptr);
+  std::_Exit(exit_code); // mpirun ends the others
+}
+
 int n_mpi_ranks() {
   // Asked once: MPI serves one thread at a time.
   static const int ranks =

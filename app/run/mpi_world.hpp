@@ -16,6 +16,11 @@ namespace asperity::app {
 /// without initialising MPI.
 bool has_followed_rank_0();
 
+/// Ends all processes of mpirun, if there are several, without the last work of
+/// libraries: after a file that could not be written, HDF5 crashes when MPI is
+/// finalised.
+void end_at_once_of_several(int exit_code);
+
 /// Returns the number of MPI processes; 1 without initialising MPI in a single
 /// process.
 int n_mpi_ranks();

@@ -131,6 +131,8 @@ void end_all_ranks(const std::exception_ptr& failure) {
 }
 
 void do_share(const std::function<void()>& share) {
+  if (n_ranks() > 1)
+    agreement(); // while no rank has failed
   std::exception_ptr failure;
   try {
     share();

@@ -84,7 +84,8 @@ private:
   Injection injection_;
 };
 
-void solve(const std::string& path, const Injection& injection) {
+/// Returns whether the step has converged.
+bool solve(const std::string& path, const Injection& injection) {
   std::ifstream file(path);
   std::ostringstream text;
   text << file.rdbuf();
@@ -114,8 +115,7 @@ void solve(const std::string& path, const Injection& injection) {
       block.solve(heights, {mechanics::Control::nominal_pressure, 1e6},
                   {mechanics::ContactLaw::penalty, 1e18, 1e-8, 50});
   block.write("files/block");
-  if (own_rank() == 0)
-    std::printf("done %d\n", found.converged);
+  return found.converged;
 }
 
 /// Rank 0 says why all ranks have failed.
@@ -134,7 +134,10 @@ int main(int n_arguments, char** arguments) {
   if (words.size() == 4)
     injection = {words[1], words[2], words[3]};
   try {
-    do_share([&] { solve(words.at(0), injection); });
+    bool has_converged = false;
+    do_share([&] { has_converged = solve(words.at(0), injection); });
+    if (own_rank() == 0)
+      std::printf("done %d\n", has_converged);
     return 0;
   } catch (const input::InputError& error) {
     return ended(error.what(), 2);
