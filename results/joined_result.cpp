@@ -1,6 +1,5 @@
 #include "results/joined_result.hpp"
 
-#include "base/array_memory.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
@@ -127,8 +126,7 @@ void write_curve_of(const Curve& curve, const std::string& method,
   if (curve.own_surface)
     writer.record_own_surface(method, realization, *curve.own_surface);
   for (const Fields& fields : curve.fields)
-    if (!fields.stored_pressure.read)
-      writer.append_fields(method, realization, fields.grid, fields);
+    writer.append_fields(method, realization, fields.grid, fields);
   writer.append_steps(method, realization, curve.points);
 }
 
@@ -147,51 +145,30 @@ void write_part(const Result& part, ResultWriter& writer) {
     writer.record_table(table);
 }
 
-/// Frees the maps in memory, which have been written.
-void drop_maps(Result& part) {
-  for (SurfaceRecord& surface : part.surfaces)
-    free_memory(surface.heights);
-  for (MethodRecord& method : part.methods)
-    for (Curve& curve : method.realizations) {
-      if (curve.own_surface)
-        free_memory(curve.own_surface->heights);
-      std::erase_if(curve.fields, [](const Fields& fields) {
-        return !fields.stored_pressure.read;
-      });
-    }
-}
-
 } // namespace
 
 void join_results(const std::vector<std::filesystem::path>& parts,
                   const std::filesystem::path& folder) {
   if (parts.empty())
     throw std::domain_error("parts is empty, but must hold a result");
-  std::vector<Result> read;
-  const auto read_part = [&](const std::filesystem::path& part) -> Result& {
-    return read.emplace_back(read_result(part, MapsInFile::large));
-  };
-  read.reserve(parts.size());
-  Result& first = read_part(parts.front());
-  const CaseInfo info = info_of(first);
-  require_same(first, info, parts.front());
+  Result part = read_result(parts.front(), MapsInFile::large);
+  const CaseInfo info = info_of(part);
+  require_same(part, info, parts.front());
   ResultWriter writer(folder, info);
-  for (const MethodRecord& method : first.methods)
+  for (const MethodRecord& method : part.methods)
     writer.begin_method(method.name, method.kind, method.description);
-  write_part(first, writer);
-  drop_maps(first);
+  write_part(part, writer);
   Provenance facts;
-  join_facts(facts, first.provenance);
-  std::vector<Skipped> skipped = first.skipped;
+  join_facts(facts, part.provenance);
+  std::vector<Skipped> skipped = part.skipped;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    Result& part = read_part(parts[i]);
+    part = {}; // its memory
+    part = read_result(parts[i], MapsInFile::large);
     require_same(part, info, parts.front());
     write_part(part, writer);
-    drop_maps(part);
     join_facts(facts, part.provenance);
     join_skipped(skipped, part.skipped);
   }
-  writer.copy_stored_maps(read);
   facts.emplace_back("parts", std::to_string(parts.size()));
   writer.record_provenance(facts);
   writer.record_skipped(skipped);

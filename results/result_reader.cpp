@@ -216,17 +216,18 @@ FileContent read_file(const std::filesystem::path& path, MapsInFile left) {
 /// Adds the records of the journal that are not yet in the file.
 /// @return  false if changes between the two are missing, because a writer has
 ///          moved them into a newer file since this one was read
-bool merge_journal(FileContent& content, const std::filesystem::path& path) {
+bool merge_journal(FileContent& content, const std::filesystem::path& path,
+                   MapsInFile left) {
   std::uint64_t last = content.journal.folded;
   bool is_whole = true;
   if (content.journal.identity.empty())
     return is_whole;
   read_journal(journal_of(path), content.journal.identity,
-               [&](std::uint64_t number, std::string_view bytes) {
+               [&](std::uint64_t number, const FileBytes& record) {
                  is_whole = is_whole && number <= last + 1;
                  if (!is_whole || number <= last)
                    return;
-                 merge_change(content.result, change_in(bytes));
+                 merge_change(content.result, change_in(record), left);
                  last = number;
                });
   return is_whole;
@@ -251,7 +252,7 @@ FileContent read_file_and_journal(const std::filesystem::path& path,
   constexpr int tries = 100; // a writer rarely renames its file
   for (int i = 0; i < tries; ++i) {
     FileContent content = read_file(path, left);
-    if (merge_journal(content, path))
+    if (merge_journal(content, path, left))
       return content;
   }
   throw input::InputError(path.string() + " changed while it was being read");

@@ -22,16 +22,28 @@ void require_index(const char* name, int index) {
   require_between(name, index, 0, layout::highest_index - 1, "1");
 }
 
-void require_maps(const Grid& grid, const Fields& fields) {
+/// The maps of `fields`, which must outlive the result.
+FieldsChange change_of(const Grid& grid, const Fields& fields) {
   require_index("fields.step", fields.step);
-  require_size("fields.pressure", fields.pressure.size(), grid.size());
-  require_size("fields.gap", fields.gap.size(), grid.size());
+  require_size("fields.pressure", fields.pressure_map().size(), grid.size());
+  require_size("fields.gap", fields.gap_map().size(), grid.size());
+  return {fields.step,
+          fields.nominal_pressure,
+          grid,
+          {rows_of_map(fields.pressure_map())},
+          {rows_of_map(fields.gap_map())}};
 }
 
-void require_heights(const SurfaceRecord& surface) {
-  if (!surface.heights.empty())
-    require_size("surface.heights", surface.heights.size(),
-                 surface.grid.size());
+/// @param heights  empty: those of the surface, which must outlive the result
+SurfaceChange change_of(const SurfaceRecord& surface, const MapRows& heights) {
+  SurfaceChange change{surface, {heights}};
+  change.record.heights.clear();
+  const MapView own = surface.height_map();
+  if (heights || own.empty())
+    return change;
+  require_size("surface.heights", own.size(), surface.grid.size());
+  change.heights.rows = rows_of_map(own);
+  return change;
 }
 
 /// Writes what no number depends on.
@@ -60,19 +72,6 @@ void write_case(Hdf5File& file, const CaseInfo& info) {
 Hdf5Group curve_group(const Hdf5File& file, const std::string& method,
                       int realization) {
   return file.open("methods").open(method).open(std::to_string(realization));
-}
-
-/// Copies the maps that a curve left in its file, if it has rows.
-void copy_maps_of(const Hdf5File& file, const std::string& method,
-                  int realization, const Curve& stored) {
-  if (stored.points.empty())
-    return;
-  Hdf5Group curve = curve_group(file, method, realization);
-  if (stored.own_surface) {
-    Hdf5Group surface = curve.open(layout::own_surface);
-    write_stored_heights(surface, *stored.own_surface);
-  }
-  write_stored_fields(curve, stored);
 }
 
 std::filesystem::path file_in(const std::filesystem::path& folder) {
@@ -115,16 +114,6 @@ void ResultWriter::record(Change change) {
   cpu_time_ += clock.seconds();
 }
 
-void ResultWriter::fold_with(const Change& change,
-                             const ResultFile::Edit& last) {
-  const CpuClock clock;
-  file_.fold([&](Hdf5File& file) {
-    write_change(file, change);
-    last(file);
-  });
-  cpu_time_ += clock.seconds();
-}
-
 void ResultWriter::require_begun(const std::string& method,
                                  int realization) const {
   require_index("realization", realization);
@@ -152,22 +141,11 @@ void ResultWriter::record_provenance(const Provenance& facts) {
   record({.provenance = facts});
 }
 
-void ResultWriter::record_surface(int realization,
-                                  const SurfaceRecord& surface) {
-  require_index("realization", realization);
-  require_heights(surface);
-  const std::lock_guard lock(mutex_);
-  record({.surfaces = {{realization, surface}}});
-}
-
 void ResultWriter::record_surface(int realization, const SurfaceRecord& surface,
                                   const MapRows& heights) {
   require_index("realization", realization);
   const std::lock_guard lock(mutex_);
-  fold_with({.surfaces = {{realization, surface}}}, [&](Hdf5File& file) {
-    Hdf5Group group = file.open("surfaces").open(std::to_string(realization));
-    write_heights(group, surface.grid, heights);
-  });
+  record({.surfaces = {{realization, change_of(surface, heights)}}});
 }
 
 void ResultWriter::begin_method(const std::string& name,
@@ -194,30 +172,30 @@ void ResultWriter::record_setup_time(const std::string& method, int realization,
 
 void ResultWriter::record_own_surface(const std::string& method,
                                       int realization,
-                                      const SurfaceRecord& surface) {
-  require_heights(surface);
-  const std::lock_guard lock(mutex_);
-  require_begun(method, realization);
-  record({.methods = {{.name = method,
-                       .realization = realization,
-                       .own_surface = surface}}});
-}
-
-void ResultWriter::record_own_surface(const std::string& method,
-                                      int realization,
                                       const SurfaceRecord& surface,
                                       const MapRows& heights) {
   const std::lock_guard lock(mutex_);
   require_begun(method, realization);
-  fold_with(
-      {.methods = {{.name = method,
-                    .realization = realization,
-                    .own_surface = surface}}},
-      [&](Hdf5File& file) {
-        Hdf5Group group =
-            curve_group(file, method, realization).open(layout::own_surface);
-        write_heights(group, surface.grid, heights);
-      });
+  record({.methods = {{.name = method,
+                       .realization = realization,
+                       .own_surface = change_of(surface, heights)}}});
+}
+
+void ResultWriter::append(const Change& change) {
+  for (const Table& table : change.tables)
+    require_table(table);
+  const std::lock_guard lock(mutex_);
+  for (const MethodChange& method : change.methods) {
+    require_new(method.name, method.realization, method.points);
+    for (const FieldsChange& fields : method.fields)
+      require_index("fields.step", fields.step);
+  }
+  record(change);
+  for (const MethodChange& method : change.methods)
+    for (const CurvePoint& point : method.points)
+      steps_[{method.name, method.realization}].insert(point.step);
+  for (const Table& table : change.tables)
+    tables_.insert(table.name);
 }
 
 void ResultWriter::append_step(const std::string& method, int realization,
@@ -227,67 +205,31 @@ void ResultWriter::append_step(const std::string& method, int realization,
 
 void ResultWriter::append_steps(const std::string& method, int realization,
                                 std::span<const CurvePoint> points) {
-  const std::lock_guard lock(mutex_);
-  require_new(method, realization, points);
-  if (points.empty())
-    return;
-  record({.methods = {{.name = method,
-                       .realization = realization,
-                       .points = {points.begin(), points.end()}}}});
-  for (const CurvePoint& point : points)
-    steps_[{method, realization}].insert(point.step);
-}
-
-void ResultWriter::append_step_with_fields(const std::string& method,
-                                           int realization,
-                                           const CurvePoint& point,
-                                           const Grid& grid, Fields fields) {
-  require_maps(grid, fields);
-  if (fields.step != point.step)
-    refuse_argument("fields.step", fields.step,
-                    fmt::format("equal to point.step = {}", point.step));
-  fields.grid = grid;
-  const std::lock_guard lock(mutex_);
-  require_new(method, realization, {&point, 1});
-  MethodChange change{.name = method, .realization = realization};
-  change.fields.push_back(std::move(fields));
-  change.points.push_back(point);
-  record({.methods = {std::move(change)}});
-  steps_[{method, realization}].insert(point.step);
+  if (!points.empty())
+    append({.methods = {{.name = method,
+                         .realization = realization,
+                         .points = {points.begin(), points.end()}}}});
 }
 
 void ResultWriter::append_step_with_fields(const std::string& method,
                                            int realization,
                                            const CurvePoint& point,
                                            const Grid& grid,
-                                           const FieldRows& fields) {
-  require_index("fields.step", fields.step);
+                                           const Fields& fields) {
   if (fields.step != point.step)
     refuse_argument("fields.step", fields.step,
                     fmt::format("equal to point.step = {}", point.step));
-  const std::lock_guard lock(mutex_);
-  require_new(method, realization, {&point, 1});
-  fold_with(
-      {.methods = {{.name = method,
-                    .realization = realization,
-                    .points = {point}}}},
-      [&](Hdf5File& file) {
-        Hdf5Group maps =
-            curve_group(file, method, realization).open_or_create("fields");
-        write_fields(maps, grid, fields);
-      });
-  steps_[{method, realization}].insert(point.step);
+  append({.methods = {{.name = method,
+                       .realization = realization,
+                       .fields = {change_of(grid, fields)},
+                       .points = {point}}}});
 }
 
 void ResultWriter::append_fields(const std::string& method, int realization,
-                                 const Grid& grid, Fields fields) {
-  require_maps(grid, fields);
-  fields.grid = grid;
-  const std::lock_guard lock(mutex_);
-  require_begun(method, realization);
-  MethodChange change{.name = method, .realization = realization};
-  change.fields.push_back(std::move(fields));
-  record({.methods = {std::move(change)}});
+                                 const Grid& grid, const Fields& fields) {
+  append({.methods = {{.name = method,
+                       .realization = realization,
+                       .fields = {change_of(grid, fields)}}}});
 }
 
 bool ResultWriter::has_step(const std::string& method, int realization,
@@ -298,32 +240,12 @@ bool ResultWriter::has_step(const std::string& method, int realization,
 }
 
 void ResultWriter::record_table(const Table& table) {
-  require_table(table);
-  const std::lock_guard lock(mutex_);
-  record({.tables = {table}});
-  tables_.insert(table.name);
+  append({.tables = {table}});
 }
 
 bool ResultWriter::has_table(const std::string& name) const {
   const std::lock_guard lock(mutex_);
   return tables_.contains(name);
-}
-
-void ResultWriter::copy_stored_maps(std::span<const Result> parts) {
-  const std::lock_guard lock(mutex_);
-  fold_with({}, [&](Hdf5File& file) {
-    for (const Result& part : parts) {
-      for (std::size_t r = 0; r < part.surfaces.size(); ++r)
-        if (part.surfaces[r].stored_heights.read) {
-          Hdf5Group group = file.open("surfaces").open(std::to_string(r));
-          write_stored_heights(group, part.surfaces[r]);
-        }
-      for (const MethodRecord& method : part.methods)
-        for (std::size_t r = 0; r < method.realizations.size(); ++r)
-          copy_maps_of(file, method.name, static_cast<int>(r),
-                       method.realizations[r]);
-    }
-  });
 }
 
 void ResultWriter::record_skipped(std::span<const Skipped> skipped) {

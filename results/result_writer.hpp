@@ -4,6 +4,7 @@
 // at most the current step is lost and the file remains readable.
 
 #include "results/result_reader.hpp"
+#include "results/storage/change.hpp"
 #include "results/storage/result_file.hpp"
 #include "results/types/map_rows.hpp"
 #include "results/types/result.hpp"
@@ -69,10 +70,10 @@ public:
 
   /// Replaces the surface of a realisation; writes no empty map or spectrum.
   /// @param realization  >= 0
-  void record_surface(int realization, const SurfaceRecord& surface);
-  /// The same for a surface whose heights come by rows and not with the record.
+  /// @param heights      of a surface whose heights are not in its record;
+  ///                     they are never held in memory
   void record_surface(int realization, const SurfaceRecord& surface,
-                      const MapRows& heights);
+                      const MapRows& heights = {});
 
   /// Adds a method. It is called once before the steps of the method; when
   /// called again after a resume, it replaces kind and description.
@@ -87,9 +88,14 @@ public:
   /// As record_surface(), for a method with a surface other than the case's.
   /// @throws std::domain_error  begin_method() was not called for this method
   void record_own_surface(const std::string& method, int realization,
-                          const SurfaceRecord& surface);
-  void record_own_surface(const std::string& method, int realization,
-                          const SurfaceRecord& surface, const MapRows& heights);
+                          const SurfaceRecord& surface,
+                          const MapRows& heights = {});
+
+  /// Adds finished steps: their rows, maps and tables in one change. Maps pass
+  /// by rows and are never held in memory.
+  /// @throws std::domain_error  as the following functions, or a map has not as
+  ///                            many values as its grid
+  void append(const Change& change);
 
   /// Adds a row to a curve. A contact_stiffness of NaN is computed from the
   /// curve by finite differences when the run is complete.
@@ -105,19 +111,13 @@ public:
   /// @param grid  grid of the maps, that of the method; fields.grid is not read
   void append_step_with_fields(const std::string& method, int realization,
                                const CurvePoint& point, const Grid& grid,
-                               Fields fields);
-
-  /// The same for maps that come by rows. They are written to result.h5 at once
-  /// and never held in memory, so that this costs a copy of the file.
-  void append_step_with_fields(const std::string& method, int realization,
-                               const CurvePoint& point, const Grid& grid,
-                               const FieldRows& fields);
+                               const Fields& fields);
 
   /// Adds the maps of a step and replaces those of an earlier attempt. It must
   /// be called before the row is added, because otherwise an interruption in
   /// between would leave a step that counts as finished but has no maps.
   void append_fields(const std::string& method, int realization,
-                     const Grid& grid, Fields fields);
+                     const Grid& grid, const Fields& fields);
 
   /// Returns whether that row exists, from this run or an earlier one.
   bool has_step(const std::string& method, int realization, int step) const;
@@ -134,12 +134,6 @@ public:
   /// called while another thread writes.
   double cpu_time() const { return cpu_time_; }
 
-  /// Writes the large maps that were left in the files of other results, piece
-  /// by piece: heights of surfaces that were recorded without them, and the
-  /// maps of steps. This costs one copy of the file.
-  /// @param parts  their realisations have been recorded
-  void copy_stored_maps(std::span<const Result> parts);
-
   /// Records what was not computed and replaces an earlier list.
   void record_skipped(std::span<const Skipped> skipped);
 
@@ -149,8 +143,6 @@ public:
 
 private:
   void record(Change change); // requires mutex_, as do the following
-  /// Writes the change and what `last` adds in one change of result.h5.
-  void fold_with(const Change& change, const ResultFile::Edit& last);
   void require_begun(const std::string& method, int realization) const;
   void require_new(const std::string& method, int realization,
                    std::span<const CurvePoint> points) const;

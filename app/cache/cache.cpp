@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -79,15 +78,12 @@ std::uintmax_t total_bytes_of(const std::vector<Entry>& entries) {
   return bytes;
 }
 
-/// Bytes of an entry that are in memory at a time while it is checked.
-constexpr std::size_t piece_bytes = std::size_t{1} << 20;
-
 /// The header of an entry. It holds the key and the kind, so that a renamed
 /// entry is detected.
 /// @param hash  of the bytes behind the header
 std::string head_of(const std::string& key, const std::string& kind,
                     const std::string& hash) {
-  return fmt::format("asperity-cache-2\n{} {}\n{}\n", key, kind, hash);
+  return fmt::format("asperity-cache-3\n{} {}\n{}\n", key, kind, hash);
 }
 
 std::size_t head_size(const std::string& key, const std::string& kind) {
@@ -96,44 +92,19 @@ std::size_t head_size(const std::string& key, const std::string& kind) {
 
 /// Opens the bytes after the header if the header matches this entry and the
 /// hash of the bytes.
-std::optional<CacheEntry> checked_entry(const fs::path& path,
-                                        const std::string& key,
-                                        const std::string& kind) {
-  std::ifstream stream(path, std::ios::binary);
+std::optional<FileBytes> checked_entry(const fs::path& path,
+                                       const std::string& key,
+                                       const std::string& kind) {
+  const std::optional<FileBytes> file = FileBytes::of(path);
   std::string head(head_size(key, kind), '\0');
-  if (!stream.read(head.data(), static_cast<std::streamsize>(head.size())))
+  if (!file || file->read_some(0, head) < head.size())
     return std::nullopt;
-  ContentHash hash;
-  std::uintmax_t size = 0;
-  std::string piece(piece_bytes, '\0');
-  do {
-    stream.read(piece.data(), static_cast<std::streamsize>(piece.size()));
-    const auto count = static_cast<std::size_t>(stream.gcount());
-    hash.add(std::string_view(piece).substr(0, count));
-    size += count;
-  } while (stream);
-  if (!stream.eof() || head != head_of(key, kind, hash.text()))
-    return std::nullopt;
-  stream.clear();
-  return CacheEntry(std::move(stream), head.size(), size);
+  FileBytes bytes = file->part(head.size(), file->size() - head.size());
+  return head == head_of(key, kind, bytes.hash()) ? std::optional(bytes)
+                                                  : std::nullopt;
 }
 
 } // namespace
-
-CacheEntry::CacheEntry(std::ifstream stream, std::uintmax_t begin,
-                       std::uintmax_t size)
-    : stream_(std::move(stream)), begin_(begin), size_(size) {
-  go_to(0);
-}
-
-void CacheEntry::read(std::span<char> bytes) {
-  if (!stream_.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    throw std::runtime_error("an entry of the cache became shorter");
-}
-
-void CacheEntry::go_to(std::uintmax_t place) {
-  stream_.seekg(static_cast<std::streamoff>(begin_ + place));
-}
 
 Cache::Cache(fs::path folder, std::uintmax_t most_bytes)
     : folder_(std::move(folder)),
@@ -150,20 +121,19 @@ bool Cache::has(const std::string& key, const std::string& kind) const {
 
 std::optional<std::string> Cache::read(const std::string& key,
                                        const std::string& kind) {
-  std::optional<CacheEntry> entry = open(key, kind);
+  const std::optional<FileBytes> entry = open(key, kind);
   if (!entry)
     return std::nullopt;
   std::string bytes(entry->size(), '\0');
-  entry->read(bytes);
+  entry->read(0, bytes);
   return bytes;
 }
 
-std::optional<CacheEntry> Cache::open(const std::string& key,
-                                      const std::string& kind) {
+std::optional<FileBytes> Cache::open(const std::string& key,
+                                     const std::string& kind) {
   if (!has(key, kind))
     return std::nullopt;
-  std::optional<CacheEntry> entry =
-      checked_entry(path_of(key, kind), key, kind);
+  std::optional<FileBytes> entry = checked_entry(path_of(key, kind), key, kind);
   std::error_code error;
   if (entry) {
     fs::last_write_time(path_of(key, kind), fs::file_time_type::clock::now(),

@@ -4,44 +4,18 @@
 // of all inputs that determine it. The class owns the cache folder: its
 // entries, their integrity check and the size limit.
 
+#include "base/file_bytes.hpp"
+
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <mutex>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace asperity::app {
-
-/// Receives the next bytes of an entry.
-using TakeBytes = std::function<void(std::string_view)>;
-/// Gives all bytes of an entry to a function, piece by piece.
-using BytePieces = std::function<void(const TakeBytes&)>;
-
-/// An entry whose bytes were found undamaged, open for reading. It remains
-/// readable if the cache removes it.
-class CacheEntry {
-public:
-  /// @param begin  place of the first byte in the file
-  CacheEntry(std::ifstream stream, std::uintmax_t begin, std::uintmax_t size);
-
-  std::uintmax_t size() const { return size_; }
-
-  /// Reads the next bytes.
-  /// @throws std::runtime_error  the file has become shorter
-  void read(std::span<char> bytes);
-  void go_to(std::uintmax_t place);
-
-private:
-  std::ifstream stream_;
-  std::uintmax_t begin_;
-  std::uintmax_t size_;
-};
 
 /// The kinds of entries, used as file name extensions.
 namespace entry_kind {
@@ -95,10 +69,10 @@ public:
   std::optional<std::string> read(const std::string& key,
                                   const std::string& kind);
 
-  /// Opens an entry, whose bytes are checked by pieces. Returns nothing if it
-  /// is missing or damaged.
-  std::optional<CacheEntry> open(const std::string& key,
-                                 const std::string& kind);
+  /// Opens an entry, whose bytes are checked by pieces. They remain readable if
+  /// the cache removes it. Returns nothing if it is missing or damaged.
+  std::optional<FileBytes> open(const std::string& key,
+                                const std::string& kind);
 
   /// Returns true if the file of the entry exists. The file is not opened.
   bool has(const std::string& key, const std::string& kind) const;

@@ -131,8 +131,7 @@ private:
           observation_.workers.rows->pass_to_rank_0(own, take);
         };
       };
-      answer.rows = {target.step, answer.row.nominal_pressure,
-                     passed(pressure_), passed(gap_)};
+      answer.rows = {passed(pressure_), passed(gap_)};
     }
     free_memory(answer.pressure, answer.gap);
   }

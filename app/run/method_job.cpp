@@ -108,70 +108,87 @@ std::vector<std::size_t> MethodJob::take_kept() {
   std::vector<std::size_t> missing;
   std::vector<CurvePoint> rows;
   KeptWork work;
-  CachedStep last;
+  results::MethodChange last;
   for (std::size_t step = 0; step < context_.contact_case.load.targets.size();
        ++step) {
     if (context_.writer->has_step(method_.name, realization_,
                                   static_cast<int>(step)))
       continue;
-    std::optional<CachedStep> kept =
+    std::optional<results::Change> kept =
         chain_.read(step, needs_maps(step), needs_section(step));
     if (!kept) {
       missing.push_back(step);
       continue;
     }
-    take(step, *kept, rows);
+    last = kept->methods.front();
     ++work.steps;
-    work.cpu_time += kept->answer.row.cpu_time;
-    last = std::move(*kept);
+    work.cpu_time += last.points.front().cpu_time;
+    take(step, std::move(*kept), rows);
   }
   if (work.steps == 0)
     return missing;
   context_.writer->append_steps(method_.name, realization_, rows);
   if (missing.empty()) {
-    context_.writer->record_setup_time(method_.name, realization_,
-                                       last.setup_cpu_time);
-    work.cpu_time += last.setup_cpu_time;
+    const double setup_time = last.setup_cpu_time.value_or(0.0);
+    context_.writer->record_setup_time(method_.name, realization_, setup_time);
+    work.cpu_time += setup_time;
   }
-  describe_found(last.found_at_setup);
+  describe_found(last.description.value_or(""));
   context_.tally.add_kept(method_.name, work);
   context_.progress.steps_kept(method_.name, realization_, work.steps);
   return missing;
 }
 
-/// Takes over a cached step: with its fields it is written at once, without
-/// fields it is appended to `rows`.
-void MethodJob::take(std::size_t step, CachedStep& kept,
+/// Takes over a cached step, which may be another step of another method there:
+/// with its fields it is written at once, without fields it is appended to
+/// `rows`.
+void MethodJob::take(std::size_t step, results::Change kept,
                      std::vector<CurvePoint>& rows) {
-  CurvePoint& row = kept.answer.row;
+  CurvePoint& row = kept.methods.front().points.front();
   row.step = static_cast<int>(step);
   row.is_unloading = context_.contact_case.load.is_unloading[step];
   context_.tally.failed_steps += has_failed(row);
+  for (results::FieldsChange& fields : kept.methods.front().fields)
+    fields.step = row.step;
   if (needs_maps(step))
-    record(row, kept.answer, step);
+    record(std::move(kept));
   else
     rows.push_back(row);
 }
 
-void MethodJob::record(CurvePoint& row, StepAnswer& answer, std::size_t step) {
-  if (!needs_maps(step) || (answer.pressure.empty() && !answer.rows)) {
-    context_.writer->append_step(method_.name, realization_, row);
-    return;
+/// A step, with maps that the answer holds.
+results::Change MethodJob::change_of(const StepAnswer& answer) const {
+  const CurvePoint& row = answer.row;
+  results::MethodChange method{.points = {row}};
+  if (answer.rows || !answer.pressure.empty()) {
+    const results::FieldRows maps = answer.rows.value_or(
+        results::FieldRows{results::rows_of_map(answer.pressure),
+                           results::rows_of_map(answer.gap)});
+    method.fields = {{row.step,
+                      row.nominal_pressure,
+                      answer.grid,
+                      {maps.pressure},
+                      {maps.gap}}};
   }
-  if (needs_section(step)) // before the step, which counts as done when it is
-                           // written
-    context_.writer->record_table(answer.section.value());
-  if (answer.rows) {
-    answer.rows->step = row.step;
-    answer.rows->nominal_pressure = row.nominal_pressure;
-    context_.writer->append_step_with_fields(method_.name, realization_, row,
-                                             answer.grid, *answer.rows);
-    return;
-  }
-  context_.writer->append_step_with_fields(
-      method_.name, realization_, row, answer.grid,
-      results::Fields{row.step, row.nominal_pressure,
-                      std::move(answer.pressure), std::move(answer.gap)});
+  results::Change change{.methods = {std::move(method)}};
+  if (answer.section)
+    change.tables = {*answer.section};
+  return change;
+}
+
+/// Writes of a step what the result is to have of it.
+void MethodJob::record(results::Change change) {
+  results::MethodChange& method = change.methods.front();
+  const auto step = static_cast<std::size_t>(method.points.front().step);
+  method.name = method_.name;
+  method.realization = realization_;
+  method.description.reset();
+  method.setup_cpu_time.reset();
+  if (!needs_maps(step))
+    method.fields.clear();
+  if (method.fields.empty() || !needs_section(step))
+    change.tables.clear();
+  context_.writer->append(change);
 }
 
 void MethodJob::describe_found(const std::string& found) {
@@ -205,7 +222,7 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
   context_.writer->append_steps(method_.name, realization_, rows);
   for (const CurvePoint& row : rows) {
     chain_.keep(static_cast<std::size_t>(row.step),
-                {{row, {}, {}, {}}, setup_time, ""});
+                {.methods = {{.setup_cpu_time = setup_time, .points = {row}}}});
     ++context_.tally.computed_steps;
     context_.tally.failed_steps += has_failed(row);
     context_.progress.step_done(method_.name, realization_, row,
@@ -324,8 +341,7 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
     free_memory(answer.pressure, answer.gap);
     answer.rows = {};
   }
-  CachedStep kept{std::move(answer), setup_time, ""};
-  keep_and_record(solver, kept, step);
+  keep_and_record(solver, answer, setup_time);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);
   return true;
@@ -333,9 +349,8 @@ bool MethodJob::compute_step(StepSolver& solver, std::size_t step,
 
 /// Rank 0 writes a step to the cache and to the result, with the maps and the
 /// state that all ranks hold.
-void MethodJob::keep_and_record(StepSolver& solver, CachedStep& kept,
-                                std::size_t step) {
-  StepAnswer& answer = kept.answer;
+void MethodJob::keep_and_record(StepSolver& solver, StepAnswer& answer,
+                                double setup_time) {
   SavedState state;
   if (root_.value([&] { return chain_.is_on(); })) {
     state = solver.state();
@@ -346,10 +361,12 @@ void MethodJob::keep_and_record(StepSolver& solver, CachedStep& kept,
     answer.rows->gap = root_.shared(answer.rows->gap);
   }
   root_.act([&] {
-    kept.found_at_setup = solver.found_at_setup();
-    chain_.keep(step, kept, state);
+    results::Change change = change_of(answer);
+    change.methods.front().setup_cpu_time = setup_time;
+    change.methods.front().description = solver.found_at_setup();
+    chain_.keep(static_cast<std::size_t>(answer.row.step), change, state);
     state = {}; // its memory
-    record(answer.row, answer, step);
+    record(std::move(change));
   });
 }
 

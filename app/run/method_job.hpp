@@ -53,10 +53,12 @@ private:
   bool needs_maps(std::size_t step) const;
   bool needs_section(std::size_t step) const;
   std::vector<std::size_t> take_kept();
-  void take(std::size_t step, CachedStep& kept,
+  void take(std::size_t step, results::Change kept,
             std::vector<results::CurvePoint>& rows);
-  void record(results::CurvePoint& row, StepAnswer& answer, std::size_t step);
-  void keep_and_record(StepSolver& solver, CachedStep& kept, std::size_t step);
+  results::Change change_of(const StepAnswer& answer) const;
+  void record(results::Change change);
+  void keep_and_record(StepSolver& solver, StepAnswer& answer,
+                       double setup_time);
   void describe_found(const std::string& found);
   void compute_theory(const std::vector<std::size_t>& steps);
   void compute_elastic(const std::vector<std::size_t>& steps);

@@ -218,12 +218,8 @@ void Run::record_surface(int realization) {
   const SurfaceOfCase& surface =
       surfaces_.whole()[static_cast<std::size_t>(realization)];
   const results::MapRows heights = shared_heights(surface);
-  root_.act([&] {
-    if (heights)
-      writer_->record_surface(realization, surface.record, heights);
-    else
-      writer_->record_surface(realization, surface.record);
-  });
+  root_.act(
+      [&] { writer_->record_surface(realization, surface.record, heights); });
 }
 
 void Run::record_own_surface(const MethodSpec& method, int realization) {
@@ -231,12 +227,9 @@ void Run::record_own_surface(const MethodSpec& method, int realization) {
   if (method.needs_surface())
     heights = shared_heights(surfaces_.of(method, realization));
   root_.act([&] {
-    const results::SurfaceRecord record =
-        surfaces_.record_of(method, realization);
-    if (heights)
-      writer_->record_own_surface(method.name, realization, record, heights);
-    else
-      writer_->record_own_surface(method.name, realization, record);
+    writer_->record_own_surface(method.name, realization,
+                                surfaces_.record_of(method, realization),
+                                heights);
   });
 }
 

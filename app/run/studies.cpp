@@ -39,14 +39,12 @@ bool StudyTables::take(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (context_.writer->has_table(name))
       continue;
-    const std::optional<std::string> bytes = context_.cache.read(
-        context_.keys.table(theory_, name), entry_kind::table);
-    if (!bytes)
+    const std::optional<results::Change> kept = kept_change(
+        context_.cache, context_.keys.table(theory_, name), entry_kind::table);
+    if (!kept)
       continue;
-    if (const std::optional<Table> table = kept_table(*bytes)) {
-      context_.writer->record_table(*table);
-      context_.tally.add_kept("table " + name, {0, 0.0});
-    }
+    context_.writer->append(*kept);
+    context_.tally.add_kept("table " + name, {0, 0.0});
   }
   return std::ranges::all_of(names, [&](const std::string& name) {
     return context_.writer->has_table(name);
@@ -61,9 +59,10 @@ void StudyTables::record(const std::string& name,
       context_.tally.attempt("table " + name, make);
   if (!table)
     return;
-  context_.writer->record_table(*table);
-  context_.cache.write(context_.keys.table(theory_, name), entry_kind::table,
-                       bytes_of(*table));
+  const results::Change change{.tables = {*table}};
+  context_.writer->append(change);
+  keep_change(context_.cache, context_.keys.table(theory_, name),
+              entry_kind::table, change);
 }
 
 std::string seen_name(std::size_t load) {

@@ -27,11 +27,12 @@ void write_curve(Hdf5Group method, const MethodChange& change) {
     set_with_unit(curve, "setup_cpu_time", *change.setup_cpu_time, "s");
   if (change.own_surface) {
     Hdf5Group surface = fresh(curve, layout::own_surface);
-    write_surface(surface, *change.own_surface);
+    write_surface(surface, change.own_surface->record,
+                  change.own_surface->heights.rows);
   }
-  for (const Fields& fields : change.fields) {
+  for (const FieldsChange& fields : change.fields) {
     Hdf5Group maps = curve.open_or_create("fields");
-    write_fields(maps, fields.grid, fields);
+    write_fields(maps, fields);
   }
   if (!change.points.empty()) {
     Hdf5Group rows = curve.open_or_create("curve");
@@ -73,21 +74,41 @@ Item& at_index(std::vector<Item>& items, int index) {
   return items[place];
 }
 
-void merge_fields(std::vector<Fields>& all, Fields fields) {
+/// Reads a map of a record into memory, or leaves it in the file.
+void merge_map(const ChangeMap& map, MapsInFile left,
+               std::vector<double>& values, StoredMap& stored) {
+  const MapView view(map.stored);
+  if (left == MapsInFile::large && view.size() >= large_map)
+    stored = map.stored;
+  else
+    values = view.whole();
+}
+
+SurfaceRecord merged(SurfaceChange change, MapsInFile left) {
+  merge_map(change.heights, left, change.record.heights,
+            change.record.stored_heights);
+  return std::move(change.record);
+}
+
+void merge_fields(std::vector<Fields>& all, const FieldsChange& change,
+                  MapsInFile left) {
   std::erase_if(all,
-                [&](const Fields& old) { return old.step == fields.step; });
+                [&](const Fields& old) { return old.step == change.step; });
+  Fields fields{change.step, change.nominal_pressure, {}, {}, change.grid};
+  merge_map(change.pressure, left, fields.pressure, fields.stored_pressure);
+  merge_map(change.gap, left, fields.gap, fields.stored_gap);
   all.push_back(std::move(fields));
   std::sort(all.begin(), all.end(),
             [](const Fields& a, const Fields& b) { return a.step < b.step; });
 }
 
-void merge_curve(Curve& curve, MethodChange change) {
+void merge_curve(Curve& curve, MethodChange change, MapsInFile left) {
   if (change.setup_cpu_time)
     curve.setup_cpu_time = *change.setup_cpu_time;
   if (change.own_surface)
-    curve.own_surface = std::move(change.own_surface);
-  for (Fields& fields : change.fields)
-    merge_fields(curve.fields, std::move(fields));
+    curve.own_surface = merged(std::move(*change.own_surface), left);
+  for (const FieldsChange& fields : change.fields)
+    merge_fields(curve.fields, fields, left);
   curve.points.insert(curve.points.end(), change.points.begin(),
                       change.points.end());
   std::stable_sort(
@@ -113,10 +134,10 @@ void write_change(Hdf5File& file, const Change& change) {
   Hdf5Group facts = file.open_or_create("provenance");
   for (const auto& [name, fact] : change.provenance)
     facts.set_attribute(name, fact);
-  for (const auto& [realization, record] : change.surfaces) {
+  for (const auto& [realization, one] : change.surfaces) {
     Hdf5Group surfaces = file.open_or_create("surfaces");
     Hdf5Group surface = fresh(surfaces, std::to_string(realization));
-    write_surface(surface, record);
+    write_surface(surface, one.record, one.heights.rows);
   }
   for (const MethodChange& method : change.methods)
     write_method(file, method);
@@ -132,20 +153,20 @@ void write_change(Hdf5File& file, const Change& change) {
   }
 }
 
-void merge_change(Result& result, Change change) {
+void merge_change(Result& result, Change change, MapsInFile left) {
   if (change.status)
     result.status = *change.status;
   for (auto& fact : change.provenance)
     merge_fact(result.provenance, std::move(fact));
-  for (auto& [realization, record] : change.surfaces)
-    at_index(result.surfaces, realization) = std::move(record);
+  for (auto& [realization, one] : change.surfaces)
+    at_index(result.surfaces, realization) = merged(std::move(one), left);
   for (MethodChange& one : change.methods) {
     MethodRecord& method = named(result.methods, one.name);
     method.kind = one.kind.value_or(method.kind);
     method.description = one.description.value_or(method.description);
     if (one.realization >= 0) {
       Curve& curve = at_index(method.realizations, one.realization);
-      merge_curve(curve, std::move(one));
+      merge_curve(curve, std::move(one), left);
     }
   }
   for (Table& table : change.tables)

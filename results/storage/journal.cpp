@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -28,8 +27,14 @@ std::string head_of(const std::string& identity) {
   return "asperity-journal-1 " + identity + "\n";
 }
 
-std::string hash_of(std::uint64_t number, std::string_view bytes) {
-  return content_hash(std::to_string(number) + " " + content_hash(bytes));
+/// @param hash  of the bytes of the record
+std::string hash_of(std::uint64_t number, const std::string& hash) {
+  return content_hash(std::to_string(number) + " " + hash);
+}
+
+template <class Object>
+std::span<char> bytes_of(Object& object) {
+  return {reinterpret_cast<char*>(&object), sizeof object};
 }
 
 } // namespace
@@ -42,28 +47,23 @@ std::filesystem::path journal_of(const std::filesystem::path& result_file) {
 std::uintmax_t read_journal(const std::filesystem::path& path,
                             const std::string& identity,
                             const TakeRecord& take) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) // missing, or not a regular file
-    return 0;
-  std::ifstream file(path, std::ios::binary);
+  const std::optional<FileBytes> file = FileBytes::of(path);
   const std::string head = head_of(identity);
   std::string found(head.size(), '\0');
-  if (!file.read(found.data(), std::ssize(found)) || found != head)
+  if (!file || file->read_some(0, found) < head.size() || found != head)
     return 0;
   std::uintmax_t whole = head.size();
   RecordHead record;
-  std::string bytes;
-  while (file.read(reinterpret_cast<char*>(&record), sizeof record) &&
-         record.length <= size &&
-         whole + sizeof record + record.length <= size) {
-    bytes.resize(record.length);
-    if (!file.read(bytes.data(), std::ssize(bytes)) ||
-        hash_of(record.number, bytes) !=
-            std::string_view(record.hash, hash_length))
+  while (file->read_some(whole, bytes_of(record)) == sizeof record) {
+    const std::uintmax_t begin = whole + sizeof record;
+    if (record.length > file->size() - begin)
+      break;
+    const FileBytes bytes = file->part(begin, record.length);
+    if (hash_of(record.number, bytes.hash()) !=
+        std::string_view(record.hash, hash_length))
       break;
     take(record.number, bytes);
-    whole += sizeof record + bytes.size();
+    whole = begin + record.length;
   }
   return whole;
 }
@@ -71,7 +71,7 @@ std::uintmax_t read_journal(const std::filesystem::path& path,
 Journal::Journal(std::filesystem::path path, std::string identity)
     : path_(std::move(path)), identity_(std::move(identity)) {
   size_ =
-      read_journal(path_, identity_, [](std::uint64_t, std::string_view) {});
+      read_journal(path_, identity_, [](std::uint64_t, const FileBytes&) {});
 }
 
 void Journal::open() {
@@ -80,40 +80,49 @@ void Journal::open() {
   if (file_.get() < 0 || ftruncate(file_.get(), static_cast<off_t>(size_)) != 0)
     throw std::system_error(errno, std::generic_category(),
                             "cannot write " + path_.string());
-  if (size_ == 0)
-    write(head_of(identity_));
+  if (size_ == 0) {
+    const std::string head = head_of(identity_);
+    write(0, head);
+    size_ = head.size();
+  }
 }
 
-/// Writes all bytes, or none if an error occurs.
-void Journal::write(std::string_view bytes) {
-  std::uintmax_t place = size_;
+void Journal::write(std::uintmax_t place, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = pwrite(file_.get(), bytes.data(), bytes.size(),
                                    static_cast<off_t>(place));
-    if (written < 0 && errno != EINTR) {
-      const int error = errno;
-      if (ftruncate(file_.get(), static_cast<off_t>(size_)) != 0) {
-        // A damaged record at the end is ignored by readers and will be
-        // overwritten.
-      }
-      throw std::system_error(error, std::generic_category(),
+    if (written < 0 && errno != EINTR)
+      throw std::system_error(errno, std::generic_category(),
                               "cannot write " + path_.string());
-    }
     const auto done = static_cast<std::size_t>(std::max<ssize_t>(written, 0));
     bytes.remove_prefix(done);
     place += done;
   }
-  size_ = place;
 }
 
-void Journal::append(std::uint64_t number, std::string_view bytes) {
-  if (file_.get() < 0)
+void Journal::append(std::uint64_t number, const BytePieces& bytes) {
+  if (file_.get() < 0 || size_ == 0)
     open();
-  RecordHead record{bytes.size(), number, {}};
-  std::memcpy(record.hash, hash_of(number, bytes).data(), hash_length);
-  std::string whole(reinterpret_cast<const char*>(&record), sizeof record);
-  whole += bytes;
-  write(whole);
+  RecordHead record{0, number, {}};
+  const std::uintmax_t begin = size_ + sizeof record;
+  ContentHash hash;
+  try {
+    bytes([&](std::string_view piece) {
+      hash.add(piece);
+      write(begin + record.length, piece);
+      record.length += piece.size();
+    });
+    std::memcpy(record.hash, hash_of(number, hash.text()).data(), hash_length);
+    const std::span<const char> head = bytes_of(record);
+    write(size_, {head.data(), head.size()});
+  } catch (...) {
+    if (ftruncate(file_.get(), static_cast<off_t>(size_)) != 0) {
+      // A damaged record at the end is ignored by readers and will be
+      // overwritten.
+    }
+    throw;
+  }
+  size_ = begin + record.length;
   if (Clock::now() - synced_ < longest_unsynced)
     return;
   if (fdatasync(file_.get()) != 0)

@@ -4,7 +4,7 @@
 // result.h5 that contains the changes of a result that are not in result.h5
 // yet.
 
-#include "base/file_descriptor.hpp"
+#include "base/file_bytes.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -22,12 +22,12 @@ std::filesystem::path journal_of(const std::filesystem::path& result_file);
 /// Callback for a record. Records are numbered from 1 throughout the life of a
 /// result.
 using TakeRecord =
-    std::function<void(std::uint64_t number, std::string_view bytes)>;
+    std::function<void(std::uint64_t number, const FileBytes& record)>;
 
-/// Passes all intact records to `take` in order, one in memory at a time. A
-/// journal that is missing or has another identity yields no records. Reading
-/// ends at the first damaged record, which an interrupted writer may leave
-/// behind.
+/// Passes all intact records to `take` in order. They remain readable after the
+/// journal has been removed. A journal that is missing or has another identity
+/// yields no records. Reading ends at the first damaged record, which an
+/// interrupted writer may leave behind.
 /// @param identity  the attribute "journal" of result.h5
 /// @return  length of the intact part [B]; 0 if this is not the journal of the
 ///          result
@@ -41,18 +41,20 @@ std::uintmax_t read_journal(const std::filesystem::path& path,
 ///
 /// followed for each record by its length and its number, 8 bytes each, a
 /// SHA-256 hash of 64 hexadecimal digits, which covers the number and the
-/// bytes, and its bytes. Numbers are in the byte order of the machine. append()
-/// synchronises the file to disk if ten seconds have passed since the last
-/// synchronisation.
+/// bytes, and its bytes. Numbers are in the byte order of the machine. The
+/// bytes are written first, so that an interrupted record is a damaged one.
+/// append() synchronises the file to disk if ten seconds have passed since the
+/// last synchronisation.
 ///
-/// All functions throw std::system_error naming the file; earlier records
-/// remain intact.
+/// All functions throw std::system_error naming the file, and append() what the
+/// pieces throw; earlier records remain intact.
 class Journal {
 public:
   /// Continues after the intact part of an existing file, or starts a new one.
   Journal(std::filesystem::path path, std::string identity);
 
-  void append(std::uint64_t number, std::string_view bytes);
+  /// Appends a record, of which one piece is in memory at a time.
+  void append(std::uint64_t number, const BytePieces& bytes);
 
   /// Returns the size of the journal [B].
   std::uintmax_t size() const { return size_; }
@@ -64,7 +66,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   void open();
-  void write(std::string_view bytes);
+  void write(std::uintmax_t place, std::string_view bytes);
 
   std::filesystem::path path_;
   std::string identity_;

@@ -185,7 +185,8 @@ std::optional<int> index_of(const std::string& name) {
   return is_index ? std::optional(index) : std::nullopt;
 }
 
-void write_surface(Hdf5Group& group, const SurfaceRecord& surface) {
+void write_surface(Hdf5Group& group, const SurfaceRecord& surface,
+                   const MapRows& heights) {
   const Grid& grid = surface.grid;
   group.set_attribute("points_x", grid.points_x);
   group.set_attribute("points_y", grid.points_y);
@@ -193,14 +194,11 @@ void write_surface(Hdf5Group& group, const SurfaceRecord& surface) {
   set_with_unit(group, "length_y", grid.length_y, "m");
   for (const auto& [name, unit, number] : surface_numbers)
     set_with_unit(group, name, surface.*number, unit);
-  if (!surface.heights.empty())
-    write_heights(group, grid, rows_of_map(surface.heights));
+  if (heights)
+    group.write_map("heights", heights, shape_of(grid), Hdf5Number::float64,
+                    "m");
   if (!surface.spectrum.empty())
     write_spectrum(group.open_or_create("spectrum"), surface.spectrum);
-}
-
-void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights) {
-  group.write_map("heights", heights, shape_of(grid), Hdf5Number::float64, "m");
 }
 
 SurfaceRecord read_surface(const Hdf5Group& group,
@@ -217,13 +215,8 @@ SurfaceRecord read_surface(const Hdf5Group& group,
   return surface;
 }
 
-void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields) {
-  write_fields(group, grid,
-               {fields.step, fields.nominal_pressure,
-                rows_of_map(fields.pressure), rows_of_map(fields.gap)});
-}
-
-void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields) {
+void write_fields(Hdf5Group& group, const FieldsChange& fields) {
+  const Grid& grid = fields.grid;
   const std::string name = std::to_string(fields.step);
   if (group.has(name))
     group.remove(name);
@@ -231,26 +224,10 @@ void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields) {
   set_with_unit(maps, "nominal_pressure", fields.nominal_pressure, "Pa");
   set_with_unit(maps, "length_x", grid.length_x, "m");
   set_with_unit(maps, "length_y", grid.length_y, "m");
-  maps.write_map("pressure", fields.pressure, shape_of(grid),
+  maps.write_map("pressure", fields.pressure.rows, shape_of(grid),
                  Hdf5Number::float32_packed, "Pa");
-  maps.write_map("gap", fields.gap, shape_of(grid), Hdf5Number::float32_packed,
-                 "m");
-}
-
-void write_stored_heights(Hdf5Group& group, const SurfaceRecord& surface) {
-  if (surface.stored_heights.read)
-    write_heights(group, surface.grid, rows_of_map(surface.stored_heights));
-}
-
-void write_stored_fields(Hdf5Group& curve, const Curve& stored) {
-  for (const Fields& fields : stored.fields)
-    if (fields.stored_pressure.read) {
-      Hdf5Group maps = curve.open_or_create("fields");
-      write_fields(maps, fields.grid,
-                   {fields.step, fields.nominal_pressure,
-                    rows_of_map(fields.stored_pressure),
-                    rows_of_map(fields.stored_gap)});
-    }
+  maps.write_map("gap", fields.gap.rows, shape_of(grid),
+                 Hdf5Number::float32_packed, "m");
 }
 
 std::vector<Fields> read_fields(const Hdf5Group& group,

@@ -2,6 +2,7 @@
 
 // This internal header of results/ stores surfaces and maps as groups.
 
+#include "results/storage/change.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/result.hpp"
 
@@ -13,9 +14,9 @@
 namespace asperity::results {
 
 /// Writes a surface into an empty group.
-void write_surface(Hdf5Group& group, const SurfaceRecord& surface);
-/// Adds the heights of a surface that was written without them.
-void write_heights(Hdf5Group& group, const Grid& grid, const MapRows& heights);
+/// @param heights  empty: none; surface.heights is not read
+void write_surface(Hdf5Group& group, const SurfaceRecord& surface,
+                   const MapRows& heights);
 /// @param path  of the file, which is opened again for maps that are left in it
 /// @return  the rms height is NaN if it is missing
 SurfaceRecord read_surface(const Hdf5Group& group,
@@ -23,12 +24,7 @@ SurfaceRecord read_surface(const Hdf5Group& group,
 
 /// Writes the maps of a step into the group `fields` and replaces those of an
 /// earlier attempt.
-void write_fields(Hdf5Group& group, const Grid& grid, const Fields& fields);
-void write_fields(Hdf5Group& group, const Grid& grid, const FieldRows& fields);
-/// Writes the maps that a result left in its file into groups that were written
-/// without them: heights of surfaces, and maps of the steps of a curve.
-void write_stored_heights(Hdf5Group& group, const SurfaceRecord& surface);
-void write_stored_fields(Hdf5Group& curve, const Curve& stored);
+void write_fields(Hdf5Group& group, const FieldsChange& fields);
 /// Reads the maps of all steps, sorted by step. The lengths of a grid are 0 if
 /// the file does not contain them, and so are its numbers of points if the map
 /// is not two-dimensional.

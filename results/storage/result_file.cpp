@@ -89,7 +89,7 @@ ResultFile ResultFile::opened(const fs::path& path, const Edit& edit) {
   ResultFile result(path, state.identity);
   result.folded_ = result.changes_ = state.folded;
   read_journal(journal_of(path), result.identity_,
-               [&result](std::uint64_t number, std::string_view) {
+               [&result](std::uint64_t number, const FileBytes&) {
                  result.changes_ = std::max(result.changes_, number);
                });
   result.fold(edit);
@@ -97,7 +97,7 @@ ResultFile ResultFile::opened(const fs::path& path, const Edit& edit) {
 }
 
 void ResultFile::append(Change change) {
-  journal_.append(changes_ + 1, bytes_of(std::move(change)));
+  journal_.append(changes_ + 1, record_of(std::move(change)).bytes);
   ++changes_;
   if (journal_.size() > std::max(least_to_fold, fs::file_size(path_)))
     fold();
@@ -120,11 +120,11 @@ void ResultFile::fold(const Edit& last) {
 void ResultFile::write_journal_into(Hdf5File& file) const {
   std::uint64_t read = folded_;
   read_journal(journal_of(path_), identity_,
-               [&](std::uint64_t number, std::string_view bytes) {
+               [&](std::uint64_t number, const FileBytes& record) {
                  if (number <= folded_)
                    return; // already in the file: the run was interrupted
                            // before it removed the journal
-                 write_change(file, change_in(bytes));
+                 write_change(file, change_in(record));
                  read = number;
                });
   if (read != changes_)

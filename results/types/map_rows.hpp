@@ -16,23 +16,15 @@ using TakeValues = std::function<void(std::span<const double> values)>;
 /// to the last.
 using MapRows = std::function<void(const TakeValues& take)>;
 
-/// The rows of a map in memory, which must outlive the result.
-inline MapRows rows_of_map(std::span<const double> map) {
-  return [map](const TakeValues& take) { take(map); };
-}
-
-/// The same of a map that was left in a file.
-inline MapRows rows_of_map(const StoredMap& map) {
-  return
-      [view = MapView(map)](const TakeValues& take) { each_piece(view, take); };
+/// The rows of a map in memory or in a file, which must outlive the result.
+inline MapRows rows_of_map(const MapView& map) {
+  return [map](const TakeValues& take) { each_piece(map, take); };
 }
 
 /// The maps of one load step.
 struct FieldRows {
-  int step = 0;
-  double nominal_pressure = 0.0; ///< [Pa]
-  MapRows pressure;              ///< [Pa] >= 0
-  MapRows gap;                   ///< [m]
+  MapRows pressure; ///< [Pa] >= 0
+  MapRows gap;      ///< [m]
 };
 
 } // namespace asperity::results

@@ -271,9 +271,12 @@ def check_cache_by_rows(runner):
     assert len(states) == 1 and entries(runner.folder / "two", "state") == states
     steps = [entries(runner.folder / cache, "step") for cache in ("one", "two")]
     assert len(steps[0]) == 1 and steps[0].keys() == steps[1].keys()
-    maps = -2 * 4 * 1024 * 1024  # bytes of pressure and gap
+    maps = 2 * 4 * 1024 * 1024  # bytes of pressure and gap
     for name, step in steps[0].items():
-        assert len(step) > -maps and step[maps:] == steps[1][name][maps:]
+        other = steps[1][name]
+        assert len(step) == len(other) > maps
+        differing = sum(a != b for a, b in zip(step, other))
+        assert differing <= 64 + 4 * 8, differing  # the hash and four CPU times
     output = runner.run(*ask, *one, "--out", "again", cache="two")
     assert "1 steps: 0 computed, 1 from the cache" in output, output
     runner.run("diff", "by-one", "again", "--tolerance", "0")

@@ -220,6 +220,32 @@ TEST_F(ResultJournal, CopiesGrowAsTheResultDoes) {
   EXPECT_LT(bytes_written() - before, 6.0 * maps);
 }
 
+// Large maps are read from the journal when they are needed, also after it has
+// been moved into the file.
+TEST_F(ResultJournal, LeavesLargeMapsInItsFile) {
+  const Grid square{1024, 1024, 1e-6, 1e-6};
+  ASSERT_EQ(square.size(), large_map);
+  Fields fields;
+  for (std::size_t i = 0; i < square.size(); ++i)
+    fields.pressure.push_back(static_cast<double>(i % 997));
+  fields.gap.assign(square.size(), 0.5);
+  fields.nominal_pressure = sample_point(0).nominal_pressure;
+  ResultWriter writer(folder_, sample_case());
+  writer.record_surface(0, surface_of(1e-9, {1100, 1024, 1e-6, 1e-6}));
+  writer.begin_method("fem", "fem", "");
+  writer.append_step_with_fields("fem", 0, sample_point(0), square, fields);
+  ASSERT_GT(fs::file_size(journal()), 8 * square.size());
+
+  const Result read = read_result(folder_, MapsInFile::large);
+  writer.finish("complete");
+
+  ASSERT_FALSE(fs::exists(journal()));
+  const Fields& found = read.methods.at(0).realizations.at(0).fields.at(0);
+  EXPECT_TRUE(found.pressure.empty() && found.gap.empty());
+  EXPECT_TRUE(found.pressure_map().whole() == fields.pressure);
+  EXPECT_TRUE(found.gap_map().whole() == fields.gap);
+}
+
 // An incomplete record is ignored, and those before it remain.
 TEST_F(ResultJournal, LosesAtMostTheRecordThatIsBeingWritten) {
   leave_rows(2);
@@ -274,18 +300,22 @@ TEST_F(ResultJournal, OfAnotherResultIsNotRead) {
   EXPECT_TRUE(read_result(folder_).methods.empty());
 }
 
+BytePieces text_of(const std::string& text) {
+  return [text](const TakeBytes& take) { take(text); };
+}
+
 // A journal of another result is replaced from its first byte.
 TEST_F(ResultJournal, ReplacesThatOfAnotherResult) {
   fs::create_directories(folder_);
-  Journal(journal(), "another").append(1, "theirs");
+  Journal(journal(), "another").append(1, text_of("theirs"));
 
   Journal own(journal(), "own");
   EXPECT_EQ(own.size(), 0U);
-  own.append(1, "ours");
+  own.append(1, text_of("ours"));
 
   std::vector<std::string> records;
-  const auto take = [&](std::uint64_t, std::string_view bytes) {
-    records.emplace_back(bytes);
+  const auto take = [&](std::uint64_t, const FileBytes& record) {
+    record.read(0, records.emplace_back(record.size(), ' '));
   };
   EXPECT_EQ(read_journal(journal(), "own", take), own.size());
   EXPECT_EQ(records, std::vector<std::string>{"ours"});

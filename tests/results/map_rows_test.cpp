@@ -37,6 +37,14 @@ MapRows in_pieces(const std::vector<double>& map, std::size_t size) {
 }
 
 // The map is stored in five chunks of whole rows.
+/// The change of a step of the method "md".
+Change finished_step(const FieldsChange& fields) {
+  return {.methods = {{.name = "md",
+                       .realization = 0,
+                       .fields = {fields},
+                       .points = {sample_point(fields.step)}}}};
+}
+
 TEST_F(MapRowsTest, HaveTheBytesOfAWholeMap) {
   const Hdf5Shape shape{1500, 3000};
   const std::vector<double> map = uneven_map(shape);
@@ -87,14 +95,10 @@ TEST_F(MapRowsTest, AreReadBackAsWholeMaps) {
       writer.record_surface(0, surface, in_pieces(heights, 8));
       writer.record_surface(0, surface, in_pieces(heights, 16));
       writer.record_own_surface("md", 0, surface, in_pieces(heights, 3));
-      writer.append_step_with_fields(
-          "md", 0, sample_point(4), grid,
-          FieldRows{4, load, in_pieces(pressure, 8), in_pieces(gap, 8)});
-      EXPECT_THROW(
-          writer.append_step_with_fields(
-              "md", 0, sample_point(4), grid,
-              FieldRows{4, load, in_pieces(pressure, 8), in_pieces(gap, 8)}),
-          std::domain_error); // the step exists
+      const Change step = finished_step(
+          {4, load, grid, {in_pieces(pressure, 8)}, {in_pieces(gap, 8)}});
+      writer.append(step);
+      EXPECT_THROW(writer.append(step), std::domain_error); // it exists
     } else {
       writer.record_surface(0, surface);
       writer.record_own_surface("md", 0, surface);
@@ -128,10 +132,13 @@ TEST_F(MapRowsTest, AreWrittenCompletelyOrNotAtAll) {
     take(std::span(map).first(8));
     throw std::runtime_error("no more rows");
   };
-  EXPECT_THROW(writer.append_step_with_fields(
-                   "md", 0, sample_point(1), grid,
-                   FieldRows{1, 2.0, in_pieces(map, 8), broken}),
+  EXPECT_THROW(writer.append(finished_step(
+                   {1, 2.0, grid, {in_pieces(map, 8)}, {broken}})),
                std::runtime_error);
+  const MapRows too_few = in_pieces({map.begin(), map.end() - 8}, 8);
+  EXPECT_THROW(writer.append(finished_step(
+                   {1, 2.0, grid, {in_pieces(map, 8)}, {too_few}})),
+               std::domain_error);
   EXPECT_TRUE(read_result(folder_).methods.at(0).realizations.empty());
   EXPECT_FALSE(writer.has_step("md", 0, 1));
 }
