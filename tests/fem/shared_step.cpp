@@ -1,7 +1,7 @@
 // Solves one load step of a rough surface on a half-space or a condensed
 // block on the ranks of mpirun and prints on rank 0 a hash of the fields, the
 // cost and the memory of each rank. The measurements of
-// docs/numerics/shared-rows.md are made with it.
+// docs/numerics/shared-rows-measurements.md are made with it.
 //
 // Arguments: points per side, or as 600x500, threads per rank, "ranks" or
 // "alone" (one process without MPI); then "q1" or "q2" for a block, "free" for
