@@ -1,8 +1,7 @@
 #pragma once
 
-// This file holds, as plain data, everything that the report, the check and
-// summary.json state about one result. It owns the step from curves to named
-// quantities.
+// What the report, the check and summary.json state about one result, as plain
+// data: the step from curves to named quantities.
 
 #include "cases/types/case.hpp"
 #include "cases/types/reference.hpp"

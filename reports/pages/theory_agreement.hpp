@@ -1,6 +1,6 @@
 #pragma once
 
-// This file describes, at the top of a report, where the theory does not agree
+// The part at the top of a report that describes where the theory does not agree
 // with the results of the other methods.
 
 #include "reports/figures/series.hpp"
