@@ -133,12 +133,16 @@ void add_faces(const CounterBody& body, BlockMesh& mesh) {
   }
 }
 
-} // namespace
-
-BlockMesh counter_body(const CounterBody& body) {
+void check_body(const CounterBody& body) {
   if (const auto mistake = mechanics::mistake_in(body))
     refuse_argument("mesh.counter." + mistake->key, mistake->value,
                     mistake->rule);
+}
+
+} // namespace
+
+BlockMesh counter_body(const CounterBody& body) {
+  check_body(body);
   BlockMesh mesh;
   mesh.length_x = mesh.length_y = 2.0 * mechanics::half_width(body);
   mesh.depth = body.height;
@@ -147,6 +151,18 @@ BlockMesh counter_body(const CounterBody& body) {
   require_positive_cells(mesh);
   add_faces(body, mesh);
   return mesh;
+}
+
+double counter_nodes(const CounterBody& body, int degree) {
+  check_body(body);
+  const BodyPlaces places(body);
+  const double across = degree * places.across();
+  const double down = degree * places.down();
+  const double sides = 4.0 * across * (down + 1.0);
+  const double bottom = (across - 1.0) * (across - 1.0);
+  return (across + 1.0) * (across + 1.0) * (down + 1.0) +
+         degree *
+             (places.n_fans() * (sides + bottom) + places.n_rings() * sides);
 }
 
 } // namespace asperity::meshes

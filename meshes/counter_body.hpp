@@ -32,4 +32,9 @@ using mechanics::CounterBody;
 ///                            inverted or flat
 BlockMesh counter_body(const CounterBody& body);
 
+/// Number of nodes of elements of this degree in counter_body() [1]. Makes no
+/// mesh.
+/// @throws std::domain_error  a number is outside of its range
+double counter_nodes(const CounterBody& body, int degree);
+
 } // namespace asperity::meshes

@@ -18,18 +18,6 @@ namespace {
 
 using mechanics::MeshGeometry;
 
-/// The block with every length divided by `unit`.
-GmshBlock in_units_of(GmshBlock block, double unit) {
-  for (double* length :
-       {&block.length_x, &block.length_y, &block.depth, &block.size_at_contact,
-        &block.size_far, &block.fine_radius, &block.inclusion_radius,
-        &block.inclusion_depth})
-    *length /= unit;
-  for (double& interface : block.interfaces)
-    interface /= unit;
-  return block;
-}
-
 /// The exact coordinate of the plane within 1e-8 of a coordinate, which is
 /// gmsh's own accuracy; otherwise the coordinate in metres.
 double snapped(double value, const std::vector<double>& planes,
@@ -81,27 +69,14 @@ std::vector<std::string> group_names_of(const GmshBlock& block) {
   return names;
 }
 
-std::vector<double> depths_of(const GmshBlock& block) {
-  std::vector<double> depths = {0.0};
-  if (block.geometry == MeshGeometry::layered)
-    depths.insert(depths.end(), block.interfaces.begin(),
-                  block.interfaces.end());
-  depths.push_back(block.depth);
-  return depths;
-}
-
-double size_at_depth(const GmshBlock& block, double z) {
-  return std::lerp(block.size_at_contact, block.size_far, z / block.depth);
-}
-
 BlockMesh gmsh_block(const GmshBlock& block) {
   require_gmsh_block(block);
-  const double unit = std::max({block.length_x, block.length_y, block.depth});
+  const double unit = largest_extent(block);
   const GmshBlock scaled = in_units_of(block, unit);
   BlockMesh mesh;
   in_gmsh([&] {
     if (block.cells == mechanics::MeshCells::hexahedra)
-      make_hexahedra(scaled);
+      mesh_by_gmsh(hexahedra_of(scaled), group_names_of(scaled));
     else
       make_tetrahedra(scaled);
     mesh = cells_of_gmsh().mesh;

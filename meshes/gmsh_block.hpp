@@ -57,6 +57,12 @@ GmshBlock gmsh_parameters(const mechanics::MeshSpec& spec,
 /// @throws std::domain_error  a parameter is outside its range
 void require_gmsh_block(const GmshBlock& block);
 
+/// Number of nodes of the mesh of a block for elements of this degree [1]:
+/// exact for hexahedra, estimated from the sizes for tetrahedra. Needs no gmsh
+/// and no mesh.
+/// @param block  that require_gmsh_block() permits
+double gmsh_nodes(const GmshBlock& block, int degree);
+
 /// Generates the mesh. The groups of cells are "block"; or "layer 1", "layer
 /// 2", ... from the contact surface inwards; or "block" and "inclusion".
 ///

@@ -1,16 +1,24 @@
 #pragma once
 
-// The geometries, private to gmsh_block.cpp. Functions are called inside
-// in_gmsh, in units in which the largest extent of the block is one, because
-// gmsh's tolerances are absolute.
+// The geometries, private to this module. Lengths are in units in which the
+// largest extent of the block is one, because gmsh's tolerances are absolute.
 
 #include "meshes/gmsh_block.hpp"
+#include "meshes/transfinite_blocks.hpp"
 
 namespace asperity::meshes {
 
+/// The largest extent of a block [m].
+double largest_extent(const GmshBlock& block);
+
+/// The block with every length divided by `unit`.
+GmshBlock in_units_of(GmshBlock block, double unit);
+
+/// The hexahedra of the block. Vertices lie on the planes up to roundoff.
+TransfiniteBlocks hexahedra_of(const GmshBlock& block);
+
 /// Meshes the block as the current model of gmsh, with one physical volume per
-/// group of cells. Vertices lie on the planes up to roundoff.
-void make_hexahedra(const GmshBlock& block);
+/// group of cells; to be called inside in_gmsh. Vertices lie as above.
 void make_tetrahedra(const GmshBlock& block);
 
 /// The names of the groups, in order.
@@ -22,5 +30,8 @@ std::vector<double> depths_of(const GmshBlock& block);
 /// The cell size at depth z, which grows linearly from the contact surface to
 /// the far boundary.
 double size_at_depth(const GmshBlock& block, double z);
+
+/// The size of a tetrahedron at a place.
+double size_at(const GmshBlock& block, const Place& place);
 
 } // namespace asperity::meshes

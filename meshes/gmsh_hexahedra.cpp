@@ -1,5 +1,4 @@
 #include "meshes/gmsh_geometries.hpp"
-#include "meshes/transfinite_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -229,7 +228,7 @@ void inclusion(TransfiniteBlocks& blocks, const GmshBlock& block) {
 
 } // namespace
 
-void make_hexahedra(const GmshBlock& block) {
+TransfiniteBlocks hexahedra_of(const GmshBlock& block) {
   TransfiniteBlocks blocks;
   switch (block.geometry) {
   case mechanics::MeshGeometry::indentation:
@@ -241,7 +240,7 @@ void make_hexahedra(const GmshBlock& block) {
   default:
     layers(blocks, block);
   }
-  blocks.mesh(group_names_of(block));
+  return blocks;
 }
 
 } // namespace asperity::meshes

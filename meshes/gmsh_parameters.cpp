@@ -1,9 +1,12 @@
-// The parameters of a block that gmsh meshes. They are apart from
-// gmsh_block.cpp, because the program examines them without gmsh.
+// The parameters of a block that gmsh meshes, and the number of its nodes. They
+// are apart from gmsh_block.cpp, because the program examines them without
+// gmsh.
 #include "base/require.hpp"
-#include "meshes/gmsh_block.hpp"
+#include "meshes/gmsh_geometries.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace asperity::meshes {
@@ -35,6 +38,30 @@ void check_geometry(const GmshBlock& block) {
     require_between("inclusion_depth", block.inclusion_depth, radius,
                     block.depth - radius, "m");
   }
+}
+
+/// Estimates the vertices of the tetrahedra from their size at n^3 places,
+/// which are close together below the centre of the contact surface, where
+/// cells may be small: x = l (1 + t^3) / 2 and z = depth t^3 with equal steps
+/// of t. A regular tetrahedron of edge s has the volume s^3 / (6 sqrt 2), and
+/// there are six of them per vertex.
+double vertices_of_tetrahedra(const GmshBlock& block) {
+  constexpr int n = 64;
+  double vertices = 0.0;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const double x = (2.0 * i + 1.0) / n - 1.0;
+        const double y = (2.0 * j + 1.0) / n - 1.0;
+        const double z = (k + 0.5) / n;
+        const double size =
+            size_at(block, {0.5 * block.length_x * (1.0 + x * x * x),
+                            0.5 * block.length_y * (1.0 + y * y * y),
+                            block.depth * z * z * z});
+        const double shares = 27.0 * x * x * y * y * z * z / n / n / n;
+        vertices += std::numbers::sqrt2 * shares / (size * size * size);
+      }
+  return vertices * block.length_x * block.length_y * block.depth;
 }
 
 } // namespace
@@ -85,6 +112,62 @@ void require_gmsh_block(const GmshBlock& block) {
   require_between("size_far", block.size_far, block.size_at_contact,
                   std::max({block.length_x, block.length_y, block.depth}), "m");
   check_geometry(block);
+}
+
+double gmsh_nodes(const GmshBlock& block, int degree) {
+  const GmshBlock scaled = in_units_of(block, largest_extent(block));
+  if (block.cells == mechanics::MeshCells::hexahedra)
+    return hexahedra_of(scaled).nodes(degree);
+  return vertices_of_tetrahedra(scaled) * degree * degree * degree;
+}
+
+double largest_extent(const GmshBlock& block) {
+  return std::max({block.length_x, block.length_y, block.depth});
+}
+
+GmshBlock in_units_of(GmshBlock block, double unit) {
+  for (double* length :
+       {&block.length_x, &block.length_y, &block.depth, &block.size_at_contact,
+        &block.size_far, &block.fine_radius, &block.inclusion_radius,
+        &block.inclusion_depth})
+    *length /= unit;
+  for (double& interface : block.interfaces)
+    interface /= unit;
+  return block;
+}
+
+std::vector<double> depths_of(const GmshBlock& block) {
+  std::vector<double> depths = {0.0};
+  if (block.geometry == MeshGeometry::layered)
+    depths.insert(depths.end(), block.interfaces.begin(),
+                  block.interfaces.end());
+  depths.push_back(block.depth);
+  return depths;
+}
+
+double size_at_depth(const GmshBlock& block, double z) {
+  return std::lerp(block.size_at_contact, block.size_far, z / block.depth);
+}
+
+double size_at(const GmshBlock& block, const Place& place) {
+  const double x = place[0] - 0.5 * block.length_x;
+  const double y = place[1] - 0.5 * block.length_y;
+  const double near = block.size_at_contact;
+  if (block.geometry == mechanics::MeshGeometry::indentation) {
+    const double reach =
+        std::min({0.5 * block.length_x, 0.5 * block.length_y, block.depth});
+    const double beyond = std::hypot(x, y, place[2]) - block.fine_radius;
+    return std::clamp(near + (block.size_far - near) * beyond /
+                                 (reach - block.fine_radius),
+                      near, block.size_far);
+  }
+  const double by_depth = size_at_depth(block, place[2]);
+  if (block.geometry != mechanics::MeshGeometry::inclusion)
+    return by_depth;
+  const double beyond = std::hypot(x, y, place[2] - block.inclusion_depth) -
+                        block.inclusion_radius;
+  return std::min(by_depth,
+                  block.inclusion_radius / 3.0 + 0.5 * std::max(0.0, beyond));
 }
 
 } // namespace asperity::meshes

@@ -91,27 +91,6 @@ std::vector<int> make_volumes(const GmshBlock& block) {
   return volumes;
 }
 
-double size_at(const GmshBlock& block, const Place& place) {
-  const double x = place[0] - 0.5 * block.length_x;
-  const double y = place[1] - 0.5 * block.length_y;
-  const double near = block.size_at_contact;
-  if (block.geometry == mechanics::MeshGeometry::indentation) {
-    const double reach =
-        std::min({0.5 * block.length_x, 0.5 * block.length_y, block.depth});
-    const double beyond = std::hypot(x, y, place[2]) - block.fine_radius;
-    return std::clamp(near + (block.size_far - near) * beyond /
-                                 (reach - block.fine_radius),
-                      near, block.size_far);
-  }
-  const double by_depth = size_at_depth(block, place[2]);
-  if (block.geometry != mechanics::MeshGeometry::inclusion)
-    return by_depth;
-  const double beyond = std::hypot(x, y, place[2] - block.inclusion_depth) -
-                        block.inclusion_radius;
-  return std::min(by_depth,
-                  block.inclusion_radius / 3.0 + 0.5 * std::max(0.0, beyond));
-}
-
 /// Supplies the cell size to gmsh until meshing has finished or failed.
 class SizeEverywhere {
 public:

@@ -70,6 +70,15 @@ void check(const Grid& face, double depth, int cells_a_level) {
                       "even, preferably a power of two times a small number");
 }
 
+/// The largest number of levels of a mesh.
+int n_levels_of(const Grid& face, double depth, int cells_a_level) {
+  check(face, depth, cells_a_level);
+  int n_levels = 0;
+  while (n_levels < 20 && is_possible(face, depth, n_levels + 1, cells_a_level))
+    ++n_levels;
+  return n_levels;
+}
+
 } // namespace
 
 BlockMesh equal_boxes(const Grid& face, double depth) {
@@ -83,11 +92,7 @@ BlockMesh equal_boxes(const Grid& face, double depth) {
 }
 
 BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
-  check(face, depth, cells_a_level);
-  int n_levels = 0;
-  while (n_levels < 20 && is_possible(face, depth, n_levels + 1, cells_a_level))
-    ++n_levels;
-
+  const int n_levels = n_levels_of(face, depth, cells_a_level);
   const Coarse coarse = coarse_mesh(face, depth, n_levels);
   const double layer = depth / coarse.n_layers;
   BlockMesh mesh = equal_boxes(coarse.face, depth);
@@ -96,6 +101,26 @@ BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level) {
                                 coarse.edge);
   std::reverse(mesh.refine_below.begin(), mesh.refine_below.end());
   return mesh;
+}
+
+double hanging_nodes(const Grid& face, double depth, int cells_a_level,
+                     int degree) {
+  const int n_levels = n_levels_of(face, depth, cells_a_level);
+  const Coarse coarse = coarse_mesh(face, depth, n_levels);
+  std::vector<long> bottoms = level_bottoms(n_levels, cells_a_level);
+  bottoms.push_back(long{coarse.n_layers} * coarse.edge);
+  double nodes = 0.0;
+  long top = 0;
+  for (std::size_t level = 0; level < bottoms.size(); ++level) {
+    const double edge = std::ldexp(1.0, static_cast<int>(level));
+    const double n_x = face.points_x / edge, n_y = face.points_y / edge;
+    const double n_z = static_cast<double>(bottoms[level] - top) / edge;
+    nodes += (degree * n_x + 1.0) * (degree * n_y + 1.0) * (degree * n_z + 1.0);
+    if (level > 0) // vertices of these cells are nodes of the finer ones
+      nodes -= (n_x + 1.0) * (n_y + 1.0);
+    top = bottoms[level];
+  }
+  return nodes;
 }
 
 Grid halvable_columns(const Grid& nodes, int degree, int halvings) {

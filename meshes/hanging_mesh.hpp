@@ -47,6 +47,12 @@ BlockMesh equal_boxes(const Grid& face, double depth);
 ///              uniform mesh.
 BlockMesh hanging_mesh(const Grid& face, double depth, int cells_a_level);
 
+/// Number of nodes of elements of this degree in hanging_mesh(), hanging ones
+/// included [1]. Makes no mesh.
+/// @throws std::domain_error  as hanging_mesh()
+double hanging_nodes(const Grid& face, double depth, int cells_a_level,
+                     int degree);
+
 /// The grid with one point per column of halvable_boxes().
 /// @throws std::domain_error  as halvable_boxes()
 Grid halvable_columns(const Grid& nodes, int degree, int halvings);

@@ -1,14 +1,12 @@
 #include "meshes/transfinite_blocks.hpp"
 
-#include <gmsh.h>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <set>
 
 namespace asperity::meshes {
 namespace {
-
-namespace geo = gmsh::model::geo;
 
 /// The faces of a hexahedron by its corners, in cyclic order.
 constexpr std::array<std::array<std::size_t, 4>, 6> faces_of_block = {
@@ -19,52 +17,63 @@ constexpr std::array<std::array<std::size_t, 4>, 6> faces_of_block = {
      {0, 1, 3, 2},
      {4, 5, 7, 6}}};
 
+int number_of_last(std::size_t size) {
+  return static_cast<int>(size);
+}
+
 } // namespace
 
 EdgeLaw graded_edge(double length, double first, double last) {
+  constexpr double most_cells = 1e9;
   const double cells = std::abs(last - first) < 1e-9 * first
                            ? length / first
                            : length / (last - first) * std::log(last / first);
-  const int n = std::max(1, static_cast<int>(std::ceil(cells - 1e-9)));
+  const int n =
+      static_cast<int>(std::clamp(std::ceil(cells - 1e-9), 1.0, most_cells));
   return {n, std::pow(last / first, 1.0 / n)}; // (M.5)
 }
 
 int TransfiniteBlocks::point(const Place& place) {
-  return geo::addPoint(place[0], place[1], place[2]);
+  points_.push_back(place);
+  return number_of_last(points_.size());
 }
 
 void TransfiniteBlocks::arc(int from, int to, int centre) {
-  const int tag = geo::addCircleArc(from, centre, to);
-  edges_[std::minmax(from, to)] = {tag, from, centre, {0, 1.0}};
+  edges_.push_back({from, to, centre, {0, 1.0}});
+  edge_between_[std::minmax(from, to)] = number_of_last(edges_.size());
 }
 
-TransfiniteBlocks::Edge& TransfiniteBlocks::edge(int from, int to) {
-  const auto [found, is_new] = edges_.try_emplace(std::minmax(from, to));
-  if (is_new)
-    found->second = {geo::addLine(from, to), from, 0, {0, 1.0}};
+/// The number of the edge between two points, which is new if there is none.
+int TransfiniteBlocks::edge(int from, int to) {
+  const auto [found, is_new] = edge_between_.try_emplace(std::minmax(from, to));
+  if (is_new) {
+    edges_.push_back({from, to, 0, {0, 1.0}});
+    found->second = number_of_last(edges_.size());
+  }
   return found->second;
 }
 
 int TransfiniteBlocks::face(const std::array<int, 4>& corners) {
   std::array<int, 4> key = corners;
   std::sort(key.begin(), key.end());
-  const auto found = faces_.find(key);
-  if (found != faces_.end())
+  const auto [found, is_new] = face_between_.try_emplace(key);
+  if (!is_new)
     return found->second;
-
-  std::vector<int> around;
+  Face made{corners, {}, 0};
   bool is_spherical = true;
-  const int centre = edge(corners[0], corners[1]).centre;
   for (std::size_t i = 0; i < 4; ++i) {
-    const Edge& side = edge(corners[i], corners[(i + 1) % 4]);
-    around.push_back(side.from == corners[i] ? side.tag : -side.tag);
-    is_spherical = is_spherical && side.centre != 0 && side.centre == centre;
+    const int number = edge(corners[i], corners[(i + 1) % 4]);
+    const Edge& side = edges_[static_cast<std::size_t>(number) - 1];
+    made.edges[i] = side.from == corners[i] ? number : -number;
+    if (i == 0)
+      made.centre = side.centre;
+    is_spherical =
+        is_spherical && side.centre != 0 && side.centre == made.centre;
   }
-  const int loop = geo::addCurveLoop(around);
-  const int tag = is_spherical ? geo::addSurfaceFilling({loop}, -1, centre)
-                               : geo::addPlaneSurface({loop});
-  corners_of_face_[tag] = corners;
-  return faces_[key] = tag;
+  if (!is_spherical)
+    made.centre = 0;
+  faces_.push_back(made);
+  return found->second = number_of_last(faces_.size());
 }
 
 void TransfiniteBlocks::add(const std::array<int, 8>& corners,
@@ -74,46 +83,44 @@ void TransfiniteBlocks::add(const std::array<int, 8>& corners,
       const std::size_t bit = std::size_t{1} << d;
       if ((corner & bit) != 0)
         continue;
-      Edge& along = edge(corners[corner], corners[corner | bit]);
+      Edge& along = edges_[static_cast<std::size_t>(
+                               edge(corners[corner], corners[corner | bit])) -
+                           1];
       if (along.law.n == 0)
         along.law = {laws[d].n, along.from == corners[corner]
                                     ? laws[d].ratio
                                     : 1.0 / laws[d].ratio};
     }
-  std::vector<int> shell;
-  shell.reserve(faces_of_block.size());
-  for (const auto& around : faces_of_block)
-    shell.push_back(face({corners[around[0]], corners[around[1]],
-                          corners[around[2]], corners[around[3]]}));
-  const int volume = geo::addVolume({geo::addSurfaceLoop(shell)});
-  corners_of_volume_[volume] = {corners[0], corners[1], corners[3], corners[2],
-                                corners[4], corners[5], corners[7], corners[6]};
-  group_of_volume_.emplace_back(group, volume);
+  Block block{corners, {}, {laws[0].n, laws[1].n, laws[2].n}, group};
+  for (std::size_t i = 0; i < faces_of_block.size(); ++i) {
+    const auto& around = faces_of_block[i];
+    block.faces[i] = face({corners[around[0]], corners[around[1]],
+                           corners[around[2]], corners[around[3]]});
+  }
+  blocks_.push_back(block);
 }
 
-void TransfiniteBlocks::mesh(const std::vector<std::string>& group_names) {
-  geo::synchronize();
-  namespace constrain = gmsh::model::mesh;
-  for (const auto& [ends, edge] : edges_)
-    constrain::setTransfiniteCurve(edge.tag, edge.law.n + 1, "Progression",
-                                   edge.law.ratio);
-  for (const auto& [tag, corners] : corners_of_face_) {
-    constrain::setTransfiniteSurface(tag, "Left",
-                                     {corners.begin(), corners.end()});
-    constrain::setRecombine(2, tag);
+double TransfiniteBlocks::nodes(int degree) const {
+  const auto inside = [degree](int cells) {
+    return degree * 1.0 * cells - 1.0;
+  };
+  std::set<int> corners; // without the centres of arcs
+  double count = 0.0;
+  for (const Edge& edge : edges_) {
+    corners.insert({edge.from, edge.to});
+    count += inside(edge.law.n);
   }
-  for (const auto& [tag, corners] : corners_of_volume_)
-    constrain::setTransfiniteVolume(tag, {corners.begin(), corners.end()});
-  for (std::size_t group = 0; group < group_names.size(); ++group) {
-    std::vector<int> volumes;
-    for (const auto& [of_group, volume] : group_of_volume_)
-      if (of_group == static_cast<int>(group))
-        volumes.push_back(volume);
-    const int tag =
-        gmsh::model::addPhysicalGroup(3, volumes, static_cast<int>(group) + 1);
-    gmsh::model::setPhysicalName(3, tag, group_names[group]);
+  for (const Face& face : faces_) {
+    double across = 1.0;
+    for (const int number : {face.edges[0], face.edges[1]})
+      across *=
+          inside(edges_[static_cast<std::size_t>(std::abs(number)) - 1].law.n);
+    count += across;
   }
-  gmsh::model::mesh::generate(3);
+  for (const Block& block : blocks_)
+    count += inside(block.cells[0]) * inside(block.cells[1]) *
+             inside(block.cells[2]);
+  return count + static_cast<double>(corners.size());
 }
 
 } // namespace asperity::meshes

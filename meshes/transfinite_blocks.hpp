@@ -1,7 +1,7 @@
 #pragma once
 
-// Adjacent blocks of hexahedra in gmsh's built-in geometry kernel, each meshed
-// by transfinite interpolation from its twelve edges.
+// Adjacent blocks of hexahedra, each meshed by transfinite interpolation from
+// its twelve edges. gmsh is needed for the mesh, not for its description.
 
 #include "meshes/block_mesh.hpp"
 
@@ -29,11 +29,33 @@ struct EdgeLaw {
 /// @param first, last  s_a and s_b, > 0, in the unit of the length
 EdgeLaw graded_edge(double length, double first, double last);
 
-/// Builds the current model of gmsh; to be used inside in_gmsh. A point, edge
-/// or face that several blocks share is created once, so that the blocks are
-/// connected.
+/// Describes a mesh of such blocks; mesh_by_gmsh() makes it. A point, edge or
+/// face that several blocks share exists once, so that the blocks are
+/// connected. Points, edges and faces are numbered from 1, each in order of
+/// creation.
 class TransfiniteBlocks {
 public:
+  struct Edge {
+    int from = 0;
+    int to = 0;
+    int centre = 0; ///< of an arc, else 0
+    EdgeLaw law{0, 1.0};
+  };
+
+  /// A face by its corners, in cyclic order.
+  struct Face {
+    std::array<int, 4> corners{};
+    std::array<int, 4> edges{}; ///< negative if traversed backwards
+    int centre = 0;             ///< of the sphere it is a part of, else 0
+  };
+
+  struct Block {
+    std::array<int, 8> corners{}; ///< x fastest in its own directions
+    std::array<int, 6> faces{};
+    std::array<int, 3> cells{}; ///< along each direction
+    int group = 0;
+  };
+
   int point(const Place& place);
 
   /// Adds a circular edge, shorter than half a turn, for blocks that are added
@@ -48,25 +70,32 @@ public:
   void add(const std::array<int, 8>& corners,
            const std::array<EdgeLaw, 3>& laws, int group);
 
-  /// Generates the mesh and one physical volume per group, starting with tag 1.
-  void mesh(const std::vector<std::string>& group_names);
+  /// Number of nodes of elements of this degree in the whole mesh [1].
+  double nodes(int degree) const;
+
+  const std::vector<Place>& points() const { return points_; }
+
+  const std::vector<Edge>& edges() const { return edges_; }
+
+  const std::vector<Face>& faces() const { return faces_; }
+
+  const std::vector<Block>& blocks() const { return blocks_; }
 
 private:
-  struct Edge {
-    int tag = 0; ///< gmsh's tag, positive from `from`
-    int from = 0;
-    int centre = 0; ///< of an arc, else 0
-    EdgeLaw law{0, 1.0};
-  };
-
-  Edge& edge(int from, int to);
+  int edge(int from, int to);
   int face(const std::array<int, 4>& corners);
 
-  std::map<std::pair<int, int>, Edge> edges_;
-  std::map<std::array<int, 4>, int> faces_;             ///< by sorted corners
-  std::map<int, std::array<int, 4>> corners_of_face_;   ///< in cyclic order
-  std::map<int, std::array<int, 8>> corners_of_volume_; ///< in gmsh's order
-  std::vector<std::pair<int, int>> group_of_volume_;
+  std::vector<Place> points_;
+  std::vector<Edge> edges_;
+  std::vector<Face> faces_;
+  std::vector<Block> blocks_;
+  std::map<std::pair<int, int>, int> edge_between_;
+  std::map<std::array<int, 4>, int> face_between_; ///< by sorted corners
 };
+
+/// Generates the mesh as the current model of gmsh, with one physical volume
+/// per group, starting with tag 1; to be used inside in_gmsh.
+void mesh_by_gmsh(const TransfiniteBlocks& blocks,
+                  const std::vector<std::string>& group_names);
 
 } // namespace asperity::meshes

@@ -130,4 +130,12 @@ graded_layers_with_interfaces(double surface_thickness, double growth,
   return thickness;
 }
 
+std::vector<double> layers_of_block(const mechanics::BlockSettings& settings,
+                                    std::span<const double> interfaces,
+                                    double spacing, double depth) {
+  return graded_layers_with_interfaces(
+      settings.surface_cell_depth * degree_of(settings.element) * spacing,
+      settings.growth, interfaces, depth);
+}
+
 } // namespace asperity::meshes

@@ -4,6 +4,8 @@
 // away from it. This file defines how the grading ratio is fitted to a given
 // depth.
 
+#include "mechanics/fem_settings.hpp"
+
 #include <span>
 #include <vector>
 
@@ -59,5 +61,16 @@ std::vector<double> graded_layers(double surface_thickness, double growth,
 std::vector<double>
 graded_layers_with_interfaces(double surface_thickness, double growth,
                               std::span<const double> interfaces, double depth);
+
+/// The same for the settings of a block.
+/// @param spacing  of the nodes of the contact surface [m]; surface_cell_depth
+/// is
+///                 measured in it: the node planes next to the contact surface
+///                 are that far apart, so 1 gives a cubic cell for Q1 and Q2
+///                 alike
+/// @param depth    of the block [m]
+std::vector<double> layers_of_block(const mechanics::BlockSettings& settings,
+                                    std::span<const double> interfaces,
+                                    double spacing, double depth);
 
 } // namespace asperity::meshes

@@ -105,6 +105,18 @@ TEST(CounterBody, CuboidsAreExact) {
   }
 }
 
+// The number of nodes that is stated without a mesh is that of the mesh: fans
+// and layers of a ball, rings of a cylinder.
+TEST(CounterBody, ItsNodesAreCountedBeforeItIsMeshed) {
+  for (const CounterBody& body :
+       {body_of(CounterShape::sphere, radius, 0.1 * radius, 0.25 * radius),
+        body_of(CounterShape::cylinder, radius, 0.2 * radius, radius),
+        body_of(CounterShape::cuboid, 0.7 * radius, 0.1 * radius,
+                0.2 * radius)})
+    EXPECT_EQ(counter_nodes(body, 1),
+              static_cast<double>(counter_body(body).vertices.size()));
+}
+
 // Every facet of the end lies on the ball, and no cell is longer at the contact
 // than was asked for.
 TEST(CounterBody, EndsOfBallsLieOnThem) {

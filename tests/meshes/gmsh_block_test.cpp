@@ -104,6 +104,23 @@ TEST(GmshBlock, OfTetrahedraIsValidForAnySizes) {
       rc::check([] { expect_valid(any_block(MeshCells::tetrahedra)); }));
 }
 
+// The number of nodes that is stated without a mesh is that of the mesh for
+// hexahedra, and within a factor of two of it for tetrahedra.
+TEST(GmshBlock, CountsItsNodesBeforeItIsMeshed) {
+  for (const auto geometry : {MeshGeometry::block, MeshGeometry::indentation,
+                              MeshGeometry::layered, MeshGeometry::inclusion}) {
+    const GmshBlock boxes = cube(geometry, MeshCells::hexahedra);
+    const GmshBlock others = cube(geometry, MeshCells::tetrahedra);
+    const auto vertices =
+        static_cast<double>(gmsh_block(others).vertices.size());
+
+    EXPECT_EQ(gmsh_nodes(boxes, 1),
+              static_cast<double>(gmsh_block(boxes).vertices.size()));
+    EXPECT_LT(gmsh_nodes(others, 1), 2.0 * vertices);
+    EXPECT_GT(gmsh_nodes(others, 1), 0.5 * vertices);
+  }
+}
+
 // Verifies that no cell is of poor quality: hexahedra stay above the corner of
 // the divided cube, 1/sqrt(3), less its skew where the box is not a cube
 // (1/sqrt(6) if it is twice as long along one axis); gmsh's optimiser keeps
