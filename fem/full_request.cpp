@@ -79,35 +79,21 @@ std::vector<double> thicknesses_of(const LayeredBlock& block) {
   return thicknesses;
 }
 
-/// The moduli of the meshed body: the first of two bodies, or the single one
-/// that represents both.
-mechanics::BodyModuli own_moduli(const mechanics::MaterialSpec& material,
-                                 int bodies) {
-  return bodies == 2 ? material.first_body()
-                     : mechanics::BodyModuli{material.block_youngs_modulus(),
-                                             *material.poisson_ratio};
-}
-
 } // namespace
 
 LayeredBlock layered_block(const mechanics::BlockSettings& settings,
                            const std::vector<mechanics::MaterialLayer>& layers,
                            const mechanics::BodyModuli& own, const Grid& grid,
                            const mechanics::Scales& scales) {
-  // surface_cell_depth is measured in node spacings: the node planes next to
-  // the contact surface are that far apart, so 1 gives a cubic cell for Q1 and
-  // Q2 alike.
-  const double surface_cell = settings.surface_cell_depth *
-                              degree_of(settings.element) * grid.spacing_x();
   const std::vector<double> interfaces = meshes::interfaces_of(layers, scales);
   std::vector<mechanics::BodyModuli> moduli;
   moduli.reserve(layers.size() + 1);
   for (const mechanics::MaterialLayer& layer : layers)
     moduli.push_back(layer.moduli);
   moduli.push_back(own);
-  return bonded_block(meshes::graded_layers_with_interfaces(
-                          surface_cell, settings.growth, interfaces,
-                          settings.depth.in_si(scales)),
+  return bonded_block(meshes::layers_of_block(settings, interfaces,
+                                              grid.spacing_x(),
+                                              settings.depth.in_si(scales)),
                       interfaces, moduli, settings.far_boundary);
 }
 

@@ -4,6 +4,7 @@
 // its mesh, its materials and its boundary conditions.
 
 #include "fem/block/block_problem.hpp"
+#include "fem/linear/solver_choice.hpp"
 #include "mechanics/fem_settings.hpp"
 #include "mechanics/material.hpp"
 #include "mechanics/mesh_spec.hpp"
@@ -27,6 +28,15 @@ struct FullRequest {
   std::optional<meshes::BlockMesh> file_mesh = {};
 };
 
+/// The moduli of the meshed body: the first of two bodies, or the single one
+/// that represents both.
+inline mechanics::BodyModuli own_moduli(const mechanics::MaterialSpec& material,
+                                        int bodies) {
+  return bodies == 2 ? material.first_body()
+                     : mechanics::BodyModuli{material.block_youngs_modulus(),
+                                             *material.poisson_ratio};
+}
+
 /// Builds the problem with the mesh that is requested: graded layers, cubes
 /// with hanging nodes, the coarsest cells of an adaptive mesh or a gmsh mesh.
 /// An invalid mesh is refused.
@@ -39,6 +49,15 @@ BlockProblem problem_of(const FullRequest& request,
 
 /// The same on all ranks of mpirun, of which rank 0 makes the mesh. Collective.
 BlockProblem problem_on_ranks(const FullRequest& request);
+
+/// What solver_of() will be asked with, before there is a mesh. The unknowns
+/// are counted as the mesh generators count them (meshes/): exactly but for
+/// tetrahedra, meshes of a file, those that follow the contact, and
+/// counter-bodies whose cells have the size of the block's. Builds nothing, and
+/// needs neither deal.II nor gmsh.
+/// @param ranks  that share the block
+/// @throws std::domain_error  the mesh itself would be refused
+BlockTraits expected_block(const FullRequest& request, int ranks);
 
 /// Cell layers of a laterally uniform block with the grading ratio of the
 /// settings and a cell face on each interface between the material's layers.

@@ -21,17 +21,6 @@ namespace asperity::fem {
 
 using mechanics::LinearSolver;
 
-/// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns. On several ranks a lattice is never too small for multigrid.
-inline constexpr unsigned int most_direct_unknowns = 500;
-
-/// The same above a Poisson's ratio of 0.49 where no Fourier preconditioner
-/// serves, on one rank: multigrid may need hundreds of iterations there.
-inline constexpr unsigned int most_direct_stiff_unknowns = 12000;
-
-/// The same on several ranks, where the direct solver is KLU.
-inline constexpr unsigned int most_direct_stiff_unknowns_on_ranks = 2000;
-
 /// The state of a load step while it is solved.
 struct BlockProgress {
   int mesh_pass = 0; ///< solutions of an adaptive mesh before this one

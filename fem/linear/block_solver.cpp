@@ -1,6 +1,7 @@
 #include "fem/linear/block_solver.hpp"
 
 #include "base/require.hpp"
+#include "fem/parallel/ranks.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -12,13 +13,21 @@ namespace asperity::fem {
 using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
+namespace {
+
+/// Whether the direct solver is MUMPS, which deadlocks at its second matrix on
+/// two ranks if it is called through Amesos; else it is KLU.
+bool has_mumps() {
+  return n_ranks() == 1;
+}
+
+} // namespace
+
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<BlockPreconditioner> own,
                          std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
-      is_direct_(!matrix_free && (kind == LinearSolver::direct ||
-                                  (kind == LinearSolver::automatic && !own &&
-                                   is_small(system)))),
+      is_direct_(kind == LinearSolver::direct),
       may_turn_direct_(kind == LinearSolver::automatic && has_mumps() &&
                        system.n_unknowns() <= most_unknowns_of_last_resort),
       own_(std::move(own)),

@@ -6,7 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_assembly.hpp"
-#include "fem/linear/solver_choice.hpp"
+#include "fem/block/block_system.hpp"
 #include "fem/multigrid/conjugate_gradients.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -18,6 +18,16 @@
 #include <vector>
 
 namespace asperity::fem {
+
+/// LinearSolver::automatic replaces conjugate gradients by the direct solver if
+/// a solution needs more than this number of steps, on one rank and up to this
+/// number of unknowns.
+inline constexpr unsigned int most_steps_before_direct = 200;
+inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
+
+/// Conjugate gradients end after this number of steps if no direct solver
+/// follows. Flat cells beside large contrasts of moduli need a thousand.
+inline constexpr unsigned int most_steps_without_direct = 3000;
 
 /// Approximates the inverse of the matrix in CG. It must be symmetric and
 /// positive definite.
@@ -118,6 +128,9 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 class BlockSolver {
 public:
   /// @param system       must outlive the solver
+  /// @param kind         direct: the direct solver; automatic: conjugate
+  ///                     gradients that may go on with it; others: conjugate
+  ///                     gradients
   /// @param own          preconditioner used in place of multigrid; may be null
   /// @param matrix_free  solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,

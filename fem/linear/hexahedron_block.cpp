@@ -287,15 +287,4 @@ bool is_hexahedron_block(const BlockSystem& system) {
          (!system.has_counter() || system.contact().has_counter_mesh());
 }
 
-std::unique_ptr<MatrixFreeBlock>
-hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system) {
-  const SolverNeeds needs{
-      .kind = LinearSolver::multigrid,
-      .fits_mesh = [&] { return is_hexahedron_block(system); },
-      .fits_moduli = [&] { return is_compressible(system); }};
-  if (!is_used(choice_of(needs, problem.linear_solver, system.n_unknowns())))
-    return nullptr;
-  return std::make_unique<HexahedronBlock>(problem, system);
-}
-
 } // namespace asperity::fem

@@ -107,9 +107,4 @@ private:
 /// the correction alone.
 bool is_hexahedron_block(const BlockSystem& system);
 
-/// The block if it can solve the problem and no other solver is requested or
-/// preferable; null otherwise.
-std::unique_ptr<MatrixFreeBlock>
-hexahedron_block_of(const BlockProblem& problem, const BlockSystem& system);
-
 } // namespace asperity::fem

@@ -1,52 +1,39 @@
 #include "fem/linear/solver_choice.hpp"
 
-#include "fem/parallel/ranks.hpp"
-
-#include <deal.II/base/mpi.h>
-
-#include <algorithm>
-
 namespace asperity::fem {
 
-Choice choice_of(const SolverNeeds& needs, LinearSolver requested,
-                 unsigned int unknowns) {
-  const bool is_requested = requested == needs.kind;
-  if (!is_requested && requested != LinearSolver::automatic)
-    return Choice::other_requested;
-  if (!is_requested && unknowns < needs.fewest_unknowns)
-    return Choice::small_block;
-  if (!needs.fits_mesh())
-    return Choice::unsuitable_mesh;
-  const bool needs_moduli =
-      needs.fits_moduli && !(is_requested && needs.ignores_moduli_if_requested);
-  if (needs_moduli && !needs.fits_moduli())
-    return Choice::nearly_incompressible;
-  return is_requested ? Choice::requested : Choice::preferred;
+BlockSolverKind solver_of(const BlockTraits& block) {
+  if (block.requested == LinearSolver::direct)
+    return BlockSolverKind::direct;
+  if (block.requested == LinearSolver::fourier)
+    return block.has_fourier ? BlockSolverKind::fourier
+                             : BlockSolverKind::algebraic;
+  const bool is_automatic = block.requested == LinearSolver::automatic;
+  const bool is_lattice = block.structure == MeshStructure::lattice;
+  if (is_automatic && block.unknowns <= most_direct_unknowns &&
+      !(is_lattice && block.ranks > 1))
+    return BlockSolverKind::direct;
+  if (is_lattice && (block.is_compressible || !is_automatic))
+    return BlockSolverKind::lattice;
+  if (block.is_compressible && block.structure == MeshStructure::halved)
+    return BlockSolverKind::halved;
+  if (block.is_compressible && block.structure == MeshStructure::hexahedra)
+    return BlockSolverKind::hexahedra;
+  if (!is_automatic)
+    return BlockSolverKind::algebraic;
+  if (block.has_fourier)
+    return BlockSolverKind::fourier;
+  const double most_stiff = block.ranks == 1
+                                ? most_direct_stiff_unknowns
+                                : most_direct_stiff_unknowns_on_ranks;
+  return !block.is_compressible && block.unknowns <= most_stiff
+             ? BlockSolverKind::direct
+             : BlockSolverKind::algebraic;
 }
 
-bool has_mumps() {
-  return n_ranks() == 1;
-}
-
-bool is_small(const BlockSystem& system) {
-  const auto n_unknowns = system.n_unknowns();
-  const auto most_stiff = has_mumps() ? most_direct_stiff_unknowns
-                                      : most_direct_stiff_unknowns_on_ranks;
-  return n_unknowns <= most_direct_unknowns ||
-         (n_unknowns <= most_stiff && !is_compressible(system));
-}
-
-bool is_compressible(const BlockSystem& system) {
-  double largest = 0.0;
-  for (const auto& cell :
-       system.space().dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    const Moduli own = system.moduli_of(cell);
-    largest = std::max(largest, own.lame_modulus / own.shear_modulus);
-  }
-  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD) <=
-         largest_lame_ratio;
+bool is_compressible(const Moduli& moduli) {
+  constexpr double largest_ratio = 49.0; // that of nu = 0.49
+  return moduli.lame_modulus <= largest_ratio * moduli.shear_modulus;
 }
 
 } // namespace asperity::fem

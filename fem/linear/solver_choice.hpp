@@ -1,69 +1,61 @@
 #pragma once
 
-// Which linear solver is used for a block, and why.
-// Include this header in .cpp files of fem/ only.
+// Which linear solver is used for a block. The run asks with what it finds of
+// the block, the plan with what it expects of it (expected_block(), in
+// fem/full_request.hpp). Does not depend on deal.II.
 
-#include "fem/block/block_system.hpp"
-#include "fem/block/full_block.hpp"
-
-#include <functional>
+#include "fem/waves/moduli_field.hpp"
+#include "mechanics/fem_settings.hpp"
 
 namespace asperity::fem {
 
-/// LinearSolver::automatic uses a MatrixFreeBlock up to this ratio of Lame's
-/// moduli, that of nu = 0.49; beyond, it may need too many iterations.
-inline constexpr double largest_lame_ratio = 49.0;
+using mechanics::LinearSolver;
 
-/// LinearSolver::automatic replaces conjugate gradients by the direct solver if
-/// a solution needs more than this number of steps, on one rank and up to this
-/// number of unknowns.
-inline constexpr unsigned int most_steps_before_direct = 200;
-inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
+/// LinearSolver::automatic uses the direct solver up to this number of
+/// unknowns. On several ranks a lattice is never too small for multigrid.
+inline constexpr double most_direct_unknowns = 500;
 
-/// Conjugate gradients end after this number of steps if no direct solver
-/// follows. Flat cells beside large contrasts of moduli need a thousand.
-inline constexpr unsigned int most_steps_without_direct = 3000;
+/// The same above a Poisson's ratio of 0.49 where no Fourier preconditioner
+/// serves, on one rank: multigrid may need hundreds of iterations there.
+inline constexpr double most_direct_stiff_unknowns = 12000;
 
-/// Why a linear solver is used for a block, or is not.
-enum class Choice {
-  requested,            ///< used: the problem requests it
-  preferred,            ///< used: it is the fastest of those that can be used
-  other_requested,      ///< the problem requests another
-  small_block,          ///< the direct solver is faster
-  unsuitable_mesh,      ///< it cannot solve on this mesh
-  nearly_incompressible ///< it may need too many iterations
+/// The same on several ranks, where the direct solver is KLU.
+inline constexpr double most_direct_stiff_unknowns_on_ranks = 2000;
+
+/// The linear solvers of a block.
+enum class BlockSolverKind {
+  direct,    ///< sparse factorisation
+  algebraic, ///< conjugate gradients with multigrid from the matrix
+  fourier,   ///< the same with the Fourier solver of the uniform block
+  lattice,   ///< geometric multigrid on a lattice of boxes
+  halved,    ///< multigrid without a matrix on boxes that are halved from one
+  hexahedra  ///< the same for other second-order hexahedra
 };
 
-constexpr bool is_used(Choice choice) {
-  return choice == Choice::requested || choice == Choice::preferred;
-}
-
-/// What a linear solver needs of a block. The functions may be expensive and
-/// collective; they are called on all ranks or on none.
-struct SolverNeeds {
-  LinearSolver kind = LinearSolver::multigrid; ///< by which it is requested
-  /// LinearSolver::automatic uses it from this number of unknowns.
-  unsigned int fewest_unknowns = most_direct_unknowns + 1;
-  std::function<bool()> fits_mesh = {};
-  /// Whether the moduli let it converge; empty if all do.
-  std::function<bool()> fits_moduli = {};
-  bool ignores_moduli_if_requested = false;
+/// What a mesh permits besides a matrix.
+enum class MeshStructure {
+  lattice,   ///< equal columns of boxes
+  halved,    ///< boxes halved from a lattice, one body
+  hexahedra, ///< second-order, one body or a counter-body with a mesh
+  other
 };
 
-/// @param requested  by the problem
-/// @param unknowns   of the block
-Choice choice_of(const SolverNeeds& needs, LinearSolver requested,
-                 unsigned int unknowns);
+/// What the choice depends on.
+struct BlockTraits {
+  LinearSolver requested = LinearSolver::automatic;
+  double unknowns = 0.0;
+  int ranks = 1;
+  MeshStructure structure = MeshStructure::other;
+  bool has_fourier = false; ///< a lattice with periodic sides and known layers
+  bool is_compressible = true; ///< every cell, see below
+};
 
-/// Whether the direct solver is MUMPS, which deadlocks at its second matrix on
-/// two ranks if it is called through Amesos; else it is KLU.
-bool has_mumps();
+/// The linear solver of a block. A Fourier solver that is requested, but does
+/// not fit, is replaced by an algebraic one.
+BlockSolverKind solver_of(const BlockTraits& block);
 
-/// Whether LinearSolver::automatic takes the direct solver if no Fourier
-/// preconditioner and no solver without a matrix serves. Collective.
-bool is_small(const BlockSystem& system);
-
-/// Whether no cell exceeds largest_lame_ratio. Collective.
-bool is_compressible(const BlockSystem& system);
+/// Whether multigrid without a matrix converges in few iterations: up to a
+/// Poisson's ratio of 0.49.
+bool is_compressible(const Moduli& moduli);
 
 } // namespace asperity::fem

@@ -223,12 +223,6 @@ bool is_refined_block(const BlockProblem& problem) {
 
 std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
                                                   const BlockSystem& system) {
-  const SolverNeeds needs{
-      .kind = LinearSolver::multigrid,
-      .fits_mesh = [&] { return is_refined_block(problem); },
-      .fits_moduli = [&] { return is_compressible(system); }};
-  if (!is_used(choice_of(needs, problem.linear_solver, system.n_unknowns())))
-    return nullptr;
   if (problem.degree == 1)
     return std::make_unique<RefinedBlock>(problem, system);
   const auto unknowns = std::make_shared<LocalUnknowns>(

@@ -67,8 +67,7 @@ private:
 /// is a lattice of boxes.
 bool is_refined_block(const BlockProblem& problem);
 
-/// The block if it can solve the problem and no other solver is requested or
-/// preferable; null otherwise.
+/// The block of a problem that is_refined_block() permits, in either order.
 std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
                                                   const BlockSystem& system);
 

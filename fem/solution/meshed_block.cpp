@@ -6,6 +6,7 @@
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
 #include "fem/linear/lattice_preconditioner.hpp"
+#include "fem/linear/solver_choice.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/refined/refined_block.hpp"
 #include "fem/solution/block_section.hpp"
@@ -51,75 +52,74 @@ bool is_lattice(const BlockProblem& problem) {
              problem.lattice->layers.size() * problem.grid.size();
 }
 
-/// The number of unknowns from which a solver for lattices is faster than the
-/// direct solver: several ranks always use it.
-unsigned int fewest_on_lattice() {
-  return n_ranks() > 1 ? 0 : most_direct_unknowns + 1;
+bool is_compressible(const BlockSystem& system) {
+  bool is_own = true;
+  for (const auto& cell : system.space().dof_handler().active_cell_iterators())
+    is_own = is_own && (!cell->is_locally_owned() ||
+                        is_compressible(system.moduli_of(cell)));
+  return dealii::Utilities::MPI::min(is_own ? 1 : 0, MPI_COMM_WORLD) == 1;
 }
 
-/// The Fourier preconditioner if it is requested, or if it may be used and the
-/// block is not so small that the direct solver serves; null otherwise.
-std::unique_ptr<BlockPreconditioner> lattice_of(const BlockProblem& problem,
-                                                const BlockSystem& system) {
-  const SolverNeeds needs{.kind = LinearSolver::fourier,
-                          .fewest_unknowns = fewest_on_lattice(),
-                          .fits_mesh = [&] { return is_lattice(problem); }};
-  const Choice choice =
-      choice_of(needs, problem.linear_solver, system.n_unknowns());
-  if (choice == Choice::unsuitable_mesh &&
-      problem.linear_solver == LinearSolver::fourier)
-    throw std::domain_error(
-        "linear_solver = fourier: the block is not a periodic regular grid of "
-        "boxes; choose auto, direct or multigrid");
-  if (!is_used(choice))
-    return nullptr;
-  return std::make_unique<LatticePreconditioner>(system, problem.degree,
-                                                 *problem.lattice);
+/// What the choice of the linear solver depends on. Collective.
+/// @param lattice  of a mesh that is one, else empty
+BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
+                      const std::optional<BoxLattice>& lattice) {
+  BlockTraits traits{
+      .requested = problem.linear_solver,
+      .unknowns = static_cast<double>(system.n_unknowns()),
+      .ranks = n_ranks(),
+      .has_fourier = lattice.has_value() && is_lattice(problem),
+      .is_compressible =
+          lattice ? std::ranges::all_of(
+                        lattice->moduli,
+                        [](const CellModuli& own) {
+                          return is_compressible(Moduli{own.lame, own.shear});
+                        })
+                  : is_compressible(system)};
+  if (lattice)
+    traits.structure = MeshStructure::lattice;
+  else if (is_refined_block(problem))
+    traits.structure = MeshStructure::halved;
+  else if (is_hexahedron_block(system))
+    traits.structure = MeshStructure::hexahedra;
+  return traits;
 }
 
-/// Geometric multigrid if the mesh is a lattice of boxes and no other solver is
-/// requested or preferable; null otherwise.
-std::unique_ptr<LatticeBlock> multigrid_of(const BlockProblem& problem,
-                                           const BlockSystem& system) {
-  std::optional<BoxLattice> lattice;
-  const SolverNeeds needs{.kind = LinearSolver::multigrid,
-                          .fewest_unknowns = fewest_on_lattice(),
-                          .fits_mesh =
-                              [&] {
-                                lattice = box_lattice(problem);
-                                return lattice.has_value();
-                              },
-                          .fits_moduli =
-                              [&] {
-                                return std::ranges::all_of(
-                                    lattice->moduli, [](const CellModuli& own) {
-                                      return own.lame <=
-                                             largest_lame_ratio * own.shear;
-                                    });
-                              },
-                          .ignores_moduli_if_requested = true};
-  if (!is_used(choice_of(needs, problem.linear_solver, system.n_unknowns())))
-    return nullptr;
-  return std::make_unique<LatticeBlock>(system, *lattice);
-}
-
-/// The solver of the contact problem with the linear solver that the problem
-/// requests or that is the fastest.
+/// The solver of the contact problem with the linear solver that solver_of()
+/// chooses. Collective.
 /// @param has_own_mesh  whether the mesh is that of the problem
 ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
                         bool has_own_mesh) {
-  std::unique_ptr<MatrixFreeBlock> matrix_free;
-  std::unique_ptr<BlockPreconditioner> fourier;
-  if (has_own_mesh)
-    matrix_free = multigrid_of(problem, system);
-  if (has_own_mesh && !matrix_free)
-    fourier = lattice_of(problem, system);
-  if (!matrix_free && !fourier)
-    matrix_free = refined_block_of(problem, system);
-  if (!matrix_free && !fourier)
-    matrix_free = hexahedron_block_of(problem, system);
-  return ContactNewton(system, problem.linear_solver, std::move(fourier),
-                       std::move(matrix_free));
+  const LinearSolver requested = problem.linear_solver;
+  if (requested == LinearSolver::direct)
+    return ContactNewton(system, requested);
+  const std::optional<BoxLattice> lattice =
+      has_own_mesh ? box_lattice(problem) : std::nullopt;
+  const BlockTraits traits = traits_of(problem, system, lattice);
+  if (requested == LinearSolver::fourier && has_own_mesh && !traits.has_fourier)
+    throw std::domain_error(
+        "linear_solver = fourier: the block is not a periodic regular grid of "
+        "boxes; choose auto, direct or multigrid");
+  switch (solver_of(traits)) {
+  case BlockSolverKind::direct:
+    return ContactNewton(system, LinearSolver::direct);
+  case BlockSolverKind::fourier:
+    return ContactNewton(system, requested,
+                         std::make_unique<LatticePreconditioner>(
+                             system, problem.degree, *problem.lattice));
+  case BlockSolverKind::lattice:
+    return ContactNewton(system, requested, nullptr,
+                         std::make_unique<LatticeBlock>(system, *lattice));
+  case BlockSolverKind::halved:
+    return ContactNewton(system, requested, nullptr,
+                         refined_block_of(problem, system));
+  case BlockSolverKind::hexahedra:
+    return ContactNewton(system, requested, nullptr,
+                         std::make_unique<HexahedronBlock>(problem, system));
+  case BlockSolverKind::algebraic:
+    break;
+  }
+  return ContactNewton(system, requested);
 }
 
 } // namespace

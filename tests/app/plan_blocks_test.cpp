@@ -2,7 +2,7 @@
 // uncertainty of their cost. No test asserts a time.
 #include "app/plan/block_cost.hpp"
 #include "app/plan/block_size.hpp"
-#include "fem/block/full_block.hpp"
+#include "fem/linear/solver_choice.hpp"
 #include "meshes/layers/graded_layers.hpp"
 
 #include <gtest/gtest.h>

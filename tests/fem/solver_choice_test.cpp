@@ -1,55 +1,88 @@
-// Tests of fem/linear/solver_choice.hpp: why a linear solver is used or not,
-// without a block.
-
+// Tests of fem/linear/solver_choice.hpp, the rules of
+// docs/numerics/full-block.md: which linear solver is used, without a block.
 #include "fem/linear/solver_choice.hpp"
 
 #include <gtest/gtest.h>
 
 namespace asperity::fem::solver_choice_test {
 
-/// A multigrid solver from 100 unknowns.
-SolverNeeds needs_of(bool fits_mesh, bool fits_moduli) {
-  return {.kind = LinearSolver::multigrid,
-          .fewest_unknowns = 100,
-          .fits_mesh = [fits_mesh] { return fits_mesh; },
-          .fits_moduli = [fits_moduli] { return fits_moduli; }};
+using enum BlockSolverKind;
+
+BlockTraits block(MeshStructure structure, double unknowns, int ranks = 1) {
+  return {.unknowns = unknowns, .ranks = ranks, .structure = structure};
 }
 
-TEST(SolverChoice, NamesTheFirstReasonAgainstASolver) {
-  const auto automatic = LinearSolver::automatic;
-
-  EXPECT_EQ(choice_of(needs_of(true, true), LinearSolver::direct, 100),
-            Choice::other_requested);
-  EXPECT_EQ(choice_of(needs_of(true, true), automatic, 99),
-            Choice::small_block);
-  EXPECT_EQ(choice_of(needs_of(false, false), automatic, 100),
-            Choice::unsuitable_mesh);
-  EXPECT_EQ(choice_of(needs_of(true, false), automatic, 100),
-            Choice::nearly_incompressible);
-  EXPECT_EQ(choice_of(needs_of(true, true), automatic, 100), Choice::preferred);
+BlockTraits stiff(BlockTraits of) {
+  of.is_compressible = false;
+  return of;
 }
 
-TEST(SolverChoice, ARequestedSolverServesSmallBlocksOfItsMeshes) {
-  const auto requested = LinearSolver::multigrid;
-  SolverNeeds needs = needs_of(true, false);
-
-  EXPECT_EQ(choice_of(needs_of(true, true), requested, 1), Choice::requested);
-  EXPECT_EQ(choice_of(needs_of(false, true), requested, 1),
-            Choice::unsuitable_mesh);
-  EXPECT_EQ(choice_of(needs, requested, 1), Choice::nearly_incompressible);
-  needs.ignores_moduli_if_requested = true;
-  EXPECT_EQ(choice_of(needs, requested, 1), Choice::requested);
+BlockTraits requested(LinearSolver solver, BlockTraits of) {
+  of.requested = solver;
+  return of;
 }
 
-TEST(SolverChoice, LooksAtTheBlockOnlyIfTheSolverMayBeUsed) {
-  SolverNeeds needs = needs_of(true, true);
-  needs.fits_mesh = [] {
-    ADD_FAILURE() << "expensive";
-    return true;
-  };
+BlockTraits periodic(BlockTraits of) {
+  of.has_fourier = true;
+  return of;
+}
 
-  EXPECT_FALSE(is_used(choice_of(needs, LinearSolver::fourier, 1000)));
-  EXPECT_FALSE(is_used(choice_of(needs, LinearSolver::automatic, 99)));
+constexpr double small = most_direct_unknowns;
+constexpr double least = small + 1.0;
+
+TEST(SolverChoice, TakesMultigridWithoutAMatrixWhereItIsAvailable) {
+  EXPECT_EQ(solver_of(block(MeshStructure::lattice, least)), lattice);
+  EXPECT_EQ(solver_of(block(MeshStructure::halved, least)), halved);
+  EXPECT_EQ(solver_of(block(MeshStructure::hexahedra, least, 2)), hexahedra);
+  EXPECT_EQ(solver_of(block(MeshStructure::other, least)), algebraic);
+}
+
+TEST(SolverChoice, IsDirectForSmallBlocksButNotForALatticeOnRanks) {
+  EXPECT_EQ(solver_of(block(MeshStructure::lattice, small)), direct);
+  EXPECT_EQ(solver_of(block(MeshStructure::other, small, 2)), direct);
+  EXPECT_EQ(solver_of(block(MeshStructure::lattice, small, 2)), lattice);
+  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, small)))),
+            direct);
+  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, small, 2)))),
+            fourier);
+}
+
+TEST(SolverChoice, AvoidsMultigridOfNearlyIncompressibleBlocks) {
+  const double most = most_direct_stiff_unknowns;
+  const double most_on_ranks = most_direct_stiff_unknowns_on_ranks;
+
+  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, least)))),
+            fourier);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, most))), direct);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, most + 1.0))),
+            algebraic);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::halved, most_on_ranks, 2))),
+            direct);
+  EXPECT_EQ(
+      solver_of(stiff(block(MeshStructure::halved, most_on_ranks + 1.0, 2))),
+      algebraic);
+}
+
+TEST(SolverChoice, ARequestedSolverServesBlocksOfAnySize) {
+  const auto multigrid = LinearSolver::multigrid;
+  const BlockTraits tiny = block(MeshStructure::halved, 1.0);
+  const BlockTraits of_boxes = block(MeshStructure::lattice, 1.0);
+
+  EXPECT_EQ(solver_of(requested(LinearSolver::direct,
+                                block(MeshStructure::lattice, 1e6, 2))),
+            direct);
+  EXPECT_EQ(solver_of(requested(multigrid, tiny)), halved);
+  EXPECT_EQ(solver_of(requested(multigrid, stiff(tiny))), algebraic);
+  EXPECT_EQ(solver_of(requested(multigrid, stiff(periodic(of_boxes)))),
+            lattice);
+  EXPECT_EQ(solver_of(requested(LinearSolver::fourier, periodic(of_boxes))),
+            fourier);
+}
+
+// The border is Poisson's ratio 0.49, where lambda = 49 mu.
+TEST(SolverChoice, CallsAMaterialCompressibleUpToItsPoissonRatio) {
+  EXPECT_TRUE(is_compressible({49.0, 1.0}));
+  EXPECT_FALSE(is_compressible({49.1, 1.0}));
 }
 
 } // namespace asperity::fem::solver_choice_test
