@@ -160,17 +160,25 @@ private:
 
 } // namespace
 
+fem::FullRequest full_request(const cases::Case& contact_case,
+                              const mechanics::FemSettings& settings,
+                              const Grid& grid,
+                              const mechanics::Scales& scales) {
+  return {grid,
+          settings.block,
+          settings.full,
+          contact_case.material,
+          contact_case.mesh,
+          scales};
+}
+
 std::unique_ptr<StepSolver> make_full_block_solver(
     const cases::Case& contact_case, const cases::MethodSpec& method,
     const SurfaceOfCase& surface, int realization, const Resources& resources) {
   const auto& settings = std::get<mechanics::FemSettings>(method.settings);
   const Grid& grid = surface.record.grid;
-  fem::FullRequest request{grid,
-                           settings.block,
-                           settings.full,
-                           contact_case.material,
-                           contact_case.mesh,
-                           surface.scales};
+  fem::FullRequest request =
+      full_request(contact_case, settings, grid, surface.scales);
   resources.root->act(
       [&] { request.file_mesh = file_mesh(contact_case, method, grid); });
   return std::make_unique<FullBlockSolver>(

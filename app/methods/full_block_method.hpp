@@ -6,12 +6,20 @@
 #include "app/methods/step_solver.hpp"
 #include "app/methods/surfaces_of_case.hpp"
 #include "cases/types/case.hpp"
+#include "fem/plugin.hpp"
 
 #include <memory>
 
 namespace asperity::app {
 
 struct Resources;
+
+/// What fem/ is asked for, without the mesh of a file.
+/// @param grid  that the method presses
+fem::FullRequest full_request(const cases::Case& contact_case,
+                              const mechanics::FemSettings& settings,
+                              const Grid& grid,
+                              const mechanics::Scales& scales);
 
 /// Creates the solver of a full block. On the first realisation, the steps with
 /// saved fields write files for ParaView if the case requests them, and the

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -30,15 +29,6 @@ std::optional<int> positive_integer(std::string_view text) {
   return number;
 }
 
-/// Returns the unknowns of one load step [1], those of the surface where the
-/// mesh of a block is not known.
-double unknowns_of(const cases::Case& contact_case,
-                   const cases::MethodSpec& method, const Grid& grid,
-                   MachineRates& rates) {
-  const double unknowns = cost_of(contact_case, method, grid, rates).unknowns;
-  return std::isfinite(unknowns) ? unknowns : static_cast<double>(grid.size());
-}
-
 std::vector<double> costs_with(const cases::Case& contact_case,
                                const std::vector<cases::MethodSpec>& methods,
                                MachineRates& rates) {
@@ -47,7 +37,7 @@ std::vector<double> costs_with(const cases::Case& contact_case,
       needs_surfaces(methods) ? contact_case.surface.realizations : 1;
   std::vector<double> costs(static_cast<std::size_t>(members), 0.0);
   for (const cases::MethodSpec& method : methods) {
-    const double cost = unknowns_of(contact_case, method, grid, rates) *
+    const double cost = cost_of(contact_case, method, grid, rates).unknowns *
                         static_cast<double>(contact_case.load.targets.size());
     for (int r = 0; r < n_realizations(contact_case, method); ++r)
       costs[static_cast<std::size_t>(r)] += cost;

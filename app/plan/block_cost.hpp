@@ -1,10 +1,10 @@
 #pragma once
 
-// Predicts the cost of a full 3-D block before it is solved. This file defines
-// the model of the Newton steps, the linear iterations and the memory; its
-// constants are measured.
+// Predicts the cost of a full 3-D block before it is meshed: the unknowns and
+// the linear solver that fem/ states, times one rate per solver.
 
 #include "app/plan/cost_model.hpp"
+#include "fem/plugin.hpp"
 
 namespace asperity::app {
 
@@ -17,31 +17,18 @@ inline constexpr double fem_load_time = 0.25;
 /// on load, contact and moduli.
 inline constexpr double block_factor = 3.0;
 
-/// Predicts the cost of a method with solver = "full". A condensed method is
-/// treated as if it used the full block. The prediction is NaN if the mesh is
-/// read from a file.
+/// What fem/ expects of the block of a method with solver = "full".
+/// @param grid   that the method presses
 /// @param ranks  number of processes that share the block
+/// @throws std::domain_error, input::InputError  the mesh would be refused
+fem::BlockTraits block_of(const cases::Case& contact_case,
+                          const cases::MethodSpec& method, const Grid& grid,
+                          int ranks);
+
+/// Predicts the cost of that method; the arguments are those of block_of().
 MethodCost cost_of_full_block(const cases::Case& contact_case,
-                              const mechanics::FemSettings& settings,
-                              const Grid& grid, MachineRates& rates,
-                              int ranks = 1);
-
-/// The linear solvers of a full block, by what they cost.
-enum class BlockCostKind {
-  direct,    ///< sparse factorisation
-  algebraic, ///< multigrid from the matrix
-  fourier,   ///< preconditioner of a lattice of boxes
-  lattice,   ///< multigrid without a matrix on a lattice of boxes
-  halved,    ///< the same on boxes that are halved from a lattice, one body
-  hexahedra, ///< the same for other second-order hexahedra, one body
-  pair       ///< the same for a block and a counter-body of finite size
-};
-
-/// Returns the linear solver that fem/ will choose for a block, by the rules of
-/// docs/numerics/full-block.md.
-BlockCostKind block_cost_kind(const cases::Case& contact_case,
-                              const mechanics::FemSettings& settings,
-                              double unknowns, int ranks);
+                              const cases::MethodSpec& method, const Grid& grid,
+                              MachineRates& rates, int ranks);
 
 /// Returns the memory that deal.II and Trilinos need for any full block, in
 /// addition to the memory for loading them [B].

@@ -1,8 +1,10 @@
 #include "app/plan/cost_model.hpp"
 
+#include "app/methods/surfaces_of_case.hpp"
 #include "app/plan/block_cost.hpp"
-#include "app/plan/block_size.hpp"
 #include "base/special_numbers.hpp"
+#include "meshes/gmsh_block.hpp"
+#include "meshes/layers/graded_layers.hpp"
 #include "surfaces/build.hpp"
 
 #include <algorithm>
@@ -94,6 +96,7 @@ double iterations_per_step(const mechanics::SurfaceSpec& surface,
 /// What a cost depends on besides the settings of the method.
 struct CostInput {
   const cases::Case& contact_case;
+  const cases::MethodSpec& method;
   const Grid& grid;
   MachineRates& rates;
   int ranks = 1;
@@ -101,7 +104,7 @@ struct CostInput {
 
 MethodCost cost_on_face(const mechanics::ContactSettings& contact,
                         const CostInput& input) {
-  const auto& [contact_case, grid, rates, ranks] = input;
+  const auto& [contact_case, method, grid, rates, ranks] = input;
   MethodCost cost;
   const double law =
       contact.law == mechanics::ContactLaw::augmented ? augmented_factor : 1.0;
@@ -130,7 +133,7 @@ MethodCost cost_of_settings(const mechanics::HalfspaceSettings& settings,
   padded.points_x *= 2;
   padded.points_y *= 2;
   return cost_on_face(settings.contact,
-                      {input.contact_case, padded, input.rates});
+                      {input.contact_case, input.method, padded, input.rates});
 }
 
 /// A sort of the heights, no transform.
@@ -145,13 +148,20 @@ MethodCost cost_of_settings(const mechanics::WinklerSettings&,
 
 MethodCost cost_of_settings(const mechanics::FemSettings& settings,
                             const CostInput& input) {
-  const auto& [contact_case, grid, rates, ranks] = input;
+  const auto& [contact_case, method, grid, rates, ranks] = input;
   if (settings.solver == mechanics::FemSolver::full)
-    return cost_of_full_block(contact_case, settings, grid, rates, ranks);
+    return cost_of_full_block(contact_case, method,
+                              pressed_grid(contact_case, method, grid), rates,
+                              ranks);
   const mechanics::Scales scales{contact_case.material.contact_modulus,
                                  grid.length_x, grid.spacing_x(), 0.0};
   MethodCost cost = cost_on_face(settings.contact, input);
-  const double layers = n_layers(contact_case, settings, scales, grid);
+  const auto layers = static_cast<double>(
+      meshes::layers_of_block(
+          settings.block,
+          meshes::interfaces_of(contact_case.material.layers, scales),
+          grid.spacing_x(), settings.block.depth.in_si(scales))
+          .size());
   const double symmetry = grid.is_square() ? 8.0 : 4.0;
   if (settings.block.element == Element::q1) {
     cost.setup_time = layers * nodes(grid) / symmetry * q1_layer_time;
@@ -165,7 +175,7 @@ MethodCost cost_of_settings(const mechanics::FemSettings& settings,
 
 MethodCost cost_of_settings(const mechanics::MdSettings& settings,
                             const CostInput& input) {
-  const auto& [contact_case, grid, rates, ranks] = input;
+  const auto& [contact_case, method, grid, rates, ranks] = input;
   const double side = settings.atoms.value_or(grid.points_x);
   MethodCost cost;
   cost.unknowns = 3.0 * side * side;
@@ -201,8 +211,8 @@ MethodCost cost_of(const cases::Case& contact_case,
                    MachineRates& rates, int ranks) {
   return std::visit(
       [&](const auto& settings) {
-        return cost_of_settings(settings,
-                                CostInput{contact_case, grid, rates, ranks});
+        return cost_of_settings(
+            settings, CostInput{contact_case, method, grid, rates, ranks});
       },
       method.settings);
 }

@@ -174,14 +174,12 @@ private:
     } else {
       fem::require_cells(pressed_, degree);
       if (kind == MeshKind::hanging)
-        meshes::hanging_mesh({pressed_.points_x / degree,
-                              pressed_.points_y / degree, pressed_.length_x,
-                              pressed_.length_y},
-                             depth, mesh.cells_a_level);
+        meshes::hanging_nodes({pressed_.points_x / degree,
+                               pressed_.points_y / degree, pressed_.length_x,
+                               pressed_.length_y},
+                              depth, mesh.cells_a_level, degree);
       else
-        meshes::graded_layers_with_interfaces(
-            fem.block.surface_cell_depth * degree * scales_.spacing,
-            fem.block.growth, interfaces, depth);
+        meshes::layers_of_block(fem.block, interfaces, scales_.spacing, depth);
     }
   }
 
@@ -189,13 +187,9 @@ private:
   /// over the block like the centres of its cells.
   void examine_moduli(const FemSettings& fem) const {
     const double depth = fem.block.depth.in_si(scales_);
-    const mechanics::BodyModuli own =
-        fem.full.bodies == 2
-            ? case_.material.first_body()
-            : mechanics::BodyModuli{case_.material.block_youngs_modulus(),
-                                    *case_.material.poisson_ratio};
-    const fem::ModuliField moduli =
-        fem::moduli_field(case_.material, scales_, own, pressed_, depth);
+    const fem::ModuliField moduli = fem::moduli_field(
+        case_.material, scales_,
+        fem::own_moduli(case_.material, fem.full.bodies), pressed_, depth);
     if (!moduli.has_factor())
       return;
     const double cells_down = std::max(1.0, depth / scales_.spacing);

@@ -2,14 +2,14 @@
 
 #include "app/methods/chosen.hpp"
 #include "app/methods/surfaces_of_case.hpp"
-#include "app/plan/block_cost.hpp"
 #include "base/special_numbers.hpp"
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace asperity::app {
@@ -43,6 +43,12 @@ private:
     return n_steps() * n_realizations(selected_.contact_case, method);
   }
 
+  /// Adds work that no run of this program does.
+  void add_unpriced(std::string what, std::string why) {
+    list.push_back(
+        {std::move(what), std::move(why), not_a_number, not_a_number});
+  }
+
   void add_realizations(const MethodSpec& method);
 
   void add_of_settings(const MethodSpec&, const mechanics::TheorySettings&) {}
@@ -70,8 +76,12 @@ void Skips::add_methods_left_out() {
     if (std::ranges::any_of(selected_.methods, is_same))
       continue;
     MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
-    if (nodes() > 0.0)
-      cost = cost_of(selected_.contact_case, method, selected_.grid, rates_);
+    try {
+      if (nodes() > 0.0)
+        cost = cost_of(selected_.contact_case, method, selected_.grid, rates_);
+    } catch (const std::domain_error&) { // nobody has asked for its mesh
+    } catch (const input::InputError&) {
+    }
     list.push_back({method.name, "not selected by --methods",
                     cost.setup_time + all_steps(method) * cost.step_time,
                     cost.memory});
@@ -82,11 +92,9 @@ void Skips::add_surfaces() {
   if (needs_surfaces(selected_.methods) || nodes() == 0.0)
     return;
   const int realizations = selected_.contact_case.surface.realizations;
-  list.push_back(
-      {fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
-       "the theory uses the formula of the spectrum",
-       3.0 * realizations * rates_.transform_time(selected_.grid),
-       nodes() * realizations * sizeof(double)});
+  add_unpriced(
+      fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
+      "the theory uses the formula of the spectrum");
 }
 
 void Skips::add_maps() {
@@ -105,9 +113,9 @@ void Skips::add_maps() {
 
 void Skips::add_of(const MethodSpec& method) {
   if (method.magnification)
-    list.push_back({fmt::format("{}: roughness above {:g} q_0", method.name,
-                                *method.magnification),
-                    "its magnification", not_a_number, not_a_number});
+    add_unpriced(fmt::format("{}: roughness above {:g} q_0", method.name,
+                             *method.magnification),
+                 "its magnification");
   add_realizations(method);
   std::visit([&](const auto& own) { add_of_settings(method, own); },
              method.settings);
@@ -131,62 +139,35 @@ void Skips::add_realizations(const MethodSpec& method) {
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::HalfspaceSettings& settings) {
-  const MethodCost cost =
-      cost_of(selected_.contact_case, method, selected_.grid, rates_);
-  list.push_back(
-      {fmt::format("{}: two tangential displacements per node", method.name),
-       "the contact surface is frictionless and has no shear traction",
-       2.0 * all_steps(method) * cost.step_time,
-       2.0 * sizeof(double) * nodes()});
-  list.push_back({method.name + ": the block below the contact surface",
-                  settings.thickness
-                      ? "the compliance of a slab has a closed form"
-                      : "no thickness is given: the compliance of a half-space "
-                        "has a closed form",
-                  not_a_number, not_a_number});
+  add_unpriced(method.name + ": two tangential displacements per node",
+               "the contact surface is frictionless and has no shear traction");
+  add_unpriced(method.name + ": the block below the contact surface",
+               settings.thickness
+                   ? "the compliance of a slab has a closed form"
+                   : "no thickness is given: the compliance of a half-space "
+                     "has a closed form");
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::FemSettings& settings) {
   if (settings.solver == mechanics::FemSolver::full)
     return;
-  const MethodCost full = cost_of_full_block(selected_.contact_case, settings,
-                                             selected_.grid, rates_);
-  list.push_back({fmt::format("{}: {} of {} displacements of the block",
-                              method.name, count_text(full.unknowns - nodes()),
-                              count_text(full.unknowns)),
-                  "laterally uniform: condensed to the normal displacement of "
-                  "the contact surface",
-                  all_steps(method) * full.step_time, full.memory});
-  const MethodCost cost =
-      cost_of(selected_.contact_case, method, selected_.grid, rates_);
+  add_unpriced(method.name + ": the displacements of the block",
+               "laterally uniform: condensed to the normal displacement of the "
+               "contact surface");
   if (selected_.grid.is_square() && !std::exchange(has_operator_, true))
-    list.push_back(
-        {fmt::format("{}: {} of {} wavevectors of the operator", method.name,
-                     count_text(0.375 * nodes()), count_text(0.5 * nodes())),
-         "mirror images of the others", 3.0 * cost.setup_time, 0.0});
+    add_unpriced(fmt::format("{}: {} of {} wavevectors of the operator",
+                             method.name, count_text(0.375 * nodes()),
+                             count_text(0.5 * nodes())),
+                 "mirror images of the others");
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::MdSettings& settings) {
-  if (settings.bulk != mechanics::AtomBulk::green ||
-      settings.engine != mechanics::AtomEngine::asperity)
-    return;
-  MethodSpec whole = method;
-  auto& block = std::get<mechanics::MdSettings>(whole.settings);
-  const double side = settings.atoms.value_or(selected_.grid.points_x);
-  block.bulk = mechanics::AtomBulk::explicit_layers;
-  block.levels = 1;
-  block.layers =
-      static_cast<int>(settings.depth.in_si({0.0, selected_.grid.length_x,
-                                             selected_.grid.spacing_x(), 0.0}) /
-                       selected_.grid.length_x * side);
-  const MethodCost cost =
-      cost_of(selected_.contact_case, whole, selected_.grid, rates_);
-  list.push_back({fmt::format("{}: {} atoms inside the block", method.name,
-                              count_text(cost.unknowns / 3.0 - side * side)),
-                  "bulk = \"green\": condensed exactly to the lowest layer",
-                  all_steps(method) * cost.step_time, cost.memory});
+  if (settings.bulk == mechanics::AtomBulk::green &&
+      settings.engine == mechanics::AtomEngine::asperity)
+    add_unpriced(method.name + ": the atoms inside the block",
+                 "bulk = \"green\": condensed exactly to the lowest layer");
 }
 
 } // namespace

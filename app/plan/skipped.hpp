@@ -1,7 +1,8 @@
 #pragma once
 
-// Lists the work that a case does not need, with its predicted cost. Only work
-// that is really not done is listed.
+// Lists the work that a case does not need. Only work that is really not done
+// is listed, with its predicted cost where a run of the case could have it;
+// what no run does has none.
 
 #include "app/plan/cost_model.hpp"
 #include "results/types/result.hpp"
@@ -21,8 +22,9 @@ struct SelectedCase {
 
 /// Lists methods that were not selected, realisations that are identical for a
 /// closed formula, maps that are not saved, unknowns and wavevectors that
-/// symmetry makes redundant, and bulk material that a closed form replaces.
-/// Costs are predictions of cost_model.hpp.
+/// symmetry makes redundant, and bulk material that a closed form replaces. The
+/// costs of methods and realisations are predictions of cost_model.hpp, NaN
+/// where the method cannot be computed.
 std::vector<results::Skipped> skipped_by_case(const SelectedCase& selected,
                                               MachineRates& rates);
 
