@@ -139,7 +139,7 @@ std::vector<std::size_t> MethodJob::take_kept() {
   return missing;
 }
 
-/// Takes over a cached step, which may be another step of another method there:
+/// Takes over a cached step, whose index was that of the run that computed it:
 /// with its fields it is written at once, without fields it is appended to
 /// `rows`.
 void MethodJob::take(std::size_t step, results::Change kept,
