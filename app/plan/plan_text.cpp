@@ -74,7 +74,7 @@ std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
   if (const std::string refusal = refusal_of(plan); !refusal.empty())
     text += "the run would be refused: it " + refusal + "\n";
   if (!plan.skipped.empty())
-    text += "skipped, with the predicted cost of each:\n";
+    text += "skipped, with the cost where it is predicted:\n";
   for (const results::Skipped& one : plan.skipped)
     text += fmt::format("  {}: {}{}\n", one.what, one.why, cost_text(one));
   for (const std::string& warning : plan.warnings)

@@ -223,7 +223,7 @@ TEST_F(PlannedRun, IsPrintedAsATable) {
 
   for (const char* words :
        {"halfspace", "32 x 32", "formula", "predicted: CPU ", "on 2 threads",
-        "skipped, with the predicted cost of each:"})
+        "skipped, with the cost where it is predicted:"})
     EXPECT_NE(text.find(words), std::string::npos) << words << '\n' << text;
 }
 
