@@ -13,9 +13,9 @@ namespace asperity {
 
 std::optional<FileBytes> FileBytes::of(const std::filesystem::path& path) {
   FileBytes bytes;
-  bytes.file_ = std::make_shared<const OpenFile>(
+  bytes.file_ = std::make_shared<const OpenFile>(OpenFile{
       path,
-      FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)));
+      FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))});
   const int file = bytes.file_->descriptor.get();
   struct stat found = {};
   if (file < 0 || ::fstat(file, &found) != 0 || !S_ISREG(found.st_mode))

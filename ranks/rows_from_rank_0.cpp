@@ -53,10 +53,10 @@ rows_from_rank_0(const SharedRows& rows,
                              std::as_writable_bytes(received), from);
     }
   }
-  const bool has_failed = rank_max(rows.ranks(), failure ? 1.0 : 0.0) > 0.0;
+  const bool is_unread = rank_max(rows.ranks(), failure ? 1.0 : 0.0) > 0.0;
   if (failure)
     std::rethrow_exception(failure);
-  if (has_failed)
+  if (is_unread)
     throw std::runtime_error("rank 0 could not read the field");
   return own;
 }
