@@ -47,9 +47,8 @@ Given eg(std::string example, std::string default_in_words) {
   return {Need::never, std::move(example), std::move(default_in_words), ""};
 }
 
-Given or_else(const std::string& fallback, std::string example) {
-  return {Need::never, example.empty() ? fallback : std::move(example), "",
-          fallback};
+Given or_else(const std::string& fallback, const std::string& example) {
+  return {Need::never, example.empty() ? fallback : example, "", fallback};
 }
 
 Key key(std::string name, Values values, std::string description, Given given) {

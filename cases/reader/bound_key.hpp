@@ -60,7 +60,7 @@ struct Given {
 
 Given needed(std::string example, std::string condition = "");
 Given eg(std::string example, std::string default_in_words = "");
-Given or_else(const std::string& fallback, std::string example = "");
+Given or_else(const std::string& fallback, const std::string& example = "");
 
 /// A key without a member, which the reader of its table reads.
 Key key(std::string name, Values values, std::string description,

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import time
 
-PATIENCE = 60  # seconds until the first table, which is written after ten; the run takes minutes
+PATIENCE = 240  # seconds until the first table, which is written after ten of an idle machine
 
 
 def main(program, folder):
