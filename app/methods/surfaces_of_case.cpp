@@ -124,23 +124,24 @@ std::optional<double> highest_wavevector(const cases::Case& contact_case,
 
 CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
                            const std::vector<cases::MethodSpec>& methods,
-                           const std::set<int>& only, const BuildSurface& given)
+                           const std::set<int>& only, const BuildSurface& build)
     : case_(contact_case) {
   if (!needs_surfaces(methods))
     return;
-  const BuildSurface build =
-      given ? given : [this](const SurfaceSource& source) {
+  const BuildSurface build_one =
+      build ? build : [this](const SurfaceSource& source) {
         return whole_surface(source, case_.material.contact_modulus);
       };
   const auto is_built = [&](int r) { return only.empty() || only.contains(r); };
   for (int r = 0; r < contact_case.surface.realizations; ++r)
     whole_.push_back(
-        is_built(r) ? as_taken(contact_case, build({contact_case.surface, r}))
-                    : SurfaceOfCase{});
+        is_built(r)
+            ? as_taken(contact_case, build_one({contact_case.surface, r}))
+            : SurfaceOfCase{});
   if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
       }))
-    single_map_ = single_map(contact_case, whole_.front(), build);
+    single_map_ = single_map(contact_case, whole_.front(), build_one);
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || !method.needs_surface() ||
         magnified_.contains(*method.magnification))
@@ -150,10 +151,10 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
     for (int r = 0; r < contact_case.surface.realizations; ++r)
       shown.push_back(
           is_built(r)
-              ? as_taken(
-                    contact_case,
-                    build({contact_case.surface, r, highest,
-                           whole_[static_cast<std::size_t>(r)].record.grid}))
+              ? as_taken(contact_case,
+                         build_one(
+                             {contact_case.surface, r, highest,
+                              whole_[static_cast<std::size_t>(r)].record.grid}))
               : SurfaceOfCase{});
   }
 }

@@ -402,6 +402,7 @@ RunOutcome Run::execute() {
 std::string text_of(const cases::Case& contact_case, const RunOptions& options,
                     const std::vector<MethodSpec>& methods) {
   std::vector<std::string> names;
+  names.reserve(methods.size());
   for (const MethodSpec& method : methods)
     names.push_back(method.name);
   return nlohmann::json{{"case", contact_case.text},

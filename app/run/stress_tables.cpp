@@ -79,6 +79,7 @@ std::vector<results::Fields> maps_for_ranks(RootWork& root,
                                             std::vector<results::Fields> maps) {
   const std::vector<MapHead> heads = root.value([&] {
     std::vector<MapHead> own;
+    own.reserve(maps.size());
     for (const results::Fields& map : maps)
       own.push_back({map.step, map.nominal_pressure, map.grid});
     return own;

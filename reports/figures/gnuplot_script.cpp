@@ -49,7 +49,7 @@ constexpr std::array<std::pair<const char*, const char*>, 4> palettes{
      {"cells", "defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 "
                "'#3f9a4d')"}}};
 
-std::string number(double value) {
+std::string digits_of(double value) {
   return fmt::format("{:.10g}", value);
 }
 
@@ -67,8 +67,8 @@ std::string title_of(const std::string& label) {
 }
 
 std::string range(std::optional<double> low, std::optional<double> high) {
-  return fmt::format("[{}:{}]", low ? number(*low) : "*",
-                     high ? number(*high) : "*");
+  return fmt::format("[{}:{}]", low ? digits_of(*low) : "*",
+                     high ? digits_of(*high) : "*");
 }
 
 /// @param name  "x", "y" or "y2"
@@ -83,40 +83,40 @@ std::string axis_settings(const ChartAxis& axis, const std::string& name) {
   if (axis.has_powers)
     text += fmt::format("set format {} '10^{{%T}}'\n", name);
   if (axis.tick_step > 0.0)
-    text += fmt::format("set {}tics {}\n", name, number(axis.tick_step));
+    text += fmt::format("set {}tics {}\n", name, digits_of(axis.tick_step));
   std::vector<std::string> ticks;
   for (const auto& [place, tick] : axis.ticks)
-    ticks.push_back(in_quotes(tick) + " " + number(place));
+    ticks.push_back(in_quotes(tick) + " " + digits_of(place));
   if (!ticks.empty())
     text += fmt::format("set {}tics ({})\n", name, fmt::join(ticks, ", "));
   return text;
 }
 
 std::string upper_axis(const UpperAxis& axis) {
-  const std::string link =
-      fmt::format("set link x2 via x*{0} inverse x/{0}\n", number(axis.factor));
+  const std::string link = fmt::format("set link x2 via x*{0} inverse x/{0}\n",
+                                       digits_of(axis.factor));
   return axis.is_hidden
              ? link
-             : link +
-                   fmt::format("set x2tics {}\nset border 7\nset x2label {}\n",
-                               number(axis.tick_step), in_quotes(axis.label));
+             : link + fmt::format(
+                          "set x2tics {}\nset border 7\nset x2label {}\n",
+                          digits_of(axis.tick_step), in_quotes(axis.label));
 }
 
 std::string mark_settings(const ChartMark& mark) {
   const auto place = [](double x) {
-    return std::isfinite(x) ? "first " + number(x)
+    return std::isfinite(x) ? "first " + digits_of(x)
                             : std::string(x < 0.0 ? "graph 0" : "graph 1");
   };
   if (mark.height >= 0.0)
     return fmt::format("set arrow from {}, graph {} to {}, graph {} nohead "
                        "linewidth 2.5 linecolor rgb '{}'\n",
-                       place(mark.low), number(mark.height), place(mark.high),
-                       number(mark.height), mark.color);
+                       place(mark.low), digits_of(mark.height),
+                       place(mark.high), digits_of(mark.height), mark.color);
   if (mark.low != mark.high)
     return fmt::format(
         "set object rectangle from {}, graph 0 to {}, graph 1 "
         "behind fillcolor rgb '{}' fillstyle solid {} noborder\n",
-        place(mark.low), place(mark.high), mark.color, number(mark.opacity));
+        place(mark.low), place(mark.high), mark.color, digits_of(mark.opacity));
   return fmt::format(
       "set arrow from {0}, graph 0 to {0}, graph 1 nohead dashtype 3 linewidth "
       "1.2 linecolor rgb '{1}' back\nset label {2} at {0}, graph 0.03 rotate "
@@ -139,14 +139,14 @@ std::string image_settings(const ChartImage& image) {
   if (image.low || image.high)
     text += "set cbrange " + range(image.low, image.high) + "\n";
   if (image.tick_step > 0.0)
-    text += "set cbtics " + number(image.tick_step) + "\n";
+    text += "set cbtics " + digits_of(image.tick_step) + "\n";
   if (!image.label.empty())
     text += "set cblabel " + in_quotes(image.label) + "\n";
   for (const auto& [place, note] : image.notes)
     text += fmt::format("set label {} at {},{} center front font ',10' "
                         "textcolor rgb '#ffffff'\n",
-                        in_quotes(as_markup(note)), number(place.first),
-                        number(place.second));
+                        in_quotes(as_markup(note)), digits_of(place.first),
+                        digits_of(place.second));
   return text;
 }
 
@@ -182,12 +182,14 @@ std::string style_of(const ChartCurve& curve) {
                            : style.has_line     ? "linespoints"
                                                 : "points";
   return fmt::format(
-      " with {} linewidth {}{} linecolor rgb '{}'{}", kind, number(style.width),
+      " with {} linewidth {}{} linecolor rgb '{}'{}", kind,
+      digits_of(style.width),
       style.dash == 1 ? "" : fmt::format(" dashtype {}", style.dash),
       style.color,
-      style.has_markers ? fmt::format(" pointtype {} pointsize {}",
-                                      style.marker, number(style.marker_size))
-                        : "");
+      style.has_markers
+          ? fmt::format(" pointtype {} pointsize {}", style.marker,
+                        digits_of(style.marker_size))
+          : "");
 }
 
 /// The values of the rows of a table, whose first line holds names.
@@ -206,16 +208,16 @@ std::string row_plot(const ChartCurve& curve, const std::string& name,
 std::string curve_plot(const ChartCurve& curve, const std::string& name) {
   std::string source;
   if (curve.x == 0) {
-    source = number(curve.intercept);
+    source = digits_of(curve.intercept);
     if (curve.slope != 0.0)
-      source += fmt::format("+{}*x", number(curve.slope));
+      source += fmt::format("+{}*x", digits_of(curve.slope));
   } else {
     std::vector<std::string> columns; // of y, of its interval
     if (!curve.is_area)
       columns.push_back(
           curve.factor == 1.0
               ? std::to_string(curve.y)
-              : fmt::format("({}*${})", number(curve.factor), curve.y));
+              : fmt::format("({}*${})", digits_of(curve.factor), curve.y));
     if (curve.low > 0) {
       columns.push_back(std::to_string(curve.low));
       columns.push_back(std::to_string(curve.high));
@@ -254,9 +256,9 @@ std::string panel_settings(const ChartPanel& panel) {
   if (!panel.offsets.empty())
     text += "set offsets " + panel.offsets + "\n";
   if (panel.sides)
-    text +=
-        fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n",
-                    number(panel.sides->first), number(panel.sides->second));
+    text += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\n",
+                        digits_of(panel.sides->first),
+                        digits_of(panel.sides->second));
   for (const ChartMark& mark : panel.marks)
     text += mark_settings(mark);
   if (panel.has_zero_line)

@@ -15,7 +15,7 @@ namespace asperity::reports {
 std::vector<Figure> figures_of(const surfaces::MapAnalysis& map);
 
 /// Figures of one line scan: profile, profile-spectrum.
-std::vector<Figure> figures_of(const surfaces::LineAnalysis& line);
+std::vector<Figure> figures_of(const surfaces::LineAnalysis& scan);
 
 /// The spectra of several maps or lines and their mean: stitched-spectrum.
 Figure stitched_figure(const SurfaceReport& report);
