@@ -75,7 +75,7 @@ void write_import(const fs::path& folder, const results::CaseInfo& info,
     fields.pressure = std::move(load.answer.pressure);
     fields.gap = std::move(load.answer.gap);
     writer.append_step_with_fields(name, 0, load.answer.row,
-                                   surface.record.grid, std::move(fields));
+                                   surface.record.grid, fields);
   }
   int step = static_cast<int>(answer.loads.size());
   for (const exchange::SubmittedRow& row : submission.curve) {
