@@ -108,7 +108,8 @@ TEST_F(PlannedBlock, CountsWhatIsTooLargeToMesh) {
            {R"(mesh.kind="hanging")", "mesh.cells_a_level=64"},
            {R"(mesh.kind="gmsh")"},
            {R"(mesh.kind="gmsh")", R"(mesh.cells="tetrahedra")",
-            R"(fem.contact_at="gauss")", R"(fem.contact="augmented")"}}) {
+            R"(fem.contact_at="gauss")", R"(fem.contact="augmented")",
+            R"(fem.penalty="10 E*/h")"}}) {
     std::vector<std::string> overrides = fine;
     overrides.insert(overrides.end(), mesh.begin(), mesh.end());
     const Plan large = plan(overrides, {"fem"});
