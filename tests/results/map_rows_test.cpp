@@ -135,7 +135,8 @@ TEST_F(MapRowsTest, AreWrittenCompletelyOrNotAtAll) {
   EXPECT_THROW(writer.append(finished_step(
                    {1, 2.0, grid, {in_pieces(map, 8)}, {broken}})),
                std::runtime_error);
-  const MapRows too_few = in_pieces({map.begin(), map.end() - 8}, 8);
+  const std::vector<double> fewer(map.begin(), map.end() - 8);
+  const MapRows too_few = in_pieces(fewer, 8);
   EXPECT_THROW(writer.append(finished_step(
                    {1, 2.0, grid, {in_pieces(map, 8)}, {too_few}})),
                std::domain_error);
