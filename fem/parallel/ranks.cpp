@@ -186,7 +186,6 @@ void follow_rank_0(
   }
 
 } catch (...) {
-
   end_all_ranks(std::current_exception());
 }
 

@@ -5,8 +5,8 @@
 #include "input/input_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <cerrno>
+#include <system_error>
 
 namespace asperity::surfaces {
 
@@ -17,8 +17,11 @@ MapBytes MapBytes::of_file(const std::string& path) {
     throw input::InputError(error.what());
   }
   MapBytes bytes({}, path);
-  bytes.size_ = std::filesystem::file_size(path);
-  bytes.is_file_ = true;
+  bytes.file_ = FileBytes::of(path);
+  if (!bytes.file_)
+    throw input::InputError(path + ": cannot be read (" +
+                            std::generic_category().message(errno) + ")");
+  bytes.size_ = bytes.file_->size();
   return bytes;
 }
 
@@ -28,7 +31,7 @@ std::string MapBytes::beginning() const {
 }
 
 std::string_view MapBytes::all() const {
-  if (!is_file_)
+  if (!file_)
     return all_;
   if (read_ == nullptr)
     read_ = std::make_shared<const std::string>(
@@ -38,11 +41,8 @@ std::string_view MapBytes::all() const {
 
 std::string MapBytes::piece(std::uintmax_t begin, std::size_t count) const {
   std::string bytes(count, '\0');
-  if (is_file_) {
-    std::ifstream stream(name_, std::ios::binary);
-    stream.seekg(static_cast<std::streamoff>(begin));
-    stream.read(bytes.data(), static_cast<std::streamsize>(count));
-    if (stream)
+  if (file_) {
+    if (file_->read_some(begin, bytes) == count)
       return bytes;
   } else if (begin <= all_.size() && count <= all_.size() - begin) {
     return std::string(all_.substr(static_cast<std::size_t>(begin), count));

@@ -3,10 +3,13 @@
 // This internal header of surfaces/formats gives access to the bytes of a map,
 // in memory or in a file, as a whole or in pieces.
 
+#include "base/file_bytes.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,13 +27,14 @@ public:
       : name_(std::move(name)), size_(bytes.size()), all_(bytes) {}
 
   /// Bytes of a file, which are read when they are asked for.
-  /// @throws input::InputError  the file is not a regular file, or larger than
+  /// @throws input::InputError  the file is not a regular file that can be
+  ///                            opened, or larger than
   ///                            input::largest_number_file
   static MapBytes of_file(const std::string& path);
 
   const std::string& name() const { return name_; }
 
-  bool is_file() const { return is_file_; }
+  bool is_file() const { return file_.has_value(); }
 
   std::uintmax_t size() const { return size_; }
 
@@ -49,12 +53,9 @@ private:
   std::string name_;
   std::uintmax_t size_ = 0;
   std::string_view all_; ///< of bytes in memory
-  bool is_file_ = false;
+  std::optional<FileBytes> file_;
   mutable std::shared_ptr<const std::string> read_; ///< of a file
 };
-
-/// Most bytes of a file that are in memory beside the heights of its rows.
-inline constexpr std::size_t piece_bytes = std::size_t{1} << 22;
 
 /// Numbers of a map that a file stores one after the other, row by row.
 struct StoredNumbers {
@@ -67,7 +68,7 @@ struct StoredNumbers {
   std::function<void(std::string_view bytes, std::span<double> numbers)>
       convert;
 
-  /// Reads whole rows, by pieces of some MB [m].
+  /// Reads whole rows, by pieces of a MB or one row [m].
   /// @throws input::InputError  the file has become shorter
   std::vector<double> rows(int first, int count) const;
 };
