@@ -11,12 +11,12 @@ import subprocess
 import sys
 import time
 
-PATIENCE = 240  # seconds until the first table, which is written after ten of an idle machine
+PATIENCE = 60  # seconds until the first table, which is written after ten; the run takes a minute
 
 
 def main(program, folder):
     shutil.rmtree(folder, ignore_errors=True)
-    process = subprocess.Popen([program, "robustness", "--instances", "400000", "--only",
+    process = subprocess.Popen([program, "robustness", "--instances", "100000", "--only",
                                 "theory", "--threads", "1", "--out", folder],
                                stdout=subprocess.DEVNULL, start_new_session=True)
     try:
