@@ -161,7 +161,7 @@ function(asperity_tests program)
       set_tests_properties(${module}/${name} PROPERTIES LABELS "${label}" TIMEOUT 600)
       # OpenMPI keeps memory to the end of the process, so what loads it cannot
       # pass the leak checker of the preset sanitizers.
-      if(module MATCHES "^(app|exchange|fem|reports|results|robustness)$")
+      if(module MATCHES "^(exchange|fem|methods|program|reports|results|robustness|run)$")
         set_tests_properties(${module}/${name} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
       endif()
     endforeach()

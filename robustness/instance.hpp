@@ -167,7 +167,7 @@ Instance draw_instance_about(const Instance& base, std::uint64_t seed,
 Instance within_reach(Instance instance);
 
 /// Describes the instance in one line, with all parameters that define it.
-std::string in_words(const Instance& instance);
+std::string text_of(const Instance& instance);
 
 /// Return the names of the enumerators for labels: "condensed-q1".
 std::string name_of(Family family);

@@ -1,13 +1,12 @@
 #include "robustness/page.hpp"
 
 #include "base/shown_number.hpp"
+#include "robustness/axes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "robustness/axes.hpp"
 
 namespace asperity::robustness {
 namespace {
@@ -156,7 +155,7 @@ std::string outcome_table(const Matrix& matrix) {
 }
 
 std::string instance_list(const std::vector<InstanceResult>& results,
-                          const RunWords& run) {
+                          const RunDescription& run) {
   std::string html =
       "<table><tr><th>problem instance</th><th>outcome</th></tr>\n";
   for (const auto& [instance, report] : results)
@@ -165,7 +164,7 @@ std::string instance_list(const std::vector<InstanceResult>& results,
         "iterations. {}<br><span class=\"soft\">{}</span></td></tr>\n",
         run.rerun, instance.index, name_of(report.outcome),
         report.check.empty() ? "" : ": " + report.check, report.iterations,
-        escaped(report.reason), escaped(in_words(instance)));
+        escaped(report.reason), escaped(text_of(instance)));
   return html + "</table>\n";
 }
 
@@ -208,7 +207,7 @@ std::string verdict(const Matrix& matrix) {
 
 } // namespace
 
-std::string page_of(const Matrix& matrix, const RunWords& run,
+std::string page_of(const Matrix& matrix, const RunDescription& run,
                     const std::vector<LockingRow>& locking) {
   std::string html = head;
   html += "<h1>Numerical stability</h1>\n" + verdict(matrix);

@@ -1,10 +1,10 @@
+#include "robustness/axes.hpp"
+#include "robustness/page.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-
-#include "robustness/axes.hpp"
-#include "robustness/page.hpp"
 
 namespace asperity::robustness {
 namespace {
@@ -71,7 +71,7 @@ std::string csv_line(const InstanceResult& result) {
   return line;
 }
 
-std::string json_of(const Matrix& matrix, const RunWords& run,
+std::string json_of(const Matrix& matrix, const RunDescription& run,
                     const std::vector<LockingRow>& locking) {
   json root;
   root["command"] = run.rerun;
@@ -93,7 +93,7 @@ std::string json_of(const Matrix& matrix, const RunWords& run,
                               {"outcome", name_of(report.outcome)},
                               {"check", report.check},
                               {"reason", report.reason},
-                              {"words", in_words(instance)}});
+                              {"words", text_of(instance)}});
   for (const auto& [pair, counts] : matrix.relations())
     root["metamorphic_pairs"][name_of(pair)] = {
         {"pairs", counts.pairs},

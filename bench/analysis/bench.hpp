@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::reports {
+namespace asperity::bench {
 
 /// The results of one run by name: "mean_gap", "elastic_energy" and each
 /// estimator "area_fraction..." with one value per loading step (realisations
@@ -97,8 +97,11 @@ struct BenchPoint {
 struct BenchOrder {
   double by_differences = not_a_number; ///< from the three finest settings
   /// Error with respect to the reference solution as a power of the coordinate.
-  PowerLaw error;
+  reports::PowerLaw error;
 };
+
+/// The axis of a series that varies the points per side.
+inline constexpr const char* points_axis = "surface.points";
 
 /// Settings of one method that differ in one key, coarse to fine.
 struct BenchSeries {
@@ -112,13 +115,13 @@ struct BenchSeries {
   std::string order_source = {}; ///< source of these orders
   std::map<std::string, BenchOrder> orders = {};
   /// CPU time against points per side; only for the axis over points
-  PowerLaw cost = {};
-  PowerLaw step_cost = {}; ///< the same for the steps alone
+  reports::PowerLaw cost = {};
+  reports::PowerLaw step_cost = {}; ///< the same for the steps alone
   /// Error with respect to the reference solution against unknowns, and against
   /// the CPU time of set-up and steps, by quantity; only for the axis over
   /// points
-  std::map<std::string, PowerLaw> against_unknowns = {};
-  std::map<std::string, PowerLaw> against_cpu_time = {};
+  std::map<std::string, reports::PowerLaw> against_unknowns = {};
+  std::map<std::string, reports::PowerLaw> against_cpu_time = {};
 };
 
 /// Runs of one method that differ in the number of threads or ranks.
@@ -193,4 +196,4 @@ std::string error_words(const std::string& quantity);
 /// True for an estimator of the contact area.
 bool is_area(const std::string& quantity);
 
-} // namespace asperity::reports
+} // namespace asperity::bench

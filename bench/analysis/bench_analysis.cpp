@@ -1,6 +1,7 @@
 #include "bench/analysis/bench_analysis.hpp"
 
 #include "base/field_sums.hpp"
+#include "bench/analysis/bench_answer.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +10,7 @@
 #include <cmath>
 #include <set>
 
-#include "bench/analysis/bench_answer.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
 constexpr const char* best_area = "area_fraction_corrected";
@@ -142,10 +141,10 @@ BenchOrder order_of(const Bench& bench, const BenchSeries& series,
     const std::vector<double> measure = scale_of(quantity, scale);
     const std::span<const double> h(kept.coordinates);
     const std::size_t n = answers.size();
-    order.by_differences =
-        observed_order(std::span<const double, 3>(h.last(3)),
-                       rms_difference(answers[n - 3], answers[n - 2], measure),
-                       rms_difference(answers[n - 2], answers[n - 1], measure));
+    order.by_differences = reports::observed_order(
+        std::span<const double, 3>(h.last(3)),
+        reports::rms_difference(answers[n - 3], answers[n - 2], measure),
+        reports::rms_difference(answers[n - 2], answers[n - 1], measure));
   }
   if (series.axis != "surface.points")
     // Along other axes, the error includes contributions of the fixed settings.
@@ -155,7 +154,7 @@ BenchOrder order_of(const Bench& bench, const BenchSeries& series,
     errors.push_back(point->errors.at(quantity));
   if (bench.reference.answer.values.empty())
     return order;
-  order.error = fit_power_law(kept.coordinates, errors);
+  order.error = reports::fit_power_law(kept.coordinates, errors);
   return order;
 }
 
@@ -178,8 +177,8 @@ void fill_series(Bench& bench, BenchSeries& series) {
     unknowns.push_back(point->unknowns);
     block_cpu.push_back(point->phases.setup + point->phases.steps());
   }
-  series.cost = fit_power_law(points, cpu);
-  series.step_cost = fit_power_law(points, step_cpu);
+  series.cost = reports::fit_power_law(points, cpu);
+  series.step_cost = reports::fit_power_law(points, step_cpu);
   if (bench.reference.answer.values.empty())
     return;
   for (const std::string& quantity : bench.quantities) {
@@ -187,8 +186,10 @@ void fill_series(Bench& bench, BenchSeries& series) {
     errors.reserve(kept.points.size());
     for (const BenchPoint* point : kept.points)
       errors.push_back(point->errors.at(quantity));
-    series.against_unknowns[quantity] = fit_power_law(unknowns, errors);
-    series.against_cpu_time[quantity] = fit_power_law(block_cpu, errors);
+    series.against_unknowns[quantity] =
+        reports::fit_power_law(unknowns, errors);
+    series.against_cpu_time[quantity] =
+        reports::fit_power_law(block_cpu, errors);
   }
 }
 
@@ -207,7 +208,7 @@ ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series) {
     if (answers.empty())
       continue;
     const std::span<const double> h(kept.coordinates);
-    const RefinementLimit limit = refinement_limit(
+    const reports::RefinementLimit limit = reports::refinement_limit(
         answers, h.last(answers.size()), scale_of(quantity, finest));
     reference.answer.values[quantity] = limit.values;
     reference.uncertainty[quantity] = limit.uncertainty;
@@ -248,7 +249,7 @@ std::vector<std::size_t> front_of(const Bench& bench,
     costs.push_back(point.cpu.median);
     errors.push_back(counts ? found->second : not_a_number);
   }
-  return pareto_front(costs, errors);
+  return reports::pareto_front(costs, errors);
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -5,7 +5,7 @@
 
 #include "bench/analysis/bench.hpp"
 
-namespace asperity::reports {
+namespace asperity::bench {
 
 /// Fills the quantities, reference solution, errors, orders and exponents of a
 /// bench whose points have run and whose series refer to them; reference.series
@@ -27,4 +27,4 @@ ReferenceSolution limit_of(const Bench& bench, const BenchSeries& series);
 std::vector<std::size_t> front_of(const Bench& bench,
                                   const std::string& quantity);
 
-} // namespace asperity::reports
+} // namespace asperity::bench

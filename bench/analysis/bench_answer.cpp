@@ -15,7 +15,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
 using mechanics::SurfaceKind;
@@ -61,8 +61,8 @@ bool is_compared(const std::string& quantity, const cases::Case& contact_case) {
 
 void add_fits(const results::Result& result, const cases::Case& contact_case,
               const std::string& method, BenchAnswer& answer) {
-  const Summary summary = summarize(result, contact_case);
-  for (const MethodSummary& one : summary.methods)
+  const reports::Summary summary = reports::summarize(result, contact_case);
+  for (const reports::MethodSummary& one : summary.methods)
     if (one.name == method)
       for (const auto& [name, estimate] : one.quantities)
         if (is_compared(name, contact_case) && !estimate.is_input)
@@ -115,7 +115,8 @@ double exact_energy(const mechanics::SurfaceSpec& surface,
                     double contact_modulus, double nominal_pressure,
                     double highest) {
   const auto gap = [&](double pressure) {
-    return exact_point(surface, contact_modulus, pressure, highest, false)
+    return reports::exact_point(surface, contact_modulus, pressure, highest,
+                                false)
         .mean_gap;
   };
   const double last = gap(nominal_pressure);
@@ -161,7 +162,7 @@ BenchAnswer answer_of(const results::Result& result,
         answer.values[std::string(column.name)].push_back(
             has_answer ? column.get(row) : not_a_number);
     }
-  if (const auto* surface = surface_of(result, method, 0)) {
+  if (const auto* surface = reports::surface_of(result, method, 0)) {
     answer.rms_height = surface->rms_height;
     answer.highest = surface->highest;
   }
@@ -174,9 +175,10 @@ BenchAnswer answer_of(const results::Result& result,
       (method.kind == "fem" || method.kind == "halfspace"))
     for (const results::Curve& curve : method.realizations)
       for (const double difference : hertz_differences(
-               curve, contact_case, has_free_boundaries(contact_case, method)))
+               curve, contact_case,
+               reports::has_free_boundaries(contact_case, method)))
         answer.values[pressure_field].push_back(difference);
-  if (!has_exact_curve(contact_case))
+  if (!reports::has_exact_curve(contact_case))
     add_fits(result, contact_case, name, answer);
   return answer;
 }
@@ -218,8 +220,8 @@ double error_against(const BenchAnswer& reference, const BenchAnswer& answer,
   if (expected == reference.values.end() || found == answer.values.end() ||
       expected->second.size() != found->second.size())
     return not_a_number;
-  return rms_difference(found->second, expected->second,
-                        scale_of(column, reference));
+  return reports::rms_difference(found->second, expected->second,
+                                 scale_of(column, reference));
 }
 
 BenchAnswer exact_answer(const cases::Case& contact_case,
@@ -229,7 +231,7 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
   BenchAnswer exact;
   exact.rms_height = answer.rms_height;
   exact.pressure = answer.pressure;
-  if (!has_exact_curve(contact_case))
+  if (!reports::has_exact_curve(contact_case))
     return exact;
   // For a sphere, gaps are measured from its highest point, see answer_of().
   const double top = surface.kind == SurfaceKind::sphere ? 0.0 : answer.highest;
@@ -239,8 +241,8 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
       field != answer.values.end())
     exact.values[pressure_field].assign(field->second.size(), 0.0);
   for (const double pressure : answer.pressure) {
-    const ExactPoint point =
-        exact_point(surface, contact_modulus, pressure, top, is_free);
+    const reports::ExactPoint point =
+        reports::exact_point(surface, contact_modulus, pressure, top, is_free);
     exact.values["area_fraction_corrected"].push_back(point.area_fraction);
     if (free == FreeMethods::some)
       continue; // mean gaps and energies have no common exact solution
@@ -286,7 +288,7 @@ std::string error_words(const std::string& quantity) {
 }
 
 std::string exact_words(const cases::Case& contact_case) {
-  if (!has_exact_curve(contact_case))
+  if (!reports::has_exact_curve(contact_case))
     return "";
   switch (contact_case.surface.kind) {
   case SurfaceKind::sphere:
@@ -305,4 +307,4 @@ std::string exact_words(const cases::Case& contact_case) {
   }
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

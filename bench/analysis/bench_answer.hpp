@@ -5,7 +5,7 @@
 
 #include "bench/analysis/bench.hpp"
 
-namespace asperity::reports {
+namespace asperity::bench {
 
 /// The contact pressure of a sphere as a quantity: its value is the difference
 /// from Hertz's solution, so that the exact value is 0.
@@ -47,4 +47,4 @@ BenchAnswer exact_answer(const cases::Case& contact_case,
 /// solution.
 std::string exact_words(const cases::Case& contact_case);
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -1,6 +1,7 @@
 #include "bench/analysis/forecast.hpp"
 
 #include "base/special_numbers.hpp"
+#include "bench/analysis/bench_answer.hpp"
 #include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/summary.hpp"
 
@@ -9,13 +10,8 @@
 #include <cmath>
 #include <limits>
 
-#include "bench/analysis/bench_answer.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
-
-using reports::BenchAnswer;
-using reports::BenchPoint;
 
 constexpr double lowest_order = 0.5;  // of an extrapolation
 constexpr double highest_order = 2.0; // no extrapolation with a higher order
@@ -23,8 +19,7 @@ constexpr double order_unknown = 1.0;
 constexpr const char* corrected_area = "area_fraction_corrected";
 
 bool means(const std::string& quantity, const std::string& column) {
-  return column == quantity ||
-         (quantity == any_area && reports::is_area(column));
+  return column == quantity || (quantity == any_area && is_area(column));
 }
 
 /// Requires the term of the corrected area.
@@ -33,7 +28,7 @@ double bias_of(const std::string& column, const Forecast::Term& term,
   const auto count = finest.values.find(corrected_area);
   const auto other = finest.values.find(column);
   const double difference = reports::rms_difference(
-      other->second, count->second, reports::scale_of(corrected_area, finest));
+      other->second, count->second, scale_of(corrected_area, finest));
   return std::isfinite(difference)
              ? std::max(0.0, difference - term.error - corrected.error)
              : std::numeric_limits<double>::infinity();
@@ -147,8 +142,7 @@ std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
 Forecast::Term term_of(std::span<const BenchPoint> coarse,
                        const std::string& column) {
   const std::size_t n = coarse.size();
-  const std::vector<double> scale =
-      reports::scale_of(column, coarse[n - 1].answer);
+  const std::vector<double> scale = scale_of(column, coarse[n - 1].answer);
   // Difference between run i and the previous run.
   const auto difference = [&](std::size_t i) {
     const auto fine = coarse[i].answer.values.find(column);
@@ -190,7 +184,7 @@ void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
           forecast.terms[column] = term;
   const auto corrected = forecast.terms.find(corrected_area);
   for (auto& [column, term] : forecast.terms)
-    if (reports::is_area(column) && corrected != forecast.terms.end())
+    if (is_area(column) && corrected != forecast.terms.end())
       term.bias =
           bias_of(column, term, corrected->second, coarse.back().answer);
 }
@@ -199,7 +193,7 @@ void add_growth(Forecast& forecast, const BenchPoint& as_it_is,
                 const BenchPoint& halved) {
   for (auto& [column, term] : forecast.terms) {
     const double difference =
-        reports::error_against(halved.answer, as_it_is.answer, column);
+        error_against(halved.answer, as_it_is.answer, column);
     term.floor = std::isfinite(difference) ? difference * 4.0 / 3.0 : 0.0;
   }
 }
@@ -209,9 +203,9 @@ void add_exact(Forecast& forecast, std::span<const BenchPoint> coarse,
   const std::size_t n = coarse.size();
   for (auto& [column, term] : forecast.terms) {
     const double fine =
-        reports::error_against(exact[n - 1], coarse[n - 1].answer, column);
+        error_against(exact[n - 1], coarse[n - 1].answer, column);
     const double rough =
-        reports::error_against(exact[n - 2], coarse[n - 2].answer, column);
+        error_against(exact[n - 2], coarse[n - 2].answer, column);
     if (!std::isfinite(fine) || !std::isfinite(rough))
       continue;
     const double fall = std::pow(static_cast<double>(coarse[n - 1].points) /
@@ -224,4 +218,4 @@ void add_exact(Forecast& forecast, std::span<const BenchPoint> coarse,
   }
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

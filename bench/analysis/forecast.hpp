@@ -3,14 +3,14 @@
 // Extrapolates from coarse runs of a method to finer ones: error and cost for
 // any number of points. It owns the prediction and runs nothing.
 
+#include "bench/analysis/bench.hpp"
+
 #include <map>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "bench/analysis/bench.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 
 /// The contributions to a predicted error.
 struct ErrorParts {
@@ -82,21 +82,21 @@ inline constexpr const char* any_area = "area_fraction";
 /// otherwise 1, and is limited to 2, so that a coincidentally close pair does
 /// not suggest too small an error.
 /// @param coarse  runs with results, coarse to fine, at least two
-Forecast::Term term_of(std::span<const reports::BenchPoint> coarse,
+Forecast::Term term_of(std::span<const BenchPoint> coarse,
                        const std::string& column);
 
 /// Adds the cost of those runs and the terms of every column to which
 /// `quantities` refer. The bias of an area estimator is the part of its
 /// difference from the corrected area in the finest run that exceeds the errors
 /// of both.
-void add_runs(Forecast& forecast, std::span<const reports::BenchPoint> coarse,
+void add_runs(Forecast& forecast, std::span<const BenchPoint> coarse,
               std::span<const std::string> quantities);
 
 /// Adds the error due to the grading of the layers, from one run with half the
 /// logarithm of the grading ratio and one without this change. At second order,
 /// one third of their difference remains in the finer one.
-void add_growth(Forecast& forecast, const reports::BenchPoint& as_it_is,
-                const reports::BenchPoint& halved);
+void add_growth(Forecast& forecast, const BenchPoint& as_it_is,
+                const BenchPoint& halved);
 
 /// Compares the two finest runs with the exact solution, after add_growth().
 /// Their errors e_1, e_2 at n_1 < n_2 points are b + c n^-order, so that
@@ -106,7 +106,7 @@ void add_growth(Forecast& forecast, const reports::BenchPoint& as_it_is,
 /// remains under refinement. The grading of the layers already accounts for its
 /// part of b. Columns that `exact` does not provide keep their terms.
 /// @param exact  one per entry of `coarse`, at the loads of that entry
-void add_exact(Forecast& forecast, std::span<const reports::BenchPoint> coarse,
-               std::span<const reports::BenchAnswer> exact);
+void add_exact(Forecast& forecast, std::span<const BenchPoint> coarse,
+               std::span<const BenchAnswer> exact);
 
-} // namespace asperity::app
+} // namespace asperity::bench

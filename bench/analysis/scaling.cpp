@@ -2,7 +2,7 @@
 
 #include "bench/analysis/bench_answer.hpp"
 
-namespace asperity::reports {
+namespace asperity::bench {
 
 std::vector<ScalingRow> scaling_rows(const Bench& bench,
                                      const ScalingSeries& series) {
@@ -29,4 +29,4 @@ std::vector<ScalingRow> scaling_rows(const Bench& bench,
   return rows;
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -6,7 +6,7 @@
 
 #include "bench/analysis/bench.hpp"
 
-namespace asperity::reports {
+namespace asperity::bench {
 
 /// One run of a scaling series against its first run, which has the fewest
 /// workers.
@@ -28,4 +28,4 @@ struct ScalingRow {
 std::vector<ScalingRow> scaling_rows(const Bench& bench,
                                      const ScalingSeries& series);
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -1,3 +1,5 @@
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -6,13 +8,8 @@
 #include <cmath>
 #include <functional>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
-
-constexpr const char* points_axis = "surface.points";
 
 std::vector<std::string> methods_of(const Bench& bench) {
   std::vector<std::string> methods;
@@ -23,9 +20,9 @@ std::vector<std::string> methods_of(const Bench& bench) {
   return methods;
 }
 
-CurveStyle sign_of(std::size_t method, double width) {
-  return markers(method_color(method), 4 + 2 * static_cast<int>(method % 5),
-                 0.7, width);
+reports::CurveStyle sign_of(std::size_t method, double width) {
+  return reports::markers(reports::method_color(method),
+                          4 + 2 * static_cast<int>(method % 5), 0.7, width);
 }
 
 double error_of(const BenchPoint& point, const std::string& quantity) {
@@ -44,17 +41,17 @@ std::string front_words(const Bench& bench,
   return words;
 }
 
-Figure front_figure(const Bench& bench, const std::string& quantity,
-                    const std::vector<std::size_t>& front) {
-  Figure figure;
-  figure.name = "front-" + file_word(quantity);
+reports::Figure front_figure(const Bench& bench, const std::string& quantity,
+                             const std::vector<std::size_t>& front) {
+  reports::Figure figure;
+  figure.name = "front-" + reports::file_word(quantity);
   figure.title = "Cost against error: " + quantity;
   figure.caption = error_words(quantity) +
                    ". The line is the Pareto front, the settings that no other "
                    "setting beats in both cost and error: " +
                    front_words(bench, front) + ".";
   const std::vector<std::string> methods = methods_of(bench);
-  CsvTable table({"curve", "index", "cpu_time [s]", "error [1]"});
+  reports::CsvTable table({"curve", "index", "cpu_time [s]", "error [1]"});
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (const BenchPoint& point : bench.points)
       if (point.method == methods[m] && !point.is_reference &&
@@ -65,10 +62,11 @@ Figure front_figure(const Bench& bench, const std::string& quantity,
     table.add("front",
               {static_cast<double>(methods.size()), bench.points[i].cpu.median,
                error_of(bench.points[i], quantity)});
-  ChartPanel panel{.x = {.label = "CPU time of the run [s]", .is_log = true},
-                   .y = {.label = "error", .is_log = true, .has_powers = true},
-                   .curves = {curve("Pareto front", line("#888888", 1.5),
-                                    methods.size(), 3, 4)}};
+  reports::ChartPanel panel{
+      .x = {.label = "CPU time of the run [s]", .is_log = true},
+      .y = {.label = "error", .is_log = true, .has_powers = true},
+      .curves = {reports::curve("Pareto front", reports::line("#888888", 1.5),
+                                methods.size(), 3, 4)}};
   panel.curves.front().has_steps = true;
   for (std::size_t m = 0; m < methods.size(); ++m)
     panel.add(methods[m], sign_of(m, 1.4), m, 3, 4);
@@ -84,18 +82,19 @@ struct AgainstPoints {
   std::string caption;
   std::string label; ///< label of the vertical axis
   std::function<double(const BenchPoint&)> value;
-  std::function<PowerLaw(const BenchSeries&)> law;
+  std::function<reports::PowerLaw(const BenchSeries&)> law;
 };
 
-Figure against_points(const Bench& bench, const AgainstPoints& what) {
-  Figure figure;
+reports::Figure against_points(const Bench& bench, const AgainstPoints& what) {
+  reports::Figure figure;
   figure.name = what.name;
   figure.title = what.title;
-  CsvTable table({"curve", "index", "points a side [1]", what.label});
-  ChartPanel panel{.x = {.label = "points per side", .is_log = true, .base = 2},
-                   .y = {.label = as_markup(what.label),
-                         .is_log = true,
-                         .has_powers = true}};
+  reports::CsvTable table({"curve", "index", "points a side [1]", what.label});
+  reports::ChartPanel panel{
+      .x = {.label = "points per side", .is_log = true, .base = 2},
+      .y = {.label = reports::as_markup(what.label),
+            .is_log = true,
+            .has_powers = true}};
   std::string exponents;
   std::size_t index = 0;
   for (const BenchSeries& series : bench.series) {
@@ -106,7 +105,7 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
         table.add(series.method, {static_cast<double>(index),
                                   static_cast<double>(bench.points[i].points),
                                   what.value(bench.points[i])});
-    panel.add(series.method, joined(sign_of(index, 1.0)), index, 3, 4);
+    panel.add(series.method, reports::joined(sign_of(index, 1.0)), index, 3, 4);
     if (const double exponent = what.law(series).determined_exponent();
         std::isfinite(exponent))
       exponents += fmt::format("{}{} {:.2f}", exponents.empty() ? "" : ", ",
@@ -119,9 +118,10 @@ Figure against_points(const Bench& bench, const AgainstPoints& what) {
   return figure;
 }
 
-Figure convergence_figure(const Bench& bench, const std::string& quantity) {
+reports::Figure convergence_figure(const Bench& bench,
+                                   const std::string& quantity) {
   return against_points(
-      bench, {"convergence-" + file_word(quantity),
+      bench, {"convergence-" + reports::file_word(quantity),
               "Error against the number of points: " + quantity,
               error_words(quantity) +
                   ". Errors are with respect to the reference solution. Slopes "
@@ -132,13 +132,13 @@ Figure convergence_figure(const Bench& bench, const std::string& quantity) {
               },
               [&quantity](const BenchSeries& series) {
                 const auto order = series.orders.find(quantity);
-                return order == series.orders.end() ? PowerLaw{}
+                return order == series.orders.end() ? reports::PowerLaw{}
                                                     : order->second.error;
               }});
 }
 
-Figure phases_figure(const Bench& bench) {
-  Figure figure;
+reports::Figure phases_figure(const Bench& bench) {
+  reports::Figure figure;
   figure.name = "phases";
   figure.title = "Breakdown of the CPU time";
   figure.caption = "Shares of the CPU time of a run at the case's own setting. "
@@ -156,8 +156,9 @@ Figure phases_figure(const Bench& bench) {
       {"writing", &BenchPhases::writing},
       {"rest", &BenchPhases::rest}};
   bool has_floor = false;
-  CsvTable table({"setting", "setup [1]", "transforms [1]", "solving [1]",
-                  "observation [1]", "writing [1]", "rest [1]", "floor [1]"});
+  reports::CsvTable table({"setting", "setup [1]", "transforms [1]",
+                           "solving [1]", "observation [1]", "writing [1]",
+                           "rest [1]", "floor [1]"});
   for (const BenchPoint& point : bench.points) {
     if (!point.is_own || !point.problem.empty())
       continue;
@@ -173,16 +174,16 @@ Figure phases_figure(const Bench& bench) {
     shares.push_back(floor > 0.0 ? floor : not_a_number);
     table.add(point.method, shares);
   }
-  ChartPanel panel{
+  reports::ChartPanel panel{
       .y = {.label = "share of the CPU time", .low = 0.0, .high = 1.02}};
   for (std::size_t i = 0; i < phases.size(); ++i)
     panel.curves.push_back({.label = phases[i].first,
-                            .style = {.color = method_color(i)},
+                            .style = {.color = reports::method_color(i)},
                             .y = static_cast<int>(i) + 2,
                             .is_per_row = true});
   if (has_floor)
     panel.curves.push_back({.label = "transform floor",
-                            .style = markers("#000000", 7, 0.9),
+                            .style = reports::markers("#000000", 7, 0.9),
                             .y = 8,
                             .is_per_row = true});
   figure.data = table.text();
@@ -192,8 +193,8 @@ Figure phases_figure(const Bench& bench) {
 
 } // namespace
 
-std::vector<Figure> bench_figures(const Bench& bench) {
-  std::vector<Figure> figures;
+std::vector<reports::Figure> bench_figures(const Bench& bench) {
+  std::vector<reports::Figure> figures;
   for (const std::string& quantity : bench.quantities)
     if (const auto front = bench.fronts.find(quantity);
         front != bench.fronts.end() && front->second.size() > 1)
@@ -218,10 +219,10 @@ std::vector<Figure> bench_figures(const Bench& bench) {
         bench, {"memory", "Peak memory", "Largest resident memory of a run",
                 "peak memory [B]",
                 [](const BenchPoint& point) { return point.peak_memory; },
-                [](const BenchSeries&) { return PowerLaw{}; }}));
+                [](const BenchSeries&) { return reports::PowerLaw{}; }}));
   }
   figures.push_back(phases_figure(bench));
   return figures;
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -1,13 +1,13 @@
+#include "bench/analysis/scaling.hpp"
+#include "bench/pages/bench_report.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-#include "bench/analysis/scaling.hpp"
-#include "bench/pages/bench_report.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,7 +36,7 @@ Json to_json(const BenchTime& time) {
           {"largest [s]", number(time.largest)}};
 }
 
-Json to_json(const PowerLaw& law) {
+Json to_json(const reports::PowerLaw& law) {
   return {{"exponent", number(law.determined_exponent())},
           {"standard_error", number(law.exponent_error)},
           {"factor", number(law.factor)},
@@ -91,7 +91,7 @@ Json to_json(const BenchPoint& point) {
           {"answer", to_json(point.answer)}};
 }
 
-Json to_json(const std::map<std::string, PowerLaw>& laws) {
+Json to_json(const std::map<std::string, reports::PowerLaw>& laws) {
   Json table = Json::object();
   for (const auto& [quantity, law] : laws)
     table[quantity] = to_json(law);
@@ -249,4 +249,4 @@ std::string bench_csv(const Bench& bench) {
   return text;
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -1,4 +1,8 @@
 #include "base/atomic_file.hpp"
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/analysis/scaling.hpp"
+#include "bench/bench_template.hpp"
+#include "bench/pages/bench_report.hpp"
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
@@ -7,12 +11,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/analysis/scaling.hpp"
-#include "bench/bench_template.hpp"
-#include "bench/pages/bench_report.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
 using Value = kainjow::mustache::data;
@@ -28,7 +27,7 @@ double in(const std::map<std::string, double>& table, const std::string& key) {
 }
 
 /// Returns the order of an error in a cost: minus the fitted exponent.
-double exponent_in(const std::map<std::string, PowerLaw>& laws,
+double exponent_in(const std::map<std::string, reports::PowerLaw>& laws,
                    const std::string& quantity) {
   const auto found = laws.find(quantity);
   return found == laws.end() ? not_a_number
@@ -38,7 +37,7 @@ double exponent_in(const std::map<std::string, PowerLaw>& laws,
 List text_list(const std::vector<std::string>& texts) {
   List list;
   for (const std::string& text : texts)
-    list.push_back(text_item(text));
+    list.push_back(reports::text_item(text));
   return list;
 }
 
@@ -260,13 +259,14 @@ List scaling_tables(const Bench& bench) {
   return tables;
 }
 
-DrawnGroup drawn(const std::string& heading, const std::vector<Figure>& figures,
-                 const std::filesystem::path& folder,
-                 const std::string& gnuplot,
-                 std::vector<std::string>& problems) {
-  DrawnGroup group{heading, {}};
-  for (const Figure& figure : figures) {
-    group.figures.push_back(draw(figure, folder / "figures", gnuplot));
+reports::DrawnGroup drawn(const std::string& heading,
+                          const std::vector<reports::Figure>& figures,
+                          const std::filesystem::path& folder,
+                          const std::string& gnuplot,
+                          std::vector<std::string>& problems) {
+  reports::DrawnGroup group{heading, {}};
+  for (const reports::Figure& figure : figures) {
+    group.figures.push_back(reports::draw(figure, folder / "figures", gnuplot));
     if (!group.figures.back().problem.empty())
       problems.push_back(
           fmt::format("{}: {}", figure.name, group.figures.back().problem));
@@ -287,9 +287,9 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   write_file_atomically(folder / "bench.json", bench_json(bench));
   write_file_atomically(folder / "bench.csv", bench_csv(bench));
   std::vector<std::string> problems;
-  std::vector<DrawnGroup> groups;
+  std::vector<reports::DrawnGroup> groups;
   const auto draw_group = [&](const std::string& heading,
-                              const std::vector<Figure>& figures) {
+                              const std::vector<reports::Figure>& figures) {
     if (!figures.empty())
       groups.push_back(drawn(heading, figures, folder, gnuplot, problems));
   };
@@ -318,7 +318,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   page.set("references", reference_rows(bench));
   page.set("has_errors", bench.scaling.empty());
   page.set("scaling", scaling_tables(bench));
-  set_figures(page, groups, false);
+  reports::set_figures(page, groups, false);
   page.set("series", series_rows(bench));
   page.set("timing_note",
            "CPU and wall time are medians of n timed runs, with the smallest "
@@ -335,9 +335,10 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   }
   page.set("facts", facts);
   page.set("case_text", bench.case_text);
-  write_file_atomically(folder / "report.html",
-                        rendered_page(bench_template, std::move(page)));
+  write_file_atomically(
+      folder / "report.html",
+      reports::rendered_page(bench_template, std::move(page)));
   return problems;
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

@@ -3,15 +3,14 @@
 // Writes a benchmark to files: bench.json, bench.csv and report.html with its
 // figures.
 
+#include "bench/analysis/bench.hpp"
 #include "reports/figures/gnuplot.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "bench/analysis/bench.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 
 /// Returns all data as JSON, with numbers in SI units and null for unknown
 /// values.
@@ -24,15 +23,15 @@ std::string bench_csv(const Bench& bench);
 /// Returns the figures: cost against error with the Pareto front, one figure
 /// per quantity that has errors; error and cost against points; the split of
 /// the CPU time.
-std::vector<Figure> bench_figures(const Bench& bench);
+std::vector<reports::Figure> bench_figures(const Bench& bench);
 
 /// Returns error against unknowns and against CPU time, a series for each
 /// finite-element method, if one of them is a full 3-D block; otherwise none.
-std::vector<Figure> block_figures(const Bench& bench);
+std::vector<reports::Figure> block_figures(const Bench& bench);
 
 /// Returns the figures of a scaling study: speed-up against threads and ranks,
 /// for constant work and for work that grows with them.
-std::vector<Figure> scaling_figures(const Bench& bench);
+std::vector<reports::Figure> scaling_figures(const Bench& bench);
 
 /// Writes bench.json, bench.csv, report.html and figures/ into `folder`.
 /// @return  the figures that could not be drawn, one line each
@@ -43,4 +42,4 @@ write_bench_report(const Bench& bench, const std::filesystem::path& folder,
 /// Formats "0.73 %", with at most three digits; an en dash for unknown values.
 std::string per_cent(double share);
 
-} // namespace asperity::reports
+} // namespace asperity::bench

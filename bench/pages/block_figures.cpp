@@ -1,3 +1,5 @@
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -5,10 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
 /// The series over points of finite elements that have errors in the quantity.
@@ -54,17 +53,19 @@ struct Cost {
   std::string label;
   std::string caption;
   double (*value)(const BenchPoint&);
-  std::map<std::string, PowerLaw> BenchSeries::*laws;
+  std::map<std::string, reports::PowerLaw> BenchSeries::*laws;
 };
 
-Figure block_figure(const Bench& bench, const std::string& quantity,
-                    const Cost& cost) {
-  Figure figure;
+reports::Figure block_figure(const Bench& bench, const std::string& quantity,
+                             const Cost& cost) {
+  reports::Figure figure;
   figure.name = cost.name;
   figure.title = cost.title;
-  CsvTable table({"curve", "index", cost.label, "error [1]"});
-  ChartPanel panel{
-      .x = {.label = as_markup(cost.label), .is_log = true, .has_powers = true},
+  reports::CsvTable table({"curve", "index", cost.label, "error [1]"});
+  reports::ChartPanel panel{
+      .x = {.label = reports::as_markup(cost.label),
+            .is_log = true,
+            .has_powers = true},
       .y = {.label = "error", .is_log = true, .has_powers = true}};
   std::size_t index = 0;
   for (const BenchSeries* series : block_series(bench, quantity)) {
@@ -80,8 +81,9 @@ Figure block_figure(const Bench& bench, const std::string& quantity,
             ? fmt::format("{}, order {:.2f}", series->method, -exponent)
             : series->method;
     panel.add(name,
-              joined(markers(method_color(index),
-                             4 + 2 * static_cast<int>(index % 5), 0.8, 1.4)),
+              reports::joined(reports::markers(
+                  reports::method_color(index),
+                  4 + 2 * static_cast<int>(index % 5), 0.8, 1.4)),
               index, 3, 4);
     ++index;
   }
@@ -93,7 +95,7 @@ Figure block_figure(const Bench& bench, const std::string& quantity,
 
 } // namespace
 
-std::vector<Figure> block_figures(const Bench& bench) {
+std::vector<reports::Figure> block_figures(const Bench& bench) {
   const std::string quantity = compared_quantity(bench);
   if (quantity.empty())
     return {};
@@ -118,4 +120,4 @@ std::vector<Figure> block_figures(const Bench& bench) {
            &BenchSeries::against_cpu_time})};
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

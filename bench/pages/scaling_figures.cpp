@@ -1,18 +1,18 @@
+#include "bench/analysis/scaling.hpp"
+#include "bench/pages/bench_report.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "bench/analysis/scaling.hpp"
-#include "bench/pages/bench_report.hpp"
-
-namespace asperity::reports {
+namespace asperity::bench {
 namespace {
 
-Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
+reports::Figure scaling_figure(const Bench& bench, bool has_ranks,
+                               bool is_weak) {
   const char* const workers = has_ranks ? "ranks" : "threads";
-  Figure figure;
+  reports::Figure figure;
   figure.name =
       fmt::format("{}-scaling-{}", is_weak ? "weak" : "strong", workers);
   figure.title =
@@ -22,13 +22,13 @@ Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
       is_weak ? "The number of nodes grows in proportion to the workers, and "
                 "the speed is in nodes per time."
               : "The same work on every number of workers.");
-  CsvTable table({"curve", "index", std::string(workers) + " [1]",
-                  "speed-up [1]", "efficiency [1]"});
-  ChartPanel panel{
+  reports::CsvTable table({"curve", "index", std::string(workers) + " [1]",
+                           "speed-up [1]", "efficiency [1]"});
+  reports::ChartPanel panel{
       .x = {.label = workers, .low = 0.9, .is_log = true, .base = 2},
       .y = {.label = "speed-up", .is_log = true, .base = 2},
       .curves = {{.label = "ideal",
-                  .style = line("#bbbbbb", 1.5),
+                  .style = reports::line("#bbbbbb", 1.5),
                   .slope = 1.0}},
       .free_corner = "top left",
       .has_legend_inside = true};
@@ -45,7 +45,9 @@ Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
     }
     if (!rows.empty())
       panel.add(series.method,
-                joined(markers(method_color(index), 7, 0.7, 1.4)), index, 3, 4);
+                reports::joined(reports::markers(reports::method_color(index),
+                                                 7, 0.7, 1.4)),
+                index, 3, 4);
     ++index;
   }
   figure.data = table.text();
@@ -57,8 +59,8 @@ Figure scaling_figure(const Bench& bench, bool has_ranks, bool is_weak) {
 
 } // namespace
 
-std::vector<Figure> scaling_figures(const Bench& bench) {
-  std::vector<Figure> figures;
+std::vector<reports::Figure> scaling_figures(const Bench& bench) {
+  std::vector<reports::Figure> figures;
   for (const bool has_ranks : {false, true})
     for (const bool is_weak : {false, true})
       if (std::ranges::any_of(bench.scaling, [&](const ScalingSeries& series) {
@@ -68,4 +70,4 @@ std::vector<Figure> scaling_figures(const Bench& bench) {
   return figures;
 }
 
-} // namespace asperity::reports
+} // namespace asperity::bench

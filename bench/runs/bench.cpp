@@ -1,15 +1,23 @@
 #include "bench/runs/bench.hpp"
 
-#include "app/asked/case_library.hpp"
-#include "app/methods/chosen.hpp"
-#include "app/plan/preparation.hpp"
-#include "app/plan/skipped.hpp"
-#include "app/run/interrupt.hpp"
-#include "app/run/output_folder.hpp"
-#include "app/run/remaining_work.hpp"
+#include "bench/analysis/bench_analysis.hpp"
+#include "bench/analysis/scaling.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/bench_runner.hpp"
+#include "bench/runs/target_error.hpp"
+#include "bench/runs/target_text.hpp"
+#include "bench/settings/bench_plan.hpp"
+#include "bench/settings/scaling_settings.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
+#include "methods/chosen.hpp"
 #include "results/provenance.hpp"
+#include "run/arguments/case_library.hpp"
+#include "run/interrupt.hpp"
+#include "run/output_folder.hpp"
+#include "run/plan/preparation.hpp"
+#include "run/plan/skipped.hpp"
+#include "run/remaining_work.hpp"
 
 #include <fmt/format.h>
 
@@ -18,21 +26,10 @@
 #include <chrono>
 #include <filesystem>
 
-#include "bench/analysis/bench_analysis.hpp"
-#include "bench/analysis/scaling.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "bench/runs/bench_runner.hpp"
-#include "bench/runs/target_error.hpp"
-#include "bench/runs/target_words.hpp"
-#include "bench/settings/scaling_settings.hpp"
-#include "bench/settings/sweep.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using reports::Bench;
-using reports::BenchPoint;
 
 struct Subject {
   fs::path file;
@@ -41,13 +38,13 @@ struct Subject {
 };
 
 Subject subject_of(const BenchCommand& command) {
-  const FoundCases found = find_cases(command.contact_case);
+  const run::FoundCases found = run::find_cases(command.contact_case);
   if (!found.collection.empty())
     throw input::InputError("bench: " + found.collection +
                             " is a collection; name one of its cases");
   Subject subject{found.cases.front().file, {}, {}};
   if (command.is_quick)
-    subject.overrides = quick_overrides(subject.file);
+    subject.overrides = run::quick_overrides(subject.file);
   subject.overrides.insert(subject.overrides.end(), command.overrides.begin(),
                            command.overrides.end());
   subject.contact_case =
@@ -79,24 +76,24 @@ void print_remaining(const Bench& bench, std::size_t last,
   if (n_left == 0 || elapsed < 10.0)
     return;
   fmt::print("{} of {} settings, {}\n", last + 1, bench.points.size(),
-             remaining_text(elapsed / static_cast<double>(last + 1) *
-                            static_cast<double>(n_left)));
+             run::remaining_text(elapsed / static_cast<double>(last + 1) *
+                                 static_cast<double>(n_left)));
   std::fflush(stdout);
 }
 
 /// True for settings that occur only in series other than those over points.
-bool is_optional(const Sweep& sweep, std::size_t point) {
-  return std::none_of(sweep.series.begin(), sweep.series.end(),
-                      [&](const reports::BenchSeries& series) {
+bool is_optional(const BenchPlan& plan, std::size_t point) {
+  return std::none_of(plan.series.begin(), plan.series.end(),
+                      [&](const BenchSeries& series) {
                         return series.axis == "surface.points" &&
                                std::find(series.points.begin(),
                                          series.points.end(),
                                          point) != series.points.end();
                       }) &&
-         !sweep.points[point].is_own;
+         !plan.points[point].is_own;
 }
 
-Bench bench_of(const Subject& subject, Sweep sweep) {
+Bench bench_of(const Subject& subject, BenchPlan plan) {
   Bench bench;
   bench.case_name = subject.contact_case.name;
   bench.case_title = subject.contact_case.title;
@@ -104,25 +101,25 @@ Bench bench_of(const Subject& subject, Sweep sweep) {
   bench.case_text = subject.contact_case.text;
   bench.provenance = results::program_facts();
   bench.provenance.emplace_back("started", results::utc_now());
-  bench.remarks = std::move(sweep.remarks);
-  bench.points = std::move(sweep.points);
-  bench.series = std::move(sweep.series);
-  bench.scaling = std::move(sweep.scaling);
-  bench.reference.series = sweep.reference_series;
+  bench.remarks = std::move(plan.remarks);
+  bench.points = std::move(plan.points);
+  bench.series = std::move(plan.series);
+  bench.scaling = std::move(plan.scaling);
+  bench.reference.series = plan.reference_series;
   return bench;
 }
 
-void run_points(Bench& bench, const Sweep& sweep, BenchRunner& runner) {
+void run_points(Bench& bench, const BenchPlan& plan, BenchRunner& runner) {
   const auto begin = std::chrono::steady_clock::now();
   std::string left_out;
   bool is_once = false;
   for (std::size_t i = 0; i < bench.points.size(); ++i) {
     BenchPoint& point = bench.points[i];
-    if (is_interrupted()) {
+    if (run::is_interrupted()) {
       point.problem = "interrupted before it was run";
       continue;
     }
-    if (runner.is_spent() && is_optional(sweep, i)) {
+    if (runner.is_spent() && is_optional(plan, i)) {
       point.problem = "skipped: the time budget was used up";
       left_out +=
           (left_out.empty() ? "" : ", ") + point.method + " " + point.label;
@@ -149,15 +146,15 @@ void print_fronts(const Bench& bench) {
     const auto& front = bench.fronts.at(quantity);
     for (const std::size_t i : front)
       fmt::print("{}: error {} in {:.3g} s of CPU time with {}, {}\n", quantity,
-                 reports::per_cent(bench.points[i].errors.at(quantity)),
+                 per_cent(bench.points[i].errors.at(quantity)),
                  bench.points[i].cpu.median, bench.points[i].method,
                  bench.points[i].label);
   }
 }
 
 void print_scaling(const Bench& bench) {
-  for (const reports::ScalingSeries& series : bench.scaling)
-    for (const reports::ScalingRow& row : reports::scaling_rows(bench, series))
+  for (const ScalingSeries& series : bench.scaling)
+    for (const ScalingRow& row : scaling_rows(bench, series))
       fmt::print("{}, {} scaling: {}: speed-up {:.2f}, efficiency {:.2f}{}\n",
                  series.method, series.is_weak ? "weak" : "strong",
                  bench.points[row.point].label, row.speed_up, row.efficiency,
@@ -187,65 +184,66 @@ double read_target_error(const std::string& text) {
   return share;
 }
 
-ExitCode bench_case(const BenchCommand& command) {
+run::ExitCode bench_case(const BenchCommand& command) {
   const double target = command.target_error.empty()
                             ? 0.0
                             : read_target_error(command.target_error);
   const Subject subject = subject_of(command);
   const cases::Case& contact_case = subject.contact_case;
   const std::vector<cases::MethodSpec> methods =
-      chosen_methods(contact_case, command.methods);
-  require_computable(contact_case, methods,
-                     grid_of_case(contact_case, methods));
+      methods::chosen_methods(contact_case, command.methods);
+  run::require_computable(contact_case, methods,
+                          run::grid_of_case(contact_case, methods));
   const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
-  const Sweep sweep =
-      is_scaling ? scaling_of(contact_case,
-                              {command.methods, ascending(command.threads),
-                               ascending(command.ranks)})
-                 : sweep_of(contact_case, {command.methods, command.is_quick,
-                                           command.realizations});
+  const BenchPlan plan =
+      is_scaling
+          ? scaling_of(contact_case,
+                       {command.methods, ascending(command.threads),
+                        ascending(command.ranks)})
+          : bench_plan_of(contact_case, {command.methods, command.is_quick,
+                                         command.realizations});
   const fs::path folder = command.out.empty()
                               ? fs::path("out") / contact_case.name / "bench"
                               : fs::path(command.out);
-  const OutputFolder lock(
+  const run::OutputFolder lock(
       folder, "bench " + contact_case.name,
       {"bench.json", "bench.csv", "report.html", "figures/", "runs/"},
-      input_files(contact_case));
-  catch_interrupts();
+      run::input_files(contact_case));
+  run::catch_interrupts();
   std::vector<std::string> common = subject.overrides;
-  common.insert(common.end(), sweep.common.begin(), sweep.common.end());
+  common.insert(common.end(), plan.common.begin(), plan.common.end());
   BenchRunner runner(
       contact_case,
       {subject.file, common, folder / "runs",
        command.is_quick ? 1 : command.repeats,
        command.is_quick ? std::min(command.budget, 60.0) : command.budget});
   fmt::print("{}: {} settings, each run {}{}\n", contact_case.name,
-             sweep.points.size(), command.is_quick ? "twice" : "several times",
+             plan.points.size(), command.is_quick ? "twice" : "several times",
              is_scaling ? "" : " on one thread");
-  Bench bench = bench_of(subject, sweep);
-  run_points(bench, sweep, runner);
+  Bench bench = bench_of(subject, plan);
+  run_points(bench, plan, runner);
   if (!is_scaling)
-    reports::analyse(bench, contact_case);
+    analyse(bench, contact_case);
   print_scaling(bench);
-  if (target > 0.0 && !is_interrupted()) {
+  if (target > 0.0 && !run::is_interrupted()) {
     cases::Case asked = contact_case;
-    asked.methods = chosen_methods(asked, command.methods);
+    asked.methods = methods::chosen_methods(asked, command.methods);
     TargetSearch search(asked, {subject.file, common, folder / "runs", 1, 1e9});
     bench.targets.push_back(search.run(target));
     print_outcome(bench.targets.back());
   }
   bench.provenance.emplace_back("finished", results::utc_now());
   print_fronts(bench);
-  for (const std::string& problem : reports::write_bench_report(bench, folder))
+  for (const std::string& problem : write_bench_report(bench, folder))
     fmt::print(stderr, "figure not drawn: {}\n", problem);
   fmt::print("report: {}\n", (folder / "report.html").string());
-  if (is_interrupted())
-    return exit_interrupted;
+  if (run::is_interrupted())
+    return run::exit_interrupted;
   return std::ranges::any_of(
              bench.points,
              [](const BenchPoint& point) { return point.problem.empty(); })
-             ? exit_good
-             : exit_internal; // no setting has a result
+             ? run::exit_good
+             : run::exit_internal; // no setting has a result
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

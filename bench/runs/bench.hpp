@@ -3,12 +3,12 @@
 // asperity bench measures the cost of each setting of each method and its error
 // with respect to the reference solution, and writes a report.
 
-#include "app/run/exit_code.hpp"
+#include "run/exit_code.hpp"
 
 #include <string>
 #include <vector>
 
-namespace asperity::app {
+namespace asperity::bench {
 
 struct BenchCommand {
   std::string contact_case; ///< file, folder or name of an installed case
@@ -32,10 +32,10 @@ struct BenchCommand {
 /// @throws input::InputError  the case has mistakes, is a collection, or lacks
 ///                            a
 ///     requested method
-ExitCode bench_case(const BenchCommand& command);
+run::ExitCode bench_case(const BenchCommand& command);
 
 /// Reads "1%", "1 %" or "0.01" as 0.01.
 /// @throws input::InputError  none of these, or outside 0 .. 1
 double read_target_error(const std::string& text);
 
-} // namespace asperity::app
+} // namespace asperity::bench

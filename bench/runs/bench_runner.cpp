@@ -1,10 +1,12 @@
 #include "bench/runs/bench_runner.hpp"
 
-#include "app/run/child_run.hpp"
-#include "app/run/exit_code.hpp"
-#include "app/run/interrupt.hpp"
 #include "base/cpu_clock.hpp"
+#include "bench/analysis/bench_answer.hpp"
+#include "ranks/convolution.hpp"
 #include "results/result_reader.hpp"
+#include "run/child_run.hpp"
+#include "run/exit_code.hpp"
+#include "run/interrupt.hpp"
 
 #include <fmt/format.h>
 
@@ -13,16 +15,10 @@
 #include <fstream>
 #include <utility>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "ranks/convolution.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using reports::BenchPhases;
-using reports::BenchPoint;
-using reports::BenchTime;
 
 constexpr double mebibyte = 1024.0 * 1024.0;
 
@@ -93,7 +89,7 @@ struct BenchRunner::Once {
   double peak_memory = 0.0; ///< [B]
   std::string problem;
   BenchPhases phases;
-  reports::BenchAnswer answer;
+  BenchAnswer answer;
   Grid grid;
   int steps = 0;
   int failed_steps = 0;
@@ -138,10 +134,10 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       words.push_back(one);
     }
   Once once;
-  once.end = point.ranks > 1 ? run_self_on_ranks(point.ranks, words, log)
-                             : run_self(words, log);
-  const bool has_result = once.end.exit_code == exit_good ||
-                          once.end.exit_code == exit_not_converged;
+  once.end = point.ranks > 1 ? run::run_self_on_ranks(point.ranks, words, log)
+                             : run::run_self(words, log);
+  const bool has_result = once.end.exit_code == run::exit_good ||
+                          once.end.exit_code == run::exit_not_converged;
   if (!has_result) {
     once.problem =
         fmt::format("ended with exit code {}: {}", once.end.exit_code,
@@ -167,7 +163,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
     }
   once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);
-  once.answer = reports::answer_of(result, case_, point.method);
+  once.answer = answer_of(result, case_, point.method);
   fs::remove_all(folder); // no map is read any more
   if (!result.surfaces.empty())
     once.grid = result.surfaces.front().grid;
@@ -206,13 +202,13 @@ void BenchRunner::run(BenchPoint& point) {
     return;
   }
   const bool is_once = point.is_reference || is_spent();
-  for (int i = 0; i < options_.repeats && !is_once && !is_interrupted(); ++i) {
+  for (int i = 0; i < options_.repeats && !is_once && !run::is_interrupted();
+       ++i) {
     Once again = run_once(point);
     if (!again.problem.empty())
       break;
-    point.is_repeatable =
-        point.is_repeatable &&
-        reports::have_same_bits(runs.front().answer, again.answer);
+    point.is_repeatable = point.is_repeatable &&
+                          have_same_bits(runs.front().answer, again.answer);
     runs.push_back(std::move(again));
   }
   point.has_warm_up = runs.size() > 1;
@@ -244,4 +240,4 @@ void BenchRunner::run(BenchPoint& point) {
     point.transform_pair = transform_pair(middle.grid);
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

@@ -4,6 +4,7 @@
 // by starting the program several times as a child process. It owns the repeats
 // and the time budget.
 
+#include "bench/analysis/bench.hpp"
 #include "cases/types/case.hpp"
 
 #include <chrono>
@@ -12,9 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/analysis/bench.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 
 struct BenchRunnerOptions {
   std::filesystem::path case_file;
@@ -35,7 +34,7 @@ public:
   BenchRunner(const cases::Case& contact_case, BenchRunnerOptions options);
 
   /// Fills the cost and the results of the point, or its problem.
-  void run(reports::BenchPoint& point);
+  void run(BenchPoint& point);
 
   /// True once the runs have used up the budget; from then on each setting is
   /// run once.
@@ -43,7 +42,7 @@ public:
 
 private:
   struct Once;
-  Once run_once(const reports::BenchPoint& point);
+  Once run_once(const BenchPoint& point);
   double transform_pair(const Grid& grid);
 
   const cases::Case& case_;
@@ -53,4 +52,4 @@ private:
   int n_runs_ = 0;
 };
 
-} // namespace asperity::app
+} // namespace asperity::bench

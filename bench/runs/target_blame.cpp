@@ -1,17 +1,17 @@
 // Explains why no setting meets an error target: which method, which quantity
 // and which contribution to the error is responsible.
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/target_error.hpp"
+#include "bench/settings/case_values.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "bench/runs/target_error.hpp"
-#include "bench/settings/case_values.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 constexpr double finest_growth = 0.25; ///< factor of ln g
@@ -60,16 +60,15 @@ std::string TargetSearch::depth_words(const Forecast& forecast,
     if (twice.empty())
       continue;
     const int points = grids_.front();
-    const reports::BenchPoint as_it_is =
+    const BenchPoint as_it_is =
         run_at(forecast.method, forecast.element, points, 1.0);
-    const reports::BenchPoint deeper =
+    const BenchPoint deeper =
         run_at(forecast.method, forecast.element, points, 1.0,
                {fmt::format("{}.{}={}", forecast.method, key, twice)});
-    const double change =
-        reports::error_against(deeper.answer, as_it_is.answer, column);
+    const double change = error_against(deeper.answer, as_it_is.answer, column);
     if (std::isfinite(change))
       return fmt::format("; doubling the {} changes it by {}", key,
-                         reports::per_cent(change));
+                         per_cent(change));
   }
   return "";
 }
@@ -78,7 +77,7 @@ std::string TargetSearch::why_none(double target) {
   const int last = finest_points();
   std::string words = fmt::format("no setting up to {} points per side has a "
                                   "predicted error below {} in every quantity",
-                                  last, reports::per_cent(target));
+                                  last, per_cent(target));
   for (const auto& [method, miss] : misses(forecasts_, quantities_, last)) {
     if (miss.error < target)
       continue;
@@ -91,12 +90,12 @@ std::string TargetSearch::why_none(double target) {
         miss.forecast->best_column(miss.quantity, last, finest_growth);
     const ErrorParts parts = miss.forecast->parts(column, last, finest_growth);
     words += fmt::format("; {} has an error of {} in {}", method,
-                         reports::per_cent(miss.error), miss.quantity);
+                         per_cent(miss.error), miss.quantity);
     if (parts.staying < 0.5 * miss.error)
       continue;
     words += fmt::format(", of which {} is independent of the grid",
-                         reports::per_cent(parts.staying));
-    if (const std::string exact = reports::exact_words(case_); !exact.empty())
+                         per_cent(parts.staying));
+    if (const std::string exact = exact_words(case_); !exact.empty())
       words += fmt::format(
           ": the case's block differs from that of the exact solution ({}){}",
           exact, depth_words(*miss.forecast, column));
@@ -106,4 +105,4 @@ std::string TargetSearch::why_none(double target) {
   return words;
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

@@ -1,5 +1,10 @@
 #include "bench/runs/target_error.hpp"
 
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/settings/bench_axes.hpp"
+#include "bench/settings/bench_plan.hpp"
+#include "bench/settings/block_settings.hpp"
+#include "bench/settings/case_values.hpp"
 #include "cases/reader/vocabulary.hpp"
 
 #include <fmt/format.h>
@@ -9,17 +14,8 @@
 #include <cmath>
 #include <utility>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/settings/block_settings.hpp"
-#include "bench/settings/case_values.hpp"
-#include "bench/settings/sweep.hpp"
-#include "bench/settings/sweep_axes.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
-
-using reports::BenchPoint;
-using reports::TargetOutcome;
 
 constexpr int least_target_points = 32;
 constexpr int most_points = 4096;
@@ -109,7 +105,7 @@ Forecast TargetSearch::forecast_of(const std::string& method,
   Forecast forecast{
       .method = method, .element = element, .growth = growth_of(case_, method)};
   std::vector<BenchPoint> coarse;
-  std::vector<reports::BenchAnswer> exact;
+  std::vector<BenchAnswer> exact;
   for (const int points : grids_) {
     coarse.push_back(run_at(method, element, points, 1.0));
     if (!coarse.back().problem.empty()) {
@@ -117,7 +113,7 @@ Forecast TargetSearch::forecast_of(const std::string& method,
                              coarse.back().problem);
       return forecast;
     }
-    exact.push_back(reports::exact_answer(case_, coarse.back().answer));
+    exact.push_back(exact_answer(case_, coarse.back().answer));
   }
   add_runs(forecast, coarse, quantities_);
   if (forecast.growth > 1.0)
@@ -219,4 +215,4 @@ TargetOutcome TargetSearch::choose(double target) {
   return outcome;
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

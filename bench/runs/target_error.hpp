@@ -4,14 +4,14 @@
 // verifies whether it does. It owns the choice; the runs are those of
 // BenchRunner.
 
+#include "bench/analysis/forecast.hpp"
+#include "bench/runs/bench_runner.hpp"
+
 #include <map>
 #include <string>
 #include <vector>
 
-#include "bench/analysis/forecast.hpp"
-#include "bench/runs/bench_runner.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 
 /// Runs the coarse grids, fits error and cost, chooses a setting, verifies it,
 /// and chooses again with the information found. The number of points is common
@@ -25,24 +25,24 @@ public:
   /// a relative error below `target` (for the gap: in units of h_rms), with up
   /// to four times the points of the case. If there is none, its problem states
   /// why and which contribution to the error is responsible.
-  reports::TargetOutcome choose(double target);
+  TargetOutcome choose(double target);
 
   /// Compares the results at the chosen setting with the exact solution, or
   /// with one run per method at twice the points and half the logarithm of the
   /// grading ratio. A missed target updates the predictions.
   /// @param chosen  results by method
-  void verify(reports::TargetOutcome& outcome,
-              const std::map<std::string, reports::BenchAnswer>& chosen);
+  void verify(TargetOutcome& outcome,
+              const std::map<std::string, BenchAnswer>& chosen);
 
   /// Chooses another setting with the information from the last verification.
   /// True: `outcome` is that of the new setting. False after three settings, or
   /// if none is predicted to meet the target any more: `outcome` is unchanged
   /// except that its `earlier` states the reason.
-  bool choose_again(reports::TargetOutcome& outcome);
+  bool choose_again(TargetOutcome& outcome);
 
   /// Performs all of these steps, with the runs at the chosen settings in
   /// between.
-  reports::TargetOutcome run(double target);
+  TargetOutcome run(double target);
 
 private:
   struct Choice {
@@ -54,20 +54,19 @@ private:
 
   void make_forecasts();
   Forecast forecast_of(const std::string& method, const std::string& element);
-  reports::BenchPoint run_at(const std::string& method,
-                             const std::string& element, int points,
-                             double growth_share,
-                             const std::vector<std::string>& more = {});
+  BenchPoint run_at(const std::string& method, const std::string& element,
+                    int points, double growth_share,
+                    const std::vector<std::string>& more = {});
   bool choose_at(int points, double growth_share, double target,
                  Choice& choice);
   bool find_choice(double target);
   bool permits(int points) const;
   int finest_points() const;
-  void add_checks(reports::TargetOutcome& outcome) const;
+  void add_checks(TargetOutcome& outcome) const;
   std::string why_none(double target);
   std::string depth_words(const Forecast& forecast, const std::string& column);
-  void verify_method(reports::TargetOutcome& outcome, Forecast& forecast,
-                     const reports::BenchAnswer& answer);
+  void verify_method(TargetOutcome& outcome, Forecast& forecast,
+                     const BenchAnswer& answer);
 
   const cases::Case& case_;
   BenchRunner runner_;
@@ -80,4 +79,4 @@ private:
   std::string problem_;
 };
 
-} // namespace asperity::app
+} // namespace asperity::bench

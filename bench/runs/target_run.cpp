@@ -1,5 +1,9 @@
 #include "bench/runs/target_run.hpp"
 
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/target_text.hpp"
+#include "bench/settings/bench_plan.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 #include "results/result_reader.hpp"
@@ -10,12 +14,7 @@
 #include <limits>
 #include <utility>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "bench/runs/target_words.hpp"
-#include "bench/settings/sweep.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 BenchRunnerOptions search_options(const cases::Case& contact_case,
@@ -41,7 +40,7 @@ TargetRun::TargetRun(const cases::Case& contact_case,
       search_(contact_case,
               search_options(contact_case, file_, overrides_, folder)) {
   fmt::print("{}: searching for the cheapest setting with an error below {}\n",
-             contact_case.name, reports::per_cent(target));
+             contact_case.name, per_cent(target));
   outcome_ = search_.choose(target);
   if (is_chosen())
     print_choice();
@@ -74,12 +73,12 @@ bool TargetRun::verify(const cases::Case& chosen,
                        const std::filesystem::path& folder) {
   results::Result result =
       results::read_result(folder, results::MapsInFile::large);
-  std::map<std::string, reports::BenchAnswer> answers;
+  std::map<std::string, BenchAnswer> answers;
   for (results::MethodRecord& method : result.methods)
     if (!method.realizations.empty())
       method.realizations.resize(1); // as in the finer runs
   for (const results::MethodRecord& method : result.methods)
-    answers[method.name] = reports::answer_of(result, chosen, method.name);
+    answers[method.name] = answer_of(result, chosen, method.name);
   search_.verify(outcome_, answers);
   return outcome_.is_met();
 }
@@ -97,4 +96,4 @@ void TargetRun::record(const std::filesystem::path& folder) const {
   writer.finish(result.status);
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

@@ -3,13 +3,13 @@
 // asperity run --target-error runs the case at the cheapest setting that is
 // predicted to meet an error target, and records in its result whether it does.
 
+#include "bench/runs/target_error.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "bench/runs/target_error.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 
 class TargetRun {
 public:
@@ -48,7 +48,7 @@ private:
   /// represents the surface of the case.
   std::vector<std::string> lengths_;
   TargetSearch search_;
-  reports::TargetOutcome outcome_;
+  TargetOutcome outcome_;
 };
 
-} // namespace asperity::app
+} // namespace asperity::bench

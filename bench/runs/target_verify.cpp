@@ -1,31 +1,28 @@
 // Verifies whether an error target was met, and chooses what to try next if it
 // was not.
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
+#include "bench/runs/target_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "bench/runs/target_error.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
-
-using reports::BenchAnswer;
-using reports::TargetOutcome;
 
 constexpr int most_tries = 3;
 
 bool answers(const BenchAnswer& exact, const BenchAnswer& chosen,
              const TargetOutcome& outcome, const std::string& method) {
-  return std::all_of(outcome.checks.begin(), outcome.checks.end(),
-                     [&](const reports::TargetCheck& check) {
-                       return check.method != method ||
-                              std::isfinite(reports::error_against(
-                                  exact, chosen, check.estimator));
-                     });
+  return std::all_of(
+      outcome.checks.begin(), outcome.checks.end(),
+      [&](const TargetCheck& check) {
+        return check.method != method ||
+               std::isfinite(error_against(exact, chosen, check.estimator));
+      });
 }
 
 /// Adds the part of the error that the difference from a run on twice the
@@ -37,11 +34,11 @@ double with_what_is_left(double difference, double order) {
 
 std::string broken_words(const TargetOutcome& outcome) {
   std::string words = fmt::format("{}:", outcome.chosen);
-  for (const reports::TargetCheck& check : outcome.checks)
+  for (const TargetCheck& check : outcome.checks)
     if (!check.is_met)
       words += fmt::format("{} the error of {} with {} was {}",
                            words.ends_with(':') ? "" : ",", check.quantity,
-                           check.method, reports::per_cent(check.found));
+                           check.method, per_cent(check.found));
   return words;
 }
 
@@ -49,7 +46,7 @@ std::string broken_words(const TargetOutcome& outcome) {
 
 void TargetSearch::verify_method(TargetOutcome& outcome, Forecast& forecast,
                                  const BenchAnswer& answer) {
-  const BenchAnswer exact = reports::exact_answer(case_, answer);
+  const BenchAnswer exact = exact_answer(case_, answer);
   BenchAnswer finer;
   if (!answers(exact, answer, outcome, forecast.method)) {
     finer = run_at(forecast.method, forecast.element, 2 * choice_.points,
@@ -65,13 +62,13 @@ void TargetSearch::verify_method(TargetOutcome& outcome, Forecast& forecast,
   }
   std::map<std::string, double> found;
   for (const auto& [column, term] : forecast.terms) {
-    found[column] = reports::error_against(exact, answer, column);
+    found[column] = error_against(exact, answer, column);
     if (!std::isfinite(found[column]))
-      found[column] = with_what_is_left(
-          reports::error_against(finer, answer, column), term.order);
+      found[column] =
+          with_what_is_left(error_against(finer, answer, column), term.order);
   }
   bool is_met = true;
-  for (reports::TargetCheck& check : outcome.checks) {
+  for (TargetCheck& check : outcome.checks) {
     if (check.method != forecast.method)
       continue;
     check.found = found.at(check.estimator);
@@ -117,8 +114,8 @@ TargetOutcome TargetSearch::run(double target) {
     std::map<std::string, BenchAnswer> chosen;
     outcome.cpu_time = 0.0;
     for (const auto& [method, forecast] : choice_.methods) {
-      const reports::BenchPoint point = run_at(
-          method, forecast->element, choice_.points, choice_.growth_share);
+      const BenchPoint point = run_at(method, forecast->element, choice_.points,
+                                      choice_.growth_share);
       outcome.cpu_time += point.cpu.median;
       chosen[method] = point.answer;
     }
@@ -128,4 +125,4 @@ TargetOutcome TargetSearch::run(double target) {
   return outcome;
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

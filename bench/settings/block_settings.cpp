@@ -1,13 +1,13 @@
 #include "bench/settings/block_settings.hpp"
 
+#include "bench/settings/case_values.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/settings/case_values.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 using mechanics::MeshGeometry;
@@ -101,4 +101,4 @@ bool permits_points(const cases::Case& contact_case,
   return points % step == 0 && points / step >= 2;
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

@@ -2,7 +2,7 @@
 
 // Selects the settings by which a benchmark compares full 3-D blocks: the same
 // problem on uniform layers and by the condensed solver, and the mesh of the
-// case on other numbers of points. It is internal to the sweep.
+// case on other numbers of points. It is internal to the plan.
 
 #include "cases/types/case.hpp"
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::app {
+namespace asperity::bench {
 
 /// A method that a benchmark adds to those of the case.
 struct AddedMethod {
@@ -46,4 +46,4 @@ mesh_overrides(const cases::Case& contact_case, int points);
 bool permits_points(const cases::Case& contact_case,
                     const cases::MethodSpec& method, int points);
 
-} // namespace asperity::app
+} // namespace asperity::bench

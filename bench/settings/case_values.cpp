@@ -12,7 +12,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 using cases::Node;
@@ -120,4 +120,4 @@ std::string scaled_value(const Node& value, double factor) {
                                : "";
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

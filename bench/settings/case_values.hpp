@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::app {
+namespace asperity::bench {
 
 class CaseValues {
 public:
@@ -45,4 +45,4 @@ std::string scaled_value(const cases::Node& value, double factor);
 /// Returns the number before any unit; NaN if there is none.
 double leading_number(const cases::Node& value);
 
-} // namespace asperity::app
+} // namespace asperity::bench

@@ -1,30 +1,27 @@
 #include "bench/settings/scaling_settings.hpp"
 
-#include "app/methods/chosen.hpp"
-#include "app/methods/sharing.hpp"
+#include "bench/settings/block_settings.hpp"
+#include "bench/settings/case_values.hpp"
 #include "input/input_error.hpp"
+#include "methods/chosen.hpp"
+#include "methods/sharing.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bench/settings/block_settings.hpp"
-#include "bench/settings/case_values.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 namespace {
 
 using cases::MethodSpec;
-using reports::BenchPoint;
-using reports::ScalingSeries;
 
 class ScalingPlanner {
 public:
   ScalingPlanner(const cases::Case& contact_case, const ScalingOptions& options)
       : case_(contact_case), values_(contact_case), options_(options) {}
 
-  Sweep plan() &&;
+  BenchPlan plan() &&;
 
 private:
   void add(const MethodSpec& method, bool has_ranks, bool is_weak);
@@ -37,15 +34,16 @@ private:
   const cases::Case& case_;
   CaseValues values_;
   const ScalingOptions& options_;
-  Sweep sweep_;
+  BenchPlan plan_;
 };
 
 /// Returns whether so many ranks share the rows of a single realisation.
 bool ScalingPlanner::shares_rows(const MethodSpec& method, int points,
                                  int ranks) const {
   const double length = case_.surface.length.value_or(0.0);
-  return n_realizations(case_, method) == 1 &&
-         is_shared_by_ranks(method, {points, points, length, length}, ranks);
+  return methods::n_realizations(case_, method) == 1 &&
+         methods::is_shared_by_ranks(method, {points, points, length, length},
+                                     ranks);
 }
 
 /// Returns the next number of points per side that the method accepts and, if
@@ -85,14 +83,14 @@ BenchPoint ScalingPlanner::run_of(const MethodSpec& method, int points,
 /// Adds a run, unless the plan has it: the first one of strong and of weak
 /// scaling are often the same.
 std::size_t ScalingPlanner::point(BenchPoint wanted) {
-  for (std::size_t i = 0; i < sweep_.points.size(); ++i) {
-    const BenchPoint& known = sweep_.points[i];
+  for (std::size_t i = 0; i < plan_.points.size(); ++i) {
+    const BenchPoint& known = plan_.points[i];
     if (known.method == wanted.method && known.overrides == wanted.overrides &&
         known.threads == wanted.threads && known.ranks == wanted.ranks)
       return i;
   }
-  sweep_.points.push_back(std::move(wanted));
-  return sweep_.points.size() - 1;
+  plan_.points.push_back(std::move(wanted));
+  return plan_.points.size() - 1;
 }
 
 void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
@@ -100,7 +98,7 @@ void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
   ScalingSeries series{method.name, has_ranks, is_weak};
   const std::vector<int>& all = has_ranks ? options_.ranks : options_.threads;
   const int own = case_.surface.points.value_or(0);
-  const bool grows_in_points = !has_ranks || is_full_block(method) ||
+  const bool grows_in_points = !has_ranks || methods::is_full_block(method) ||
                                shares_rows(method, own, all.back());
   for (const int workers : all) {
     const int growth = is_weak ? workers : 1;
@@ -111,7 +109,7 @@ void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
             : own;
     const int realizations = grows_in_points ? 1
                              : is_weak       ? workers
-                                             : n_realizations(case_, method);
+                                       : methods::n_realizations(case_, method);
     BenchPoint run = run_of(method, points, realizations);
     (has_ranks ? run.ranks : run.threads) = workers;
     run.label = fmt::format(
@@ -122,13 +120,14 @@ void ScalingPlanner::add(const MethodSpec& method, bool has_ranks,
         std::string(has_ranks ? "rank" : "thread") + (workers == 1 ? "" : "s"));
     series.points.push_back(point(std::move(run)));
   }
-  sweep_.scaling.push_back(std::move(series));
+  plan_.scaling.push_back(std::move(series));
 }
 
-Sweep ScalingPlanner::plan() && {
-  sweep_.common = common_overrides(case_, case_.surface.realizations);
+BenchPlan ScalingPlanner::plan() && {
+  plan_.common = common_overrides(case_, case_.surface.realizations);
   const bool has_points = case_.surface.points.has_value();
-  for (const MethodSpec& method : chosen_methods(case_, options_.methods)) {
+  for (const MethodSpec& method :
+       methods::chosen_methods(case_, options_.methods)) {
     if (kind_of_method(method.name) == "theory")
       continue;
     if (!options_.threads.empty()) {
@@ -140,31 +139,31 @@ Sweep ScalingPlanner::plan() && {
       continue;
     const int most = options_.ranks.back();
     const bool shares_block =
-        is_full_block(method) ||
+        methods::is_full_block(method) ||
         shares_rows(method, case_.surface.points.value_or(0), most);
-    if (!shares_block && n_realizations(case_, method) < most)
+    if (!shares_block && methods::n_realizations(case_, method) < most)
       throw input::InputError(fmt::format(
           "--ranks {}: ranks share the realisations of {}, which are {}; more "
           "of them: --set surface.realizations={}",
-          most, method.name, n_realizations(case_, method), most));
+          most, method.name, methods::n_realizations(case_, method), most));
     add(method, true, false);
     if (has_points || !shares_block)
       add(method, true, true);
   }
-  if (sweep_.points.empty())
+  if (plan_.points.empty())
     throw input::InputError(case_.path + ": the theory takes no time that "
                                          "threads or ranks could share");
   if (!has_points)
-    sweep_.remarks.emplace_back("The points of a measured map are given, so "
-                                "that no work grows with them.");
-  return std::move(sweep_);
+    plan_.remarks.emplace_back("The points of a measured map are given, so "
+                               "that no work grows with them.");
+  return std::move(plan_);
 }
 
 } // namespace
 
-Sweep scaling_of(const cases::Case& contact_case,
-                 const ScalingOptions& options) {
+BenchPlan scaling_of(const cases::Case& contact_case,
+                     const ScalingOptions& options) {
   return ScalingPlanner(contact_case, options).plan();
 }
 
-} // namespace asperity::app
+} // namespace asperity::bench

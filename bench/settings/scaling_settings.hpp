@@ -3,14 +3,13 @@
 // Selects the runs of a scaling study: the case on several numbers of threads
 // or ranks, with the same work and with work that grows with them.
 
+#include "bench/settings/bench_plan.hpp"
 #include "cases/types/case.hpp"
 
 #include <string>
 #include <vector>
 
-#include "bench/settings/sweep.hpp"
-
-namespace asperity::app {
+namespace asperity::bench {
 
 struct ScalingOptions {
   std::vector<std::string> methods = {}; ///< names or kinds; empty: all
@@ -27,7 +26,7 @@ struct ScalingOptions {
 ///
 /// @throws input::InputError  a method is unknown, there is none besides the
 ///                            theory, or ranks have nothing to share
-Sweep scaling_of(const cases::Case& contact_case,
-                 const ScalingOptions& options);
+BenchPlan scaling_of(const cases::Case& contact_case,
+                     const ScalingOptions& options);
 
-} // namespace asperity::app
+} // namespace asperity::bench

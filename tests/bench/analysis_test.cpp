@@ -1,6 +1,10 @@
 // Tests of the analysis of a benchmark against runs from a formula: an error c
 // h^p of a known limit, a cost c n^e.
+#include "bench/analysis/bench_analysis.hpp"
+#include "bench/analysis/bench_answer.hpp"
+#include "bench/pages/bench_report.hpp"
 #include "cases/reader/read_case.hpp"
+#include "tests/bench/rough_case.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -11,12 +15,7 @@
 #include <fstream>
 #include <unistd.h>
 
-#include "bench/analysis/bench_analysis.hpp"
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "tests/bench/rough_case.hpp"
-
-namespace asperity::reports::analysis_test {
+namespace asperity::bench::analysis_test {
 
 constexpr double gap_order = 2.0;
 constexpr double area_order = 1.0;
@@ -169,10 +168,10 @@ TEST(BenchAnswerOfASphere, HasTheDifferenceOfThePressureFromHertz) {
       0.1, 1e-12);
 }
 
-std::vector<std::string> names_of(const std::vector<Figure>& figures) {
+std::vector<std::string> names_of(const std::vector<reports::Figure>& figures) {
   std::vector<std::string> names;
   names.reserve(figures.size());
-  for (const Figure& figure : figures)
+  for (const reports::Figure& figure : figures)
     names.push_back(figure.name);
   return names;
 }
@@ -240,4 +239,4 @@ TEST_F(BenchAnalysis, IsWrittenAsJson) {
             bench.points[2].errors.at("mean_gap"));
 }
 
-} // namespace asperity::reports::analysis_test
+} // namespace asperity::bench::analysis_test

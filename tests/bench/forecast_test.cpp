@@ -1,12 +1,12 @@
 // Tests of the prediction of finer runs from coarse ones, against runs from a
 // formula: an error c h^p, a cost a + b n^e.
+#include "bench/analysis/forecast.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "bench/analysis/forecast.hpp"
-
-namespace asperity::app::forecast_test {
+namespace asperity::bench::forecast_test {
 
 constexpr double limit = 2.0;
 constexpr double order = 1.5;
@@ -14,8 +14,8 @@ constexpr double cost_exponent = 2.3;
 
 /// A run whose kappa has the error 30 / n^1.5 and which costs 0.5 s and 1e-6
 /// n^2.3.
-reports::BenchPoint run_on(int points) {
-  reports::BenchPoint run;
+BenchPoint run_on(int points) {
+  BenchPoint run;
   run.points = points;
   run.answer.values["kappa"] = {limit + 30.0 * std::pow(points, -order)};
   run.answer.rms_height = 1.0;
@@ -24,7 +24,7 @@ reports::BenchPoint run_on(int points) {
   return run;
 }
 
-Forecast forecast_from(const std::vector<reports::BenchPoint>& coarse) {
+Forecast forecast_from(const std::vector<BenchPoint>& coarse) {
   Forecast forecast;
   add_runs(forecast, coarse, std::vector<std::string>{"kappa"});
   return forecast;
@@ -61,8 +61,8 @@ TEST(Forecast, AddsTheFloorOfTheLayers) {
   Forecast forecast = forecast_from({run_on(32), run_on(64), run_on(128)});
   forecast.growth = 1.2;
   const double before = forecast.error("kappa", 4096, 1.0);
-  reports::BenchPoint as_it_is = run_on(32);
-  reports::BenchPoint halved = as_it_is;
+  BenchPoint as_it_is = run_on(32);
+  BenchPoint halved = as_it_is;
   as_it_is.answer.values["kappa"] = {limit + 4.0 * 0.01};
   halved.answer.values["kappa"] = {limit + 0.01};
 
@@ -76,12 +76,11 @@ TEST(Forecast, AddsTheFloorOfTheLayers) {
 /// Runs with a given order, compared with an exact solution that differs from
 /// their limit.
 Forecast held_against(double exact_value) {
-  const std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64),
-                                                run_on(128)};
+  const std::vector<BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
   Forecast forecast = forecast_from(coarse);
-  reports::BenchAnswer exact;
+  BenchAnswer exact;
   exact.values["kappa"] = {exact_value};
-  add_exact(forecast, coarse, std::vector<reports::BenchAnswer>(3, exact));
+  add_exact(forecast, coarse, std::vector<BenchAnswer>(3, exact));
   return forecast;
 }
 
@@ -109,16 +108,16 @@ TEST(Forecast, KeepsNothingWhereTheRunsTendToTheExactAnswer) {
 // Of the error that remains at the grading ratio of the case, the layers
 // contribute a part, which half of the ratio removes.
 TEST(Forecast, CountsTheLayersOnce) {
-  std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
+  std::vector<BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
   const double layers = 0.04;
-  for (reports::BenchPoint& run : coarse)
+  for (BenchPoint& run : coarse)
     run.answer.values["kappa"].front() += limit * layers;
   Forecast forecast = forecast_from(coarse);
   forecast.terms.at("kappa").floor = layers;
-  reports::BenchAnswer exact;
+  BenchAnswer exact;
   exact.values["kappa"] = {limit};
 
-  add_exact(forecast, coarse, std::vector<reports::BenchAnswer>(3, exact));
+  add_exact(forecast, coarse, std::vector<BenchAnswer>(3, exact));
 
   EXPECT_NEAR(forecast.error("kappa", 1 << 20, 1.0), layers, 1e-6);
   EXPECT_NEAR(forecast.error("kappa", 1 << 20, 0.5), layers / 4.0, 1e-6);
@@ -148,8 +147,8 @@ TEST(Forecast, LearnsFromAMissedTarget) {
 // The cost of a run besides its steps may grow with the points too (maps, the
 // stress inside) and is then not treated as constant.
 TEST(Forecast, CountsWhatGrowsBesidesTheSteps) {
-  std::vector<reports::BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
-  for (reports::BenchPoint& run : coarse)
+  std::vector<BenchPoint> coarse{run_on(32), run_on(64), run_on(128)};
+  for (BenchPoint& run : coarse)
     run.cpu.median +=
         9.0 * run.phases.solving; // the steps take ten times as long in total
   coarse.front().cpu.median -= 9.0 * coarse.front().phases.solving;
@@ -176,9 +175,9 @@ TEST(Forecast, TakesTheBestEstimatorOfTheArea) {
 // not preferred: its bias remains on any grid. Tolerance: the two errors that
 // are allowed, 5e-3 and 1e-4 of the area.
 TEST(Forecast, IgnoresABiasedEstimator) {
-  std::vector<reports::BenchPoint> coarse;
+  std::vector<BenchPoint> coarse;
   for (const int points : {32, 64, 128}) {
-    reports::BenchPoint run = run_on(points);
+    BenchPoint run = run_on(points);
     run.answer.values["area_fraction_corrected"] = {0.1 *
                                                     (1.0 + 0.64 / points)};
     run.answer.values["area_fraction_moment"] = {0.114 *
@@ -223,4 +222,4 @@ TEST(AskedQuantities, AreThoseOfTheExpectations) {
   EXPECT_EQ(asked_by(rough, {"mean_gap_error"}), Names{"nominal_pressure"});
 }
 
-} // namespace asperity::app::forecast_test
+} // namespace asperity::bench::forecast_test

@@ -1,35 +1,29 @@
 // Tests of bench/settings/scaling_settings.hpp and bench/analysis/scaling.hpp:
 // the runs on several threads and ranks, and what follows from their times.
-#include "cases/reader/read_case.hpp"
-#include "input/input_error.hpp"
-
-#include <gtest/gtest.h>
-
 #include "bench/analysis/scaling.hpp"
 #include "bench/settings/scaling_settings.hpp"
+#include "cases/reader/read_case.hpp"
+#include "input/input_error.hpp"
 #include "tests/bench/rough_case.hpp"
 #include "tests/message_of.hpp"
 
-namespace asperity::app::scaling_test {
+#include <gtest/gtest.h>
 
-using reports::Bench;
-using reports::BenchPoint;
-using reports::ScalingRow;
-using reports::ScalingSeries;
+namespace asperity::bench::scaling_test {
 
 const std::string methods = "[theory]\ngamma = 0.4\n[halfspace]\n";
 
-Sweep scaling(const std::string& text, const ScalingOptions& options) {
+BenchPlan scaling(const std::string& text, const ScalingOptions& options) {
   return scaling_of(cases::read_case_text(text, "case.toml"), options);
 }
 
 /// Each setting of a series as "256 1 1 1": points, threads, ranks and nodes
 /// per node of the case's surface.
-std::vector<std::string> runs_of(const Sweep& sweep,
+std::vector<std::string> runs_of(const BenchPlan& plan,
                                  const ScalingSeries& series) {
   std::vector<std::string> runs;
   for (const std::size_t i : series.points) {
-    const BenchPoint& point = sweep.points[i];
+    const BenchPoint& point = plan.points[i];
     runs.push_back(std::to_string(point.points) + " " +
                    std::to_string(point.threads) + " " +
                    std::to_string(point.ranks) + " " +
@@ -42,19 +36,20 @@ std::vector<std::string> runs_of(const Sweep& sweep,
 // and then to multiples of 16 without factors above 5: 384 and 480. The theory
 // is not run, and the run on one thread is shared by both series.
 TEST(ScalingSettings, WorkGrowsWithTheThreads) {
-  const Sweep sweep = scaling(rough_case(methods), {.threads = {1, 2, 3, 4}});
+  const BenchPlan plan =
+      scaling(rough_case(methods), {.threads = {1, 2, 3, 4}});
 
-  ASSERT_EQ(sweep.scaling.size(), 2U);
-  EXPECT_FALSE(sweep.scaling[0].is_weak);
-  EXPECT_EQ(runs_of(sweep, sweep.scaling[0]),
+  ASSERT_EQ(plan.scaling.size(), 2U);
+  EXPECT_FALSE(plan.scaling[0].is_weak);
+  EXPECT_EQ(runs_of(plan, plan.scaling[0]),
             (std::vector<std::string>{"256 1 1 100", "256 2 1 100",
                                       "256 3 1 100", "256 4 1 100"}));
-  EXPECT_TRUE(sweep.scaling[1].is_weak);
-  EXPECT_EQ(runs_of(sweep, sweep.scaling[1]),
+  EXPECT_TRUE(plan.scaling[1].is_weak);
+  EXPECT_EQ(runs_of(plan, plan.scaling[1]),
             (std::vector<std::string>{"256 1 1 100", "384 2 1 225",
                                       "480 3 1 352", "512 4 1 400"}));
-  EXPECT_EQ(sweep.points.size(), 7U);
-  for (const BenchPoint& point : sweep.points)
+  EXPECT_EQ(plan.points.size(), 7U);
+  for (const BenchPoint& point : plan.points)
     EXPECT_EQ(point.method, "halfspace");
 }
 
@@ -64,13 +59,13 @@ TEST(ScalingSettings, RanksShareRealisationsOrAFullBlock) {
   std::string text = rough_case("[halfspace]\n[fem]\nsolver = \"full\"\n");
   text.replace(text.find("seed = 3"), 8, "seed = 3\nrealizations = 4");
 
-  const Sweep sweep = scaling(text, {.ranks = {1, 4}});
+  const BenchPlan plan = scaling(text, {.ranks = {1, 4}});
 
-  ASSERT_EQ(sweep.scaling.size(), 4U);
+  ASSERT_EQ(plan.scaling.size(), 4U);
   const auto of = [&](const std::string& method, bool is_weak) {
-    for (const ScalingSeries& series : sweep.scaling)
+    for (const ScalingSeries& series : plan.scaling)
       if (series.method == method && series.is_weak == is_weak)
-        return runs_of(sweep, series);
+        return runs_of(plan, series);
     return std::vector<std::string>{};
   };
   EXPECT_EQ(of("halfspace", false),
@@ -90,14 +85,14 @@ TEST(ScalingSettings, RanksShareTheRowsOfOneRealisation) {
   std::string text = rough_case("[halfspace]\n[fem]\nelement = \"Q1\"\n");
   text.replace(text.find("points = 256"), 12, "points = 512");
 
-  const Sweep sweep = scaling(text, {.ranks = {1, 2, 3, 4}});
+  const BenchPlan plan = scaling(text, {.ranks = {1, 2, 3, 4}});
 
-  ASSERT_EQ(sweep.scaling.size(), 4U);
-  for (const ScalingSeries& series : sweep.scaling) {
+  ASSERT_EQ(plan.scaling.size(), 4U);
+  for (const ScalingSeries& series : plan.scaling) {
     std::vector<int> points;
     for (const std::size_t i : series.points) {
-      points.push_back(sweep.points[i].points);
-      for (const std::string& one : sweep.points[i].overrides)
+      points.push_back(plan.points[i].points);
+      for (const std::string& one : plan.points[i].overrides)
         EXPECT_EQ(one.find("realizations"), std::string::npos) << one;
     }
     EXPECT_EQ(points, series.is_weak ? (std::vector{512, 768, 960, 1024})
@@ -112,11 +107,11 @@ TEST(ScalingSettings, TakesPointsThatAnAdaptiveMeshPermits) {
                  "mesh = \"case\"\n[mesh]\nkind = \"adaptive\"\n"
                  "halvings = 4\n");
 
-  const Sweep sweep = scaling(text, {.threads = {1, 2, 3}});
+  const BenchPlan plan = scaling(text, {.threads = {1, 2, 3}});
 
-  ASSERT_EQ(sweep.scaling.size(), 2U);
+  ASSERT_EQ(plan.scaling.size(), 2U);
   EXPECT_EQ(
-      runs_of(sweep, sweep.scaling[1]),
+      runs_of(plan, plan.scaling[1]),
       (std::vector<std::string>{"256 1 1 100", "384 2 1 225", "480 3 1 352"}));
 }
 
@@ -171,4 +166,4 @@ TEST(ScalingRows, AreRelativeToTheFirstRun) {
   EXPECT_TRUE(scaling_rows(bench, {"fem", false, false, {0, 1}}).empty());
 }
 
-} // namespace asperity::app::scaling_test
+} // namespace asperity::bench::scaling_test

@@ -229,14 +229,15 @@ fem::LayeredBlock layered_block(const Grid& grid) {
                                 mechanics::FarBoundary::clamped);
 }
 
-struct Asked {
+struct NamedCases {
   Grid grid;
   int threads = 1;
   bool is_alone = false, fails = false, is_q1 = false, is_q2 = false,
        is_free = false;
 };
 
-std::unique_ptr<contact::SurfaceOperator> elasticity_of(const Asked& asked) {
+std::unique_ptr<contact::SurfaceOperator>
+elasticity_of(const NamedCases& asked) {
   const mechanics::ElasticBlock half_space{
       1.0, 0.3, std::numeric_limits<double>::infinity(),
       mechanics::FarBoundary::clamped};
@@ -277,7 +278,7 @@ void print(const char* what, const std::vector<double>& numbers,
   fmt::print("\n");
 }
 
-void solve(const Asked& asked) {
+void solve(const NamedCases& asked) {
   const double before = peak_memory();
   const auto begin = std::chrono::steady_clock::now();
   std::unique_ptr<contact::SurfaceOperator> elasticity = elasticity_of(asked);
@@ -341,7 +342,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::string kind = argc > 4 ? argv[4] : "";
-  const Asked asked{
+  const NamedCases asked{
       grid_of(argv[1]), std::atoi(argv[2]), std::string(argv[3]) == "alone",
       kind == "fail",   kind == "q1",       kind == "q2",
       kind == "free"};

@@ -1,6 +1,9 @@
 // Tests of robustness/instance.hpp and robustness/instance_surface.hpp: an
 // instance follows from its seed and its index, and the axes cover their
 // ranges.
+#include "robustness/instance.hpp"
+#include "robustness/instance_surface.hpp"
+#include "robustness/kinds.hpp"
 #include "surfaces/maps/statistics.hpp"
 
 #include <gtest/gtest.h>
@@ -10,19 +13,15 @@
 #include <set>
 #include <stdexcept>
 
-#include "robustness/instance.hpp"
-#include "robustness/instance_surface.hpp"
-#include "robustness/kinds.hpp"
-
 namespace asperity::robustness::instance_test {
 
 TEST(Instance, IsItsSeedAndItsIndex) {
   std::set<std::string> different;
   for (int index = 0; index < 200; ++index) {
-    EXPECT_EQ(in_words(draw_instance(7, index)),
-              in_words(draw_instance(7, index)));
-    different.insert(in_words(draw_instance(7, index)));
-    different.insert(in_words(draw_instance(8, index)));
+    EXPECT_EQ(text_of(draw_instance(7, index)),
+              text_of(draw_instance(7, index)));
+    different.insert(text_of(draw_instance(7, index)));
+    different.insert(text_of(draw_instance(8, index)));
   }
   EXPECT_EQ(different.size(), 400u);
   EXPECT_THROW(draw_instance(7, -1), std::domain_error);

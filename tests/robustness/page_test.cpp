@@ -1,12 +1,12 @@
 // Tests of robustness/page.hpp and robustness/locking.hpp: the output of a run
 // states how it ended, and Q1 locks where Q2 does not.
+#include "robustness/page.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "robustness/page.hpp"
 
 namespace asperity::robustness::page_test {
 
@@ -25,8 +25,8 @@ Matrix small_matrix() {
   return matrix;
 }
 
-const RunWords words{"asperity robustness --seed 2", "abc", "a machine", 1.0,
-                     2};
+const RunDescription words{"asperity robustness --seed 2", "abc", "a machine",
+                           1.0, 2};
 
 TEST(Page, NamesTheInstanceWithAnotherOutcome) {
   const std::string page = page_of(small_matrix(), words, {});

@@ -1,14 +1,14 @@
 // Verifies that all instances of a slice of the stability matrix converged and
 // were verified, or were refused with a reason. `asperity robustness` runs the
 // entire matrix.
+#include "robustness/run_instance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <tuple>
 #include <utility>
-
-#include "robustness/run_instance.hpp"
 
 namespace asperity::robustness::slice_test {
 
@@ -26,7 +26,7 @@ TEST(Slice, HasNoOtherOutcome) {
     EXPECT_TRUE(is_good(report.outcome))
         << name_of(report.outcome) << " " << report.check << ": "
         << report.reason << "\n"
-        << in_words(instance);
+        << text_of(instance);
     EXPECT_FALSE(report.outcome == Outcome::refused && report.reason.empty());
     verified += report.outcome == Outcome::verified;
     refused += report.outcome == Outcome::refused;
@@ -88,7 +88,7 @@ TEST(Slice, SolvesBlocksOnCounterBodies) {
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << report.check << ": " << report.reason << "\n"
-        << in_words(within_reach(instance));
+        << text_of(within_reach(instance));
     EXPECT_TRUE(report.has_pair);
     EXPECT_GT(report.area, 0.0);
   }
@@ -169,7 +169,7 @@ TEST(Slice, SolvesFullBlocks) {
 
       EXPECT_EQ(report.outcome, Outcome::verified)
           << report.check << ": " << report.reason << "\n"
-          << in_words(within_reach(instance));
+          << text_of(within_reach(instance));
       EXPECT_TRUE(report.has_pair);
     }
 }
@@ -202,7 +202,7 @@ TEST(Slice, SolvesFullBlocksOnOtherMeshes) {
 
     EXPECT_EQ(report.outcome, Outcome::verified)
         << report.check << ": " << report.reason << "\n"
-        << in_words(within_reach(instance));
+        << text_of(within_reach(instance));
     EXPECT_TRUE(report.has_pair);
   }
 }

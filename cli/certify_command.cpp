@@ -1,0 +1,235 @@
+#include "cli/certify_command.hpp"
+
+#include "base/special_numbers.hpp"
+#include "contact/certificate/certificate.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "exchange/answers/certified_field.hpp"
+#include "methods/cache/cache.hpp"
+#include "methods/cache/case_keys.hpp"
+#include "methods/chosen.hpp"
+#include "methods/elastic_method.hpp"
+#include "reports/pages/report.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
+#include "run/output.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+
+namespace asperity::cli {
+namespace {
+
+using results::Result;
+
+/// Error of a mean gap that every result must not exceed [h_rms].
+constexpr double claimed_error = 1e-3;
+
+/// What a field is certified against.
+struct Model {
+  std::unique_ptr<contact::SurfaceOperator> elasticity;
+  double local_compliance = 0.0; ///< [m/Pa]
+};
+
+/// Where a field is in a result.
+struct Place {
+  std::string method;
+  int realization = 0;
+  double rms_height = 0.0; ///< of its surface [m]
+};
+
+/// The contact law of a method whose answer is that of one surface operator.
+const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
+  if (const auto* half =
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
+    return &half->contact;
+  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  return fem != nullptr && !methods::is_full_block(method) ? &fem->contact
+                                                           : nullptr;
+}
+
+/// Certifies the fields of one result.
+class Certifier {
+public:
+  explicit Certifier(const Result& result) : result_(result) {
+    if (!result.case_text.empty())
+      case_ = reports::case_of(result);
+  }
+
+  void run() {
+    for (const results::MethodRecord& method : result_.methods)
+      for (std::size_t r = 0; r < method.realizations.size(); ++r)
+        certify(method, r);
+  }
+
+  const std::vector<exchange::CertifiedField>& fields() const {
+    return fields_;
+  }
+
+  /// What is not certified or was assumed, one line each.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+private:
+  void certify(const results::MethodRecord& method, std::size_t realization) {
+    const results::Curve& curve = method.realizations[realization];
+    if (curve.fields.empty()) {
+      if (realization == 0)
+        as_submitted(method, "no pressure field is saved");
+      return;
+    }
+    const results::SurfaceRecord* surface =
+        curve.own_surface                       ? &*curve.own_surface
+        : realization < result_.surfaces.size() ? &result_.surfaces[realization]
+                                                : nullptr;
+    if (surface == nullptr || !surface->has_heights() ||
+        !(curve.fields.front().grid == surface->grid)) {
+      as_submitted(method, "no heights are saved on the grid of its fields");
+      return;
+    }
+    const methods::SurfaceOfCase on{
+        *surface,
+        {result_.contact_modulus, surface->grid.length_x,
+         surface->grid.spacing_x(), surface->rms_height}};
+    const std::optional<Model> model = model_of(method, on);
+    if (!model)
+      return;
+    const Place place{method.name, static_cast<int>(realization),
+                      surface->rms_height};
+    const std::vector<double> heights = surface->height_map().whole();
+    for (const results::Fields& fields : curve.fields)
+      try {
+        certify(place, curve, fields, heights, *model);
+      } catch (const std::domain_error& error) { // no contact, for example
+        as_submitted(method,
+                     fmt::format("step {}: {}", fields.step, error.what()));
+      }
+  }
+
+  void as_submitted(const results::MethodRecord& method,
+                    const std::string& why) {
+    notes_.push_back(fmt::format("{:<16} as submitted: {}", method.name, why));
+  }
+
+  /// The method of the case that a record belongs to; for an imported
+  /// submission, the one whose block its problem has. Null if there is none.
+  const cases::MethodSpec*
+  method_of(const results::MethodRecord& record) const {
+    if (!case_)
+      return nullptr;
+    const auto found = std::ranges::find_if(
+        case_->methods, [&](const cases::MethodSpec& method) {
+          return record.kind == "submission" ? contact_of(method) != nullptr
+                                             : method.name == record.name;
+        });
+    return found == case_->methods.end() ? nullptr : &*found;
+  }
+
+  std::optional<Model> model_of(const results::MethodRecord& record,
+                                const methods::SurfaceOfCase& surface) {
+    const cases::MethodSpec* const known = method_of(record);
+    if (known == nullptr) {
+      notes_.push_back(fmt::format(
+          "{:<16} against the half-space of E* in hard contact", record.name));
+      return Model{std::make_unique<contact::FourierOperator>(
+                       contact::halfspace_operator(
+                           surface.record.grid,
+                           {.contact_modulus = result_.contact_modulus,
+                            .thickness = infinity})),
+                   0.0};
+    }
+    const cases::MethodSpec& method = *known;
+    const mechanics::ContactSettings* law = contact_of(method);
+    if (law == nullptr) {
+      as_submitted(record, "no bound exists for this method");
+      return std::nullopt;
+    }
+    methods::Cache none;
+    const methods::CaseKeys keys(*case_, methods::program_identity(),
+                                 {}); // nothing is cached
+    methods::SolverFactory factory(case_->material, none, keys);
+    return Model{factory.operator_of(method, surface, 1),
+                 law->law == mechanics::ContactLaw::penalty
+                     ? 1.0 / law->penalty.in_si(surface.scales)
+                     : 0.0};
+  }
+
+  /// Reads the pressure of one step and certifies it.
+  void certify(const Place& place, const results::Curve& curve,
+               const results::Fields& fields, std::span<const double> heights,
+               const Model& model) {
+    const auto row = std::ranges::find(curve.points, fields.step,
+                                       &results::CurvePoint::step);
+    const bool has_row = row != curve.points.end();
+    const std::vector<double> pressure = fields.pressure_map().whole();
+    exchange::CertifiedField field = exchange::certified(
+        *model.elasticity,
+        {heights, model.local_compliance,
+         has_row ? row->nominal_pressure : fields.nominal_pressure, pressure,
+         has_row ? row->mean_gap : not_a_number},
+        place.rms_height, claimed_error);
+    field.method = place.method;
+    field.realization = place.realization;
+    field.step = fields.step;
+    field.contact_modulus = result_.contact_modulus;
+    exchange::add_load_claim(field);
+    if (has_row)
+      exchange::add_claims(row->area_fraction, row->elastic_energy, field);
+    fields_.push_back(std::move(field));
+  }
+
+  const Result& result_;
+  std::optional<cases::Case> case_;
+  std::vector<exchange::CertifiedField> fields_;
+  std::vector<std::string> notes_;
+};
+
+} // namespace
+
+run::ExitCode certify_results(const CertifyCommand& command) {
+  std::vector<Result> results;
+  results.reserve(command.results.size());
+  for (const std::string& path : command.results) {
+    results::require_readable(path);
+    results.push_back(results::read_result(path, results::MapsInFile::large));
+  }
+  std::size_t name_width = 16;
+  for (const Result& result : results)
+    for (const results::MethodRecord& method : result.methods)
+      name_width = std::max(name_width, method.name.size());
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  bool is_certified = false;
+  bool is_sound = true;
+  if (!run::wants_json())
+    fmt::print("{}", exchange::certificate_head(name_width));
+  for (const Result& result : results) {
+    Certifier certifier(result);
+    certifier.run();
+    if (!run::wants_json()) {
+      fmt::print("{}: {}\n", result.path, result.case_name);
+      for (const std::string& note : certifier.notes())
+        fmt::print("  {}\n", note);
+    }
+    for (const exchange::CertifiedField& field : certifier.fields()) {
+      is_certified = true;
+      is_sound = is_sound && exchange::all_hold(field);
+      list.push_back(exchange::certificate_json(field));
+      list.back()["result"] = result.path;
+      if (!run::wants_json())
+        fmt::print("{}{}", exchange::certificate_line(field, name_width),
+                   exchange::broken_claims(field));
+    }
+  }
+  if (run::wants_json())
+    run::emit_answer(list.dump(2) + "\n");
+  if (!is_certified) {
+    fmt::print(stderr, "no field could be certified\n");
+    return run::exit_bad_input;
+  }
+  return is_sound ? run::exit_good : run::exit_expectation_failed;
+}
+
+} // namespace asperity::cli

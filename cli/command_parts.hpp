@@ -1,0 +1,73 @@
+#pragma once
+
+// Parts of the command line that several commands share.
+
+#include "run/exit_code.hpp"
+#include "run/output.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace asperity::cli {
+
+/// The chosen command, which is called after the command line is parsed.
+using Action = std::function<run::ExitCode()>;
+
+/// Adds an example line to the help of a command, before the footer that all
+/// commands share.
+inline void add_example(CLI::App* command, const std::string& line) {
+  command->footer("example:\n  asperity " + line + "\n\n" +
+                  command->get_footer());
+}
+
+/// Adds --set, by which a key of the case file is overridden.
+inline void add_overrides(CLI::App* command,
+                          std::vector<std::string>& overrides) {
+  command
+      ->add_option("--set", overrides,
+                   "override a key of the case file, e.g.\n"
+                   "surface.points=128; may be repeated")
+      ->allow_extra_args(false);
+}
+
+/// Adds --quiet, and --json with a text that says what is printed as JSON.
+inline void add_quiet(CLI::App* command, run::OutputOptions& options) {
+  command->add_flag("--quiet", options.is_quiet, "print errors only");
+}
+
+inline void add_json(CLI::App* command, run::OutputOptions& options,
+                     const std::string& what) {
+  command->add_flag("--json", options.is_json,
+                    "print " + what +
+                        " as JSON; other text\n"
+                        "goes to standard error");
+}
+
+/// Adds --methods, by which methods of the case are chosen.
+inline void add_methods(CLI::App* command, std::vector<std::string>& methods) {
+  command
+      ->add_option("--methods", methods,
+                   "run only these methods, given by name or kind:\n"
+                   "fem,theory")
+      ->delimiter(',');
+}
+
+/// Adds --quick.
+inline void add_quick(CLI::App* command, bool& is_quick) {
+  command->add_flag("--quick", is_quick,
+                    "apply the overrides of the case's quick.set: a\n"
+                    "coarse run that takes minutes");
+}
+
+/// Adds --threads.
+inline void add_threads(CLI::App* command, int& threads) {
+  command
+      ->add_option("--threads", threads,
+                   "number of threads (default: all cores)")
+      ->check(CLI::Range(1, 1024));
+}
+
+} // namespace asperity::cli

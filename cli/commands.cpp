@@ -1,0 +1,291 @@
+#include "cli/commands.hpp"
+
+#include "bench/runs/bench.hpp"
+#include "bench/runs/target_run.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cli/case_run.hpp"
+#include "cli/checks.hpp"
+#include "cli/collection.hpp"
+#include "cli/part_commands.hpp"
+#include "cli/sweep_commands.hpp"
+#include "input/input_error.hpp"
+#include "methods/cache/cache.hpp"
+#include "methods/chosen.hpp"
+#include "reports/pages/paper_report.hpp"
+#include "reports/pages/pdf_page.hpp"
+#include "reports/pages/report.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
+#include "run/arguments/case_library.hpp"
+#include "run/arguments/named_cases.hpp"
+#include "run/interrupt.hpp"
+#include "run/last_run.hpp"
+#include "run/mpi_world.hpp"
+#include "run/output.hpp"
+#include "run/output_folder.hpp"
+#include "run/plan/description.hpp"
+#include "run/plan/plan.hpp"
+#include "run/plan/preparation.hpp"
+#include "run/plan/skipped.hpp"
+#include "run/result_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace asperity::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+run::RunOptions options_of(const run::ReadCase& read, const fs::path& folder,
+                           const RunCommand& command, methods::Cache& cache) {
+  run::RunOptions options{folder, command.methods, command.resume,
+                          command.threads, read.reference};
+  options.is_exact = command.is_exact;
+  options.has_report = !command.no_report;
+  options.cache = &cache;
+  options.ranks = run::n_mpi_ranks();
+  options.ranks_on_machine = run::n_ranks_on_machine();
+  return options;
+}
+
+/// Runs a case at the setting chosen for the target error, then verifies the
+/// error.
+run::ExitCode run_to_target(const run::ReadCase& read,
+                            const RunCommand& command,
+                            const run::RunOptions& options) {
+  if (read.found.file.empty())
+    throw input::InputError("--target-error needs a case file: asperity new "
+                            "NAME --map FILE writes one");
+  cases::Case named = read.contact_case;
+  named.methods =
+      methods::chosen_methods(named, options.methods, options.is_exact);
+  bench::TargetRun target(named, read.found.file, read.overrides,
+                          options.folder,
+                          bench::read_target_error(command.target_error));
+  if (!target.is_chosen())
+    return run::exit_not_converged;
+  run::ExitCode end = run::exit_good;
+  do {
+    const cases::Case chosen = target.chosen_case();
+    end = run_one(chosen, options, {.is_omitted = true});
+    if (run::is_interrupted())
+      return end;
+    if (target.verify(chosen, options.folder))
+      break;
+    end = worse(end, run::exit_expectation_failed);
+  } while (target.choose_again());
+  target.record(options.folder);
+  return command.no_report
+             ? end
+             : worse(end, print_findings(run::write_outputs(options.folder,
+                                                            command.has_pdf)
+                                             .summary,
+                                         options.folder));
+}
+
+run::ExitCode print_plans(const std::vector<run::NamedCases>& all,
+                          const RunCommand& command, methods::Cache& cache) {
+  std::string json;
+  for (const run::NamedCases& named : all) {
+    if (named.sweep)
+      print_sweep_plan(*named.sweep, command);
+    for (const run::ReadCase& read : named.cases) {
+      run::RunOptions options = options_of(read, {}, command, cache);
+      if (is_for_ranks(named, command)) // each works on other parts of the run
+        options.ranks = options.ranks_on_machine = 1;
+      const run::Plan plan = run::make_plan(read.contact_case, options);
+      const std::vector<cases::MethodSpec> methods = methods::chosen_methods(
+          read.contact_case, options.methods, options.is_exact);
+      run::require_surface(read.contact_case, methods,
+                           run::grid_of_case(read.contact_case, methods));
+      fmt::print("{}{}", run::plan_text(plan, read.contact_case),
+                 run::shared_rows_text(plan));
+      json +=
+          (json.empty() ? "" : ",\n") + run::plan_json(plan, read.contact_case);
+    }
+  }
+  if (run::wants_json())
+    run::emit_answer("[" + json + "]\n");
+  return run::exit_good;
+}
+
+run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
+                        methods::Cache& cache, run::JsonAnswer& answer) {
+  if (named.sweep) {
+    const fs::path folder =
+        folder_of(named.sweep->sweep.name, command.out, command.cases.size());
+    const run::ExitCode ended =
+        is_for_ranks(named, command)
+            ? run_over_ranks(named, command, folder)
+            : run_named_sweep(*named.sweep, command, folder);
+    add_answer(answer, named.sweep->sweep.name, folder, ended);
+    return ended;
+  }
+  if (is_for_ranks(named, command)) {
+    const std::string& name = named.cases.front().found.name;
+    const fs::path folder = folder_of(name, command.out, command.cases.size());
+    const run::ExitCode ended = run_over_ranks(named, command, folder);
+    add_answer(answer, name, folder, ended);
+    return ended;
+  }
+  const bool is_collection = !named.found.collection.empty();
+  const std::size_t n_targets = command.cases.size();
+  run::ExitCode end = run::exit_good;
+  std::vector<RunPart> parts;
+  std::optional<run::OutputFolder> collection_lock;
+  if (is_collection) {
+    const fs::path folder =
+        folder_of(named.found.collection, command.out, n_targets);
+    collection_lock.emplace(folder, "run " + named.found.collection,
+                            run::report_outputs());
+    run::remove_report(folder); // belongs to the parts of the last run
+  }
+  for (const run::ReadCase& read : named.cases) {
+    const fs::path folder =
+        is_collection
+            ? folder_of(named.found.collection, command.out, n_targets) /
+                  read.found.file.parent_path().filename()
+            : folder_of(read.found.name, command.out, n_targets);
+    const run::OutputFolder lock(folder, "run " + read.found.name,
+                                 run::run_outputs(read.contact_case),
+                                 run::input_files(read.contact_case));
+    const run::RunOptions options = options_of(read, folder, command, cache);
+    const run::ExitCode ended =
+        command.target_error.empty()
+            ? run_if_needed(read.contact_case, options,
+                            {command.no_report, command.has_pdf})
+            : run_to_target(read, command, options);
+    end = worse(end, ended);
+    add_answer(answer, read.found.name, folder, ended);
+    parts.push_back({read.found, folder});
+    if (run::is_interrupted())
+      break;
+  }
+  if (is_collection && !command.no_report)
+    write_collection_report(
+        named.found, parts,
+        folder_of(named.found.collection, command.out, n_targets),
+        command.has_pdf);
+  return end;
+}
+
+/// Refuses a PDF before anything is computed.
+void require_pdf_program() {
+  if (reports::pdf_program().empty())
+    throw std::domain_error(reports::no_pdf_program);
+}
+
+} // namespace
+
+void add_answer(run::JsonAnswer& answer, const std::string& name,
+                const fs::path& folder, run::ExitCode exit_code) {
+  if (!run::wants_json())
+    return;
+  if (is_sweep_folder(folder)) {
+    add_sweep_answer(answer, folder, exit_code);
+    return;
+  }
+  if (!run::is_result(folder)) {
+    answer.add(name, folder, exit_code, nullptr, "there is no result");
+    return;
+  }
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
+  const reports::Summary summary =
+      reports::summarize(result, reports::case_of(result));
+  answer.add(name, folder, exit_code, &summary);
+}
+
+fs::path folder_of(const std::string& name, const std::string& out,
+                   std::size_t n_targets) {
+  if (out.empty())
+    return fs::path("out") / name;
+  return n_targets == 1 ? fs::path(out) : fs::path(out) / name;
+}
+
+run::ExitCode run_cases(const RunCommand& command) {
+  if (command.has_pdf)
+    require_pdf_program();
+  std::vector<run::NamedCases> all;
+  for (const std::string& word : command.cases)
+    all.push_back(run::read_named_cases_or_sweep(
+        word, command.overrides, command.is_quick, command.contact_modulus));
+  run::catch_interrupts();
+  methods::Cache cache(methods::cache_folder(),
+                       command.uses_cache ? methods::cache_size() : 0);
+  if (command.is_dry)
+    return print_plans(all, command, cache);
+  if (!command.part.empty())
+    return run_part(all, command, cache);
+  run::JsonAnswer answer("asperity-run");
+  run::ExitCode end = run::exit_good;
+  for (const run::NamedCases& named : all) {
+    end = worse(end, run_asked(named, command, cache, answer));
+    if (run::is_interrupted())
+      break;
+  }
+  answer.print(end);
+  return end;
+}
+
+run::ExitCode report_results(const ReportCommand& command) {
+  const auto& [paths, out, has_pdf, formats, width] = command;
+  const reports::ReportExtras extras{has_pdf,
+                                     reports::journal_format(formats, width)};
+  if (has_pdf)
+    require_pdf_program();
+  for (const std::string& path : paths)
+    if (is_sweep_folder(path)) {
+      if (paths.size() > 1)
+        throw input::InputError(path +
+                                " is a sweep, whose report is written by "
+                                "itself; to compare points, give their "
+                                "folders: " +
+                                path + "/points/000");
+      return report_sweep(path, out, extras);
+    }
+  std::vector<results::Result> read;
+  read.reserve(paths.size());
+  for (const std::string& path : paths)
+    results::require_readable(path);
+  for (const std::string& path : paths)
+    read.push_back(results::read_result(path, results::MapsInFile::large));
+  const fs::path first = paths.front();
+  const fs::path folder = !out.empty()              ? fs::path(out)
+                          : paths.size() > 1        ? fs::path("out/comparison")
+                          : fs::is_directory(first) ? first
+                                                    : first.parent_path() / ".";
+  const run::OutputFolder lock(folder, "report", run::report_outputs(),
+                               {paths.begin(), paths.end()});
+  for (const std::string& failure :
+       reports::write_report(read, folder, "gnuplot", extras))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  run::JsonAnswer answer("asperity-report");
+  for (const results::Result& result : read)
+    add_answer(answer, result.case_name,
+               fs::is_directory(result.path)
+                   ? fs::path(result.path)
+                   : fs::path(result.path).parent_path(),
+               run::exit_good);
+  answer.print(run::exit_good);
+  return run::exit_good;
+}
+
+run::ExitCode run_bench(const bench::BenchCommand& command) {
+  const run::ExitCode end = bench::bench_case(command);
+  if (!run::wants_json() || end == run::exit_interrupted)
+    return end;
+  const cases::Case contact_case = cases::read_case(
+      run::find_cases(command.contact_case).cases.front().file.string());
+  run::emit_answer(run::json_of_file(
+      (command.out.empty() ? fs::path("out") / contact_case.name / "bench"
+                           : fs::path(command.out)) /
+      "bench.json"));
+  return end;
+}
+
+} // namespace asperity::cli

@@ -1,0 +1,95 @@
+#pragma once
+
+// The commands of the program. Each takes the parsed command line and returns
+// an exit code.
+
+#include "reports/pages/report.hpp"
+#include "run/arguments/map_case.hpp"
+#include "run/exit_code.hpp"
+#include "run/result_outputs.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::bench {
+struct BenchCommand;
+}
+
+namespace asperity::cli {
+
+struct RunCommand {
+  std::vector<std::string> cases; ///< files, folders or names of shipped cases,
+                                  ///< or map files
+  std::vector<std::string> methods;
+  std::vector<std::string> overrides; ///< "key.path=value"
+  std::string out; ///< empty: out/<case>; with several cases, each gets its own
+                   ///< sub-folder
+  bool resume = false;
+  bool is_quick = false; ///< apply quick.set of each case
+  int threads = 0;
+  bool is_exact = false;         ///< `methods` lists names only, no kinds
+  std::string target_error = {}; ///< e.g. "1%"; empty: the settings of the case
+  bool no_report = false; ///< write result.h5 only, as benchmarks need it
+  bool uses_cache = true;
+  std::string contact_modulus = {}; ///< E* for map files, e.g. "2 GPa"
+  bool is_dry = false;              ///< print the plan without running anything
+  bool has_pdf = false;             ///< also print the report
+  std::string part = {}; ///< "3/8": only this share; empty: everything
+};
+
+struct ReportCommand {
+  std::vector<std::string> paths; ///< results, or their folders
+  std::string out;      ///< empty: beside a single result, or out/comparison
+  bool has_pdf = false; ///< also print the report
+  std::vector<std::string> formats; ///< of figures for a journal
+  std::string width = "86mm";       ///< of these
+};
+
+/// Returns the output folder of a case or collection of that name.
+/// @param out        option --out; empty: out/<name>
+/// @param n_targets  number of targets of the command; with more than one, each
+///                   gets its own sub-folder of `out`
+std::filesystem::path folder_of(const std::string& name, const std::string& out,
+                                std::size_t n_targets);
+
+/// Runs cases. All cases are read before the first one is run. A collection
+/// gets a report on all of its parts, in out/<collection>, after they have run.
+run::ExitCode run_cases(const RunCommand& command);
+
+/// Adds the result in a folder, if there is one, to what --json prints.
+void add_answer(run::JsonAnswer& answer, const std::string& name,
+                const std::filesystem::path& folder, run::ExitCode exit_code);
+
+/// Runs bench_case() and prints bench.json if the command has --json.
+run::ExitCode run_bench(const bench::BenchCommand& command);
+
+/// Writes one report on the results at these paths.
+///
+/// @throws std::domain_error  a format or the width is unknown, or a PDF is
+///         asked for and no program that prints one is installed
+run::ExitCode report_results(const ReportCommand& command);
+
+/// Prints the location of the cache and how much of it is used.
+///
+/// @param is_to_clear  empties the cache first
+run::ExitCode show_cache(bool is_to_clear);
+
+run::ExitCode list_cases();
+
+struct NewCommand {
+  std::string name;                   ///< folder to create
+  run::MapOfCase map = {};            ///< without a file: the template
+  std::vector<std::string> overrides; ///< "key.path=value"
+};
+
+/// Writes the file name/case.toml: a template, or the case of a map.
+///
+/// @throws input::InputError  the file exists already, the map cannot be read,
+///                            or the case is invalid
+run::ExitCode new_case(const NewCommand& made);
+
+run::ExitCode print_schema();
+
+} // namespace asperity::cli

@@ -1,0 +1,348 @@
+// The command line of the program: maps arguments to commands and failures to
+// exit codes.
+#include "base/array_memory.hpp"
+#include "base/folder_lock.hpp"
+#include "bench/runs/bench.hpp"
+#include "cli/answer_commands.hpp"
+#include "cli/check_command.hpp"
+#include "cli/command_parts.hpp"
+#include "cli/commands.hpp"
+#include "cli/inspect_commands.hpp"
+#include "cli/manual/command_model.hpp"
+#include "cli/part_commands.hpp"
+#include "cli/robustness_command.hpp"
+#include "cli/surface_command.hpp"
+#include "input/input_error.hpp"
+#include "run/arguments/installed_files.hpp"
+#include "run/mpi_world.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fcntl.h>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <unistd.h>
+
+namespace asperity::cli {
+namespace {
+
+void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
+             Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "run", "Run cases; write result, tables and report\n"
+             "of each.");
+  command
+      ->add_option("case", run.cases,
+                   "case files, their folders, shipped cases or\n"
+                   "collections (see 'asperity list'), or measured\n"
+                   "maps")
+      ->required();
+  add_methods(command, run.methods);
+  command->add_option("--contact-modulus", run.contact_modulus,
+                      "E* of the block under a map file, e.g. \"2 GPa\"");
+  add_overrides(command, run.overrides);
+  command->add_option("--out", run.out, "output folder (default: out/<case>)");
+  command->add_flag("--resume", run.resume,
+                    "compute the steps missing from an earlier run");
+  add_quick(command, run.is_quick);
+  CLI::Option* target =
+      command->add_option("--target-error", run.target_error,
+                          "use the cheapest setting whose predicted error is\n"
+                          "smaller, e.g. 1%; a finer run verifies the error");
+  command->add_flag("--exactly", run.is_exact,
+                    "--methods gives full names only: fem does not\n"
+                    "include fem.hard");
+  command->add_flag("--no-report", run.no_report, "write result.h5 only");
+  CLI::Option* pdf =
+      command->add_flag("--pdf", run.has_pdf,
+                        "also print the report to report.pdf, by chromium\n"
+                        "or weasyprint");
+  command->add_flag("--dry-run", run.is_dry,
+                    "print the plan, the predicted time and what is\n"
+                    "skipped; write nothing");
+  command->add_flag("!--no-cache", run.uses_cache,
+                    "compute every step; do not read or write the cache");
+  command
+      ->add_option("--part", run.part,
+                   "compute one of N shares of the realisations or\n"
+                   "points, I/N as in 3/8; 'asperity merge' joins them")
+      ->excludes(target)
+      ->excludes(pdf);
+  add_threads(command, run.threads);
+  add_quiet(command, output);
+  add_json(command, output, "the summaries, or the plans,");
+  add_example(command, "run polymer --methods fem,theory --set "
+                       "surface.points=128");
+  command->callback([&] { action = [&] { return run_cases(run); }; });
+}
+
+CLI::Option* add_workers(CLI::App* command, const char* name,
+                         std::vector<int>& workers, const char* help) {
+  return command->add_option(name, workers, help)
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024));
+}
+
+void add_bench(CLI::App& program, bench::BenchCommand& bench,
+               run::OutputOptions& output, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "bench", "Measure, for each setting of a case's\n"
+               "methods, its cost and its error against the\n"
+               "reference solution.");
+  command
+      ->add_option("case", bench.contact_case,
+                   "case file, its folder or shipped case")
+      ->required();
+  add_methods(command, bench.methods);
+  add_overrides(command, bench.overrides);
+  command->add_option("--out", bench.out,
+                      "output folder (default: out/<case>/bench)");
+  command
+      ->add_option("--repeats", bench.repeats,
+                   "timed runs per setting, after one warm-up run")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--realizations", bench.realizations,
+                   "largest number of realisations")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("--budget", bench.budget,
+                   "time [s] after which each setting is run once and\n"
+                   "settings other than the points are skipped")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command->add_flag("--quick", bench.is_quick,
+                    "apply quick.set, vary only the points, time one run\n"
+                    "of each: about a minute");
+  CLI::Option* target =
+      command->add_option("--target-error", bench.target_error,
+                          "also choose the cheapest setting with a smaller\n"
+                          "error, e.g. 1%");
+  add_workers(command, "--threads", bench.threads,
+              "instead: strong and weak scaling over threads, 1,2,4")
+      ->excludes(target);
+  add_workers(command, "--ranks", bench.ranks,
+              "the same over ranks of mpirun, which share realisations,\n"
+              "rows or a full block")
+      ->excludes(target);
+  add_quiet(command, output);
+  add_json(command, output, "bench.json");
+  add_example(command, "bench hertz --target-error 1%");
+  command->callback([&] { action = [&] { return run_bench(bench); }; });
+}
+
+void add_report(CLI::App& program, ReportCommand& report,
+                run::OutputOptions& output, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "report", "Write the report of one or more results,\n"
+                "compared side by side.");
+  command
+      ->add_option("result", report.paths, "result.h5 files or their folders")
+      ->required();
+  command->add_option("--out", report.out,
+                      "output folder (default: that of a single result,\n"
+                      "else out/comparison)");
+  command->add_flag("--pdf", report.has_pdf,
+                    "also print the report to report.pdf, by chromium\n"
+                    "or weasyprint");
+  command
+      ->add_option("--figures", report.formats,
+                   "also draw all figures for a journal, in journal/, in\n"
+                   "these formats: pdf,svg,png")
+      ->delimiter(',');
+  command
+      ->add_option("--width", report.width,
+                   "width of a column of the journal, in mm, cm or in")
+      ->capture_default_str();
+  add_quiet(command, output);
+  add_json(command, output, "the summaries");
+  add_example(command, "report out/polymer --figures pdf --width 86mm");
+  command->callback([&] { action = [&] { return report_results(report); }; });
+}
+
+void add_cache(CLI::App& program, bool& is_to_clear, run::OutputOptions& output,
+               Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "cache", "Show the folder of the step cache, its size\n"
+               "and the number of its entries.");
+  command->add_flag("--clear", is_to_clear, "remove all entries first");
+  add_quiet(command, output);
+  add_json(command, output, "folder and size");
+  add_example(command, "cache");
+  command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
+}
+
+void add_robustness(CLI::App& program, RobustnessCommand& robustness,
+                    run::OutputOptions& output, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "robustness", "Run thousands of random problem instances\n"
+                    "and verify every answer; exit 3 if one is\n"
+                    "neither verified nor refused.");
+  command->alias("stress"); // former name of the command
+  command->add_option("case", robustness.cases,
+                      "cases whose settings are perturbed\n"
+                      "(default: none)");
+  command
+      ->add_option("--instances", robustness.instances,
+                   "number of problem instances (default: 2000)")
+      ->check(CLI::Range(1, 10000000));
+  command->add_option("--seed", robustness.seed,
+                      "seed of the instances (default: 1)");
+  command->add_option("--only", robustness.only,
+                      "only instances of a family or with a value of an\n"
+                      "axis: slab, law=hard");
+  command->add_option("--instance", robustness.instance,
+                      "run the instance with this index only and print\n"
+                      "its details");
+  command->add_option("--out", robustness.out,
+                      "output folder (default: out/robustness)");
+  add_threads(command, robustness.threads);
+  add_quiet(command, output);
+  add_json(command, output, "stress.json");
+  add_example(command, "robustness --instances 500 --only law=hard");
+  command->callback(
+      [&] { action = [&] { return run_robustness(robustness); }; });
+}
+
+void add_new(CLI::App& program, NewCommand& made, run::OutputOptions& output,
+             Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "new", "Write a commented case file to start from.");
+  command->add_option("name", made.name, "folder to create for case.toml")
+      ->required();
+  command->add_option("--map", made.map.file,
+                      "the case presses this measured map, with loads\n"
+                      "that suit it");
+  command->add_option("--contact-modulus", made.map.contact_modulus,
+                      "E* of the block, with --map, e.g. \"2 GPa\"");
+  add_overrides(command, made.overrides);
+  add_quiet(command, output);
+  add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");
+  command->callback([&] { action = [&] { return new_case(made); }; });
+}
+
+void add_small_commands(CLI::App& program, run::OutputOptions& output,
+                        Action& action) {
+  CLI::App* list = program.add_subcommand("list", "List the shipped cases.");
+  add_json(list, output, "names and titles");
+  add_example(list, "list");
+  list->callback([&] { action = list_cases; });
+  CLI::App* schema =
+      program.add_subcommand("schema", "Print the JSON Schema of a case file.");
+  add_example(schema, "schema > case.schema.json");
+  schema->callback([&] { action = print_schema; });
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(
+      "Asperity: rough contact by finite elements, a half-space, atoms and "
+      "Persson's\ntheory, computed from one case file and compared in one "
+      "report.");
+  program.name("asperity");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", ASPERITY_VERSION);
+  program.footer(
+      "exit codes:\n  0 success, 1 an expectation is not met, 2 invalid "
+      "input, 3 a solution did not\n  converge, 4 system or "
+      "library error, 130 interrupted\n\ndocumentation: " +
+      run::documentation_folder().string());
+  Action action;
+  run::OutputOptions output;
+  RunCommand run;
+  RobustnessCommand stress;
+  add_run(program, run, output, action);
+  bench::BenchCommand bench;
+  add_bench(program, bench, output, action);
+  ReportCommand report;
+  add_report(program, report, output, action);
+  PartCommands parts;
+  CheckCommand check;
+  add_part_commands(program, parts, output, action);
+  add_check(program, check, output, action);
+  AnswerCommands answers;
+  add_answer_commands(program, answers, output, action);
+  SurfaceCommand surface;
+  add_surface_command(program, surface, output, action);
+  InspectCommands inspect;
+  bool is_to_clear = false;
+  add_cache(program, is_to_clear, output, action);
+  add_robustness(program, stress, output, action);
+  NewCommand made;
+  add_new(program, made, output, action);
+  add_small_commands(program, output, action);
+  add_inspect_commands(program, inspect, output, action);
+  name_values(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? run::exit_good : run::exit_bad_input;
+  }
+  const run::OutputScope scope(output);
+  return action();
+}
+
+/// Opens /dev/null for those of standard input, output and error that are
+/// closed. Otherwise files that are opened later would take their numbers, and
+/// text for a terminal would be written into them.
+void open_standard_descriptors() {
+  for (int number = 0; number <= STDERR_FILENO; ++number)
+    if (fcntl(number, F_GETFD) < 0) // open() returns the least free number
+      static_cast<void>(open("/dev/null", number == 0 ? O_RDONLY : O_WRONLY));
+}
+
+/// Prints why the program ends. That standard error cannot be written changes
+/// nothing.
+void complain(const std::string& text) {
+  std::fputs((text + "\n").c_str(), stderr);
+}
+
+/// A name that no file can have is a mistake of the user.
+run::ExitCode exit_of(const std::error_code& error) {
+  return error == std::errc::filename_too_long ||
+                 error == std::errc::too_many_symbolic_link_levels
+             ? run::exit_bad_input
+             : run::exit_internal;
+}
+
+} // namespace
+} // namespace asperity::cli
+
+int main(int argc, char** argv) {
+  using asperity::cli::complain;
+  asperity::cli::open_standard_descriptors();
+  asperity::keep_freed_memory();
+  std::signal(SIGXFSZ, SIG_IGN); // exceeding a file size limit is an ordinary
+                                 // error
+  try {
+    const int end = asperity::run::has_followed_rank_0()
+                        ? asperity::run::exit_good
+                        : asperity::cli::run(argc, argv);
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(),
+                              "cannot write standard output");
+    return end;
+  } catch (const asperity::UnusableFolder& error) {
+    complain(error.what());
+  } catch (const asperity::input::InputError& error) {
+    complain(error.what());
+  } catch (const std::domain_error& error) {
+    complain(error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    complain(fmt::format("asperity: {}: {}", error.path1().string(),
+                         error.code().message()));
+    return asperity::cli::exit_of(error.code());
+  } catch (const std::exception& error) {
+    complain(fmt::format("asperity: {}", error.what()));
+    asperity::run::end_at_once_of_several(asperity::run::exit_internal);
+    return asperity::run::exit_internal;
+  }
+  return asperity::run::exit_bad_input;
+}

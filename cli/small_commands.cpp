@@ -1,0 +1,103 @@
+// The commands that do not run a case.
+#include "base/atomic_file.hpp"
+#include "cases/reader/case_schema.hpp"
+#include "cases/reader/case_text.hpp"
+#include "cases/reader/documents.hpp"
+#include "cases/reader/read_case.hpp"
+#include "cli/commands.hpp"
+#include "input/input_error.hpp"
+#include "methods/cache/cache.hpp"
+#include "run/arguments/case_library.hpp"
+#include "run/output.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace asperity::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Reads the map, so that a case is written only if it can be run, and prints
+/// what the loads of the case follow from.
+void print_map(const mechanics::SurfaceSpec& surface) {
+  const surfaces::HeightMap map = surfaces::levelled_map(surface);
+  const surfaces::Statistics numbers =
+      surfaces::statistics(surfaces::with_edges(map, surface.edges));
+  fmt::print("{}: {} x {} points, {:.4g} x {:.4g} um, h_rms = {:.4g} um, h' = "
+             "{:.4g}\n",
+             surface.file, map.grid.points_x, map.grid.points_y,
+             1e6 * map.grid.length_x, 1e6 * map.grid.length_y,
+             1e6 * numbers.rms_height, numbers.rms_slope);
+}
+
+} // namespace
+
+run::ExitCode show_cache(bool is_to_clear) {
+  methods::Cache cache(methods::cache_folder(), methods::cache_size());
+  if (is_to_clear)
+    cache.clear();
+  const methods::Cache::Contents contents = cache.contents();
+  if (run::wants_json()) {
+    run::emit_answer(Json{{"folder", cache.folder().string()},
+                          {"entries", contents.entries},
+                          {"size [bytes]", contents.bytes},
+                          {"limit [bytes]", cache.most_bytes()}}
+                         .dump(2) +
+                     "\n");
+    return run::exit_good;
+  }
+  fmt::print("{}\n{} entries, {:.1f} MB of {:.1f} MB\n",
+             cache.folder().string(), contents.entries,
+             1e-6 * static_cast<double>(contents.bytes),
+             1e-6 * static_cast<double>(cache.most_bytes()));
+  return run::exit_good;
+}
+
+run::ExitCode list_cases() {
+  Json list = Json::array();
+  for (const run::ShippedCase& shipped : run::shipped_cases()) {
+    list.push_back({{"name", shipped.name}, {"title", shipped.title}});
+    if (!run::wants_json())
+      fmt::print("{:<24} {}\n", shipped.name, shipped.title);
+  }
+  if (run::wants_json())
+    run::emit_answer(list.dump(2) + "\n");
+  return run::exit_good;
+}
+
+run::ExitCode new_case(const NewCommand& made) {
+  const fs::path file = fs::path(made.name) / "case.toml";
+  if (fs::exists(file))
+    throw input::InputError(file.string() +
+                            " already exists; choose another name");
+  const bool has_map = !made.map.file.empty();
+  if (!has_map && !made.map.contact_modulus.empty())
+    throw input::InputError("--contact-modulus needs --map");
+  const std::string text = cases::text_with_overrides(
+      has_map ? run::map_case_text(made.map)
+              : cases::case_template(fs::path(made.name).filename().string()),
+      made.overrides);
+  const cases::Case read = cases::read_case_text(text, file.string());
+  if (has_map)
+    print_map(read.surface);
+  fs::create_directories(file.parent_path());
+  write_file_atomically(file, text);
+  fmt::print("{}\nrun it with: asperity run {}\n", file.string(), made.name);
+  return run::exit_good;
+}
+
+run::ExitCode print_schema() {
+  fmt::print("{}\n", cases::json_schema());
+  return run::exit_good;
+}
+
+} // namespace asperity::cli

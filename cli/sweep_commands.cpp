@@ -1,0 +1,191 @@
+#include "cli/sweep_commands.hpp"
+
+#include "input/input_error.hpp"
+#include "methods/cache/cache.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "reports/sweeps/sweep_report.hpp"
+#include "results/result_reader.hpp"
+#include "run/interrupt.hpp"
+#include "run/output_folder.hpp"
+#include "run/sweeps/earlier_run.hpp"
+#include "run/sweeps/sweep_plan.hpp"
+#include "run/sweeps/sweep_run.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int cost_probe_points = 1024; // as for the plan of one case
+
+void print_undrawn(const reports::SweepReport& report) {
+  for (const std::string& failure : report.undrawn)
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+}
+
+/// Prints what is not as expected, and returns the exit code of all points.
+run::ExitCode print_findings(const reports::SweepRecord& record,
+                             const reports::SweepReport& report) {
+  run::ExitCode end = run::exit_good;
+  int judged = 0;
+  int met = 0;
+  for (const auto& result : report.results) {
+    if (!result->has_result())
+      continue;
+    end = worse(end, exit_code_of(result->summary));
+    for (const reports::Verdict& verdict : result->summary.verdicts) {
+      if (verdict.outcome == reports::Outcome::skipped)
+        continue;
+      ++judged;
+      met += verdict.is_passed() ? 1 : 0;
+      if (!verdict.is_passed())
+        fmt::print("point {:03}, {}: {}\n", result->point,
+                   record.label(result->point), reports::check_line(verdict));
+    }
+  }
+  if (judged > 0)
+    fmt::print("{} of {} expectations are met\n", met, judged);
+  return end;
+}
+
+/// Writes the report and prints its findings.
+run::ExitCode report_on_sweep(const reports::SweepRecord& record,
+                              const fs::path& folder, bool has_pdf) {
+  const reports::SweepReport report = reports::write_sweep_report(
+      record, folder, folder, true, {.has_pdf = has_pdf});
+  print_undrawn(report);
+  const run::ExitCode end = print_findings(record, report);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return end;
+}
+
+run::SweepOutcome run_to(const run::NamedSweep& named,
+                         const RunCommand& command, const fs::path& folder) {
+  run::SweepRunOptions options{
+      named.found.file, named.overrides, command.methods, command.is_exact,
+      folder,           command.resume,  command.threads, command.uses_cache};
+  fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);
+  return run::run_sweep(named.sweep, options);
+}
+
+/// Adds the findings at all points; a point without a result is a problem.
+void add_checks(
+    const reports::SweepRecord& record,
+    const std::vector<std::unique_ptr<reports::SweptResult>>& results,
+    const fs::path& folder, Checks& checks) {
+  for (const auto& result : results) {
+    const std::string name =
+        fmt::format("{}, point {:03}, {}", record.case_name, result->point,
+                    record.label(result->point));
+    if (result->has_result()) {
+      reports::Summary summary = result->summary;
+      summary.case_name = name;
+      checks.add(folder, std::move(summary));
+    }
+    if (!result->problem.empty()) {
+      fmt::print("{}: {}\n", name, result->problem);
+      checks.add_problem(name, result->problem,
+                         run::is_interrupted() ? run::exit_interrupted
+                                               : run::exit_expectation_failed);
+    }
+  }
+}
+
+} // namespace
+
+bool is_sweep_folder(const fs::path& folder) {
+  return fs::exists(folder / reports::sweep_file) &&
+         !fs::exists(folder / "result.h5");
+}
+
+void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command) {
+  run::RunOptions options{{}, command.methods, command.resume, command.threads};
+  options.is_exact = command.is_exact;
+  methods::Cache cache(methods::cache_folder(),
+                       command.uses_cache ? methods::cache_size() : 0);
+  options.cache = &cache;
+  fmt::print("{}",
+             run::sweep_plan_text(
+                 run::make_sweep_plan(named.sweep, options, cost_probe_points),
+                 named.sweep));
+}
+
+run::ExitCode run_named_sweep(const run::NamedSweep& named,
+                              const RunCommand& command,
+                              const fs::path& folder) {
+  if (!command.target_error.empty())
+    throw input::InputError("--target-error: " + named.sweep.path +
+                            " is a sweep, but a target error is met for one "
+                            "case; --set sweep= removes the sweep");
+  const run::OutputFolder lock(folder, "run " + named.sweep.name,
+                               run::sweep_outputs(), {named.sweep.path});
+  const run::SweepOutcome outcome = run_to(named, command, folder);
+  run::ExitCode end = outcome.worst;
+  if (!command.no_report)
+    end = worse(end, report_on_sweep(outcome.record, folder, command.has_pdf));
+  if (outcome.is_interrupted) {
+    fmt::print("interrupted; continue with --resume\n");
+    return run::exit_interrupted;
+  }
+  return end;
+}
+
+run::ExitCode merge_named_sweep(const run::NamedSweep& named,
+                                const fs::path& folder, bool no_report,
+                                bool has_pdf) {
+  reports::SweepRecord record = run::record_of(named.sweep);
+  bool has_converged = true;
+  for (std::size_t i = 0; i < record.points.size(); ++i) {
+    const results::Result result = results::read_result(
+        folder / reports::point_folder(i), results::MapsInFile::large);
+    record.points[i].case_hash = result.case_hash;
+    has_converged = has_converged && run::all_converged(result);
+  }
+  run::write_record(record, folder);
+  if (!no_report)
+    return report_on_sweep(record, folder, has_pdf);
+  return has_converged ? run::exit_good : run::exit_not_converged;
+}
+
+run::ExitCode report_sweep(const fs::path& folder, const std::string& out,
+                           const reports::ReportExtras& extras) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  const fs::path target = out.empty() ? folder : fs::path(out);
+  const run::OutputFolder lock(target, "report", run::report_outputs());
+  print_undrawn(
+      reports::write_sweep_report(record, folder, target, false, extras));
+  fmt::print("report: {}\n", (target / "report.html").string());
+  return run::exit_good;
+}
+
+void check_sweep_folder(const fs::path& folder, Checks& checks) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  add_checks(record, reports::read_swept_results(record, folder, false), folder,
+             checks);
+}
+
+void add_sweep_answer(run::JsonAnswer& answer, const fs::path& folder,
+                      run::ExitCode exit_code) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  for (const auto& result : reports::read_swept_results(record, folder, false))
+    answer.add(fmt::format("{}, point {:03}, {}", record.case_name,
+                           result->point, record.label(result->point)),
+               folder, exit_code,
+               result->has_result() ? &result->summary : nullptr,
+               result->problem);
+}
+
+void check_named_sweep(const run::NamedSweep& named, const RunCommand& command,
+                       const fs::path& folder, Checks& checks) {
+  const run::OutputFolder lock(folder, "check " + named.sweep.name,
+                               run::sweep_outputs(), {named.sweep.path});
+  const run::SweepOutcome outcome = run_to(named, command, folder);
+  const reports::SweepReport report =
+      reports::write_sweep_report(outcome.record, folder, folder, true);
+  print_undrawn(report);
+  add_checks(outcome.record, report.results, folder, checks);
+}
+
+} // namespace asperity::cli

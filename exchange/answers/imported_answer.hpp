@@ -1,0 +1,54 @@
+#pragma once
+
+// The answer of another program to a problem, with everything that follows from
+// its fields: certificates, broken claims, typical mistakes, rows of a curve.
+
+#include "exchange/answers/certified_field.hpp"
+#include "exchange/submission.hpp"
+#include "methods/step_solver.hpp"
+#include "methods/surfaces_of_case.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::exchange {
+
+/// One load: its certificate, the row and maps of the result, and the mistakes
+/// that were recognised.
+struct ImportedLoad {
+  std::string file; ///< name of the submitted file
+  CertifiedField field;
+  methods::StepAnswer answer;
+  std::vector<std::string> mistakes;
+
+  /// Whether every claim holds and no mistake was recognised.
+  bool is_sound() const;
+};
+
+struct ImportedAnswer {
+  exchange::Submission submission; ///< its fields have been moved into `loads`
+  std::string method;              ///< "contactmechanics-1.8.3-default"
+  std::vector<ImportedLoad> loads; ///< ascending in load
+
+  bool is_sound() const;
+};
+
+/// The surface of a problem, with the statistics that a result records.
+methods::SurfaceOfCase surface_of(const exchange::Problem& problem);
+
+/// Reads and certifies a submission. The contact stiffness follows from
+/// differences between the loads.
+/// @param surface  surface_of(problem)
+/// @throws input::InputError  the submission cannot be read, or a field cannot
+///                            be certified
+ImportedAnswer import_answer(const std::filesystem::path& folder,
+                             const exchange::Problem& problem,
+                             const methods::SurfaceOfCase& surface);
+
+/// The content of certificate.json.
+nlohmann::ordered_json answer_json(const ImportedAnswer& answer);
+
+} // namespace asperity::exchange

@@ -1,0 +1,66 @@
+#pragma once
+
+// The board: problems and the answers of many codes to them, read from folders
+// and certified. This file owns the layout of these folders and what is known
+// of each answer.
+
+#include "exchange/answers/imported_answer.hpp"
+#include "exchange/problem.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace asperity::exchange {
+
+/// One submission as the board shows it.
+struct BoardEntry {
+  enum class State {
+    certified,    ///< every claim about every field holds
+    as_submitted, ///< a curve without fields: not ranked
+    failed        ///< unreadable, a mistake, or a claim that does not hold
+  };
+  std::string folder; ///< below the folder of submissions
+  std::string problem;
+  std::string code;
+  std::string version;
+  std::string method;
+  std::string accuracy; ///< "default" or "best"
+  std::string credit;   ///< authors and licence
+  std::string machine;
+  State state = State::failed;
+  std::vector<std::string> reasons; ///< why it failed
+  std::size_t loads = 0;            ///< number of fields
+  std::size_t missing_loads = 0;    ///< of the problem: shown after the others
+  double gap_error = not_a_number;  ///< of the mean gaps that follow from the
+                                    ///< fields: largest bound [h_rms]
+  double pressure_error = not_a_number; ///< largest bound [1]
+  double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
+  int iterations = 0;                   ///< of all loads; 0: not stated
+};
+
+/// A problem, its reference answers and its entries.
+struct BoardProblem {
+  exchange::Problem problem;
+  std::vector<exchange::ProblemAnswer> answers;
+  std::vector<exchange::ContinuumAnswer> continuum;
+  /// Certified first, then those with all loads, in ascending error.
+  std::vector<BoardEntry> entries;
+};
+
+/// Reads the problems that have an answer, and all answers:
+///
+///     FOLDER/<problem>/problem.json or case.toml
+///     FOLDER/submissions/<problem>/<code>/<version>/submission.toml
+///
+/// A problem that is given as a case is computed. Each problem is written into
+/// problems/<problem> of the site, or the files of its SHA256SUMS are copied
+/// there. No symbolic link below FOLDER is followed.
+/// @throws input::InputError  no submissions, or a problem that does not exist
+///                            or is invalid, or has another checksum or a
+///                            symbolic link. A submission cannot cause an
+///                            exception: it becomes an entry that failed.
+std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
+                                     const std::filesystem::path& site);
+
+} // namespace asperity::exchange

@@ -1,0 +1,18 @@
+#pragma once
+
+// The figures of a problem on the board.
+
+#include "exchange/board/board.hpp"
+#include "reports/figures/gnuplot.hpp"
+
+namespace asperity::exchange {
+
+/// The heights as a picture.
+reports::Figure surface_figure(const exchange::Problem& problem);
+
+/// Certified error against CPU time of the certified entries that state a time,
+/// one colour per code, filled for best accuracy. Its problem is set if no
+/// entry has a time.
+reports::Figure error_figure(const BoardProblem& problem);
+
+} // namespace asperity::exchange

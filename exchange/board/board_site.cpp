@@ -1,0 +1,215 @@
+#include "exchange/board/board_site.hpp"
+
+#include "base/atomic_file.hpp"
+#include "exchange/board/board_figures.hpp"
+#include "exchange/board/board_tables.hpp"
+#include "reports/pages/published_json.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace asperity::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The certified entry of least error with this accuracy, or null.
+const BoardEntry* leading(const BoardProblem& problem,
+                          const std::string& accuracy) {
+  for (const BoardEntry& entry : problem.entries)
+    if (entry.state == BoardEntry::State::certified &&
+        entry.missing_loads == 0 && entry.accuracy == accuracy)
+      return &entry;
+  return nullptr;
+}
+
+std::string body_words(const mechanics::ElasticBlock& body) {
+  std::string words = fmt::format("E* = {:.4g} Pa", body.contact_modulus);
+  words += std::isinf(body.thickness)
+               ? ", half-space"
+               : fmt::format(", block of {:.4g} m", body.thickness);
+  if (!body.layers.empty())
+    words += fmt::format(" with {} bonded layer(s)", body.layers.size());
+  return words;
+}
+
+BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
+  const std::string folder = "problems/" + problem.problem.name + "/";
+  BoardPage page;
+  page.title = problem.problem.title;
+  page.lead = fmt::format(
+      "{}: {} by {} nodes, {} load(s), {}; frictionless, non-adhesive, hard "
+      "contact on a periodic cell.",
+      problem.problem.name, problem.problem.grid.points_x,
+      problem.problem.grid.points_y, problem.problem.loads.size(),
+      body_words(problem.problem.body));
+  page.home = "index.html";
+  BoardSection ranked{
+      "Certified answers",
+      "Largest bounds over all loads, in ascending order; answers to a part of "
+      "the loads stand last. They follow from the submitted pressure fields "
+      "alone, as does the mean gap u. Differences between bounds below some "
+      "1e-6 h_rms say more about the bounds than about the answers. CPU times "
+      "and iterations are those that the authors state, summed over the "
+      "loads.",
+      ranking(problem)};
+  ranked.figures.push_back(reports::draw(error_figure(problem), figures));
+  page.sections.push_back(std::move(ranked));
+  BoardSection failed{"Answers that are not certified",
+                      "A mistake was recognised, a claim does not hold, or the "
+                      "submission cannot be read.",
+                      unranked(problem, BoardEntry::State::failed)};
+  if (!failed.table.rows.empty())
+    page.sections.push_back(std::move(failed));
+  BoardSection curves{"As submitted",
+                      "Nothing bounds the error of a curve without fields.",
+                      unranked(problem, BoardEntry::State::as_submitted)};
+  if (!curves.table.rows.empty())
+    page.sections.push_back(std::move(curves));
+  page.sections.push_back(
+      {"Reference",
+       "On this grid: rigorous bounds. Continuum: estimates from finer grids, "
+       "or an exact solution (error 0).",
+       reference_table(problem),
+       {reports::draw(surface_figure(problem.problem), figures)}});
+  BoardTable files;
+  files.heads = {head("File", "", false)};
+  for (const char* file :
+       {"README.md", "problem.json", "heights.npy", "heights.h5", "heights.txt",
+        "heights.gwy", "reference.json", "SHA256SUMS"})
+    files.rows.push_back({{file, "", folder + file}});
+  page.sections.push_back(
+      {"Files", "Everything that another program needs.", files});
+  return page;
+}
+
+BoardPage code_page(const std::string& code,
+                    const std::vector<BoardProblem>& board) {
+  BoardPage page;
+  page.title = code;
+  page.lead = "All answers of this code.";
+  page.home = "index.html";
+  BoardTable table;
+  table.heads = {head("Problem", "", false),      head("Version", "", false),
+                 head("Accuracy", "", false),     head("State", "", false),
+                 head("|u-u*|", "bound [h_rms]"), head("|p-p*|/|p|", "bound"),
+                 head("CPU time", "s"),           head("Credit", "", false)};
+  for (const BoardProblem& problem : board)
+    for (const BoardEntry& entry : problem.entries)
+      if (entry.code == code)
+        table.rows.push_back(
+            {{entry.problem, "", problem_page_name(entry.problem)},
+             {entry.version, "", "", entry.method},
+             {accuracy_word(entry)},
+             {entry.state == BoardEntry::State::certified      ? "certified"
+              : entry.state == BoardEntry::State::as_submitted ? "as submitted"
+                                                               : "failed"},
+             error_cell(entry.gap_error),
+             error_cell(entry.pressure_error),
+             time_cell(entry.cpu_time),
+             {entry.credit, "", "", entry.machine}});
+  page.sections.push_back({"Answers", "", table});
+  return page;
+}
+
+BoardPage front_page(const std::vector<BoardProblem>& board) {
+  BoardPage page;
+  page.title = "Rough contact: certified answers";
+  page.lead =
+      "Contact problems, and the answers of many codes. A submission is a "
+      "pressure field; every error shown is a bound that follows from it, so "
+      "that nobody has to be trusted.";
+  BoardTable problems;
+  problems.heads = {head("Problem", "", false),
+                    head("Nodes"),
+                    head("Answers"),
+                    head("Certified"),
+                    head("Least |u-u*|, default", "bound [h_rms]"),
+                    head("Least |u-u*|, best", "bound [h_rms]")};
+  std::map<std::string, std::pair<int, int>> codes; // answers, certified
+  for (const BoardProblem& problem : board) {
+    int certified = 0;
+    for (const BoardEntry& entry : problem.entries) {
+      const bool holds = entry.state == BoardEntry::State::certified;
+      certified += holds ? 1 : 0;
+      ++codes[entry.code].first;
+      codes[entry.code].second += holds ? 1 : 0;
+    }
+    const auto least = [&](const char* accuracy) {
+      const BoardEntry* const entry = leading(problem, accuracy);
+      BoardCell cell =
+          error_cell(entry == nullptr ? not_a_number : entry->gap_error);
+      if (entry != nullptr)
+        cell.small = entry->code;
+      return cell;
+    };
+    problems.rows.push_back(
+        {{problem.problem.name, "", problem_page_name(problem.problem.name),
+          problem.problem.title},
+         number_cell(static_cast<double>(problem.problem.grid.size()),
+                     "{:.0f}"),
+         number_cell(static_cast<double>(problem.entries.size()), "{:.0f}"),
+         number_cell(certified, "{:.0f}"),
+         least("default"),
+         least("best")});
+  }
+  page.sections.push_back({"Problems", "", problems});
+  BoardTable list;
+  list.heads = {head("Code", "", false), head("Answers"), head("Certified")};
+  for (const auto& [code, counts] : codes)
+    list.rows.push_back({{code, "", code_page_name(code)},
+                         number_cell(counts.first, "{:.0f}"),
+                         number_cell(counts.second, "{:.0f}")});
+  page.sections.push_back({"Codes", "", list});
+  return page;
+}
+
+std::string json_text(const std::vector<BoardProblem>& board) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const BoardProblem& problem : board)
+    for (const BoardEntry& entry : problem.entries)
+      list.push_back(
+          {{"problem", entry.problem},
+           {"folder", entry.folder},
+           {"code", entry.code},
+           {"version", entry.version},
+           {"method", entry.method},
+           {"accuracy", entry.accuracy},
+           {"is_certified", entry.state == BoardEntry::State::certified},
+           {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
+           {"reasons", entry.reasons},
+           {"loads", entry.loads},
+           {"missing_loads", entry.missing_loads},
+           {"gap_error [h_rms]", reports::json_number(entry.gap_error)},
+           {"pressure_error [1]", reports::json_number(entry.pressure_error)},
+           {"cpu_time [s]", reports::json_number(entry.cpu_time)},
+           {"iterations", entry.iterations}});
+  return list.dump(2) + "\n";
+}
+
+} // namespace
+
+void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
+  const auto write = [&](const std::string& name, const std::string& text) {
+    write_file_atomically(site / name, text);
+  };
+  fs::create_directories(site / "figures");
+  write("board.json", json_text(board));
+  std::set<std::string> codes;
+  for (const BoardProblem& problem : board) {
+    write(problem_page_name(problem.problem.name),
+          html_of(problem_page(problem, site / "figures")));
+    for (const BoardEntry& entry : problem.entries)
+      codes.insert(entry.code);
+  }
+  for (const std::string& code : codes)
+    write(code_page_name(code), html_of(code_page(code, board)));
+  write("index.html", html_of(front_page(board)));
+}
+
+} // namespace asperity::exchange

@@ -1,0 +1,36 @@
+#pragma once
+
+// The tables of the board: which rows and columns, and what links where.
+
+#include "exchange/board/board.hpp"
+#include "exchange/board/board_page.hpp"
+
+#include <string>
+
+namespace asperity::exchange {
+
+/// File names of the pages of a problem and of a code.
+std::string problem_page_name(const std::string& problem);
+std::string code_page_name(const std::string& code);
+
+/// A head of a column; `small` is its second line.
+BoardCell head(const std::string& text, const std::string& small = "",
+               bool is_number = true);
+
+BoardCell error_cell(double error);
+BoardCell time_cell(double seconds);
+
+/// The accuracy of an entry, or a dash.
+std::string accuracy_word(const BoardEntry& entry);
+
+/// Certified entries in their order. Answers of one version of a code to the
+/// same number of loads share a row, if their accuracies differ.
+BoardTable ranking(const BoardProblem& problem);
+
+/// Entries in another state, with the reasons.
+BoardTable unranked(const BoardProblem& problem, BoardEntry::State state);
+
+/// Reference answers on this grid and in the continuum.
+BoardTable reference_table(const BoardProblem& problem);
+
+} // namespace asperity::exchange

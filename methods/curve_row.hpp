@@ -1,0 +1,55 @@
+#pragma once
+
+// Evaluates a solved load step as a row of the curve. All elastic methods use
+// the same observables.
+
+#include "contact/solvers/solver.hpp"
+#include "methods/step_solver.hpp"
+#include "methods/surfaces_of_case.hpp"
+#include "results/observables/area_estimate.hpp"
+#include "results/observables/row_observer.hpp"
+
+#include <span>
+
+namespace asperity::methods {
+
+/// The properties of the operator behind a solution that the observables need.
+struct Observation {
+  std::span<const double> nodal_weights; ///< as in contact::SurfaceOperator
+  double local_compliance = 0.0; ///< 1/k [m/Pa] for a penalty law, 0 for hard
+                                 ///< or augmented contact
+  results::AreaCoefficients area_coefficients; ///< of the operator
+  double contact_modulus = 0.0;  ///< effective E* at the contact boundary [Pa]
+  bool resolves_boundary = true; ///< false: the caller sets the corrected area
+  results::Border border = results::Border::periodic;
+  /// Whether the surface has a middle and thus the load a lever: a single
+  /// shape.
+  bool has_middle = false;
+  /// Who adds the sums. If ranks share the rows of the fields, the evaluation
+  /// is collective and every rank gets the row of one process.
+  Workers workers = 1;
+};
+
+/// Evaluates the two contact areas that follow from fits to the pressure
+/// distribution of the theory. Elastic and atomistic methods share this
+/// function.
+///
+/// @param weights  relative weights of the nodes; empty if all are equal
+void observe_pressure_fits(results::RowObserver& observe,
+                           std::span<const double> pressure,
+                           std::span<const double> weights = {},
+                           const Workers& workers = 1);
+
+/// Evaluates a solution. Its fields are moved into the answer. An observable
+/// that cannot be evaluated does not end the run: it is NaN, and the note of
+/// the row gives the reason.
+StepAnswer observe(contact::ContactSolution solution,
+                   const Observation& observation,
+                   const SurfaceOfCase& surface);
+
+/// Marks a step as not converged if its mean gap, nominal pressure or fields
+/// are not finite, whatever the method reports, and discards fields that are
+/// not finite.
+void distrust_non_finite(StepAnswer& answer);
+
+} // namespace asperity::methods

@@ -1,0 +1,165 @@
+#include "methods/elastic_method.hpp"
+
+#include "contact/operators/free_halfspace.hpp"
+#include "methods/cached_operator.hpp"
+#include "methods/continuum_block.hpp"
+#include "methods/curve_row.hpp"
+#include "methods/load_steps.hpp"
+#include "methods/sharing.hpp"
+#include "methods/surface_rows.hpp"
+#include "results/observables/area_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace asperity::methods {
+namespace {
+
+using mechanics::ContactSettings;
+using mechanics::FemSettings;
+using mechanics::HalfspaceSettings;
+
+mechanics::ContactInterface interface_of(const ContactSettings& settings,
+                                         const mechanics::Scales& scales) {
+  const bool is_hard = settings.law == mechanics::ContactLaw::hard;
+  return {settings.law, is_hard ? 0.0 : settings.penalty.in_si(scales)};
+}
+
+bool has_free_boundaries(const cases::MethodSpec& method) {
+  const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
+  return half != nullptr && half->has_free_boundaries;
+}
+
+/// The heights of this rank.
+std::vector<double> own_heights(const SurfaceOfCase& surface,
+                                const SharedRows& rows) {
+  return surface.rows ? surface.rows->taken()
+                      : rows.scattered(surface.record.heights);
+}
+
+} // namespace
+
+results::AreaCoefficients area_coefficients(const FemSettings& settings) {
+  return settings.block.element == mechanics::Element::q1
+             ? results::q1_area_coefficients(settings.block.surface_cell_depth)
+             : results::q2_area_coefficients;
+}
+
+SolverFactory::SolverFactory(const mechanics::MaterialSpec& material,
+                             Cache& cache, const CaseKeys& keys)
+    : material_(material), cache_(cache), keys_(keys) {}
+
+std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
+                                                const SurfaceOfCase& surface,
+                                                const Workforce& workforce) {
+  const auto* block = std::get_if<FemSettings>(&method.settings);
+  const mechanics::ElasticBlock continuum =
+      continuum_of(method, material_, surface.scales);
+  const ContactSettings& contact =
+      block != nullptr ? block->contact
+                       : std::get<HalfspaceSettings>(method.settings).contact;
+  LoadStepsSetting setting{interface_of(contact, surface.scales),
+                           contact.tolerance * surface.scales.rms_height,
+                           contact.max_iterations, workforce.threads,
+                           surface.scales.rms_height};
+  Observation& observation = setting.observation;
+  if (setting.interface.law == mechanics::ContactLaw::penalty)
+    observation.local_compliance = 1.0 / setting.interface.penalty;
+  observation.area_coefficients = block != nullptr
+                                      ? area_coefficients(*block)
+                                      : results::halfspace_area_coefficients;
+  observation.contact_modulus =
+      boundary_modulus(continuum, surface.scales.spacing);
+  observation.has_middle = surface.has_middle;
+  const Grid& grid = surface.record.grid;
+  if (has_free_boundaries(method))
+    observation.area_coefficients = results::free_area_coefficients;
+  if (workforce.ranks != nullptr &&
+      is_shared_by_ranks(method, grid, workforce.ranks->size())) {
+    setting.threads = workforce.threads_a_rank;
+    auto elasticity = operator_on_ranks(method, surface, workforce);
+    std::vector<double> heights =
+        own_heights(surface, *elasticity->shared_rows());
+    return make_load_steps(std::move(elasticity), std::move(heights), setting);
+  }
+  Face face = shared_operator(method, surface, workforce.threads);
+  setting.saved_setup_time = face.saved_setup_time;
+  return make_load_steps(std::move(face.elasticity), surface.record.heights,
+                         setting);
+}
+
+std::unique_ptr<contact::SurfaceOperator>
+SolverFactory::operator_on_ranks(const cases::MethodSpec& method,
+                                 const SurfaceOfCase& surface,
+                                 const Workforce& workforce) const {
+  const Grid& grid = surface.record.grid;
+  const int threads = workforce.threads_a_rank;
+  if (const auto* block = std::get_if<FemSettings>(&method.settings))
+    return fem::load_fem_module().condensed_on_ranks(
+        request(*block, surface, threads));
+  if (has_free_boundaries(method))
+    return std::make_unique<contact::FreeHalfspace>(
+        grid, *workforce.ranks, material_.contact_modulus, threads);
+  return std::make_unique<contact::FourierOperator>(
+      grid, *workforce.ranks,
+      contact::compliance_column(
+          grid, continuum_of(method, material_, surface.scales)),
+      threads);
+}
+
+SolverFactory::Face
+SolverFactory::shared_operator(const cases::MethodSpec& method,
+                               const SurfaceOfCase& surface, int threads) {
+  const std::lock_guard lock(mutex_);
+  std::unique_ptr<contact::SurfaceOperator>& kept =
+      operators_[keys_.operator_text(method, surface.record.grid)];
+  if (kept)
+    return {kept->clone(), 0.0};
+  Face built = build_operator(method, surface, threads);
+  kept = std::move(built.elasticity);
+  return {kept->clone(), built.saved_setup_time};
+}
+
+SolverFactory::Face
+SolverFactory::build_operator(const cases::MethodSpec& method,
+                              const SurfaceOfCase& surface, int threads) {
+  const Grid& grid = surface.record.grid;
+  if (has_free_boundaries(method))
+    return {std::make_unique<contact::FreeHalfspace>(
+                grid, material_.contact_modulus, threads),
+            0.0};
+  if (std::holds_alternative<HalfspaceSettings>(method.settings))
+    return {std::make_unique<contact::FourierOperator>(
+                grid,
+                contact::compliance_column(
+                    grid, continuum_of(method, material_, surface.scales)),
+                threads),
+            0.0};
+  // Loading is not part of the cached set-up time.
+  const fem::FemModule& fem_module = fem::load_fem_module();
+  Face face;
+  fem::BlockRequest asked =
+      request(std::get<FemSettings>(method.settings), surface, threads);
+  asked.cache = operator_cache(
+      cache_,
+      keys_.of_operator(keys_.operator_text(method, surface.record.grid)),
+      threads, face.saved_setup_time);
+  face.elasticity = fem_module.condensed(asked);
+  return face;
+}
+
+fem::BlockRequest SolverFactory::request(const FemSettings& settings,
+                                         const SurfaceOfCase& surface,
+                                         int threads) const {
+  return {surface.record.grid,
+          settings.block,
+          surface.scales,
+          material_.block_youngs_modulus(),
+          *material_.poisson_ratio,
+          threads,
+          {},
+          material_.layers};
+}
+
+} // namespace asperity::methods

@@ -1,0 +1,86 @@
+#include "methods/elastic_method.hpp"
+
+#include <fmt/format.h>
+
+namespace asperity::methods {
+namespace {
+
+using mechanics::ContactSettings;
+using mechanics::FemSettings;
+using mechanics::HalfspaceSettings;
+
+std::string in_words(const ContactSettings& settings) {
+  const auto penalty = [&] {
+    const char* unit =
+        settings.penalty.reference ==
+                mechanics::ReferenceUnit::contact_modulus_per_spacing
+            ? "E*/h"
+            : "Pa/m";
+    return fmt::format("{:g} {}", settings.penalty.value, unit);
+  };
+  switch (settings.law) {
+  case mechanics::ContactLaw::penalty:
+    return "penalty " + penalty();
+  case mechanics::ContactLaw::augmented:
+    return "augmented Lagrangian with a penalty of " + penalty();
+  case mechanics::ContactLaw::hard:
+    break;
+  }
+  return "hard (unilateral) contact";
+}
+
+/// Returns the moduli of each layer as text, beginning at the contact surface.
+std::string in_words(const std::vector<mechanics::MaterialLayer>& layers) {
+  std::string words;
+  for (const mechanics::MaterialLayer& layer : layers)
+    words +=
+        fmt::format("{}E = {:g} Pa, nu = {:g}", words.empty() ? "" : "; ",
+                    layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+  return words;
+}
+
+} // namespace
+
+std::string material_text(const cases::MethodSpec& method,
+                          const mechanics::MaterialSpec& material) {
+  if (material.layers.empty())
+    return {};
+  if (!method.uses_layers())
+    return "uniform: without the layers";
+  return fmt::format("under {} bonded {} ({})", material.layers.size(),
+                     material.layers.size() == 1 ? "layer" : "layers",
+                     in_words(material.layers));
+}
+
+MethodDescription describe(const FemSettings& settings) {
+  const std::string solver =
+      settings.solver == mechanics::FemSolver::full
+          ? "the full three-dimensional block"
+      : settings.solver == mechanics::FemSolver::condensed
+          ? "condensed to the contact surface"
+          : "condensed to the contact surface (auto: "
+            "the block is laterally uniform)";
+  const std::string mesh =
+      settings.full.uses_case_mesh
+          ? "on the mesh of the case"
+          : fmt::format("layers from {:g} h with the grading ratio {:g}",
+                        settings.block.surface_cell_depth,
+                        settings.block.growth);
+  return {"fem",
+          fmt::format("finite elements {}, {}, {}, {}",
+                      settings.block.element == mechanics::Element::q1 ? "Q1"
+                                                                       : "Q2",
+                      solver, mesh, in_words(settings.contact)),
+          settings.solver == mechanics::FemSolver::full};
+}
+
+MethodDescription describe(const HalfspaceSettings& settings) {
+  return {"halfspace",
+          fmt::format("continuum {}, spectral, {}{}",
+                      settings.thickness ? "slab" : "half-space",
+                      settings.has_free_boundaries ? "free boundaries, " : "",
+                      in_words(settings.contact)),
+          false};
+}
+
+} // namespace asperity::methods

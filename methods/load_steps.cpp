@@ -1,0 +1,174 @@
+#include "methods/load_steps.hpp"
+
+#include "base/array_memory.hpp"
+#include "base/cpu_clock.hpp"
+#include "base/field_sums.hpp"
+#include "contact/certificate/certificate.hpp"
+#include "methods/timed_operator.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/rows_from_rank_0.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace asperity::methods {
+namespace {
+
+/// Passes the memory of all ranks to rank 0, with whole fields: a number, then
+/// a number and a field for each step.
+void pass_memory(const SharedRows& rows, std::span<const double> own,
+                 const results::TakeValues& take) {
+  const bool takes = rows.ranks()->rank() == 0;
+  if (takes)
+    take(own.first(1));
+  for (std::size_t at = 1; at < own.size(); at += 1 + rows.size()) {
+    if (takes)
+      take(own.subspan(at, 1));
+    rows.pass_to_rank_0(own.subspan(at + 1, rows.size()), take);
+  }
+}
+
+/// Divides a memory that rank 0 reads among the ranks.
+std::vector<double> own_memory(const SharedRows& rows,
+                               const StateReader& memory) {
+  const std::size_t nodes = rows.grid().size();
+  const std::size_t steps =
+      memory.count == 0 ? 0 : (memory.count - 1) / (nodes + 1);
+  if (memory.count != 0 &&
+      (steps < 1 || steps > 2 || memory.count != 1 + steps * (nodes + 1)))
+    throw std::domain_error("a saved state has another number of nodes");
+  std::vector<double> own(memory.count == 0 ? 0
+                                            : 1 + steps * (rows.size() + 1));
+  const auto take_number = [&](double& number) {
+    if (rows.ranks()->rank() == 0)
+      memory.next(std::span(&number, 1));
+    number = of_ranks(rows.ranks(), number).front();
+  };
+  if (!own.empty())
+    take_number(own.front());
+  for (std::size_t at = 1; at < own.size(); at += 1 + rows.size()) {
+    take_number(own[at]);
+    std::ranges::copy(rows_from_rank_0(rows, memory.next),
+                      own.begin() + static_cast<std::ptrdiff_t>(at + 1));
+  }
+  return own;
+}
+
+class LoadSteps final : public StepSolver {
+public:
+  LoadSteps(std::unique_ptr<contact::SurfaceOperator> elasticity,
+            std::vector<double> heights, const LoadStepsSetting& setting)
+      : threads_(setting.threads),
+        saved_setup_time_(setting.saved_setup_time),
+        observation_(setting.observation),
+        sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
+                                                  setting.threads),
+                  std::move(heights), setting.interface, setting.gap_tolerance,
+                  setting.max_iterations) {
+    const contact::SurfaceOperator& c = sequence_.elasticity();
+    surface_.record.grid = c.grid();
+    surface_.scales.rms_height = setting.rms_height;
+    observation_.nodal_weights = c.nodal_weights();
+    observation_.border =
+        c.is_periodic() ? results::Border::periodic : results::Border::free;
+    observation_.workers = {setting.threads, c.grid(), c.shared_rows()};
+  }
+
+  StepAnswer solve(const StepTarget& target) override {
+    free_memory(pressure_, gap_);
+    tally_->cpu_time = 0.0;
+    contact::ContactSolution solution = sequence_.solve(target.load);
+    const int transforms = solution.transforms;
+    const double transform_time = tally_->cpu_time;
+    const CpuClock clock(threads_);
+    StepAnswer answer = observe(std::move(solution), observation_, surface_);
+    if (observation_.workers.rows != nullptr) {
+      const bool is_finite =
+          all_finite(answer.pressure) && all_finite(answer.gap);
+      answer.has_finite_fields =
+          total_count(observation_.workers, is_finite ? 0 : 1) == 0;
+      if (!target.needs_maps)
+        free_memory(answer.gap);
+    }
+    certify(answer);
+    answer.row.observation_time = clock.seconds();
+    answer.row.transforms = transforms;
+    answer.row.transform_time = transform_time;
+    if (observation_.workers.rows != nullptr)
+      keep_rows(target, answer);
+    return answer;
+  }
+
+  SavedState state() const override {
+    const SharedRows* const rows = observation_.workers.rows;
+    std::vector<double> memory = sequence_.memory();
+    if (rows == nullptr || memory.empty())
+      return saved_state(std::move(memory));
+    const std::size_t steps = (memory.size() - 1) / (rows->size() + 1);
+    return {1 + steps * (rows->grid().size() + 1),
+            [this, rows](const results::TakeValues& take) {
+              pass_memory(*rows, sequence_.memory(), take);
+            }};
+  }
+
+  void restore(const StateReader& state) override {
+    const SharedRows* const rows = observation_.workers.rows;
+    sequence_.recall(rows == nullptr ? state.all() : own_memory(*rows, state));
+  }
+
+  double saved_setup_time() const override { return saved_setup_time_; }
+
+private:
+  /// Keeps the rows of this rank until the next call, if they are needed.
+  void keep_rows(const StepTarget& target, StepAnswer& answer) {
+    if (target.needs_maps) {
+      pressure_ = std::move(answer.pressure);
+      gap_ = std::move(answer.gap);
+      const auto passed = [this](const std::vector<double>& own) {
+        return [this, &own](const results::TakeValues& take) {
+          observation_.workers.rows->pass_to_rank_0(own, take);
+        };
+      };
+      answer.rows = {passed(pressure_), passed(gap_)};
+    }
+    free_memory(answer.pressure, answer.gap);
+  }
+
+  /// Bounds the error of the mean gap by one more application of the operator,
+  /// which the solver has no part in.
+  void certify(StepAnswer& answer) {
+    if (!(answer.row.nominal_pressure > 0.0))
+      return; // without contact the mean gap is prescribed
+    results::RowObserver observe(answer.row);
+    observe("certified_gap_error", [&] {
+      return contact::check_field(sequence_.elasticity(),
+                                  {sequence_.heights(),
+                                   observation_.local_compliance,
+                                   answer.row.nominal_pressure, answer.pressure,
+                                   answer.row.mean_gap})
+          .mean_gap_error;
+    });
+  }
+
+  int threads_;
+  double saved_setup_time_;
+  Observation observation_;
+  SurfaceOfCase surface_; ///< grid and rms height only
+  std::shared_ptr<TimedOperator::Tally> tally_ =
+      std::make_shared<TimedOperator::Tally>();
+  contact::LoadSequence sequence_;
+  /// The rows of this rank of the last maps, if they are needed.
+  std::vector<double> pressure_ = {}, gap_ = {};
+};
+
+} // namespace
+
+std::unique_ptr<StepSolver>
+make_load_steps(std::unique_ptr<contact::SurfaceOperator> elasticity,
+                std::vector<double> heights, const LoadStepsSetting& setting) {
+  return std::make_unique<LoadSteps>(std::move(elasticity), std::move(heights),
+                                     setting);
+}
+
+} // namespace asperity::methods

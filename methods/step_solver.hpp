@@ -1,0 +1,112 @@
+#pragma once
+
+// The common interface of all methods that solve load steps and produce fields:
+// a row of the curve, the fields behind it and a description of the method.
+
+#include "cases/types/case.hpp"
+#include "results/types/map_rows.hpp"
+#include "results/types/result.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace asperity::methods {
+
+/// One step of the loading path.
+struct StepTarget {
+  mechanics::LoadTarget load;
+  int step = 0;           ///< index in the loading path
+  bool needs_maps = true; ///< otherwise the answer may be without fields
+};
+
+/// The solution of one load step. The row is complete except for the times, the
+/// step and the stiffness, which are set with the curve.
+struct StepAnswer {
+  results::CurvePoint row;
+  Grid grid;                    ///< grid of the fields
+  std::vector<double> pressure; ///< [Pa]
+  std::vector<double> gap;      ///< [m]
+  /// The same fields by rows, if ranks hold them and the vectors are empty.
+  /// Valid until the solver is called again.
+  std::optional<results::FieldRows> rows = {};
+  /// Whether the fields are finite, also those that the answer is without.
+  bool has_finite_fields = true;
+  /// Stress section computed by the method itself, only at step_with_section().
+  std::optional<results::Table> section = {};
+};
+
+/// The state of a solver, as numbers that are passed on piece by piece, because
+/// ranks may hold them. Valid until the solver is called again.
+struct SavedState {
+  std::size_t count = 0;    ///< of numbers; 0: there is no state
+  results::MapRows numbers; ///< passes all of them, in their order
+};
+
+inline SavedState saved_state(std::vector<double> numbers) {
+  const std::size_t count = numbers.size();
+  return {count, [kept = std::move(numbers)](const results::TakeValues& take) {
+            take(kept);
+          }};
+}
+
+/// The same numbers, which are read in their order.
+struct StateReader {
+  std::size_t count = 0;
+  /// Fills a span with the next numbers.
+  std::function<void(std::span<double>)> next;
+
+  std::vector<double> all() const {
+    std::vector<double> numbers(count);
+    next(numbers);
+    return numbers;
+  }
+};
+
+/// Reads numbers in memory, which must outlive the result.
+inline StateReader saved_reader(std::span<const double> numbers) {
+  return {numbers.size(),
+          [numbers, at = std::size_t{0}](std::span<double> next) mutable {
+            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at),
+                        next.size(), next.begin());
+            at += next.size();
+          }};
+}
+
+/// Solves the load steps of one method on one realisation.
+class StepSolver {
+public:
+  virtual ~StepSolver() = default;
+  virtual StepAnswer solve(const StepTarget& target) = 0;
+
+  /// Returns details for the description of the method that are known only
+  /// after set-up; empty if there are none.
+  virtual std::string found_at_setup() const { return {}; }
+
+  /// Returns the state from which the next step starts, so that another process
+  /// can continue with identical results. It is empty for a method that cannot
+  /// be continued.
+  virtual SavedState state() const { return {}; }
+
+  /// Restores the state of an equal solver.
+  virtual void restore(const StateReader& state) { static_cast<void>(state); }
+
+  /// Returns the additional CPU time that set-up would have taken without the
+  /// cached parts of an earlier run [s].
+  virtual double saved_setup_time() const { return 0.0; }
+};
+
+/// The description of a method for the report.
+struct MethodDescription {
+  std::string kind;        ///< theory | halfspace | fem | md
+  std::string text;        ///< one line
+  bool runs_alone = false; ///< the library of the method allows only one run at
+                           ///< a time, or the method uses all cores
+};
+
+} // namespace asperity::methods

@@ -1,0 +1,216 @@
+#include "methods/surfaces_of_case.hpp"
+
+#include "input/input_error.hpp"
+#include "methods/chosen.hpp"
+#include "surfaces/build.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace asperity::methods {
+namespace {
+
+/// @throws input::InputError  the surface is flat
+SurfaceOfCase as_taken(const cases::Case& contact_case, SurfaceOfCase surface) {
+  if (!(surface.record.rms_height > 0.0))
+    throw input::InputError(contact_case.path +
+                            ": the surface is flat; there is no roughness "
+                            "to press on");
+  surface.has_middle = contact_case.surface.has_middle();
+  return surface;
+}
+
+bool presses_single_map(const cases::Case& contact_case,
+                        const cases::MethodSpec& method) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  return half != nullptr && half->has_free_boundaries &&
+         contact_case.surface.kind == mechanics::SurfaceKind::measured;
+}
+
+/// Returns the measured map without its periodic continuation. Slope, curvature
+/// and spectrum are those of the continuation: a step at the border, which no
+/// method presses, would dominate them.
+SurfaceOfCase single_map(const cases::Case& contact_case,
+                         const SurfaceOfCase& continued,
+                         const BuildSurface& build) {
+  mechanics::SurfaceSpec alone = contact_case.surface;
+  alone.edges = mechanics::Edges::periodic; // the map as it is
+  SurfaceOfCase built = build({alone, 0});
+  SurfaceOfCase surface = continued;
+  surface.record.grid = built.record.grid;
+  surface.record.heights = std::move(built.record.heights);
+  surface.rows = built.rows;
+  surface.scales.length = surface.record.grid.length_x;
+  surface.has_middle = true;
+  return surface;
+}
+
+} // namespace
+
+bool has_own_surface(const cases::Case& contact_case,
+                     const cases::MethodSpec& method) {
+  return method.magnification || presses_single_map(contact_case, method);
+}
+
+Grid pressed_grid(const cases::Case& contact_case,
+                  const cases::MethodSpec& method, const Grid& grid) {
+  const mechanics::Edges edges = contact_case.surface.edges;
+  const bool is_continued =
+      surfaces::grid_with_edges(grid, edges).points_x > grid.points_x;
+  if (!presses_single_map(contact_case, method) || !is_continued)
+    return grid;
+  return {grid.points_x / 2, grid.points_y / 2, grid.length_x / 2.0,
+          grid.length_y / 2.0};
+}
+
+SurfaceOfCase described_surface(const Grid& grid,
+                                const surfaces::Statistics& numbers,
+                                std::vector<surfaces::Shell> shells,
+                                double contact_modulus) {
+  SurfaceOfCase surface;
+  results::SurfaceRecord& record = surface.record;
+  record.grid = grid;
+  record.rms_height = numbers.rms_height;
+  record.rms_slope = numbers.rms_slope;
+  record.rms_curvature = numbers.rms_curvature;
+  record.skewness = numbers.skewness;
+  record.kurtosis = numbers.kurtosis;
+  record.highest = numbers.highest;
+  for (const surfaces::Shell& shell : shells)
+    record.spectrum.push_back(
+        {shell.wavevector, surfaces::shell_density(shell, grid)});
+  surface.scales = {contact_modulus, grid.length_x, grid.spacing_x(),
+                    record.rms_height, record.rms_slope};
+  surface.shells = std::move(shells);
+  return surface;
+}
+
+SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
+                             double contact_modulus) {
+  SurfaceOfCase surface =
+      described_surface(map.grid, surfaces::statistics(map),
+                        surfaces::spectral_shells(map), contact_modulus);
+  surface.record.heights = map.heights;
+  return surface;
+}
+
+surfaces::HeightMap built_map(const SurfaceSource& source) {
+  return source.highest_wavevector
+             ? surfaces::build_surface_on(source.surface, source.realization,
+                                          source.grid,
+                                          source.highest_wavevector)
+             : surfaces::build_surface(source.surface, source.realization);
+}
+
+SurfaceOfCase whole_surface(const SurfaceSource& source,
+                            double contact_modulus) {
+  return surface_of_map(built_map(source), contact_modulus);
+}
+
+bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
+  return std::ranges::any_of(methods, &cases::MethodSpec::needs_surface);
+}
+
+std::optional<double> highest_wavevector(const cases::Case& contact_case,
+                                         const cases::MethodSpec& method) {
+  if (!method.magnification)
+    return std::nullopt;
+  return *method.magnification * contact_case.surface.wavevector_roll_off;
+}
+
+CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
+                           const std::vector<cases::MethodSpec>& methods,
+                           const std::set<int>& only, const BuildSurface& build)
+    : case_(contact_case) {
+  if (!needs_surfaces(methods))
+    return;
+  const BuildSurface build_one =
+      build ? build : [this](const SurfaceSource& source) {
+        return whole_surface(source, case_.material.contact_modulus);
+      };
+  const auto is_built = [&](int r) { return only.empty() || only.contains(r); };
+  for (int r = 0; r < contact_case.surface.realizations; ++r)
+    whole_.push_back(
+        is_built(r)
+            ? as_taken(contact_case, build_one({contact_case.surface, r}))
+            : SurfaceOfCase{});
+  if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
+        return presses_single_map(contact_case, method);
+      }))
+    single_map_ = single_map(contact_case, whole_.front(), build_one);
+  for (const cases::MethodSpec& method : methods) {
+    if (!method.magnification || !method.needs_surface() ||
+        magnified_.contains(*method.magnification))
+      continue;
+    const double highest = *highest_wavevector(contact_case, method);
+    std::vector<SurfaceOfCase>& shown = magnified_[*method.magnification];
+    for (int r = 0; r < contact_case.surface.realizations; ++r)
+      shown.push_back(
+          is_built(r)
+              ? as_taken(contact_case,
+                         build_one(
+                             {contact_case.surface, r, highest,
+                              whole_[static_cast<std::size_t>(r)].record.grid}))
+              : SurfaceOfCase{});
+  }
+}
+
+const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
+  return whole_;
+}
+
+std::optional<surfaces::MapFacts> CaseSurfaces::map_facts() const {
+  return whole_.empty() ? std::nullopt : whole_.front().map_facts;
+}
+
+const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
+                                      int realization) const {
+  const auto r = static_cast<std::size_t>(realization);
+  if (method.magnification)
+    return magnified_.at(*method.magnification).at(r);
+  return presses_single_map(case_, method) ? single_map_.value() : whole_.at(r);
+}
+
+results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,
+                                               int realization) const {
+  if (method.needs_surface())
+    return of(method, realization).record;
+  const theory::HeightSpectrum spectrum = formula_of_case(case_, method);
+  results::SurfaceRecord record;
+  record.rms_height = spectrum.rms_height();
+  record.rms_slope = spectrum.rms_slope();
+  return record;
+}
+
+theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
+                                       const cases::MethodSpec& method) {
+  const surfaces::IsotropicSpectrum formula =
+      surfaces::formula_spectrum(contact_case.surface);
+  theory::HeightSpectrum spectrum(
+      theory::SpectrumFormula{formula.density, formula.kinks});
+  const std::optional<double> highest =
+      highest_wavevector(contact_case, method);
+  return highest ? spectrum.between(0.0, *highest) : spectrum;
+}
+
+theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
+  std::vector<theory::SpectrumShell> shells;
+  for (const surfaces::Shell& shell : surface.shells)
+    shells.push_back({shell.wavevector, shell.mean_square_height});
+  return theory::HeightSpectrum(std::move(shells));
+}
+
+mechanics::Scales formula_scales(const cases::Case& contact_case,
+                                 const theory::HeightSpectrum& spectrum) {
+  const double length = contact_case.surface.length.value_or(0.0);
+  const int points = contact_case.surface.points.value_or(0);
+  return {contact_case.material.contact_modulus, length,
+          points > 0 ? length / points : 0.0, spectrum.rms_height(),
+          spectrum.rms_slope()};
+}
+
+} // namespace asperity::methods

@@ -1,0 +1,142 @@
+#pragma once
+
+// Builds the surfaces of a case once: heights, statistics, spectrum and the
+// input of the theory. Decides whether surfaces are needed at all.
+
+#include "cases/types/case.hpp"
+#include "results/types/result.hpp"
+#include "surfaces/maps/height_map.hpp"
+#include "surfaces/maps/shells.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
+#include "theory/persson/height_spectrum.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace asperity::methods {
+
+/// What a surface is built from.
+struct SurfaceSource {
+  mechanics::SurfaceSpec surface;
+  int realization = 0;
+  std::optional<double> highest_wavevector = {}; ///< of a magnification [rad/m]
+  Grid grid = {};                                ///< then needed
+};
+
+class SurfaceRows;
+
+/// The surface of one realisation as a method uses it.
+struct SurfaceOfCase {
+  results::SurfaceRecord record; ///< heights, statistics, C(q)
+  mechanics::Scales scales;      ///< scales of this surface
+  /// Whether the surface is a single shape, whose middle is that of the map: a
+  /// sphere, a punch, roughness on a sphere, or a map without continuation.
+  bool has_middle = false;
+  std::vector<surfaces::Shell> shells = {};
+  /// Set if ranks build the rows of the surface when they need them; the record
+  /// then has no heights.
+  std::shared_ptr<const SurfaceRows> rows = {};
+  /// What the ranks found of a map whose rows they have read.
+  std::optional<surfaces::MapFacts> map_facts = {};
+};
+
+/// Returns the surface of these numbers without heights.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase described_surface(const Grid& grid,
+                                const surfaces::Statistics& numbers,
+                                std::vector<surfaces::Shell> shells,
+                                double contact_modulus);
+
+/// Returns the surface of a map with its statistics.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
+                             double contact_modulus);
+
+/// Builds the heights of a surface.
+surfaces::HeightMap built_map(const SurfaceSource& source);
+
+/// Builds a surface in this process.
+/// @param contact_modulus  E* [Pa]
+SurfaceOfCase whole_surface(const SurfaceSource& source,
+                            double contact_modulus);
+
+/// Returns true if one of the methods needs heights. Only a theory that uses
+/// the formula of the spectrum does not.
+bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
+
+/// Returns zeta q_0 [rad/m], above which the surface of the method has no
+/// roughness; empty if the method has no magnification.
+std::optional<double> highest_wavevector(const cases::Case& contact_case,
+                                         const cases::MethodSpec& method);
+
+/// Returns true if the surface of the method is not that of the case: roughness
+/// above a magnification is left out, or a measured map is pressed once,
+/// without its periodic continuation.
+bool has_own_surface(const cases::Case& contact_case,
+                     const cases::MethodSpec& method);
+
+/// Returns the grid of the surface that a method presses.
+/// @param grid  of the surface of the case
+Grid pressed_grid(const cases::Case& contact_case,
+                  const cases::MethodSpec& method, const Grid& grid);
+
+using BuildSurface = std::function<SurfaceOfCase(const SurfaceSource& source)>;
+
+/// The surfaces of a case: one per realisation, one more per realisation for
+/// each magnification that a method uses, and the measured map itself if a
+/// half-space has free boundaries.
+class CaseSurfaces {
+public:
+  /// Builds the surfaces that the methods need, possibly none. The case must
+  /// outlive this object.
+  ///
+  /// @param only  builds the surfaces of these realisations only, and those of
+  ///              the others have no points; empty: all
+  /// @param build  builds a surface, see surface_rows.hpp; empty: in this
+  ///               process
+  /// @throws input::InputError, std::domain_error  the surfaces module rejects
+  ///           the surface
+  CaseSurfaces(const cases::Case& contact_case,
+               const std::vector<cases::MethodSpec>& methods,
+               const std::set<int>& only = {}, const BuildSurface& build = {});
+
+  /// Returns the surfaces with full roughness, one per realisation.
+  const std::vector<SurfaceOfCase>& whole() const;
+
+  /// Returns what the ranks found of a map whose rows they have read.
+  std::optional<surfaces::MapFacts> map_facts() const;
+
+  const SurfaceOfCase& of(const cases::MethodSpec& method,
+                          int realization) const;
+
+  /// Returns the statistics of the surface of a method. For a theory that uses
+  /// the formula, they follow from the formula and there are no heights.
+  results::SurfaceRecord record_of(const cases::MethodSpec& method,
+                                   int realization) const;
+
+private:
+  const cases::Case& case_;
+  std::vector<SurfaceOfCase> whole_;
+  std::map<double, std::vector<SurfaceOfCase>> magnified_;
+  std::optional<SurfaceOfCase> single_map_; ///< without continuation
+};
+
+/// Return the height spectrum for a theory: the formula up to the magnification
+/// of the method, or the measured spectrum of a surface.
+theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
+                                       const cases::MethodSpec& method);
+theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
+
+/// Returns the scales of a case that builds no surface. The rms height follows
+/// from the formula; the spacing is 0 if the case does not give the number of
+/// points.
+mechanics::Scales formula_scales(const cases::Case& contact_case,
+                                 const theory::HeightSpectrum& spectrum);
+
+} // namespace asperity::methods

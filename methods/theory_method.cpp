@@ -1,0 +1,94 @@
+#include "methods/theory_method.hpp"
+
+#include "base/cpu_clock.hpp"
+#include "base/special_numbers.hpp"
+#include "results/observables/row_observer.hpp"
+#include "theory/persson/persson.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+
+namespace asperity::methods {
+namespace {
+
+results::CurvePoint row_at(const theory::PerssonContact& contact,
+                           double nominal_pressure) {
+  results::CurvePoint row;
+  row.nominal_pressure = nominal_pressure;
+  results::RowObserver observe(row);
+  observe("mean_gap", [&] { return contact.mean_gap(nominal_pressure); });
+  observe("area_fraction",
+          [&] { return contact.area_fraction(nominal_pressure); });
+  row.area_fraction_corrected = row.area_fraction;
+  row.contact_perimeter = not_a_number;
+  observe("elastic_energy",
+          [&] { return contact.elastic_energy(nominal_pressure); });
+  observe("contact_stiffness",
+          [&] { return contact.contact_stiffness(nominal_pressure); });
+  if (std::isnan(row.mean_gap))
+    row.status = results::StepStatus::not_converged;
+  return row;
+}
+
+results::CurvePoint row_without_pressure(double mean_gap,
+                                         const std::string& why) {
+  results::CurvePoint row;
+  row.nominal_pressure = not_a_number;
+  row.mean_gap = mean_gap;
+  row.area_fraction = row.area_fraction_corrected = not_a_number;
+  row.contact_perimeter = row.elastic_energy = not_a_number;
+  row.contact_stiffness = not_a_number;
+  row.status = results::StepStatus::not_converged;
+  row.note = why;
+  return row;
+}
+
+results::CurvePoint row_at_gap(const theory::PerssonContact& contact,
+                               double mean_gap) {
+  if (mean_gap <= 0.0)
+    return row_without_pressure(
+        mean_gap, "the theory has no pressure for a mean gap <= 0");
+  try {
+    return row_at(contact, contact.nominal_pressure(mean_gap));
+  } catch (const std::exception& error) {
+    return row_without_pressure(mean_gap, error.what());
+  }
+}
+
+} // namespace
+
+MethodDescription describe(const mechanics::TheorySettings& settings) {
+  return {"theory",
+          fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
+                      settings.gamma,
+                      settings.spectrum == mechanics::TheorySpectrum::formula
+                          ? "by the formula"
+                          : "measured on the surface"),
+          false};
+}
+
+std::vector<results::CurvePoint>
+theory_rows(const mechanics::TheorySettings& settings,
+            const mechanics::LoadingPath& load,
+            const theory::HeightSpectrum& spectrum,
+            const mechanics::Scales& scales) {
+  const theory::PerssonContact contact(spectrum, scales.contact_modulus,
+                                       settings.gamma);
+  std::vector<results::CurvePoint> rows;
+  for (std::size_t step = 0; step < load.targets.size(); ++step) {
+    const CpuClock clock;
+    const double target = load.targets[step].in_si(scales);
+    const bool by_gap = load.control == mechanics::Control::mean_gap;
+    results::CurvePoint row =
+        by_gap ? row_at_gap(contact, target) : row_at(contact, target);
+    row.step = static_cast<int>(step);
+    row.is_unloading = load.is_unloading[step];
+    row.cpu_time = clock.seconds();
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+} // namespace asperity::methods

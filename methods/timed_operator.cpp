@@ -1,0 +1,93 @@
+#include "methods/timed_operator.hpp"
+
+#include "base/cpu_clock.hpp"
+
+#include <utility>
+
+namespace asperity::methods {
+
+TimedOperator::TimedOperator(std::unique_ptr<contact::SurfaceOperator> measured,
+                             std::shared_ptr<Tally> tally, int n_threads)
+    : measured_(std::move(measured)),
+      tally_(std::move(tally)),
+      n_threads_(n_threads) {}
+
+std::unique_ptr<contact::SurfaceOperator> TimedOperator::clone() const {
+  return std::make_unique<TimedOperator>(measured_->clone(), tally_,
+                                         n_threads_);
+}
+
+const Grid& TimedOperator::grid() const {
+  return measured_->grid();
+}
+
+const SharedRows* TimedOperator::shared_rows() const {
+  return measured_->shared_rows();
+}
+
+std::span<const double> TimedOperator::nodal_weights() const {
+  return measured_->nodal_weights();
+}
+
+void TimedOperator::displacement(std::span<const double> pressure,
+                                 std::span<double> displacement) {
+  const CpuClock clock(n_threads_);
+  measured_->displacement(pressure, displacement);
+  tally_->cpu_time += clock.seconds();
+}
+
+void TimedOperator::displacement_change(std::span<const float> pressure_change,
+                                        std::span<float> displacement_change) {
+  const CpuClock clock(n_threads_);
+  measured_->displacement_change(pressure_change, displacement_change);
+  tally_->cpu_time += clock.seconds();
+}
+
+void TimedOperator::pressure_estimate(std::span<const float> gap,
+                                      double local_compliance,
+                                      std::span<float> pressure) {
+  const CpuClock clock(n_threads_);
+  measured_->pressure_estimate(gap, local_compliance, pressure);
+  tally_->cpu_time += clock.seconds();
+}
+
+const Grid& TimedOperator::wide_grid() const {
+  return measured_->wide_grid();
+}
+
+const SharedRows* TimedOperator::wide_shared_rows() const {
+  return measured_->wide_shared_rows();
+}
+
+void TimedOperator::wide_pressure_estimate(std::span<const float> gap,
+                                           double local_compliance,
+                                           std::span<float> pressure) {
+  const CpuClock clock(n_threads_);
+  measured_->wide_pressure_estimate(gap, local_compliance, pressure);
+  tally_->cpu_time += clock.seconds();
+}
+
+double TimedOperator::short_wave_compliance() const {
+  return measured_->short_wave_compliance();
+}
+
+bool TimedOperator::is_periodic() const {
+  return measured_->is_periodic();
+}
+
+bool TimedOperator::is_shift_invariant() const {
+  return measured_->is_shift_invariant();
+}
+
+int TimedOperator::threads() const {
+  return measured_->threads();
+}
+
+std::unique_ptr<contact::SurfaceOperator> TimedOperator::coarsened() const {
+  std::unique_ptr<contact::SurfaceOperator> coarse = measured_->coarsened();
+  if (!coarse)
+    return nullptr;
+  return std::make_unique<TimedOperator>(std::move(coarse), tally_, n_threads_);
+}
+
+} // namespace asperity::methods

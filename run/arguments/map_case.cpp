@@ -1,0 +1,81 @@
+#include "run/arguments/map_case.hpp"
+
+#include "cases/text/node.hpp"
+#include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
+#include "run/arguments/option_quantity.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace asperity::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* text_of_case =
+    R"(# A measured map, pressed on an elastic block. docs/reference/case.md has all keys.
+schema = 1
+title = {title}
+
+[surface]
+kind = "measured"
+file = {file}
+# What is removed from the map: "none", "plane" or "bow" (second order).
+level = "plane"
+# Beyond its border the map continues by its mirror images; "free" presses it
+# once on an infinite half-space.
+edges = "mirror"
+
+[material]
+contact_modulus = {modulus}
+poisson_ratio = 0.3 # needed by [fem] only
+
+[load]
+# Twelve steps of equal ratios of the contact area; h' is the rms slope.
+nominal_pressure = {{ from = "0.01 E* h'", to = "1 E* h'", steps = 12, spacing = "area" }}
+
+# Persson's theory with the spectrum of the map.
+[theory]
+gamma = 0.4
+
+[halfspace]
+
+# The elastic block by finite elements takes longer:
+# [fem]
+)";
+
+std::string quoted(const std::string& text) {
+  cases::Node node;
+  node.type = cases::NodeType::text;
+  node.text = text;
+  return cases::toml_value(node);
+}
+
+} // namespace
+
+bool is_map_file(const std::string& word) {
+  std::error_code unreadable;
+  return fs::is_regular_file(word, unreadable) &&
+         fs::path(word).extension() != ".toml";
+}
+
+std::string map_case_text(const MapOfCase& map) {
+  if (map.contact_modulus.empty())
+    throw input::InputError(fmt::format(
+        "{} is not a case file (.toml); to press it as a measured map, please "
+        "add "
+        "--contact-modulus, for example --contact-modulus \"2 GPa\"",
+        map.file));
+  (void)positive_quantity("--contact-modulus", map.contact_modulus,
+                          cases::Dimension::pressure);
+  return fmt::format(
+      fmt::runtime(text_of_case),
+      fmt::arg("title", quoted(fs::path(map.file).filename().string())),
+      fmt::arg("file",
+               quoted(fs::absolute(map.file).lexically_normal().string())),
+      fmt::arg("modulus", quoted(map.contact_modulus)));
+}
+
+} // namespace asperity::run

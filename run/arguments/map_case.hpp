@@ -1,0 +1,25 @@
+#pragma once
+
+// The case of a measured map that a user names instead of a case file: its
+// text, with the settings that suit any map.
+
+#include <string>
+
+namespace asperity::run {
+
+/// A map and what its file cannot contain.
+struct MapOfCase {
+  std::string file;            ///< path as the user gave it
+  std::string contact_modulus; ///< E*, a quantity of a case file: "2 GPa"
+};
+
+/// Returns true if the word names a regular file that is no case file: a map.
+bool is_map_file(const std::string& word);
+
+/// Returns the text of a case that presses the map on a half-space, in steps of
+/// equal ratios of the contact area from 1.6 % to 95 %, beside
+/// Persson's theory. It names the map by its absolute path.
+/// @throws input::InputError  there is no valid contact modulus
+std::string map_case_text(const MapOfCase& map);
+
+} // namespace asperity::run

@@ -1,0 +1,114 @@
+#include "run/arguments/named_cases.hpp"
+
+#include "cases/reader/read_case.hpp"
+#include "cases/text/node.hpp"
+#include "cases/text/toml_text.hpp"
+#include "input/input_error.hpp"
+#include "reports/pages/paper_report.hpp"
+#include "run/arguments/map_case.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace asperity::run {
+namespace {
+
+std::string title_override(const std::string& title) {
+  cases::Node text;
+  text.type = cases::NodeType::text;
+  text.text = title;
+  return "title=" + cases::toml_value(text);
+}
+
+ReadCase read_with_reference(const FoundCase& found,
+                             std::vector<std::string> overrides,
+                             bool is_quick) {
+  const std::string file = found.file.string();
+  if (is_quick) {
+    const cases::Case whole = cases::read_case(file);
+    std::vector<std::string> quick = quick_overrides(found.file);
+    if (quick.empty())
+      fmt::print("{}: there is no quick.set next to the case file; the full "
+                 "case runs\n",
+                 whole.name);
+    else
+      quick.push_back(title_override(whole.title + reports::quick_mark));
+    overrides.insert(overrides.begin(), quick.begin(), quick.end());
+  }
+  ReadCase read{found, cases::read_case(file, overrides), "", overrides};
+  read.reference = reference_text_of(read.contact_case);
+  if (read.found.name.empty())
+    read.found.name = read.contact_case.name;
+  return read;
+}
+
+/// The case of a map, which has no case file.
+NamedCases asked_map(const MapOfCase& map,
+                     const std::vector<std::string>& overrides) {
+  const std::filesystem::path file =
+      std::filesystem::path(map.file).replace_extension();
+  NamedCases named;
+  named.cases.push_back(
+      {{{}, file.filename().string()},
+       cases::read_case_text(map_case_text(map), file.string(), overrides),
+       "",
+       overrides});
+  named.found.cases.push_back(named.cases.front().found);
+  return named;
+}
+
+NamedSweep read_sweep_called(const FoundCase& found,
+                             std::vector<std::string> overrides,
+                             bool is_quick) {
+  const std::string file = found.file.string();
+  if (is_quick) {
+    std::vector<std::string> quick = quick_overrides(found.file);
+    if (quick.empty())
+      fmt::print("{}: there is no quick.set next to the case file; the full "
+                 "sweep runs\n",
+                 file);
+    else
+      quick.push_back(
+          title_override(cases::read_sweep(file).title + reports::quick_mark));
+    overrides.insert(overrides.begin(), quick.begin(), quick.end());
+  }
+  NamedSweep named{found, cases::read_sweep(file, overrides), overrides};
+  (void)reference_text_of(named.sweep.points.front().contact_case); // mistakes
+  return named;
+}
+
+} // namespace
+
+NamedCases read_named_cases_or_sweep(const std::string& word,
+                                     const std::vector<std::string>& overrides,
+                                     bool is_quick,
+                                     const std::string& contact_modulus) {
+  if (is_map_file(word) || !contact_modulus.empty())
+    return read_named_cases(word, overrides, is_quick, contact_modulus);
+  FoundCases found = find_cases(word);
+  if (!found.collection.empty() ||
+      !cases::is_sweep(found.cases.front().file.string(), overrides))
+    return read_named_cases(word, overrides, is_quick);
+  NamedSweep sweep =
+      read_sweep_called(found.cases.front(), overrides, is_quick);
+  return {std::move(found), {}, std::move(sweep)};
+}
+
+NamedCases read_named_cases(const std::string& word,
+                            const std::vector<std::string>& overrides,
+                            bool is_quick, const std::string& contact_modulus) {
+  if (is_map_file(word))
+    return asked_map({word, contact_modulus}, overrides);
+  NamedCases named{find_cases(word), {}};
+  if (!contact_modulus.empty())
+    throw input::InputError(
+        fmt::format("--contact-modulus applies only to a measured map, but {} "
+                    "is a case: please use --set material.contact_modulus=...",
+                    word));
+  for (const FoundCase& found : named.found.cases)
+    named.cases.push_back(read_with_reference(found, overrides, is_quick));
+  return named;
+}
+
+} // namespace asperity::run

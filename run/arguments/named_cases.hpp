@@ -1,0 +1,58 @@
+#pragma once
+
+// Resolves the arguments of the command line to cases. All cases, and the files
+// that belong to them, are read before anything runs.
+
+#include "cases/sweeps/sweep.hpp"
+#include "cases/types/case.hpp"
+#include "run/arguments/case_library.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::run {
+
+/// A case together with the contents of the files beside its case file.
+struct ReadCase {
+  FoundCase found;
+  cases::Case contact_case;
+  std::string reference; ///< text of reference.csv
+  std::vector<std::string> overrides = {};
+};
+
+/// A case file with a [sweep] and all of its points.
+struct NamedSweep {
+  FoundCase found;
+  cases::CaseSweep sweep;
+  std::vector<std::string> overrides; ///< including those of quick.set
+};
+
+/// The cases that one argument of the command line refers to.
+struct NamedCases {
+  FoundCases found;
+  std::vector<ReadCase> cases; ///< empty for a sweep
+  std::optional<NamedSweep> sweep = {};
+};
+
+/// Finds and reads the cases that an argument refers to.
+///
+/// @param word       case file, folder, shipped case, collection or map file
+/// @param overrides  "key.path=value" entries that are applied to every case
+/// @param is_quick   if true, the case's quick.set is applied before
+///                   `overrides`
+/// @param contact_modulus  E* for a measured map, which may stand for a case;
+///                   "" if none is given
+/// @throws input::InputError  the argument matches no case, a case is invalid,
+///                            or a map has no contact modulus
+NamedCases read_named_cases(const std::string& word,
+                            const std::vector<std::string>& overrides = {},
+                            bool is_quick = false,
+                            const std::string& contact_modulus = "");
+
+/// Does the same for commands that also accept a sweep.
+NamedCases read_named_cases_or_sweep(
+    const std::string& word, const std::vector<std::string>& overrides = {},
+    bool is_quick = false, const std::string& contact_modulus = "");
+
+} // namespace asperity::run

@@ -1,0 +1,191 @@
+#include "run/plan/description.hpp"
+
+#include "cases/reader/case_hash.hpp"
+#include "methods/cache/case_keys.hpp"
+#include "methods/chosen.hpp"
+#include "methods/methods.hpp"
+#include "run/plan/memory_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace asperity::run {
+namespace {
+
+using cases::MethodSpec;
+using results::not_given;
+
+/// The surface of a case as far as it is known before the run.
+struct KnownSurface {
+  mechanics::Scales scales;
+  Grid grid;                     ///< without points if no surface is built
+  bool is_built = false;         ///< the statistics are those of realisation 0
+  double rms_height = not_given; ///< [m]
+  double rms_slope = not_given;  ///< both directions [1]
+  double rms_curvature = not_given; ///< [1/m]
+  double highest = not_given;       ///< [m]
+};
+
+/// Returns the methods with the full roughness of the surface.
+std::vector<MethodSpec> without_magnification(std::vector<MethodSpec> methods) {
+  for (MethodSpec& method : methods)
+    method.magnification.reset();
+  return methods;
+}
+
+KnownSurface built_surface(const cases::Case& contact_case,
+                           const std::vector<MethodSpec>& methods) {
+  cases::Case first = contact_case;
+  first.surface.realizations = 1;
+  const methods::CaseSurfaces surfaces(first, without_magnification(methods));
+  const methods::SurfaceOfCase& surface = surfaces.whole().front();
+  const results::SurfaceRecord& record = surface.record;
+  return {surface.scales,    record.grid,      true,
+          record.rms_height, record.rms_slope, record.rms_curvature,
+          record.highest};
+}
+
+bool has_formula(const cases::Case& contact_case) {
+  return contact_case.surface.kind == mechanics::SurfaceKind::self_affine ||
+         contact_case.surface.kind == mechanics::SurfaceKind::spectrum;
+}
+
+/// Returns what the case says of a surface that is not built.
+KnownSurface stated_surface(const cases::Case& contact_case) {
+  KnownSurface known;
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  known.scales.contact_modulus = contact_case.material.contact_modulus;
+  known.scales.length = surface.length.value_or(0.0);
+  if (surface.length && surface.points)
+    known.scales.spacing = *surface.length / *surface.points;
+  if (!has_formula(contact_case))
+    return known;
+  const theory::HeightSpectrum spectrum =
+      methods::formula_of_case(contact_case, {});
+  known.scales = methods::formula_scales(contact_case, spectrum);
+  known.rms_height = spectrum.rms_height();
+  known.rms_slope = spectrum.rms_slope();
+  return known;
+}
+
+void add(std::vector<DerivedNumber>& numbers, const std::string& name,
+         double value, const std::string& unit, const std::string& meaning) {
+  if (std::isfinite(value) && value != 0.0)
+    numbers.push_back({name, value, unit, meaning});
+}
+
+void add_surface(std::vector<DerivedNumber>& numbers,
+                 const KnownSurface& known) {
+  const std::string which =
+      known.is_built ? ", realisation 0" : ", from the spectrum";
+  if (known.grid.points_x > 0) {
+    add(numbers, "points_x", known.grid.points_x, "1", "nodes along x");
+    add(numbers, "points_y", known.grid.points_y, "1", "nodes along y");
+    add(numbers, "node_spacing_y", known.grid.spacing_y(), "m",
+        "distance of nodes along y");
+  }
+  add(numbers, "node_spacing", known.scales.spacing, "m",
+      "h, distance of nodes along x");
+  add(numbers, "rms_height", known.rms_height, "m", "h_rms" + which);
+  add(numbers, "rms_slope", known.rms_slope, "1",
+      "h'_rms, both directions" + which);
+  add(numbers, "rms_curvature", known.rms_curvature, "1/m",
+      "half the Laplacian" + which);
+  add(numbers, "highest_peak", known.highest, "m",
+      "above the mean plane" + which);
+}
+
+/// Adds the band of the spectrum and the wavevectors that the grid resolves.
+void add_wavevectors(std::vector<DerivedNumber>& numbers,
+                     const cases::Case& contact_case,
+                     const KnownSurface& known) {
+  const double two_pi = 2.0 * std::numbers::pi;
+  double shortest = 0.0; // wavelength [m]
+  if (contact_case.surface.kind == mechanics::SurfaceKind::self_affine) {
+    const mechanics::SurfaceSpec& surface = contact_case.surface;
+    add(numbers, "wavevector_low", surface.wavevector_low, "1/m",
+        "q_L, where the spectrum begins");
+    add(numbers, "wavevector_roll_off", surface.wavevector_roll_off, "1/m",
+        "q_0, where the plateau ends");
+    add(numbers, "wavevector_high", surface.wavevector_high, "1/m",
+        "q_1, where the spectrum ends");
+    add(numbers, "magnification",
+        surface.wavevector_high / surface.wavevector_roll_off, "1", "q_1/q_0");
+    shortest = two_pi / surface.wavevector_high;
+    add(numbers, "wavelength_short", shortest, "m", "2 pi/q_1");
+  }
+  if (known.scales.length > 0.0)
+    add(numbers, "lowest_resolved_wavevector", two_pi / known.scales.length,
+        "1/m", "2 pi/L of the periodic square");
+  if (known.scales.spacing > 0.0) {
+    add(numbers, "highest_resolved_wavevector",
+        std::numbers::pi / known.scales.spacing, "1/m", "pi/h of the grid");
+    if (shortest > 0.0)
+      add(numbers, "nodes_per_shortest_wavelength",
+          shortest / known.scales.spacing, "1", "wavelength_short/h");
+  }
+}
+
+void add_material(std::vector<DerivedNumber>& numbers,
+                  const mechanics::MaterialSpec& material,
+                  const KnownSurface& known) {
+  add(numbers, "contact_modulus", material.contact_modulus, "Pa",
+      "E* of the pair");
+  if (material.poisson_ratio)
+    add(numbers, "block_youngs_modulus", material.block_youngs_modulus(), "Pa",
+        "E of one block with this E*");
+  add(numbers, "full_contact_pressure",
+      material.contact_modulus * known.rms_slope / 2.0, "Pa",
+      "rms pressure E* h'_rms/2 of full contact");
+}
+
+std::vector<DescribedLoad> loads_of(const mechanics::LoadingPath& load,
+                                    const KnownSurface& known) {
+  const bool is_pressure = load.control == mechanics::Control::nominal_pressure;
+  const double unit =
+      is_pressure ? known.scales.contact_modulus : known.scales.rms_height;
+  std::vector<DescribedLoad> loads;
+  for (std::size_t step = 0; step < load.targets.size(); ++step) {
+    const mechanics::Quantity& target = load.targets[step];
+    double in_si = target.in_si(known.scales);
+    if (in_si == 0.0 && target.value != 0.0)
+      in_si = not_given; // the reference unit is not known
+    loads.push_back({in_si, unit > 0.0 ? in_si / unit : not_given,
+                     load.is_unloading[step]});
+  }
+  return loads;
+}
+
+} // namespace
+
+CaseDescription describe_case(const cases::Case& contact_case,
+                              const RunOptions& options) {
+  CaseDescription description;
+  description.name = contact_case.name;
+  description.title = contact_case.title;
+  description.file = contact_case.path;
+  description.hash = cases::case_hash(contact_case);
+  description.inputs = methods::input_hashes(contact_case);
+  description.control = contact_case.load.control;
+  const std::vector<MethodSpec> methods =
+      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+  for (const MethodSpec& method : methods) {
+    const methods::MethodDescription one =
+        methods::describe(method, contact_case.material);
+    description.methods.push_back({method.name, one.kind, one.text});
+  }
+  description.plan = make_plan(contact_case, options);
+  const KnownSurface known =
+      methods::needs_surfaces(methods) && refusal_of(description.plan).empty()
+          ? built_surface(contact_case, methods)
+          : stated_surface(contact_case);
+  description.keys = methods::resolved_keys(contact_case, known.scales);
+  add_surface(description.derived, known);
+  add_wavevectors(description.derived, contact_case, known);
+  add_material(description.derived, contact_case.material, known);
+  description.loads = loads_of(contact_case.load, known);
+  return description;
+}
+
+} // namespace asperity::run

@@ -1,0 +1,299 @@
+#include "run/plan/plan.hpp"
+
+#include "cases/reader/locking.hpp"
+#include "fem/plugin.hpp"
+#include "methods/cache/case_keys.hpp"
+#include "methods/chosen.hpp"
+#include "methods/methods.hpp"
+#include "methods/sharing.hpp"
+#include "methods/step_chain.hpp"
+#include "methods/surfaces_of_case.hpp"
+#include "methods/worker_pool.hpp"
+#include "run/plan/block_cost.hpp"
+#include "run/plan/preparation.hpp"
+#include "surfaces/build.hpp"
+
+#include <algorithm>
+#include <span>
+
+namespace asperity::run {
+namespace {
+
+using cases::MethodSpec;
+
+/// Limit on cache look-ups per method. Without it the plan of ten million steps
+/// would take hours.
+constexpr std::size_t most_lookups = 20000;
+
+/// Counts the cached steps of a method. If there are too many steps to look up,
+/// only the first realisations are counted.
+int kept_steps(const cases::Case& contact_case, const MethodSpec& method,
+               std::span<const int> realizations, const methods::CaseKeys& keys,
+               methods::Cache& cache) {
+  if (!cache.is_on())
+    return 0;
+  const std::size_t n_counted =
+      std::max(std::size_t{1}, most_lookups / contact_case.load.targets.size());
+  int kept = 0;
+  for (const int r :
+       realizations.first(std::min(n_counted, realizations.size()))) {
+    const methods::StepChain chain(cache, keys.steps(method, r));
+    for (std::size_t step = 0; step < contact_case.load.targets.size(); ++step)
+      kept += chain.has(step) ? 1 : 0;
+  }
+  return kept;
+}
+
+/// Lets the ranks of mpirun share the rows of a method, if they do: the memory
+/// is then that of the ranks on this machine.
+/// @param grid  that the method presses
+void share_by_ranks(const MethodSpec& method, const Grid& grid,
+                    const RunOptions& options, PlannedMethod& planned) {
+  if (!method.has_fields())
+    return;
+  planned.why_alone = methods::obstacle_to_sharing(method, grid, options.ranks);
+  if (!methods::is_shared_by_ranks(method, grid, options.ranks))
+    return;
+  planned.ranks = options.ranks;
+  planned.runs_alone = true;
+  planned.rank_memory = memory_of_rank(method, grid, options.ranks);
+  planned.memory = options.ranks_on_machine * planned.rank_memory +
+                   (options.ranks_on_machine - 1) * base_memory(true);
+}
+
+/// Returns true if the last table of each study is cached.
+bool has_tables(const cases::Case& contact_case, const MethodSpec& theory,
+                const methods::CaseKeys& keys, const methods::Cache& cache) {
+  const auto has = [&](const char* name) {
+    return cache.has(keys.table(theory, name), methods::entry_kind::table);
+  };
+  return (!contact_case.magnification_study || has("magnification")) &&
+         (!contact_case.adhesion_study || has("adhesion-flip"));
+}
+
+/// Predicts the wall time. Jobs run in parallel on the threads, those marked
+/// runs_alone one after another; the shared part takes at least the total work
+/// over the number of threads, and at least as long as its longest job.
+double wall_time(const Plan& plan) {
+  double shared = plan.study_time;
+  double longest = plan.study_time;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    const double work = method.setup_time + method.step_time;
+    if (method.runs_alone) {
+      alone += work / method.ranks;
+      continue;
+    }
+    shared += work;
+    longest = std::max(longest, work / std::max(1, method.realizations));
+  }
+  return plan.base_time + alone + std::max(longest, shared / plan.threads);
+}
+
+double predicted_peak(const Plan& plan, const Grid& grid, double n_surfaces,
+                      double program) {
+  std::vector<double> jobs;
+  double alone = 0.0;
+  for (const PlannedMethod& method : plan.methods) {
+    if (method.kept_steps == method.steps)
+      continue;
+    if (method.runs_alone)
+      alone = std::max(alone, method.memory);
+    else
+      jobs.insert(jobs.end(), static_cast<std::size_t>(method.realizations),
+                  method.memory);
+  }
+  std::sort(jobs.rbegin(), jobs.rend());
+  double beside = 0.0;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    if (i < static_cast<std::size_t>(plan.threads))
+      beside += jobs[i];
+  const double surfaces =
+      sizeof(double) * static_cast<double>(grid.size()) * n_surfaces;
+  return program + surfaces + std::max(beside, alone);
+}
+
+/// Number of whole surfaces that rank 0 holds, for the run or until it has sent
+/// their rows.
+double held_surfaces(const cases::Case& contact_case,
+                     const std::vector<MethodSpec>& methods,
+                     const RunOptions& options) {
+  if (methods::has_surfaces_by_rows(contact_case, methods, options.ranks) &&
+      surfaces::reason_for_whole(contact_case.surface).empty())
+    return 0.0;
+  return options.realizations.empty()
+             ? contact_case.surface.realizations
+             : static_cast<double>(options.realizations.size());
+}
+
+double result_bytes(const cases::Case& contact_case,
+                    const std::vector<MethodSpec>& methods, const Grid& grid) {
+  if (!methods::needs_surfaces(methods))
+    return 0.0;
+  double bytes = sizeof(double) * static_cast<double>(grid.size()) *
+                 contact_case.surface.realizations;
+  for (const MethodSpec& method : methods)
+    if (method.has_fields())
+      bytes +=
+          static_cast<double>(methods::steps_with_fields(contact_case).size()) *
+          map_bytes(grid);
+  return bytes;
+}
+
+/// Memory of a report whose maps are read by pieces [B]: pieces of two maps and
+/// their chunks, and for the spectrum of the surface columns of it
+/// (surfaces/maps/mode_power.hpp) and its shells.
+double memory_of_pieces(double nodes) {
+  constexpr double pieces = 2e8; // [B]
+  constexpr double per_node = 2.0;
+  return pieces + per_node * nodes;
+}
+
+/// Memory of the stresses below one map, which is whole [B]: the pressure and
+/// its spectrum, the spectra and the fields of six components of a plane and
+/// their norm, and the waves of each layer.
+double memory_of_stresses(const cases::Case& contact_case, double nodes) {
+  const auto layers =
+      static_cast<double>(contact_case.material.layers.size() + 1);
+  return (sizeof(double) * (2.0 + 6.0 * 2.0 + 1.0) + 16.0 * layers) * nodes;
+}
+
+/// The part of the memory of all ranks that those on this machine have, if the
+/// ranks share the rows of every block whose stress is computed.
+double part_of_ranks(const std::vector<MethodSpec>& methods, const Grid& grid,
+                     const RunOptions& options) {
+  const bool is_shared =
+      std::ranges::all_of(methods, [&](const MethodSpec& method) {
+        return !method.is_continuum() ||
+               methods::is_shared_by_ranks(method, grid, options.ranks);
+      });
+  return is_shared ? static_cast<double>(options.ranks_on_machine) /
+                         static_cast<double>(options.ranks)
+                   : 1.0;
+}
+
+/// Memory of a result that is read after the jobs, when the fields of the
+/// solvers are free [B]. Maps below results::large_map are read as a whole, in
+/// double precision: heights, and those of the saved steps of realisation 0.
+double memory_of_result(const cases::Case& contact_case,
+                        const std::vector<MethodSpec>& methods,
+                        const Grid& grid, const RunOptions& options) {
+  const bool has_stresses = contact_case.report.stress_inside;
+  if (!methods::needs_surfaces(methods) ||
+      (!options.has_report && !has_stresses))
+    return 0.0;
+  const auto nodes = static_cast<double>(grid.size());
+  const double stresses = has_stresses
+                              ? memory_of_stresses(contact_case, nodes) *
+                                    part_of_ranks(methods, grid, options)
+                              : 0.0;
+  if (grid.size() >= results::large_map)
+    return std::max(stresses, memory_of_pieces(nodes));
+  const auto n_methods = static_cast<double>(
+      std::ranges::count_if(methods, &MethodSpec::has_fields));
+  const double maps =
+      contact_case.surface.realizations +
+      2.0 * n_methods *
+          static_cast<double>(methods::steps_with_fields(contact_case).size());
+  return stresses + sizeof(double) * maps * nodes;
+}
+
+/// Predicts the CPU time of the studies and of the stress inside, which are
+/// computed for the first realisation only [s].
+double time_on_first_surface(const cases::Case& contact_case,
+                             const std::vector<MethodSpec>& methods,
+                             const Grid& grid, const methods::CaseKeys& keys,
+                             const methods::Cache& cache, MachineRates& rates) {
+  double time = 0.0;
+  if (const MethodSpec* theory = cases::study_theory(methods);
+      theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
+    time += study_time(contact_case, rates);
+  if (contact_case.report.stress_inside)
+    for (const MethodSpec& method : methods)
+      if (method.is_continuum())
+        time += stress_time(
+            static_cast<int>(methods::steps_with_fields(contact_case).size()),
+            grid, rates);
+  return time;
+}
+
+} // namespace
+
+void add_up_times(Plan& plan) {
+  plan.cpu_time = plan.base_time + plan.study_time;
+  for (const PlannedMethod& method : plan.methods)
+    plan.cpu_time += method.setup_time + method.step_time;
+  plan.wall_time = wall_time(plan);
+}
+
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
+               int largest_probe) {
+  MachineRates rates(largest_probe);
+  return make_plan(contact_case, options, rates);
+}
+
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
+               MachineRates& rates) {
+  const std::vector<MethodSpec> methods =
+      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+  const Grid grid = grid_of_case(contact_case, methods);
+  require_computable(contact_case, methods, grid);
+  if (const auto& variation = contact_case.material.variation;
+      variation && variation->kind == mechanics::VariationKind::table)
+    fem::read_factor_table(variation->file, {1.0, 1.0, 1.0});
+  const methods::CaseKeys keys(contact_case, methods::program_identity());
+  methods::Cache none;
+  methods::Cache& cache = options.cache != nullptr ? *options.cache : none;
+  Plan plan;
+  plan.warnings = cases::locking_warnings(contact_case.material, methods);
+  for (std::string& warning :
+       cases::interpolation_warnings(contact_case, methods))
+    plan.warnings.push_back(std::move(warning));
+  plan.threads = methods::WorkerPool(options.threads).threads();
+  bool uses_fem = false;
+  bool uses_block = false;
+  for (const MethodSpec& method : methods) {
+    const MethodCost cost =
+        cost_of(contact_case, method, grid, rates, options.ranks);
+    PlannedMethod planned{.name = method.name, .grid = grid};
+    const std::vector<int> realizations =
+        methods::realizations_of(contact_case, method, options.realizations);
+    planned.realizations = static_cast<int>(realizations.size());
+    planned.steps = planned.realizations *
+                    static_cast<int>(contact_case.load.targets.size());
+    planned.kept_steps =
+        kept_steps(contact_case, method, realizations, keys, cache);
+    const int left = planned.steps - planned.kept_steps;
+    planned.unknowns = cost.unknowns;
+    planned.setup_time = left > 0 ? cost.setup_time : 0.0;
+    planned.step_time = left > 0 ? left * cost.step_time : 0.0;
+    planned.memory = cost.memory;
+    planned.runs_alone =
+        methods::describe(method, contact_case.material).runs_alone;
+    share_by_ranks(method, methods::pressed_grid(contact_case, method, grid),
+                   options, planned);
+    if (!method.needs_surface())
+      planned.grid = {};
+    uses_fem |= left > 0 &&
+                std::holds_alternative<mechanics::FemSettings>(method.settings);
+    uses_block |= left > 0 && methods::is_full_block(method);
+    plan.methods.push_back(std::move(planned));
+  }
+  if (options.realizations.empty() || options.realizations.contains(0))
+    plan.study_time =
+        time_on_first_surface(contact_case, methods, grid, keys, cache, rates);
+  plan.base_time = base_time(rates);
+  add_up_times(plan);
+  const double program =
+      base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
+  plan.memory = std::max(
+      predicted_peak(plan, grid, held_surfaces(contact_case, methods, options),
+                     program),
+      program + memory_of_result(contact_case, methods, grid, options));
+  plan.factor = uses_block ? block_factor : plan.factor;
+  plan.disk = result_bytes(contact_case, methods, grid);
+  plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);
+  return plan;
+}
+
+} // namespace asperity::run

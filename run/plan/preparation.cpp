@@ -1,0 +1,309 @@
+#include "run/plan/preparation.hpp"
+
+#include "base/refused_argument.hpp"
+#include "base/require.hpp"
+#include "cases/reader/read_parts.hpp"
+#include "cases/text/node.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "fem/plugin.hpp"
+#include "input/input_error.hpp"
+#include "meshes/gmsh_block.hpp"
+#include "meshes/hanging_mesh.hpp"
+#include "meshes/layers/graded_layers.hpp"
+#include "meshes/layers/halvable_layers.hpp"
+#include "methods/cache/file_mesh.hpp"
+#include "methods/cache/resolved_keys.hpp"
+#include "methods/chosen.hpp"
+#include "methods/continuum_block.hpp"
+#include "methods/surfaces_of_case.hpp"
+#include "surfaces/build.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace asperity::run {
+namespace {
+
+using cases::MethodSpec;
+using cases::Node;
+using mechanics::FemSettings;
+using mechanics::MeshKind;
+
+/// The key that gives an argument of a builder; "" before the dot stands for
+/// the method. Other arguments have the path of their key as name, or concern
+/// the whole method.
+struct ArgumentKey {
+  std::string_view argument;
+  std::string_view table;
+  std::string_view key;
+};
+
+constexpr std::array argument_keys{
+    ArgumentKey{"depth", "", "depth"},
+    ArgumentKey{"growth", "", "growth"},
+    ArgumentKey{"surface_thickness", "", "surface_cell_depth"},
+    ArgumentKey{"thickness", "", "thickness"},
+    ArgumentKey{"cutoff", "", "cutoff"},
+    ArgumentKey{"atoms per side", "", "atoms"},
+    ArgumentKey{"ratio of depth to cell edge", "", "depth"},
+    ArgumentKey{"interfaces", "material", "layers"},
+    ArgumentKey{"interface between layers", "material", "layers"},
+    ArgumentKey{"depth of an interface", "material", "layers"},
+    ArgumentKey{"inclusion_radius", "material.inclusion", "radius"},
+    ArgumentKey{"inclusion_depth", "material.inclusion", "depth"},
+    ArgumentKey{"size_at_contact", "mesh", "size_at_contact"},
+    ArgumentKey{"size_far", "mesh", "size_far"},
+    ArgumentKey{"fine_radius", "mesh", "fine_radius"},
+    ArgumentKey{"points per side of an adaptive mesh", "mesh", "halvings"},
+    ArgumentKey{"cells per side of a mesh with hanging nodes", "surface",
+                "points"},
+    ArgumentKey{"number of vertices", "surface", "points"},
+    ArgumentKey{"points", "surface", "points"},
+    ArgumentKey{"material.variation", "material.variation", "factor"},
+};
+
+/// The factor on E is examined at so many places.
+constexpr double most_places = 1e6;
+
+/// Largest surface that is built to be examined.
+constexpr std::size_t most_nodes = std::size_t{1} << 20;
+
+class Preparation {
+public:
+  Preparation(const cases::Case& contact_case, const Grid& grid)
+      : case_(contact_case),
+        file_(methods::parsed_case(contact_case)),
+        grid_(grid) {}
+
+  void examine(const MethodSpec& method) {
+    method_ = &method;
+    pressed_ = methods::pressed_grid(case_, method, grid_);
+    scales_ = {};
+    scales_.contact_modulus = case_.material.contact_modulus;
+    scales_.length = pressed_.length_x;
+    scales_.spacing = pressed_.spacing_x();
+    std::visit([&](const auto& settings) { examine(settings); },
+               method.settings);
+  }
+
+  /// The spectrum of a random surface, whose waves the grid must resolve.
+  void examine_spectrum() {
+    try {
+      if (surfaces::is_random(case_.surface.kind))
+        surfaces::reason_for_whole(case_.surface);
+    } catch (const input::InputError& error) {
+      const std::string what = error.what();
+      if (!what.starts_with("surface."))
+        throw; // names a file and its line
+      mistakes_.add(nearest_node(what.substr(0, what.find(' '))).place, what);
+    } catch (const std::domain_error& error) {
+      mistakes_.add(nearest_node("surface").place,
+                    std::string("surface: ") + error.what());
+    }
+  }
+
+  void throw_mistakes() const { mistakes_.throw_if_any(); }
+
+private:
+  void examine(const mechanics::TheorySettings&) {}
+
+  void examine(const mechanics::WinklerSettings&) {}
+
+  void examine(const mechanics::HalfspaceSettings& half) {
+    if (!half.has_free_boundaries && case_.material.poisson_ratio)
+      attempt([&] {
+        contact::compliance_function(
+            methods::continuum_of(*method_, case_.material, scales_));
+      });
+  }
+
+  void examine(const FemSettings& fem) {
+    const bool is_full = fem.solver == mechanics::FemSolver::full;
+    attempt([&] { examine_mesh(fem, is_full && fem.full.uses_case_mesh); });
+    if (!is_full)
+      return;
+    attempt([&] { examine_moduli(fem); });
+    if (fem.full.bodies == 2 && case_.mesh.counter)
+      cases::check_counter_body(file_, case_, fem, pressed_, mistakes_);
+  }
+
+  void examine(const mechanics::MdSettings& md) {
+    attempt([&] {
+      if (!pressed_.is_square())
+        throw std::domain_error(fmt::format(
+            "needs a square surface, but this one is {:g} m by {:g} m, {} by "
+            "{} points",
+            pressed_.length_x, pressed_.length_y, pressed_.points_x,
+            pressed_.points_y));
+      if (2.0 * md.cutoff > pressed_.length_x)
+        refuse_argument("cutoff", md.cutoff,
+                        fmt::format("at most half of the side length, {} m",
+                                    number_text(0.5 * pressed_.length_x)));
+      const int atoms = md.atoms.value_or(pressed_.points_x);
+      const int coarsest = 1 << (md.levels - 1);
+      if (md.bulk == mechanics::AtomBulk::explicit_layers &&
+          atoms % coarsest != 0)
+        refuse_argument(
+            "atoms per side", atoms,
+            fmt::format("a multiple of {} for {} levels", coarsest, md.levels));
+    });
+  }
+
+  void examine_mesh(const FemSettings& fem, bool uses_case_mesh) const {
+    const int degree = degree_of(fem.block.element);
+    const double depth = fem.block.depth.in_si(scales_);
+    const std::vector<double> interfaces =
+        meshes::interfaces_of(case_.material.layers, scales_);
+    const mechanics::MeshSpec& mesh = case_.mesh;
+    const MeshKind kind = uses_case_mesh ? mesh.kind : MeshKind::layers;
+    if (kind == MeshKind::adaptive) {
+      const Grid columns =
+          meshes::halvable_columns(pressed_, degree, mesh.halvings);
+      if (!interfaces.empty())
+        meshes::halvable_layers(0.5 *
+                                    (columns.spacing_x() + columns.spacing_y()),
+                                mesh.halvings, interfaces, depth);
+    } else if (kind == MeshKind::gmsh) {
+      if (mesh.geometry != mechanics::MeshGeometry::file)
+        meshes::require_gmsh_block(meshes::gmsh_parameters(
+            mesh, case_.material, fem.full.sides, depth, pressed_, scales_));
+    } else {
+      fem::require_cells(pressed_, degree);
+      if (kind == MeshKind::hanging)
+        meshes::hanging_nodes({pressed_.points_x / degree,
+                               pressed_.points_y / degree, pressed_.length_x,
+                               pressed_.length_y},
+                              depth, mesh.cells_a_level, degree);
+      else
+        meshes::layers_of_block(fem.block, interfaces, scales_.spacing, depth);
+    }
+  }
+
+  /// The moduli of the cells, and the factor on E at places that are spread
+  /// over the block like the centres of its cells.
+  void examine_moduli(const FemSettings& fem) const {
+    const double depth = fem.block.depth.in_si(scales_);
+    const fem::ModuliField moduli = fem::moduli_field(
+        case_.material, scales_,
+        fem::own_moduli(case_.material, fem.full.bodies), pressed_, depth);
+    if (!moduli.has_factor())
+      return;
+    const double cells_down = std::max(1.0, depth / scales_.spacing);
+    const double coarser =
+        std::max(1.0, std::cbrt(static_cast<double>(pressed_.size()) *
+                                cells_down / most_places));
+    const auto count = [&](double cells) {
+      return std::max(1, static_cast<int>(cells / coarser));
+    };
+    const int n_x = count(pressed_.points_x);
+    const int n_y = count(pressed_.points_y);
+    const int n_z = count(cells_down);
+    for (int k = 0; k < n_z; ++k)
+      for (int j = 0; j < n_y; ++j)
+        for (int i = 0; i < n_x; ++i)
+          static_cast<void>(moduli.factor({(i + 0.5) / n_x * pressed_.length_x,
+                                           (j + 0.5) / n_y * pressed_.length_y,
+                                           (k + 0.5) / n_z * depth}));
+  }
+
+  /// Collects the mistake that a builder finds.
+  template <class Build>
+  void attempt(const Build& build) {
+    try {
+      build();
+    } catch (const RefusedArgument& refused) {
+      add(refused);
+    } catch (const std::domain_error& error) {
+      const Node& table = cases::entry_of(file_, method_->name, "");
+      mistakes_.add(table.place, method_->name + ": " + error.what());
+    }
+  }
+
+  void add(const RefusedArgument& refused) {
+    const std::string name = refused.name.substr(0, refused.name.find(':'));
+    const auto known =
+        std::ranges::find(argument_keys, name, &ArgumentKey::argument);
+    std::string path = name;
+    if (known != argument_keys.end())
+      path = fmt::format("{}.{}",
+                         known->table.empty() ? std::string_view(method_->name)
+                                              : known->table,
+                         known->key);
+    if (path == "surface.points" &&
+        case_.surface.kind == mechanics::SurfaceKind::measured)
+      path = "surface.file"; // determines the points
+    const Node& node =
+        known != argument_keys.end() && known->table.empty()
+            ? cases::entry_of(file_, method_->name, std::string(known->key))
+            : nearest_node(path);
+    const bool is_own = path.ends_with("." + refused.name);
+    const std::string value = number_text(refused.value);
+    const std::string found = node.is_table()
+                                  ? fmt::format("{} is not given", path)
+                                  : fmt::format("{} = {}", path, written(node));
+    const std::string is =
+        is_own ? fmt::format("{} {}",
+                             node.is_table() ? " and is" : ", which is", value)
+               : fmt::format(": {}{} = {}",
+                             path.starts_with(method_->name + ".")
+                                 ? ""
+                                 : method_->name + ": ",
+                             refused.name, value);
+    mistakes_.add(node.place, fmt::format("{}{}, but must be {}", found, is,
+                                          refused.range));
+  }
+
+  /// The node of a path, or the last table on the way to it.
+  const Node& nearest_node(const std::string& path) const {
+    const Node* node = &file_;
+    for (std::size_t begin = 0; begin <= path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      const Node* const next = node->find(path.substr(begin, end - begin));
+      if (next == nullptr)
+        break;
+      node = next;
+      begin = end + 1;
+    }
+    return *node;
+  }
+
+  const cases::Case& case_;
+  Node file_;
+  Grid grid_;
+  const MethodSpec* method_ = nullptr; ///< that is examined
+  Grid pressed_;                       ///< by it
+  mechanics::Scales scales_;           ///< without those of the heights
+  input::Mistakes mistakes_;
+};
+
+} // namespace
+
+void require_computable(const cases::Case& contact_case,
+                        const std::vector<MethodSpec>& methods,
+                        const Grid& grid) {
+  if (grid.points_x < 1)
+    return;
+  Preparation preparation(contact_case, grid);
+  if (methods::needs_surfaces(methods))
+    preparation.examine_spectrum();
+  for (const MethodSpec& method : methods)
+    preparation.examine(method);
+  preparation.throw_mistakes();
+  for (const MethodSpec& method : methods) // nothing without a mesh file
+    methods::file_mesh(contact_case, method,
+                       methods::pressed_grid(contact_case, method, grid));
+}
+
+void require_surface(const cases::Case& contact_case,
+                     const std::vector<MethodSpec>& methods, const Grid& grid) {
+  if (methods::needs_surfaces(methods) && grid.size() <= most_nodes)
+    methods::CaseSurfaces(contact_case, methods, {0});
+}
+
+} // namespace asperity::run

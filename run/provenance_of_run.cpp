@@ -1,0 +1,65 @@
+#include "run/provenance_of_run.hpp"
+
+#include "fem/plugin.hpp"
+#include "surfaces/measured_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace asperity::run {
+namespace {
+
+/// Describes for the report how the window function changes a measured map.
+std::string words_of(const surfaces::EdgeEffect& effect) {
+  const auto& [measured, pressed] = effect;
+  return fmt::format("the window changes the rms height of the measured map "
+                     "from {:.3g} nm to {:.3g} nm (factor {:.2f}) and the rms "
+                     "slope from {:.3g} to {:.3g} (factor {:.2f})",
+                     measured.rms_height * 1e9, pressed.rms_height * 1e9,
+                     pressed.rms_height / measured.rms_height,
+                     measured.rms_slope, pressed.rms_slope,
+                     pressed.rms_slope / measured.rms_slope);
+}
+
+surfaces::MeasuredMap
+description(const mechanics::SurfaceSpec& surface,
+            const std::optional<surfaces::MapFacts>& found) {
+  if (!found)
+    return surfaces::described_map(surface);
+  mechanics::SurfaceSpec without_spikes = surface;
+  without_spikes.spikes.reset(); // they were counted
+  surfaces::MeasuredMap map = surfaces::described_map(without_spikes);
+  map.missing = found->missing;
+  map.spikes = found->spikes;
+  return map;
+}
+
+} // namespace
+
+results::Provenance
+provenance_at_start(const cases::Case& contact_case, int threads,
+                    const std::optional<surfaces::MapFacts>& found) {
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  results::Provenance facts = results::program_facts();
+  facts.emplace_back("threads", std::to_string(threads));
+  facts.emplace_back("seed", std::to_string(surface.seed));
+  facts.emplace_back("realizations", std::to_string(surface.realizations));
+  facts.emplace_back("started", results::utc_now());
+  if (surface.kind != mechanics::SurfaceKind::measured)
+    return facts;
+  facts.emplace_back("map",
+                     surfaces::description_of(description(surface, found)));
+  if (surface.edges == mechanics::Edges::window)
+    facts.emplace_back("window",
+                       words_of(found && found->effect
+                                    ? *found->effect
+                                    : surfaces::edge_effect(surface)));
+  return facts;
+}
+
+results::Provenance provenance_of_fem() {
+  return {{"deal.II", fem::load_fem_module().versions()}};
+}
+
+} // namespace asperity::run

@@ -1,0 +1,77 @@
+#include "run/result_outputs.hpp"
+
+#include "reports/analysis/verdict.hpp"
+#include "reports/analysis/warnings.hpp"
+#include "reports/pages/report.hpp"
+#include "results/csv.hpp"
+#include "results/result_reader.hpp"
+#include "run/output.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace asperity::run {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+} // namespace
+
+bool is_result(const fs::path& path) {
+  return path.extension() == ".h5" || fs::exists(path / "result.h5");
+}
+
+reports::Summary summary_of(const results::Result& result) {
+  const cases::Case contact_case = reports::case_of(result);
+  fmt::print("{}", reports::warning_lines(result, contact_case));
+  return reports::summarize(result, contact_case);
+}
+
+WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf,
+                             std::vector<reports::DrawnGroup>* figures) {
+  const results::Result result =
+      results::read_result(folder, results::MapsInFile::large);
+  const cases::Case contact_case = reports::case_of(result);
+  reports::ReportEntry entry = reports::entry_of(result, contact_case);
+  results::write_curves_csv(result, folder / "curves.csv");
+  results::write_times_csv(result, folder / "times.csv");
+  const std::vector<std::string> failures = reports::write_report(
+      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf, .figures = figures});
+  for (const std::string& failure : failures)
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("{}", reports::warning_lines(result, contact_case));
+  return {entry.summary, failures.empty()};
+}
+
+void JsonAnswer::add(const std::string& name, const fs::path& folder,
+                     ExitCode exit_code, const reports::Summary* summary,
+                     const std::string& problem) {
+  OrderedJson entry = {{"case", name},
+                       {"folder", folder.string()},
+                       {"exit_code", static_cast<int>(exit_code)}};
+  entry["summary"] = summary == nullptr
+                         ? OrderedJson(nullptr)
+                         : OrderedJson::parse(reports::summary_json(*summary));
+  if (!problem.empty())
+    entry["problem"] = problem;
+  entries_.push_back(
+      entry.dump(2, ' ', false, OrderedJson::error_handler_t::replace));
+}
+
+void JsonAnswer::print(ExitCode exit_code) const {
+  if (!wants_json())
+    return;
+  OrderedJson answer = {{"format", format_},
+                        {"format_version", 1},
+                        {"exit_code", static_cast<int>(exit_code)},
+                        {"results", OrderedJson::array()}};
+  for (const std::string& entry : entries_)
+    answer["results"].push_back(OrderedJson::parse(entry));
+  emit_answer(
+      answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
+}
+
+} // namespace asperity::run

@@ -1,0 +1,61 @@
+#pragma once
+
+// Converts the results of the theoretical studies to tables of a result. These
+// are pure functions; docs/reference/results.md lists the column names.
+// Equation numbers refer to Yang and Persson (2008).
+
+#include "cases/types/studies.hpp"
+#include "results/types/result.hpp"
+#include "theory/persson/adhesion.hpp"
+#include "theory/persson/magnification.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace asperity::run {
+
+/// Returns one contact per load of a study.
+std::vector<theory::MagnifiedContact>
+magnified_contacts(const theory::PerssonContact& contact,
+                   const cases::MagnificationStudy& study);
+
+/// Returns a table with one row per load: contact area fraction, mean gap and
+/// the limits of zeta.
+results::Table loads_table(std::span<const theory::MagnifiedContact> contacts);
+
+/// Returns a table with one row per magnification: A, h_rms, u, u from Eq. (23)
+/// as printed, u_1 (infinite near zeta_0, as opening_gap() returns it) and the
+/// density of Eq. (27) at u_1.
+results::Table magnification_table(const std::string& name,
+                                   const theory::MagnifiedContact& contact,
+                                   const cases::MagnificationStudy& study);
+
+/// Returns quantiles of the distribution of u_1, Eq. (27), with its density.
+/// They are closely spaced at both ends. The title gives the weight of the
+/// delta function.
+results::Table gap_distribution_table(const std::string& name,
+                                      const theory::MagnifiedContact& contact);
+
+/// Returns a table with one row per load: the critical pore and the leakage
+/// through it. Values are NaN if the open area does not percolate.
+results::Table leak_table(std::span<const theory::MagnifiedContact> contacts,
+                          const cases::LeakStudy& study);
+
+/// Returns a table with one row per height ratio: partial, complete and
+/// equilibrium contact. Values are NaN if a state does not exist or if its
+/// partial contact did not converge; the title counts the latter.
+results::Table adhesion_table(const theory::RoughAdhesion& adhesion,
+                              const cases::AdhesionStudy& study,
+                              double rms_height);
+
+/// Returns a table with one row: the height ratio of the transition from
+/// complete to partial contact and the area there (NaN if there is none between
+/// two ratios of the study), and gamma_eff of complete contact at ratio 1.
+///
+/// @param rows  rows of adhesion_table()
+results::Table adhesion_flip_table(const theory::RoughAdhesion& adhesion,
+                                   const cases::AdhesionStudy& study,
+                                   const results::Table& rows);
+
+} // namespace asperity::run

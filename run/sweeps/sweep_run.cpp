@@ -1,0 +1,240 @@
+#include "run/sweeps/sweep_run.hpp"
+
+#include "base/atomic_file.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "methods/cache/cache.hpp"
+#include "methods/chosen.hpp"
+#include "methods/worker_pool.hpp"
+#include "run/child_run.hpp"
+#include "run/interrupt.hpp"
+#include "run/last_run.hpp"
+#include "run/plan/memory_check.hpp"
+#include "run/sweeps/earlier_run.hpp"
+#include "run/sweeps/memory_budget.hpp"
+#include "run/sweeps/sweep_plan.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+namespace asperity::run {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// Returns the last lines of a log in one line, for messages.
+std::string end_of_log(const fs::path& log) {
+  std::ifstream stream(log);
+  std::deque<std::string> lines;
+  for (std::string line; std::getline(stream, line);)
+    if (!line.empty())
+      lines.push_back(line);
+  constexpr std::size_t most_lines = 3;
+  std::string text;
+  for (std::size_t i = lines.size() - std::min(lines.size(), most_lines);
+       i < lines.size(); ++i)
+    text += (text.empty() ? "" : "; ") + lines[i].substr(0, 300);
+  return text;
+}
+
+class SweepRun {
+public:
+  SweepRun(const cases::CaseSweep& sweep, const SweepRunOptions& options,
+           SweepPlan plan)
+      : sweep_(sweep),
+        options_(options),
+        plan_(std::move(plan)),
+        budget_(plan_.available_memory),
+        outcome_{record_of(sweep)},
+        chosen_(options.points) {
+    for (std::size_t i = 0; !options.is_part && i < sweep.points.size(); ++i)
+      chosen_.push_back(i);
+  }
+
+  SweepOutcome execute() {
+    prepare();
+    std::vector<methods::WorkerPool::Job> jobs;
+    for (std::size_t place = 0; place < chosen_.size(); ++place)
+      jobs.push_back([this, place] { run_point(place); });
+    start_ = Clock::now();
+    methods::WorkerPool(plan_.threads).run(jobs);
+    outcome_.is_interrupted = is_interrupted();
+    return std::move(outcome_);
+  }
+
+private:
+  void prepare() {
+    if (!options_.resume)
+      put_points_aside(options_.folder);
+    if (!options_.is_part)
+      write_record(outcome_.record, options_.folder);
+    std::set<std::string> warnings;
+    for (const Plan& point : plan_.points)
+      warnings.insert(point.warnings.begin(), point.warnings.end());
+    for (const std::string& warning : warnings)
+      fmt::print(stderr, "warning: {}\n", warning);
+  }
+
+  void run_point(std::size_t place) {
+    const std::size_t i = chosen_[place];
+    if (is_interrupted()) {
+      outcome_.record.points[i].problem = "has not run, because the sweep was "
+                                          "interrupted";
+      return;
+    }
+    const fs::path folder = options_.folder / reports::point_folder(i);
+    fs::create_directories(folder);
+    const cases::Case& contact_case = sweep_.points[i].contact_case;
+    const EarlierRun earlier =
+        options_.resume
+            ? earlier_run(contact_case,
+                          methods::chosen_methods(contact_case,
+                                                  options_.methods,
+                                                  options_.is_exact),
+                          folder)
+            : EarlierRun{};
+    if (earlier.state == RunState::complete) {
+      outcome_.record.points[i].case_hash = earlier.case_hash;
+      finish(i, ChildEnd{0, "", 0.0, 0.0}, "is complete already");
+      return;
+    }
+    const MemoryBudget::Share share(budget_, plan_.points[i].memory);
+    const ChildEnd end =
+        run_self(words_of(place, earlier.state), folder / "log.txt");
+    finish(i, end, "");
+  }
+
+  /// The last points share the threads that would otherwise be idle.
+  int threads_of(std::size_t place) const {
+    const std::size_t left = chosen_.size() - place;
+    const auto workers =
+        std::min(left, static_cast<std::size_t>(plan_.beside()));
+    return std::max(1, plan_.threads / static_cast<int>(workers));
+  }
+
+  std::vector<std::string> words_of(std::size_t place, RunState state) const {
+    const std::size_t i = chosen_[place];
+    std::vector<std::string> words{
+        "run",
+        options_.case_file.string(),
+        "--no-report",
+        "--out",
+        (options_.folder / reports::point_folder(i)).string(),
+        "--threads",
+        std::to_string(threads_of(place))};
+    const auto add = [&](const std::vector<std::string>& more) {
+      words.insert(words.end(), more.begin(), more.end());
+    };
+    for (const std::string& entry : options_.overrides)
+      add({"--set", entry});
+    for (const std::string& entry : sweep_.points[i].overrides)
+      add({"--set", entry});
+    for (const std::string& method : options_.methods)
+      add({"--methods", method});
+    if (options_.is_exact)
+      add({"--exactly"});
+    if (!options_.uses_cache)
+      add({"--no-cache"});
+    if (state == RunState::to_resume)
+      add({"--resume"});
+    return words;
+  }
+
+  void finish(std::size_t i, const ChildEnd& end, const std::string& remark) {
+    const std::lock_guard lock(mutex_);
+    const auto code = static_cast<ExitCode>(
+        end.exit_code < 0 || end.exit_code > exit_interrupted ? exit_internal
+                                                              : end.exit_code);
+    reports::PointRecord& point = outcome_.record.points[i];
+    if (code == exit_interrupted)
+      point.problem = "was interrupted";
+    else if (code != exit_good && code != exit_not_converged)
+      point.problem = fmt::format(
+          "{}: {}", end.failure,
+          end_of_log(options_.folder / reports::point_folder(i) / "log.txt"));
+    outcome_.worst = std::max(outcome_.worst, code);
+    ++n_done_;
+    const std::string words =
+        !point.problem.empty()       ? point.problem
+        : code == exit_not_converged ? "some steps did not converge"
+        : !remark.empty()            ? remark
+                                     : fmt::format("{:.1f} s", end.wall_time);
+    fmt::print("{:>4}/{} point {:03}  {}  {}{}\n", n_done_, chosen_.size(), i,
+               outcome_.record.label(i), words, remaining_words());
+    std::fflush(stdout);
+  }
+
+  std::string remaining_words() const {
+    const double elapsed =
+        std::chrono::duration<double>(Clock::now() - start_).count();
+    const std::size_t left = chosen_.size() - n_done_;
+    if (left == 0 || elapsed < 10.0)
+      return "";
+    return fmt::format("; about {} left",
+                       time_text(elapsed / static_cast<double>(n_done_) *
+                                 static_cast<double>(left)));
+  }
+
+  const cases::CaseSweep& sweep_;
+  const SweepRunOptions& options_;
+  SweepPlan plan_;
+  MemoryBudget budget_;
+  std::mutex mutex_; ///< for outcome_ and n_done_
+  SweepOutcome outcome_;
+  std::vector<std::size_t> chosen_; ///< points that are run
+  std::size_t n_done_ = 0;
+  Clock::time_point start_;
+};
+
+} // namespace
+
+reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
+  reports::SweepRecord record{
+      sweep.name, sweep.title, sweep.combine, sweep.keys, {}};
+  for (const cases::SweptPoint& point : sweep.points)
+    record.points.push_back(
+        {point.choice, cases::case_hash(point.contact_case)});
+  return record;
+}
+
+void put_points_aside(const fs::path& folder) {
+  const fs::path points = folder / "points";
+  const fs::path previous = folder / "points.previous";
+  if (fs::exists(points)) {
+    fs::remove_all(previous);
+    fs::rename(points, previous);
+    fmt::print("the points of the previous sweep are saved in {}\n",
+               previous.string());
+  }
+  for (const char* name : {reports::sweep_file, "sweep.csv"})
+    fs::remove(folder / name);
+}
+
+void write_record(const reports::SweepRecord& record, const fs::path& folder) {
+  put_last_run_aside(folder); // of one case
+  remove_report(folder);
+  write_file_atomically(folder / reports::sweep_file,
+                        reports::record_json(record).dump(2) + "\n");
+}
+
+SweepOutcome run_sweep(const cases::CaseSweep& sweep,
+                       const SweepRunOptions& options) {
+  RunOptions run{{}, options.methods, options.resume, options.threads};
+  run.is_exact = options.is_exact;
+  methods::Cache cache(methods::cache_folder(),
+                       options.uses_cache ? methods::cache_size() : 0);
+  run.cache = &cache;
+  return SweepRun(sweep, options,
+                  make_sweep_plan(sweep, run, memory_probe_points))
+      .execute();
+}
+
+} // namespace asperity::run

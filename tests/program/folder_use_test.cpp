@@ -1,0 +1,383 @@
+// Tests of the folder of a run: one writer at a time, nothing of an earlier run
+// is attributed to the new one, and a disk error is exit code 4 and loses
+// nothing that was finished.
+#include "results/result_reader.hpp"
+#include "tests/program/program.hpp"
+#include "tests/same_bits.hpp"
+
+#include <fstream>
+#include <future>
+#include <map>
+#include <set>
+#include <thread>
+#include <unistd.h>
+
+namespace asperity::program::folder_use_test {
+
+namespace fs = std::filesystem;
+using results::Result;
+
+class FolderUse : public ProgramTest {
+protected:
+  FolderUse() { write("small.toml", small_case); }
+
+  Result result(const std::string& name) const {
+    return results::read_result(folder / name);
+  }
+
+  /// The program in parallel with another one; its output goes to a separate
+  /// file.
+  int run_beside(const std::string& arguments, const std::string& log) const {
+    const std::string command = "cd " + folder.string() +
+                                " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM
+                                " " +
+                                arguments + " > " + log + " 2>&1";
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  /// The output of the program, followed by "exit CODE", where no file may have
+  /// more than this number of KiB.
+  std::string with_small_files(const std::string& arguments, int kibibytes) {
+    const std::string command = "cd " + folder.string() +
+                                " && { ASPERITY_CACHE=cache bash -c 'ulimit "
+                                "-f " +
+                                std::to_string(kibibytes) +
+                                "; exec " ASPERITY_PROGRAM " " + arguments +
+                                "'; echo exit $?; } 2>&1 | cat > log.txt";
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return text_of(folder / "log.txt");
+  }
+
+  std::size_t rows(const std::string& name) const {
+    std::size_t rows = 0;
+    for (const results::MethodRecord& method : result(name).methods)
+      for (const results::Curve& curve : method.realizations)
+        rows += curve.points.size();
+    return rows;
+  }
+};
+
+// The theory once, half-space and fem on two realisations, four loads each.
+constexpr std::size_t all_rows = 4 + 2 * 4 + 2 * 4;
+
+// Of two runs that begin at once, with other heights, one refuses or follows
+// the other; the file always belongs to one run. The second one waits half a
+// second for the folder, and on a busy machine they may begin that far apart.
+TEST_F(FolderUse, TwoRunsAtOnceLeaveOneResult) {
+  int n_refused = 0;
+  const std::string one = "run small.toml --set surface.points=256 --no-cache "
+                          "--no-report --out one";
+  for (int trial = 0; trial < 8; ++trial) {
+    auto other = std::async(std::launch::async, [&] {
+      return run_beside(one + " --set surface.seed=4", "other.txt");
+    });
+    const int here = run_beside(one, "here.txt");
+    const int there = other.get();
+
+    EXPECT_TRUE(here == 0 || there == 0) << here << ' ' << there;
+    for (const auto& [end, log] :
+         {std::pair(here, "here.txt"), std::pair(there, "other.txt")})
+      if (end != 0) {
+        ++n_refused;
+        EXPECT_EQ(end, 2);
+        EXPECT_NE(text_of(folder / log)
+                      .find("one is in use by run small ("
+                            "process "),
+                  std::string::npos)
+            << text_of(folder / log);
+      }
+    EXPECT_EQ(rows("one"), all_rows);
+    EXPECT_EQ(result("one").status, "complete");
+  }
+  EXPECT_GT(n_refused, 0);
+}
+
+TEST_F(FolderUse, EveryCommandThatWritesIsRefused) {
+  ASSERT_EQ(run("run small.toml --out out/small").exit_code, 0);
+  fs::create_directories(folder / "out/small/bench");
+  auto holder = std::async(std::launch::async, [&] {
+    return std::system(("cd " + folder.string() +
+                        " && flock out/small/.lock flock "
+                        "out/small/bench/.lock sh -c "
+                        "'while [ ! -e done ]; do sleep 0.1; done'")
+                           .c_str());
+  });
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  for (const char* command :
+       {"run small.toml", "run small.toml --resume", "check small.toml",
+        "report out/small", "bench small.toml --quick"}) {
+    const Ended refused = run(command);
+    EXPECT_EQ(refused.exit_code, 2) << command << refused.output;
+    EXPECT_NE(refused.output.find("is in use by"), std::string::npos)
+        << command << refused.output;
+  }
+  EXPECT_EQ(run("report out/small --out elsewhere").exit_code, 0);
+  std::ofstream(folder / "done") << "the holder ends\n";
+  holder.get();
+  EXPECT_EQ(rows("out/small"), all_rows);
+}
+
+TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  fs::create_directories(folder / "one/fem-0");
+  std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
+  std::ofstream(folder / "one/notes.txt") << "the user's";
+  std::ofstream(folder / "one/figures/notes.txt") << "the user's";
+
+  ASSERT_EQ(
+      run("run small.toml --no-report --methods theory --out one").exit_code,
+      0);
+
+  std::set<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "one"))
+    if (entry.is_regular_file())
+      left.insert(entry.path().filename().string());
+  EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "result.h5",
+                                         "result.previous.h5"}));
+  EXPECT_TRUE(fs::exists(folder / "one/figures/notes.txt"));
+}
+
+// The full block of the second run is refused when its cells are assembled: the
+// factor is negative at the centres of the first layer only, which no check
+// before the run examines. The theory is computed before.
+class RefusedRun : public FolderUse {
+protected:
+  const std::string refused_late =
+      "run small.toml --no-cache --out one --set surface.points=16 --set "
+      "fem.contact=hard --set fem.solver=full --set fem.surface_cell_depth=0.7 "
+      "--set 'material.variation={ kind = \"function\", factor = \"1 - 2 * "
+      "(abs(z - 0.04375) < 1e-6)\" }' --set surface.wavelength_short=\"4 h\"";
+
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> texts;
+    if (fs::exists(folder / "one"))
+      for (const auto& entry : fs::recursive_directory_iterator(folder / "one"))
+        if (entry.is_regular_file())
+          texts[fs::relative(entry.path(), folder).string()] =
+              text_of(entry.path());
+    return texts;
+  }
+};
+
+TEST_F(RefusedRun, LeavesTheOutputOfTheLastOne) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --out one --no-cache").exit_code, 0);
+  fs::create_directories(folder / "one/fem-0");
+  std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
+  const auto before = files();
+  ASSERT_TRUE(before.contains("one/result.previous.h5"));
+
+  for (const char* more : {" --methods fem", "", " --no-report"}) {
+    const Ended refused = run(refused_late + more);
+
+    EXPECT_EQ(refused.exit_code, 2) << refused.output;
+    EXPECT_NE(refused.output.find("factor of the modulus"), std::string::npos)
+        << refused.output;
+    auto after = files();
+    after.erase("one/result.unfinished.h5"); // steps of the theory
+    EXPECT_EQ(after, before) << more;
+  }
+}
+
+TEST_F(RefusedRun, LeavesNoResultOfItsOwn) {
+  const Ended refused = run(refused_late + " --methods fem");
+
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_EQ(files(), (std::map<std::string, std::string>{}));
+}
+
+// A result that continued after its map changed would contain rows of two maps.
+TEST_F(FolderUse, ResumeRefusesAChangedMap) {
+  const auto write_map = [&](double last) {
+    std::string text;
+    for (int i = 0; i < 64; ++i)
+      text += std::to_string(i == 63 ? last : 1e-2 * (7 * i % 11)) +
+              (i % 8 == 7 ? "\n" : " ");
+    write("map.txt", text);
+  };
+  const std::string map_case = std::string(small_case)
+                                   .replace(0, small_case.find("[material]"),
+                                            "schema = 1\ntitle = \"map\"\n"
+                                            "[surface]\nkind = \"measured\"\n"
+                                            "file = \"map.txt\"\n"
+                                            "length = \"1 um\"\n"
+                                            "height_unit = \"1 um\"\n"
+                                            "level = \"none\"\n"
+                                            "edges = \"periodic\"\n");
+  write("map.toml", map_case);
+  write_map(0.02);
+  const Ended first = run("run map.toml --methods halfspace --out one");
+  ASSERT_EQ(first.exit_code, 0) << first.output;
+  const Result before = result("one");
+
+  write_map(0.03);
+  const Ended refused = run("run map.toml --resume --out one");
+
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(
+      refused.output.find(
+          "the file given by surface.file has different content (SHA-256 "),
+      std::string::npos)
+      << refused.output;
+  tests::expect_same_bits(before, result("one"));
+  write_map(0.02);
+  EXPECT_EQ(run("run map.toml --resume --out one").exit_code, 0);
+}
+
+/// A shell that limits the size of files to this number of KiB, as a full disk
+/// would.
+std::string with_limit(int kibibytes) {
+  return "bash -c 'ulimit -f " + std::to_string(kibibytes) +
+         "; exec \"$0\" \"$@\"'";
+}
+
+TEST_F(FolderUse, AFullDiskIsAnErrorAndLosesNothing) {
+  const std::string run_it = "run small.toml --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it).exit_code, 0);
+  const Result whole = result("one");
+
+  const Ended full = run(run_it + " --methods halfspace,fem", with_limit(60));
+
+  EXPECT_EQ(full.exit_code, 4) << full.output;
+  EXPECT_NE(full.output.find("asperity: "), std::string::npos) << full.output;
+  EXPECT_NE(full.output.find("one/"), std::string::npos) << full.output;
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+
+  const Ended done = run(run_it + " --resume");
+  ASSERT_EQ(done.exit_code, 0) << done.output;
+  tests::expect_same_bits(whole, result("one"));
+}
+
+/// A map of 32 x 32 points, of which none is flat.
+std::string matrix() {
+  std::string text;
+  for (int i = 0; i < 32 * 32; ++i)
+    text += std::to_string(7 * i % 11) + (i % 32 == 31 ? "\n" : " ");
+  return text;
+}
+
+// The limit takes effect at the head of a file, in the middle, or when the last
+// changes are written.
+TEST_F(FolderUse, AWriteThatFailsAnywhereIsAnErrorThatNamesTheFile) {
+  write("map.txt", matrix());
+  const std::string run_it =
+      "run small.toml --methods halfspace --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it + " --set surface.points=32").exit_code, 0);
+  const Result whole = result("one");
+  const auto expect_error = [&](const std::string& arguments, int limit,
+                                const std::string& file) {
+    const std::string output = with_small_files(arguments, limit);
+    EXPECT_NE(output.find("exit 4"), std::string::npos) << limit << output;
+    EXPECT_NE(output.find("File too large"), std::string::npos)
+        << limit << output;
+    EXPECT_NE(output.find(file), std::string::npos) << limit << output;
+  };
+  for (const int limit : {0, 1, 2, 4, 8, 16, 64, 200})
+    expect_error(run_it, limit, "one/");
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+
+  const std::string convert = "surface map.txt --length 1e-6 --height-unit nm "
+                              "--no-report --write ";
+  for (const char* ending : {"h5", "npy", "gwy", "txt"})
+    for (const int limit : {0, 1, 2, 4}) {
+      const std::string file = std::string("copy.") + ending;
+      expect_error(convert + file, limit, file);
+      EXPECT_FALSE(fs::exists(folder / file)) << ending;
+    }
+}
+
+// Otherwise a file that is opened gets the number of standard error, and text
+// for the terminal is written into it.
+TEST_F(FolderUse, ClosedDescriptorsChangeNothing) {
+  const std::string program = "cd " + folder.string() +
+                              " && ASPERITY_CACHE=cache " ASPERITY_PROGRAM " ";
+  const auto exit_code = [&](const std::string& command) {
+    const int status = std::system((program + command).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  };
+  for (const std::string command :
+       {"list", "schema", "describe small.toml", "completion bash", "cache",
+        "run small.toml --methods halfspace --no-cache --out one", "report one",
+        "certify one", "diff one one", "run no-such-case"})
+    EXPECT_EQ(exit_code(command + " <&- >&- 2>&-"),
+              exit_code(command + " < /dev/null > /dev/null 2> /dev/null"))
+        << command;
+  EXPECT_EQ(result("one").status, "complete");
+  EXPECT_EQ(exit_code("run no-such-case > /dev/full 2> /dev/full"), 2);
+}
+
+TEST_F(FolderUse, AFileInPlaceOfAFolderIsNamed) {
+  write("file", "no folder");
+
+  const Ended refused = run("run small.toml --out file/one");
+
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(refused.output.find("file is a file, not a folder; name another"),
+            std::string::npos)
+      << refused.output;
+}
+
+// As another user, because root may write everywhere.
+TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndLosesNothing) {
+  if (std::system("setpriv --version > /dev/null 2>&1") != 0)
+    GTEST_SKIP() << "setpriv is not installed (Debian package util-linux)";
+  ASSERT_EQ(run("run small.toml --no-report --out one").exit_code, 0);
+  const Result before = result("one");
+  fs::permissions(folder, fs::perms::owner_all | fs::perms::others_read |
+                              fs::perms::others_exec);
+  const std::string as_nobody =
+      ::geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups"
+                       : "";
+  if (::geteuid() != 0)
+    fs::permissions(folder / "one",
+                    fs::perms::owner_read | fs::perms::owner_exec);
+
+  const Ended refused = run("run small.toml --no-cache --out one", as_nobody);
+
+  fs::permissions(folder / "one", fs::perms::owner_all);
+  EXPECT_EQ(refused.exit_code, 4) << refused.output;
+  EXPECT_NE(refused.output.find("cannot write one/.lock"), std::string::npos)
+      << refused.output;
+  tests::expect_same_bits(before, result("one"));
+}
+
+TEST_F(FolderUse, OutputThatCannotBeWrittenIsAnError) {
+  const std::string command = ASPERITY_PROGRAM " list > /dev/full 2>/dev/null";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 4);
+}
+
+// With --foreground, timeout sends the signal once: a second one would end the
+// program at once.
+TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
+  write("quick.toml",
+        std::string(small_case) + "[expect]\nkappa = { above = 0.0 }\n");
+  const Ended done =
+      run("check quick.toml small.toml --no-cache --junit verdicts.xml "
+          "--set surface.points=1024", // longer than the two seconds
+          "timeout --foreground --preserve-status -s INT 2");
+
+  EXPECT_EQ(done.exit_code, 130) << done.output;
+  const std::string xml = text_of(folder / "verdicts.xml");
+  EXPECT_NE(xml.find("</testsuites>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("interrupted"), std::string::npos) << xml;
+}
+
+// The second run that fails puts aside the result of the first one that did.
+TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
+  const std::string run_it = "run small.toml --no-cache --no-report --out one";
+  ASSERT_EQ(run(run_it).exit_code, 0);
+  const Result whole = result("one");
+
+  for (int trial = 0; trial < 2; ++trial)
+    EXPECT_EQ(run(run_it + " --methods fem", with_limit(60)).exit_code, 4);
+
+  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
+  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+  EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
+}
+
+} // namespace asperity::program::folder_use_test

@@ -1,0 +1,364 @@
+// Tests of the messages about mistakes: they have exit code 2, and nothing
+// incomplete is written.
+#include "tests/program/program.hpp"
+
+#include <cmath>
+
+namespace asperity::program::messages_test {
+
+class Messages : public ProgramTest {
+protected:
+  bool says(const Ended& run, const std::string& words) const {
+    return run.output.find(words) != std::string::npos;
+  }
+};
+
+TEST_F(Messages, NameTheNearestShippedCase) {
+  const Ended lost = run("run polymers");
+
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_TRUE(says(lost, "nearest shipped case: polymer")) << lost.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, NamesThatNoFileCanHaveAreMistakes) {
+  std::filesystem::create_symlink("loop", folder / "loop");
+  const std::string longest(300, 'a');
+  for (const std::string command :
+       {"run ", "report ", "check ", "diff loop "}) {
+    EXPECT_EQ(run(command + "loop").exit_code, 2) << command;
+    EXPECT_EQ(run(command + longest).exit_code, 2) << command;
+  }
+
+  EXPECT_TRUE(says(run("run " + longest), longest + ": File name too long"));
+}
+
+TEST_F(Messages, ShowEveryMistakeOfACaseAtOnce) {
+  std::string text = small_case;
+  text.replace(text.find("poisson_ratio = 0.3"), 19, "poisson_ratio = 0.7");
+  text.replace(text.find("rms_slope"), 9, "rms_slop");
+  write("broken.toml", text);
+
+  const Ended refused = run("run broken.toml");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "broken.toml:16")) << refused.output;
+  EXPECT_TRUE(says(refused, "poisson_ratio")) << refused.output;
+  EXPECT_TRUE(says(refused, "rms_slope")) << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// What fits the keys, but not the block, is refused by every command before
+// anything is built.
+TEST_F(Messages, NameTheKeyThatDoesNotFitTheBlock) {
+  write("small.toml", small_case);
+
+  struct Refused {
+    std::string entries, words;
+  };
+
+  for (const auto& [entries, words] : std::vector<Refused>{
+           {"--set fem.depth='0.001 length'",
+            "--set: fem.depth = \"0.001 length\", which is "},
+           {"--set surface.points=8 --set surface.wavelength_short='2 h'",
+            "--set: surface.points = 8, but must be >= 10 to resolve"},
+           {"--set material.poisson_ratio=0.49995",
+            "material.poisson_ratio = 0.49995, but must be between -0.999 and "
+            "0.4999"},
+           {"--set fem.surface_cell_depth=1e-9",
+            "fem.surface_cell_depth = 1e-09, but must be between 0.001 and"},
+           {"--set fem.growth=1 --set fem.depth='1e4 length'",
+            "fem.depth = \"1e4 length\""},
+           {"--set 'material.layers=[{ thickness = \"0.2 length\", "
+            "youngs_modulus = 1e9, poisson_ratio = 0.3 }]' --set "
+            "halfspace.thickness='0.1 length'",
+            "halfspace.thickness = \"0.1 length\""},
+           {"--set fem.solver=full --set fem.contact=hard --set "
+            "mesh.kind=gmsh --set mesh.size_far='0.001 length'",
+            "mesh.size_far = \"0.001 length\""}})
+    for (const char* command : {"run small.toml ", "run small.toml --dry-run ",
+                                "describe small.toml ", "check small.toml ",
+                                "bench small.toml --quick "}) {
+      const Ended refused = run(command + entries);
+
+      EXPECT_EQ(refused.exit_code, 2) << command << entries << refused.output;
+      EXPECT_TRUE(says(refused, words)) << command << refused.output;
+      EXPECT_TRUE(says(refused, "mistake(s) in the case file"))
+          << command << refused.output;
+      EXPECT_FALSE(std::filesystem::exists(folder / "out/small/result.h5"));
+    }
+}
+
+// Three commands read the case and refuse it alike, before anything is built.
+TEST_F(Messages, RefuseACounterBodyThatContradictsItself) {
+  std::string text = small_case;
+  text.replace(text.find("poisson_ratio = 0.3"), 19,
+               "poisson_ratio = 0.3\n[material.counter]\nyoungs_modulus = 1e9\n"
+               "poisson_ratio = 0.3\n[mesh]\nkind = \"layers\"\n"
+               "[mesh.counter]\nshape = \"cylinder\"\n"
+               "radius = \"0.2 length\"\nfine_radius = \"0.3 length\"");
+  write("two.toml", text + "[fem.pair]\nsolver = \"full\"\nbodies = 2\n"
+                           "contact = \"augmented\"\n");
+
+  for (const char* command : {"run two.toml", "run two.toml --dry-run",
+                              "check two.toml", "describe two.toml"}) {
+    const Ended refused = run(command);
+
+    EXPECT_EQ(refused.exit_code, 2) << command;
+    EXPECT_TRUE(says(refused, "two.toml:25: mesh.counter.fine_radius = \"0.3 "
+                              "length\", which is "))
+        << command << refused.output;
+    EXPECT_TRUE(says(refused, " m, but must be between ")) << refused.output;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+// A run that does not fit into the available memory is refused with both
+// numbers, and so is its plan; nothing is written.
+TEST_F(Messages, RefuseWhatDoesNotFitIntoMemory) {
+  write("small.toml", small_case);
+  const std::string huge =
+      "run small.toml --methods halfspace --set surface.points=65536 "
+      "--set surface.realizations=100";
+
+  const Ended refused = run(huge);
+  const Ended planned = run(huge + " --dry-run");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "small.toml: surface.points = 65536 with 100 "
+                            "realisation(s) needs "))
+      << refused.output;
+  EXPECT_TRUE(says(refused, " TiB of memory, but ")) << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  EXPECT_EQ(planned.exit_code, 0) << planned.output;
+  EXPECT_TRUE(says(planned, "the run would be refused: it needs "))
+      << planned.output;
+}
+
+// The plan of ten million steps takes negligible time, without looking up each
+// of them in the cache. (The shell limits the processor time: the plan once
+// took more than ten minutes of it.)
+TEST_F(Messages, PlanMillionsOfStepsAtOnce) {
+  write("small.toml", small_case);
+
+  const Ended planned =
+      run("run small.toml --methods theory,halfspace --dry-run "
+          "--set load.nominal_pressure.steps=10000 "
+          "--set surface.realizations=1000",
+          "ulimit -t 60;");
+
+  EXPECT_EQ(planned.exit_code, 0) << planned.output;
+  EXPECT_TRUE(says(planned, " 10000000 ")) << planned.output;
+}
+
+TEST_F(Messages, RefuseABadTableOfReferencesBeforeAnythingRuns) {
+  write("small.toml", small_case);
+  write("reference.csv", "quantity,value,unit,uncertainty,source\n"
+                         "gamma_slope,about 0.4,1,0.05,A\n");
+
+  for (const char* command : {"run small.toml", "check small.toml"}) {
+    const Ended refused = run(command);
+
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(says(refused, "reference.csv:2: value = about 0.4"))
+        << refused.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
+
+// Published values are printed beside ours and never change the exit code: here
+// none of our numbers is near them.
+TEST_F(Messages, CheckPrintsPublishedValuesWithoutVerdicts) {
+  write("small.toml",
+        small_case + "[expect]\nbeta = { above = 0, methods = [\"theory\"] "
+                     "}\n");
+  write("reference.csv", "quantity,value,unit,uncertainty,source\n"
+                         "gamma_theory,-70,1,0.5,A\nanother,1,1,0,A\n");
+  ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
+
+  const Ended checked = run("check result");
+
+  EXPECT_EQ(checked.exit_code, 0) << checked.output;
+  EXPECT_TRUE(says(checked, "gamma_theory         -70 +- 0.5: theory 0.42\n"))
+      << checked.output;
+  EXPECT_FALSE(says(checked, "another")) << checked.output;
+}
+
+TEST_F(Messages, NameThePackageOfAMissingEngineBeforeAnythingIsWritten) {
+  const Ended refused = run("run md-lammps", "env PATH=" + folder.string());
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "install the Debian package lammps"))
+      << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/md-lammps/result.h5"));
+}
+
+TEST_F(Messages, NameTheMethodsACaseHas) {
+  write("small.toml", small_case);
+
+  const Ended refused = run("run small.toml --methods fen");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "nearest: fem")) << refused.output;
+}
+
+TEST_F(Messages, NewCaseRunsAndIsNeverOverwritten) {
+  ASSERT_EQ(run("new mine").exit_code, 0);
+
+  const Ended again = run("new mine");
+  const Ended done = run("run mine");
+
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_TRUE(says(again, "already exists")) << again.output;
+  EXPECT_NE(done.exit_code, 2) << done.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/mine/report.html"));
+}
+
+/// 24 x 16 heights [nm] with a tilt, in the text format of Gwyddion.
+std::string map_text() {
+  std::string text = "# Width: 2.4 um\n# Height: 1.6 um\n# Value units: nm\n";
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 24; ++ix)
+      text += std::to_string(0.5 * ix + 4.0 * std::sin(1.1 * ix) *
+                                            std::cos(0.9 * iy + 0.2 * ix)) +
+              (ix == 23 ? "\n" : "\t");
+  return text;
+}
+
+// A map runs without a case file, with loads from light to nearly full contact;
+// the case that `new` writes of it has the same numbers.
+TEST_F(Messages, AMapRunsWithoutACase) {
+  write("map.asc", map_text());
+  const Ended ran =
+      run("run map.asc --contact-modulus '2 GPa' --set load.cycle=load");
+  ASSERT_EQ(ran.exit_code, 0) << ran.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/map/report.html"));
+  EXPECT_TRUE(says(ran, "24 steps: 24 computed")) << ran.output;
+
+  const Ended made = run("new mine --map map.asc --contact-modulus '2 GPa'");
+  ASSERT_EQ(made.exit_code, 0) << made.output;
+  EXPECT_TRUE(says(made, "24 x 16 points, 2.4 x 1.6 um")) << made.output;
+  EXPECT_TRUE(says(made, "run it with: asperity run mine")) << made.output;
+  const Ended again = run("run mine --no-report");
+  EXPECT_TRUE(says(again, "0 computed, 24 from the cache")) << again.output;
+}
+
+TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
+  write("map.asc", map_text());
+  write("small.toml", small_case);
+  const Ended without = run("run map.asc");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_TRUE(says(without, "map.asc is not a case file (.toml); to press it "
+                            "as a measured map, please add --contact-modulus"))
+      << without.output;
+  const Ended with_case = run("run small.toml --contact-modulus '2 GPa'");
+  EXPECT_EQ(with_case.exit_code, 2);
+  EXPECT_TRUE(says(with_case, "--set material.contact_modulus=..."))
+      << with_case.output;
+  const Ended unit = run("run map.asc --contact-modulus '2 GPb'");
+  EXPECT_EQ(unit.exit_code, 2);
+  EXPECT_TRUE(says(unit, "--contact-modulus = \"2 GPb\" has the unknown unit"))
+      << unit.output;
+  write("plain.asc", "1 2 3\n2 4 1\n5 2 2\n");
+  const Ended number = run("run map.asc --contact-modulus 2e9");
+  EXPECT_EQ(number.exit_code, 2);
+  EXPECT_TRUE(says(number, "--contact-modulus = \"2e9\" has no unit; write "
+                           "\"2e9 Pa\"\n"))
+      << number.output;
+  EXPECT_EQ(run("new plain --map plain.asc --contact-modulus 2e9").exit_code,
+            2);
+  EXPECT_FALSE(std::filesystem::exists(folder / "plain"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {
+  EXPECT_EQ(run("runn polymer").exit_code, 2);
+  EXPECT_EQ(run("run polymer --treads 2").exit_code, 2);
+  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("--help").exit_code, 0);
+}
+
+TEST_F(Messages, ListAndSchemaPrintTheirContent) {
+  const Ended listed = run("list");
+  for (const char* name : {"polymer", "polymer-nominal", "hertz", "wave-1d",
+                           "wave-2d", "self-affine"})
+    EXPECT_TRUE(says(listed, name)) << name;
+  EXPECT_TRUE(says(run("schema"), "\"$schema\""));
+}
+
+TEST_F(Messages, CheckFailsWhenAnExpectationDoes) {
+  write("strict.toml", small_case +
+                           "[expect]\niterations_max = { below = 1, methods = "
+                           "[\"halfspace\"] }\n");
+
+  const Ended checked = run("check strict.toml --junit junit.xml");
+
+  EXPECT_EQ(checked.exit_code, 1) << checked.output;
+  EXPECT_TRUE(says(checked, "failed")) << checked.output;
+  EXPECT_NE(text_of(folder / "junit.xml").find("<failure"), std::string::npos);
+  EXPECT_EQ(run("check out/strict").exit_code, 1);
+}
+
+// A case in which nothing was checked does not pass: neither without an
+// expectation nor if all expectations concern excluded methods.
+TEST_F(Messages, CheckDoesNotPassWhereNothingWasChecked) {
+  write("bare.toml", small_case);
+  write("partial.toml",
+        small_case + "[expect]\niterations_max = { below = 100, methods = "
+                     "[\"halfspace\"] }\n");
+  ASSERT_EQ(run("run bare.toml --methods theory").exit_code, 0);
+  ASSERT_EQ(run("run partial.toml --methods theory").exit_code, 0);
+
+  const Ended bare = run("check out/bare --junit junit.xml");
+  const Ended partial = run("check out/partial");
+
+  EXPECT_EQ(bare.exit_code, 2);
+  EXPECT_TRUE(says(bare, "out/bare: nothing was checked: the case states no "
+                         "expectation; put one under [expect]"))
+      << bare.output;
+  EXPECT_NE(text_of(folder / "junit.xml").find("<skipped"), std::string::npos);
+  EXPECT_EQ(partial.exit_code, 2);
+  EXPECT_TRUE(says(partial, "concern halfspace, which the result does not "
+                            "have; run the case with them"))
+      << partial.output;
+}
+
+TEST_F(Messages, AFlatMapIsNamed) {
+  write("flat.txt", "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n");
+  std::string text = small_case;
+  const std::size_t first = text.find("kind =");
+  text.replace(first, text.find("[material]") - first,
+               "kind = \"measured\"\nfile = \"flat.txt\"\nformat = "
+               "\"plain\"\nlength = \"1 um\"\nheight_unit = \"1 nm\"\n"
+               "level = \"plane\"\nedges = \"periodic\"\n");
+  write("flat.toml", text);
+
+  const Ended refused = run("run flat.toml --methods halfspace");
+
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(says(refused, "flat.txt: the surface is flat: after levelling"))
+      << refused.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST_F(Messages, ReportWorksFromInsideTheFolder) {
+  write("small.toml", small_case);
+  ASSERT_EQ(run("run small.toml --methods theory --out .").exit_code, 0);
+
+  EXPECT_EQ(run("report result.h5").exit_code, 0);
+  std::filesystem::remove(folder / "report.html");
+
+  const Ended two = run("report result.h5 .");
+  EXPECT_EQ(two.exit_code, 0) << two.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/comparison/report.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "report.html"));
+}
+
+TEST_F(Messages, ReportOfNothingIsRefused) {
+  const Ended lost = run("report nowhere");
+
+  EXPECT_EQ(lost.exit_code, 2);
+  EXPECT_TRUE(says(lost, "nowhere")) << lost.output;
+}
+
+} // namespace asperity::program::messages_test

@@ -1,0 +1,75 @@
+#pragma once
+
+// Runs the built program as a user would, in a temporary folder.
+
+#include "tests/folder.hpp"
+#include "tests/rough_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+
+namespace asperity::program {
+
+struct Ended {
+  int exit_code = -1; ///< 128 + signal if it was killed
+  std::string output; ///< standard output and error together
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+class ProgramTest : public tests::FolderTest {
+protected:
+  /// `before` precedes the program: environment, or "timeout -s KILL 1".
+  Ended run(const std::string& arguments,
+            const std::string& before = "") const {
+    const std::filesystem::path log = folder / "log.txt";
+    const std::string command =
+        "cd " + folder.string() + " && ASPERITY_CACHE=cache " + before +
+        " " ASPERITY_PROGRAM " " + arguments + " > " + log.string() + " 2>&1";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            text_of(log)};
+  }
+
+  /// The same, with one SIGINT as from Ctrl-C as soon as `file` exists. The
+  /// program runs in the background, because timeout(1) may send the signal
+  /// twice.
+  Ended interrupt(const std::string& arguments, const std::string& file) const {
+    write("interrupt.sh", "\"$@\" &\n"
+                          "until test -e " +
+                              file +
+                              " || ! kill -0 $! 2>&-; do\n"
+                              "  sleep 0.01\n"
+                              "done\n"
+                              "kill -INT $! && wait $!\n");
+    return run(arguments, "sh interrupt.sh");
+  }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+  }
+};
+
+/// A case that takes seconds: every method, two realisations, four loads.
+inline const std::string small_case = tests::rough_case(
+    "small", 64,
+    R"({ from = "1e-3 E*", to = "5e-2 E*", steps = 4, spacing = "log" })",
+    R"([halfspace]
+contact = "hard"
+[fem]
+contact = "penalty"
+penalty = "100 E*/h"
+)");
+
+} // namespace asperity::program
