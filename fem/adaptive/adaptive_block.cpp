@@ -242,13 +242,13 @@ bool AdaptiveBlock::change_mesh(const BlockSolution& found, const Step& step,
 void AdaptiveBlock::rebuild(MeshChange& change,
                             std::span<const double> pressure) {
   const BlockSpace& space = block_->system().space();
-  const ContactNewton& newton = block_->newton();
+  const ContactState& state = block_->newton().state();
   ContactStart start{space.make_vector(),
                      {},
-                     newton.rigid_gap(),
-                     newton.highest(),
-                     newton.far_pressure()};
-  MeshChange::Vector whole = newton.displacement();
+                     state.rigid_gap,
+                     state.highest,
+                     state.far_pressure};
+  MeshChange::Vector whole = state.displacement;
   space.constraints().distribute(whole);
   std::unique_ptr<MeshedBlock> old = std::move(block_);
   const BlockOutput output = old->output();

@@ -1,7 +1,7 @@
 #include "fem/adaptive/refinement_rule.hpp"
 
-#include "fem/solution/stress_indicator.hpp"
 #include "fem/block/block_triangulation.hpp"
+#include "fem/solution/stress_indicator.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -62,7 +62,7 @@ RefinementRule::RefinementRule(const BlockProblem& problem,
       finest_level_(problem.adaptive->halvings),
       marks_(fields_of(problem, system_, found, contact_pressure)),
       materials_(problem),
-      indicator_(stress_indicator(system_, block.newton().displacement(),
+      indicator_(stress_indicator(system_, block.newton().state().displacement,
                                   problem.adaptive->moduli_ratio)) {
   for (const auto& cell :
        system_.space().triangulation().active_cell_iterators())

@@ -12,15 +12,7 @@
 
 namespace asperity::fem {
 
-using dealii::Utilities::MPI::max;
 using dealii::Utilities::MPI::sum;
-using Vector = dealii::TrilinosWrappers::MPI::Vector;
-
-double larger_residual(double largest, double residual) {
-  if (std::isnan(residual))
-    return std::numeric_limits<double>::infinity();
-  return std::max(largest, residual);
-}
 
 ContactNewton::ContactNewton(const BlockSystem& system,
                              LinearSolver linear_solver,
@@ -28,17 +20,11 @@ ContactNewton::ContactNewton(const BlockSystem& system,
                              std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
       solver_(system, linear_solver, std::move(own), std::move(matrix_free)),
-      stiffness_scale_(system.face_shear_modulus() / system.grid().spacing_x()),
-      displacement_(system.space().make_vector()),
-      multiplier_(system.contact().size(), 0.0),
-      pressure_(system.contact().size(), 0.0),
-      heights_(system.contact().size(), 0.0),
-      face_displacement_(system.contact().size(), 0.0),
-      elastic_(displacement_),
-      imbalance_(displacement_),
-      by_imbalance_(displacement_),
-      by_approach_(displacement_),
-      by_far_pressure_(displacement_) {}
+      state_(system, solver_),
+      step_(system, solver_, state_),
+      newton_(state_, step_),
+      augmented_(state_, newton_),
+      active_set_(state_, step_) {}
 
 bool ContactNewton::solve_linear(std::span<const double> pressure,
                                  Vector& displacement) {
@@ -49,7 +35,7 @@ bool ContactNewton::solve_linear(std::span<const double> pressure,
     total += forces[i] = points[i].area * pressure[i];
   Vector right = system_.space().make_vector();
   points.add_force(forces, right);
-  right.add(-sum(total, MPI_COMM_WORLD) / area(), system_.far_load());
+  right.add(-sum(total, MPI_COMM_WORLD) / state_.area(), system_.far_load());
   solver_.set_contact(std::vector<double>(points.size(), 0.0),
                       std::vector<bool>(points.size(), false));
   displacement = 0.0;
@@ -57,143 +43,114 @@ bool ContactNewton::solve_linear(std::span<const double> pressure,
 }
 
 void ContactNewton::start_from(ContactStart start) {
-  displacement_ = start.displacement;
-  pressure_ = std::move(start.pressure);
-  rigid_gap_ = start.rigid_gap;
-  highest_ = start.highest;
-  far_pressure_ = start.far_pressure;
-  system_.contact().take_displacement(displacement_, face_displacement_);
-  solver_.multiply(elastic_, displacement_);
+  state_.displacement = start.displacement;
+  state_.pressure = std::move(start.pressure);
+  state_.rigid_gap = start.rigid_gap;
+  state_.highest = start.highest;
+  state_.far_pressure = start.far_pressure;
+  state_.follow_displacement();
 }
 
-double ContactNewton::mean_gap() const {
-  double mean = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    mean += system_.contact()[i].area * gap(i);
-  return sum(mean, MPI_COMM_WORLD) / area();
-}
-
-double ContactNewton::borne() const {
-  double force = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    force += system_.contact()[i].area * pressure_[i];
-  return sum(force, MPI_COMM_WORLD);
-}
-
-/// Stores heights relative to the highest at a contact point: the points that
-/// carry a small load lie near it, and the gap there is then not a difference
-/// of large numbers. The map may be higher between the points. The position of
-/// the block does not change.
-void ContactNewton::take_heights(std::vector<double> heights) {
-  double highest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    if (system_.contact()[i].is_opposed)
-      highest = std::max(highest, heights[i]);
-  highest = max(highest, MPI_COMM_WORLD);
-  rigid_gap_ += highest_ - highest;
-  highest_ = highest;
-  heights_ = std::move(heights);
-  for (double& height : heights_)
-    height -= highest;
-}
-
-/// The mean gap [m] of the undeformed block at which its highest point touches.
-/// At a larger one there is no contact. A heterogeneous block may have such a
-/// mean gap under a load, too, by lifting more of the surface than it lowers,
-/// and Newton's method with full steps then finds neither.
-double ContactNewton::touching_mean_gap() const {
-  double depth = 0.0;
-  for (std::size_t i = 0; i < heights_.size(); ++i)
-    depth -= system_.contact()[i].area * heights_[i];
-  return sum(depth, MPI_COMM_WORLD) / area();
-}
-
-/// Sets the solution without contact at a prescribed mean gap, which is known
-/// exactly. The iterations leave a part of the displacement before, against
-/// which no contact force measures.
-void ContactNewton::lift_off(double mean_gap_target) {
-  displacement_ = 0.0;
-  elastic_ = 0.0;
-  far_pressure_ = 0.0;
-  std::fill(face_displacement_.begin(), face_displacement_.end(), 0.0);
-  rigid_gap_ += mean_gap_target - mean_gap();
-}
-
-/// Ends without pressure.
-void ContactNewton::leave_contact(BlockSolution& answer) {
-  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
-  std::fill(pressure_.begin(), pressure_.end(), 0.0);
-  answer.converged = true;
-}
-
-/// Writes the energies and the place of the resultant force.
+/// Writes area, load, mean gap, energies and the place of the resultant force.
 void ContactNewton::add_up(const BlockContact& contact,
                            BlockSolution& answer) const {
   const Grid& grid = system_.grid();
   const int middle_x = grid.points_x / 2, middle_y = grid.points_y / 2;
   const dealii::Point<2> middle(middle_x * grid.spacing_x(),
                                 middle_y * grid.spacing_y());
+  double touching = 0.0;
+  for (std::size_t i = 0; i < state_.pressure.size(); ++i)
+    touching += state_.pressure[i] > 0.0 ? system_.contact()[i].area : 0.0;
+  answer.area_by_points = sum(touching, MPI_COMM_WORLD) / state_.area();
+  answer.mean_gap = state_.mean_gap();
+  answer.nominal_pressure = state_.borne() / state_.area();
   // Of a: w; of a p: 1, x, y, w, p.
   std::array<double, 6> sums{};
-  for (std::size_t i = 0; i < pressure_.size(); ++i) {
+  for (std::size_t i = 0; i < state_.pressure.size(); ++i) {
     const ContactPoint& point = system_.contact()[i];
-    const double force = point.area * pressure_[i];
-    const std::array terms{point.area * face_displacement_[i],
+    const double force = point.area * state_.pressure[i];
+    const std::array terms{point.area * state_.face_displacement[i],
                            force,
                            force * (point.place[0] - middle[0]),
                            force * (point.place[1] - middle[1]),
-                           force * face_displacement_[i],
-                           force * pressure_[i]};
+                           force * state_.face_displacement[i],
+                           force * state_.pressure[i]};
     for (std::size_t k = 0; k < terms.size(); ++k)
       sums[k] += terms[k];
   }
   for (double& value : sums)
     value = sum(value, MPI_COMM_WORLD);
   const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
-  answer.elastic_energy = 0.5 * (work - force * displacement / area()) / area();
+  answer.elastic_energy =
+      0.5 * (work - force * displacement / state_.area()) / state_.area();
   if (contact.law == mechanics::ContactLaw::penalty)
-    answer.contact_energy = 0.5 * square / (contact.penalty * area());
+    answer.contact_energy = 0.5 * square / (contact.penalty * state_.area());
   if (force > 0.0)
     answer.pressure_centre = {moment_x / force, moment_y / force};
+}
+
+/// Hard contact, by constraints if these find it, otherwise by augmentation.
+void ContactNewton::search_wall(double height_scale,
+                                const mechanics::LoadTarget& load,
+                                const BlockContact& contact,
+                                BlockSolution& answer) {
+  answer.converged = active_set_.solve(
+      load, contact, contact.tolerance * height_scale, answer);
+  answer.residual = state_.violation(0.0) / height_scale;
+  if (answer.converged || answer.iterations >= contact.max_iterations)
+    return;
+  const std::string why = answer.note;
+  answer.note.clear();
+  augmented_.solve(load, contact, height_scale, answer);
+  answer.note =
+      why + (answer.note.empty() ? "; solved by the augmented Lagrangian"
+                                 : "; augmented Lagrangian: " + answer.note);
+}
+
+void ContactNewton::search(double height_scale,
+                           const mechanics::LoadTarget& load,
+                           const BlockContact& contact, BlockSolution& answer) {
+  const bool is_gap = load.control == mechanics::Control::mean_gap;
+  if (is_gap && load.amount < 0.0 &&
+      contact.law != mechanics::ContactLaw::penalty) {
+    answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
+                              "but must be >= 0 m where nothing overlaps",
+                              load.amount);
+  } else if (is_gap && load.amount >= state_.touching_mean_gap()) {
+    state_.leave_contact();
+    answer.converged = true;
+  } else if (contact.law == mechanics::ContactLaw::hard) {
+    std::ranges::fill(state_.multiplier, 0.0);
+    search_wall(height_scale, load, contact, answer);
+  } else {
+    augmented_.solve(load, contact, height_scale, answer);
+  }
+  if (answer.converged && !is_any(contact_set(state_.pressure)))
+    state_.lift_off(load.amount);
+  if (!answer.converged && newton_.has_linear_failure())
+    answer.note += solver_.advice();
 }
 
 void ContactNewton::solve(std::vector<double> heights, double height_scale,
                           const mechanics::LoadTarget& load,
                           const BlockContact& contact, BlockSolution& answer) {
-  take_heights(std::move(heights));
+  state_.take_heights(std::move(heights));
   const int iterations = solver_.iterations();
   const int setups = solver_.setups();
-  watch_ = contact.watch;
-  progress_ = {.unknowns = system_.n_unknowns()};
-  iterations_before_ = iterations;
-  settled_ = state();
-  is_careful_ = false;
-  has_linear_failure_ = false;
-  const bool is_gap = load.control == mechanics::Control::mean_gap;
-  if (is_gap && load.amount < 0.0 &&
-      contact.law != mechanics::ContactLaw::penalty)
-    answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
-                              "but must be >= 0 m where nothing overlaps",
-                              load.amount);
-  else if (is_gap && load.amount >= touching_mean_gap())
-    leave_contact(answer);
-  else if (contact.law == mechanics::ContactLaw::hard)
-    solve_wall(load, contact, height_scale, answer);
-  else
-    solve_springs(load, contact, height_scale, answer);
-
-  if (answer.converged && !any(contact_set(pressure_)))
-    lift_off(load.amount);
-  if (!answer.converged && has_linear_failure_)
-    answer.note += solver_.advice();
-  double touching = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    touching += pressure_[i] > 0.0 ? system_.contact()[i].area : 0.0;
-  answer.area_by_points = sum(touching, MPI_COMM_WORLD) / area();
+  step_.begin(contact.watch);
+  newton_.begin();
+  search(height_scale, load, contact, answer);
   add_up(contact, answer);
-  answer.mean_gap = mean_gap();
-  answer.nominal_pressure = borne() / area();
-  answer.residual = larger_residual(answer.residual, unbalanced());
+  answer.linear_iterations = solver_.iterations() - iterations;
+  answer.preconditioner_setups = solver_.setups() - setups;
+  answer.linear_solver = solver_.name();
+  answer.memory = solver_.memory();
+  judge(contact.tolerance, answer);
+}
+
+/// Whether what the iterations call converged is balanced and finite.
+void ContactNewton::judge(double tolerance, BlockSolution& answer) {
+  answer.residual = larger_residual(answer.residual, state_.unbalanced());
   // Sums propagate a NaN or an infinity of any point.
   if (!std::isfinite(answer.mean_gap) ||
       !std::isfinite(answer.nominal_pressure)) {
@@ -201,13 +158,9 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
     answer.converged = false;
     answer.note = "a gap or a pressure is not a finite number";
   }
-  answer.linear_iterations = solver_.iterations() - iterations;
-  answer.preconditioner_setups = solver_.setups() - setups;
-  answer.linear_solver = solver_.name();
-  answer.memory = solver_.memory();
-  if (answer.converged && !(answer.residual <= contact.tolerance)) {
+  if (answer.converged && !(answer.residual <= tolerance)) {
     answer.converged = false;
-    answer.note = why_unbalanced(contact.tolerance, answer.residual);
+    answer.note = why_unbalanced(tolerance, answer.residual);
   }
 }
 
@@ -217,7 +170,7 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
 std::string ContactNewton::why_unbalanced(double tolerance,
                                           double residual) const {
   constexpr double most_roundings = 10.0;
-  const double rounding = rounding_force() / largest_force();
+  const double rounding = state_.rounding_force() / state_.largest_force();
   std::string note = fmt::format(
       "the nodal forces are not balanced to the tolerance of "
       "{}: {} of the largest contact force is left",

@@ -147,19 +147,20 @@ ContactStiffness MeshedBlock::stiffness() {
 }
 
 StressPeak MeshedBlock::strongest_stress() const {
-  return BlockStress(system_, newton_.displacement()).strongest();
+  return BlockStress(system_, newton_.state().displacement).strongest();
 }
 
 std::vector<double> MeshedBlock::section(const SectionPlane& plane) const {
-  BlockStress stress(system_, newton_.displacement());
+  BlockStress stress(system_, newton_.state().displacement);
   return von_mises_in(plane, system_.space(), stress);
 }
 
 void MeshedBlock::write(const std::string& folder_and_stem) {
-  BlockStress stress(system_, newton_.displacement());
-  output_.write(folder_and_stem, system_, stress,
-                SurfaceOutput(maps_, newton_, stress.displacement(), heights_),
-                nominal_pressure_);
+  BlockStress stress(system_, newton_.state().displacement);
+  output_.write(
+      folder_and_stem, system_, stress,
+      SurfaceOutput(maps_, newton_.state(), stress.displacement(), heights_),
+      nominal_pressure_);
 }
 
 double MeshedBlock::weighted_mean(std::span<const double> field) const {
@@ -217,7 +218,7 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
 /// @param pressure  the field on the grid
 bool MeshedBlock::is_contact_on_grid(std::span<const double> pressure) const {
   const ContactPoints& points = system_.contact();
-  const std::vector<double>& at_points = newton_.pressure();
+  const std::vector<double>& at_points = newton_.state().pressure;
   unsigned int on_grid = 0;
   unsigned int beside = 0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
@@ -243,7 +244,7 @@ double MeshedBlock::estimated_gap_error(const BlockSolution& solution,
                                         double ratio) const {
   if (!solution.converged || !(solution.nominal_pressure > 0.0))
     return std::numeric_limits<double>::quiet_NaN();
-  const LoadedResponse by_load{newton_.displacement(),
+  const LoadedResponse by_load{newton_.state().displacement,
                                solution.nominal_pressure *
                                    system_.contact().area()};
   // Without a support at the far boundary, an approach alone moves the block.
@@ -265,11 +266,12 @@ BlockSolution MeshedBlock::solve_contact(std::span<const double> heights,
                 answer);
   heights_.assign(heights.begin(), heights.end());
   nominal_pressure_ = answer.nominal_pressure;
-  answer.pressure = maps_.pressure(newton_.pressure());
+  answer.pressure = maps_.pressure(newton_.state().pressure);
   answer.is_contact_on_grid = is_contact_on_grid(answer.pressure);
-  answer.gap = maps_.displacement(newton_.displacement());
+  answer.gap = maps_.displacement(newton_.state().displacement);
   for (std::size_t i = 0; i < answer.gap.size(); ++i)
-    answer.gap[i] += newton_.rigid_gap() - (heights[i] - newton_.highest());
+    answer.gap[i] +=
+        newton_.state().rigid_gap - (heights[i] - newton_.state().highest);
   return answer;
 }
 

@@ -179,18 +179,17 @@ Patch patch_of(const SurfaceFace& face, std::size_t index,
 
 } // namespace
 
-SurfaceOutput::SurfaceOutput(const FaceMaps& maps, const ContactNewton& newton,
+SurfaceOutput::SurfaceOutput(const FaceMaps& maps, const ContactState& state,
                              const Vector& displacement,
                              std::span<const double> heights) {
   const BlockSystem& system = maps.system();
   SurfaceFaces surface(system);
-  const Vector unknowns = surface.ghosted(newton.displacement());
-  const Vector nodal =
-      surface.ghosted(nodal_pressure(system, newton.pressure()));
+  const Vector unknowns = surface.ghosted(state.displacement);
+  const Vector nodal = surface.ghosted(nodal_pressure(system, state.pressure));
   const auto pressure_at = [&](const SurfaceNode& node) {
     return system.contact().is_nodal()
                ? std::max(0.0, value_of(node.row, nodal))
-               : newton.pressure()[node.nearest];
+               : state.pressure[node.nearest];
   };
   const auto status_at = [&](const SurfaceNode& node) {
     if (system.contact().is_nodal() && !surface.is_contact_point(node))
@@ -198,8 +197,8 @@ SurfaceOutput::SurfaceOutput(const FaceMaps& maps, const ContactNewton& newton,
     return pressure_at(node) > 0.0 ? 1.0 : 0.0;
   };
   const auto gap_at = [&](const SurfaceNode& node, double height) {
-    return newton.rigid_gap() + value_of(node.row, unknowns) -
-           (height - newton.highest());
+    return state.rigid_gap + value_of(node.row, unknowns) -
+           (height - state.highest);
   };
   const bool is_solved = !heights.empty();
   const std::vector<double> at_nodes =

@@ -4,7 +4,7 @@
 // and contact status on the faces of the mesh.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/newton/contact_newton.hpp"
+#include "fem/newton/contact_state.hpp"
 #include "fem/parallel/step_files.hpp"
 #include "fem/solution/face_maps.hpp"
 
@@ -38,7 +38,7 @@ public:
   /// @param displacement  u at all unknowns of this rank's cells, including
   ///                      constrained ones [m]
   /// @param heights       of the grid [m]; empty before the first solution
-  SurfaceOutput(const FaceMaps& maps, const ContactNewton& newton,
+  SurfaceOutput(const FaceMaps& maps, const ContactState& state,
                 const dealii::TrilinosWrappers::MPI::Vector& displacement,
                 std::span<const double> heights);
 

@@ -4,6 +4,8 @@
 #include "fem/parallel/step_files.hpp"
 #include "fem/solution/block_output.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "tests/fem/bent_block.hpp"
+#include "tests/fem/vtu_reader.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -11,9 +13,6 @@
 
 #include <filesystem>
 #include <fstream>
-
-#include "tests/fem/bent_block.hpp"
-#include "tests/fem/vtu_reader.hpp"
 
 namespace asperity::fem::block_output_test {
 
@@ -205,10 +204,11 @@ TEST_F(BlockFiles, HoldTheStressOfEachPoint) {
       }));
 
   const FaceMaps maps(system);
-  const ContactNewton newton(system, LinearSolver::direct);
+  const BlockSolver solver(system, LinearSolver::direct);
+  const ContactState state(system, solver);
 
   BlockOutput().write(stem(), system, stress,
-                      SurfaceOutput(maps, newton, stress.displacement(), {}),
+                      SurfaceOutput(maps, state, stress.displacement(), {}),
                       1e6);
 
   const Moduli material = moduli({soft_modulus, poisson_});

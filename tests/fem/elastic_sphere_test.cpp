@@ -4,6 +4,8 @@
 #include "meshes/counter_body.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -13,9 +15,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::elastic_sphere_test {
 
@@ -146,7 +145,7 @@ TEST(ElasticBall, ApproachesLikeHertzAndAnElasticBody) {
   for (const double a : {0.07 * length, 0.09 * length, 0.11 * length}) {
     pressed(block, a, modulus);
     loads.push_back(theory::hertz_load(a, ball, modulus));
-    approaches.push_back(-block.newton().rigid_gap());
+    approaches.push_back(-block.newton().state().rigid_gap);
   }
   const auto power = [&](std::size_t i) {
     return std::cbrt(loads[i] * loads[i]);
@@ -221,8 +220,9 @@ TEST(StiffColumn, IsTheRigidPunch) {
   EXPECT_EQ(elastic.area_by_points, rigid.area_by_points);
   const double peak = largest_magnitude(rigid.pressure);
   EXPECT_LT(largest_difference(elastic.pressure, rigid.pressure), 3e-3 * peak);
-  EXPECT_NEAR(on_column.newton().rigid_gap() / alone.newton().rigid_gap(), 1.0,
-              1e-3);
+  EXPECT_NEAR(on_column.newton().state().rigid_gap /
+                  alone.newton().state().rigid_gap,
+              1.0, 1e-3);
 }
 
 } // namespace asperity::fem::elastic_sphere_test

@@ -1,4 +1,4 @@
-#include "fem/newton/contact_newton.hpp"
+#include "fem/newton/linear_step.hpp"
 
 #include <deal.II/base/mpi.h>
 
@@ -10,8 +10,6 @@
 
 namespace asperity::fem {
 namespace {
-
-using dealii::TrilinosWrappers::MPI::Vector;
 
 /// Relative residual at which a linear solve stops. Newton's steps are equally
 /// inexact and continue until the forces balance, so no solve needs to be more
@@ -49,66 +47,50 @@ struct Border {
 
 } // namespace
 
-void ContactNewton::find_imbalance() {
-  const ContactPoints& points = system_.contact();
-  std::vector<double> forces(points.size());
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] = -points[i].area * pressure_[i];
-  imbalance_ = 0.0;
-  points.add_force(forces, imbalance_);
-  imbalance_ += elastic_;
-  imbalance_.add(far_pressure_, system_.far_load());
+LinearStep::LinearStep(const BlockSystem& system, BlockSolver& solver,
+                       ContactState& state)
+    : system_(system),
+      solver_(solver),
+      state_(state),
+      by_imbalance_(system.space().make_vector()),
+      by_approach_(by_imbalance_),
+      by_far_pressure_(by_imbalance_) {}
+
+void LinearStep::begin(BlockWatch watch) {
+  watch_ = std::move(watch);
+  progress_ = {.unknowns = system_.n_unknowns()};
+  iterations_before_ = solver_.iterations();
 }
 
-double ContactNewton::largest_force() const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    largest = larger_residual(largest, system_.contact()[i].area *
-                                           std::abs(pressure_[i]));
-  return dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
+void LinearStep::tell_linear() {
+  progress_.linear_iterations = solver_.iterations() - iterations_before_;
+  if (watch_)
+    watch_(progress_);
 }
 
-/// The largest unbalanced force, relative to the largest contact force [1].
-double ContactNewton::unbalanced() {
-  find_imbalance();
-  const double largest = largest_force();
-  // A sum propagates a NaN; the maximum norm need not.
-  if (!std::isfinite(imbalance_.l2_norm()))
-    return std::numeric_limits<double>::infinity();
-  return largest > 0.0 ? imbalance_.linfty_norm() / largest : 0.0;
-}
-
-/// The largest nodal force [N] by which displacements differ that differ by
-/// half a unit in the last place, with signs from the bits of their values. No
-/// solution in double precision is balanced much better.
-double ContactNewton::rounding_force() const {
-  constexpr double half = 0.5 * std::numeric_limits<double>::epsilon();
-  Vector rounding(displacement_);
-  for (const auto unknown : rounding.locally_owned_elements()) {
-    const bool is_odd = std::hash<double>{}(rounding(unknown)) % 2 == 1;
-    rounding(unknown) = (is_odd ? -half : half) * displacement_(unknown);
-  }
-  rounding.compress(dealii::VectorOperation::insert);
-  Vector forces(rounding);
-  solver_.multiply(forces, rounding);
-  return forces.linfty_norm();
+void LinearStep::tell(int iterations, double imbalance, int changed_points) {
+  progress_.iterations = iterations;
+  progress_.residual = imbalance;
+  progress_.changed_points = changed_points;
+  tell_linear();
 }
 
 /// The force per unit of approach, as an l2 norm over the points [N/m]. A
 /// spring stiffer than the block counts with the stiffness of the block. The
 /// result is infinite without springs.
-double ContactNewton::stiffness_of(std::span<const double> springs) const {
+double LinearStep::stiffness_of(std::span<const double> springs) const {
   double square = 0.0;
   for (std::size_t i = 0; i < springs.size(); ++i)
-    square += std::pow(
-        std::min(springs[i], stiffness_scale_ * system_.contact()[i].area), 2);
+    square += std::pow(std::min(springs[i], state_.stiffness_scale() *
+                                                system_.contact()[i].area),
+                       2);
   square = dealii::Utilities::MPI::sum(square, MPI_COMM_WORLD);
   return square > 0.0 ? std::sqrt(square)
                       : std::numeric_limits<double>::infinity();
 }
 
 /// The relative residual at which a linear solve stops.
-double ContactNewton::relative_tolerance(bool has_wall) const {
+double LinearStep::relative_tolerance(bool has_wall) const {
   const double usual =
       solver_.tightness() * (has_wall ? loose_on_wall : loose_on_springs);
   return is_careful_ ? std::min(usual, careful) : usual;
@@ -119,9 +101,9 @@ double ContactNewton::relative_tolerance(bool has_wall) const {
 /// `answer`.
 /// @param range  bounds on the l2 norm of the residual, in the unit of the
 ///               forces
-bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
-                              std::span<const double> held_displacement,
-                              const Range& range) {
+bool LinearStep::solve_for(Vector& answer, const Vector& forces,
+                           std::span<const double> held_displacement,
+                           const Range& range) {
   const ContactPoints& points = system_.contact();
   // A rank may have no points at all.
   const bool has_wall =
@@ -151,46 +133,42 @@ bool ContactNewton::solve_for(Vector& answer, const Vector& forces,
                  range.finest, range.coarsest);
   if (!solver_.solve(answer, right, tolerance))
     return false;
-  report();
+  tell_linear();
   answer += held;
   return true;
 }
 
-/// Solves (F.1), which is linear for a fixed contact set, for the changes of u,
-/// d and P: u by block elimination, d and P from the two scalar equations. The
-/// response of the block to a unit approach or pressure is the same in every
-/// step on one contact set, so its accuracy grows with the number of
-/// `refinements`.
-bool ContactNewton::step(const mechanics::LoadTarget& load,
-                         std::span<const double> springs,
-                         const std::vector<bool>& held, double tolerance,
-                         int refinements) {
+bool LinearStep::take(const mechanics::LoadTarget& load,
+                      std::span<const double> springs, const ContactSet& held,
+                      const StepAccuracy& accuracy) {
   const ContactPoints& points = system_.contact();
+  is_careful_ = accuracy.is_careful;
   const bool is_load = load.control == mechanics::Control::nominal_pressure;
   if (is_load)
-    far_pressure_ = load.amount; // d is then the only scalar unknown
+    state_.far_pressure = load.amount; // d is then the only scalar unknown
   solver_.set_contact(springs, held);
-  find_imbalance();
+  state_.find_imbalance();
 
   constexpr double is_free = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> to_wall, with_wall, at_rest;
-  if (any(held)) {
+  if (is_any(held)) {
     to_wall.assign(points.size(), is_free);
     with_wall = at_rest = to_wall;
     for (std::size_t i = 0; i < points.size(); ++i)
       if (held[i]) {
-        to_wall[i] = -gap(i);
+        to_wall[i] = -state_.gap(i);
         with_wall[i] = -1.0;
         at_rest[i] = 0.0;
       }
   }
-  Vector forces(imbalance_);
+  Vector forces(state_.imbalance);
   forces *= -1.0;
   by_imbalance_ = 0.0;
-  if (!solve_for(by_imbalance_, forces, to_wall,
-                 {.finest = finest * tolerance * largest_force()}))
+  if (!solve_for(
+          by_imbalance_, forces, to_wall,
+          {.finest = finest * accuracy.tolerance * state_.largest_force()}))
     return false;
-  const double share = std::pow(sharpening, refinements);
+  const double share = std::pow(sharpening, accuracy.refinements);
   std::vector<double> pushes(springs.begin(), springs.end());
   for (double& push : pushes)
     push = -push;
@@ -207,14 +185,14 @@ bool ContactNewton::step(const mechanics::LoadTarget& load,
     by_far_pressure_ = 0.0;
   else if (!solve_for(by_far_pressure_, forces, at_rest, {.share = share}))
     return false;
-  return border(load, springs, held);
+  return solve_scalars(load, springs, held);
 }
 
 /// Solves the two scalar equations, force balance and control, and applies the
 /// step.
-bool ContactNewton::border(const mechanics::LoadTarget& load,
-                           std::span<const double> springs,
-                           const std::vector<bool>& held) {
+bool LinearStep::solve_scalars(const mechanics::LoadTarget& load,
+                               std::span<const double> springs,
+                               const ContactSet& held) {
   const ContactPoints& points = system_.contact();
   const std::array<Vector*, 3> responses{&by_imbalance_, &by_approach_,
                                          &by_far_pressure_};
@@ -222,7 +200,7 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
   // causes.
   std::vector<double> sums(6, 0.0);
   std::vector<double> at_points;
-  Vector reaction(imbalance_);
+  Vector reaction(state_.imbalance);
   for (std::size_t r = 0; r < 3; ++r) {
     if (r == 2 && responses[r]->linfty_norm() == 0.0)
       continue; // the far boundary is held
@@ -240,32 +218,32 @@ bool ContactNewton::border(const mechanics::LoadTarget& load,
   // points it is contained in p.
   double now = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    now += points[i].area * pressure_[i] +
-           (held[i] ? imbalance_(points[i].row.front().first) : 0.0);
+    now += points[i].area * state_.pressure[i] +
+           (held[i] ? state_.imbalance(points[i].row.front().first) : 0.0);
   dealii::Utilities::MPI::sum(sums, MPI_COMM_WORLD, sums);
   now = dealii::Utilities::MPI::sum(now, MPI_COMM_WORLD);
 
   Border scalars;
   scalars.force_d = sums[4];
   approach_stiffness_ = -sums[4];
-  scalars.force_pressure = sums[5] - area();
-  scalars.force_right = far_pressure_ * area() - now - sums[3];
+  scalars.force_pressure = sums[5] - state_.area();
+  scalars.force_right = state_.far_pressure * state_.area() - now - sums[3];
   if (load.control == mechanics::Control::nominal_pressure) {
     scalars.control_pressure = 1.0;
   } else {
-    scalars.control_d = sums[1] / area();
-    scalars.control_pressure = sums[2] / area();
-    scalars.control_right = load.amount - mean_gap() - sums[0] / area();
+    scalars.control_d = sums[1] / state_.area();
+    scalars.control_pressure = sums[2] / state_.area();
+    scalars.control_right =
+        load.amount - state_.mean_gap() - sums[0] / state_.area();
   }
   const auto [approach, pressure] = scalars.solution();
   if (!std::isfinite(approach) || !std::isfinite(pressure))
     return false;
-  displacement_ += by_imbalance_;
-  displacement_.add(approach, by_approach_, pressure, by_far_pressure_);
-  rigid_gap_ += approach;
-  far_pressure_ += pressure;
-  points.take_displacement(displacement_, face_displacement_);
-  solver_.multiply(elastic_, displacement_);
+  state_.displacement += by_imbalance_;
+  state_.displacement.add(approach, by_approach_, pressure, by_far_pressure_);
+  state_.rigid_gap += approach;
+  state_.far_pressure += pressure;
+  state_.follow_displacement();
   return true;
 }
 

@@ -1,5 +1,6 @@
+#include "fem/newton/augmented_lagrangian.hpp"
+
 #include "base/require.hpp"
-#include "fem/newton/contact_newton.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -35,51 +36,39 @@ constexpr double roundoff_share = 0.1;
 /// The working penalty in Newton's method. A penalty within the bounds is used
 /// itself; for hard contact the solution does not depend on the working
 /// penalty.
-double ContactNewton::own_spring(const BlockContact& contact) const {
+double AugmentedLagrangian::first_penalty(const BlockContact& contact) const {
   const double low = contact.law == mechanics::ContactLaw::penalty
                          ? 0.0
-                         : softest_spring * stiffness_scale_;
-  return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
+                         : softest_spring * state_.stiffness_scale();
+  return std::clamp(contact.penalty, low,
+                    stiffest_spring * state_.stiffness_scale());
 }
 
 /// The working penalty [Pa/m] above which the roundoff of a gap in contact, the
 /// difference of rigid gap, displacement and height, is no longer small in the
 /// pressure.
-double ContactNewton::stiffest_penalty(double tolerance) const {
+double AugmentedLagrangian::stiffest_penalty(double tolerance) const {
   double length =
-      std::max(std::abs(rigid_gap_), std::numeric_limits<double>::min());
+      std::max(std::abs(state_.rigid_gap), std::numeric_limits<double>::min());
   double highest = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i) {
-    if (pressure_[i] <= 0.0)
+  for (std::size_t i = 0; i < state_.pressure.size(); ++i) {
+    if (state_.pressure[i] <= 0.0)
       continue;
-    length = std::max(
-        {length, std::abs(face_displacement_[i]), std::abs(heights_[i])});
-    highest = std::max(highest, pressure_[i]);
+    length = std::max({length, std::abs(state_.face_displacement[i]),
+                       std::abs(state_.heights[i])});
+    highest = std::max(highest, state_.pressure[i]);
   }
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return roundoff_share * tolerance * max(highest, MPI_COMM_WORLD) /
          (epsilon * max(length, MPI_COMM_WORLD));
 }
 
-/// The violation of the contact law: the largest |gap + c p| in contact and the
-/// largest penetration outside of contact.
-double ContactNewton::violation(double compliance) const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i)
-    if (system_.contact()[i].is_opposed)
-      largest = larger_residual(
-          largest, pressure_[i] > 0.0
-                       ? std::abs(gap(i) + compliance * pressure_[i])
-                       : -gap(i));
-  return max(largest, MPI_COMM_WORLD);
-}
-
 /// The next working penalty [Pa/m] if augmentations with the present one reduce
 /// the violation slowly, because modes of the block are stiffer: a thin, nearly
 /// incompressible coating is stiffer than its shear modulus per node spacing by
 /// a factor of 1e4 and more. A penalty stays softer than that of the contact.
-double ContactNewton::stiffer_penalty(const BlockContact& working,
-                                      const BlockContact& contact) const {
+double AugmentedLagrangian::stiffer_penalty(const BlockContact& working,
+                                            const BlockContact& contact) const {
   double limit = stiffest_penalty(working.tolerance);
   if (contact.law == mechanics::ContactLaw::penalty)
     limit = std::min(limit, contact.penalty);
@@ -90,28 +79,29 @@ double ContactNewton::stiffer_penalty(const BlockContact& working,
 /// one, because the roundoff of a gap is not small in its pressure. The first
 /// penalty is a multiple of the largest shear modulus at the contact surface,
 /// but the displacement is that of the softest cells.
-double ContactNewton::softer_penalty(const BlockContact& working) {
-  if (unbalanced() <= working.tolerance)
+double AugmentedLagrangian::softer_penalty(const BlockContact& working) {
+  if (state_.unbalanced() <= working.tolerance)
     return working.penalty;
   return std::min(working.penalty,
-                  std::max(softest_spring * stiffness_scale_,
+                  std::max(softest_spring * state_.stiffness_scale(),
                            stiffest_penalty(working.tolerance)));
 }
 
-void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
-                                  const BlockContact& contact,
-                                  double height_scale, BlockSolution& answer) {
-  std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
+void AugmentedLagrangian::solve(const mechanics::LoadTarget& load,
+                                const BlockContact& contact,
+                                double height_scale, BlockSolution& answer) {
+  std::fill(state_.multiplier.begin(), state_.multiplier.end(), 0.0);
   BlockContact spring = contact;
-  spring.penalty = own_spring(contact);
+  spring.penalty = first_penalty(contact);
   const double compliance = contact.law == mechanics::ContactLaw::penalty
                                 ? 1.0 / contact.penalty
                                 : 0.0;
   double last = std::numeric_limits<double>::infinity();
-  while (newton(load, spring, answer)) {
+  while (newton_.solve(load, spring, answer)) {
     const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
                         spring.penalty == contact.penalty;
-    answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
+    answer.residual =
+        is_own ? 0.0 : state_.violation(compliance) / height_scale;
     const double softer = softer_penalty(spring);
     answer.converged =
         answer.residual <= contact.tolerance && softer == spring.penalty;
@@ -129,8 +119,8 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
     // The part of a pressure that the working penalty does not represent in the
     // gap.
     const double kept = 1.0 - spring.penalty * compliance;
-    for (std::size_t i = 0; i < multiplier_.size(); ++i)
-      multiplier_[i] = kept * (pressure_[i] + missing);
+    for (std::size_t i = 0; i < state_.multiplier.size(); ++i)
+      state_.multiplier[i] = kept * (state_.pressure[i] + missing);
   }
 }
 
@@ -139,24 +129,25 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
 /// the mean gap under a penalty k is minus the nominal pressure over k, so that
 /// the multipliers need not approach this pressure in steps of the working
 /// penalty.
-double ContactNewton::missing_pressure(const mechanics::LoadTarget& load,
-                                       double compliance) const {
+double AugmentedLagrangian::missing_pressure(const mechanics::LoadTarget& load,
+                                             double compliance) const {
   const bool is_full = std::ranges::all_of(
-      pressure_, [](double pressure) { return pressure > 0.0; });
+      state_.pressure, [](double pressure) { return pressure > 0.0; });
   if (load.control != mechanics::Control::mean_gap || compliance == 0.0 ||
       min(is_full ? 1 : 0, MPI_COMM_WORLD) == 0)
     return 0.0;
-  return std::max(0.0, -load.amount / compliance - borne() / area());
+  return std::max(0.0,
+                  -load.amount / compliance - state_.borne() / state_.area());
 }
 
 /// Whether the gaps are known to the tolerance [m] under a nominal pressure
 /// that is greater by `missing` [Pa]. The rigid gap grows with the pressure, by
 /// the compression of the block, and gaps are differences from it.
-bool ContactNewton::can_bear(double missing, double gap_tolerance,
-                             BlockSolution& answer) const {
-  const double pressure = borne() / area() + missing;
+bool AugmentedLagrangian::can_bear(double missing, double gap_tolerance,
+                                   BlockSolution& answer) const {
+  const double pressure = state_.borne() / state_.area() + missing;
   const double compression =
-      std::abs(rigid_gap_) / (borne() / area()) * pressure;
+      std::abs(state_.rigid_gap) / (state_.borne() / state_.area()) * pressure;
   const double roundoff = std::numeric_limits<double>::epsilon() * compression;
   if (roundoff <= gap_tolerance)
     return true;

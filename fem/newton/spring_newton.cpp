@@ -1,4 +1,4 @@
-#include "fem/newton/contact_newton.hpp"
+#include "fem/newton/spring_newton.hpp"
 
 #include <boost/math/tools/toms748_solve.hpp>
 #include <deal.II/base/mpi.h>
@@ -87,31 +87,92 @@ std::optional<Bracket> first_bracket(const Excess& function, double guess) {
 
 } // namespace
 
-ContactNewton::State ContactNewton::state() const {
-  return {displacement_, elastic_, face_displacement_, rigid_gap_};
+void SpringNewton::begin() {
+  settled_ = state_.placement();
+  has_linear_failure_ = false;
 }
 
-void ContactNewton::return_to(const State& state, double penalty) {
-  displacement_ = state.displacement;
-  elastic_ = state.elastic;
-  face_displacement_ = state.face_displacement;
-  rigid_gap_ = state.rigid_gap;
-  update_pressure(penalty);
+bool SpringNewton::solve(const mechanics::LoadTarget& load,
+                         const BlockContact& contact, BlockSolution& answer) {
+  return iterate(load, contact, answer, false);
+}
+
+void SpringNewton::return_to(const ContactState::Placement& placement,
+                             double penalty) {
+  state_.return_to(placement);
+  state_.press_springs(penalty);
+}
+
+/// @param is_hard_to_find  full steps have not found the contact set
+bool SpringNewton::iterate(const mechanics::LoadTarget& load,
+                           const BlockContact& contact, BlockSolution& answer,
+                           bool is_hard_to_find) {
+  const bool is_load = load.control == mechanics::Control::nominal_pressure;
+  const double penalty = contact.penalty;
+  const ContactSet nothing(state_.pressure.size(), false);
+  std::vector<double> springs(state_.pressure.size());
+  ContactIteration iteration(contact.tolerance);
+  if (is_hard_to_find)
+    iteration.expect_cycles();
+  state_.press_springs(penalty);
+  while (answer.iterations < contact.max_iterations) {
+    const bool is_cycling = iteration.is_cycling();
+    if (is_cycling && !is_load) {
+      iteration.take_full_steps();
+      if (!approach_by_load(load.amount, contact, answer))
+        return false;
+    }
+    const ContactSet before = contact_set(state_.pressure);
+    ++answer.iterations;
+    if (is_load && !is_any(before)) {
+      state_.rigid_gap = state_.touching_gap(load.amount, penalty);
+      state_.press_springs(penalty);
+      continue;
+    }
+    for (std::size_t i = 0; i < springs.size(); ++i)
+      springs[i] = before[i] ? penalty * state_.points()[i].area : 0.0;
+    std::optional<ContactState::Placement> start;
+    if (is_cycling && is_load)
+      start = state_.placement();
+    if (!step_.take(load, springs, nothing, iteration.accuracy_on_springs())) {
+      if (!iteration.is_cycling()) { // a full step may lead anywhere
+        return_to(settled_, penalty);
+        iteration.expect_cycles();
+        continue;
+      }
+      answer.note = step_.failure();
+      has_linear_failure_ = true;
+      return false;
+    }
+    if (start)
+      shorten_step(*start, penalty);
+    state_.press_springs(penalty);
+    const int changed = n_changed(contact_set(state_.pressure), before);
+    const double imbalance = state_.unbalanced();
+    step_.tell(answer.iterations, imbalance, changed);
+    if (iteration.has_ended(changed, imbalance)) {
+      settled_ = state_.placement();
+      return true;
+    }
+  }
+  answer.note = "the contact set did not converge";
+  return false;
 }
 
 /// Sums a_c p_c dgap_c/dt [N m] over the points of all ranks, at the share t of
 /// the step from `before` to the present state.
-double ContactNewton::contact_work(const State& before, double share,
-                                   double penalty) const {
+double SpringNewton::contact_work(const ContactState::Placement& before,
+                                  double share, double penalty) const {
   double work = 0.0;
-  for (std::size_t i = 0; i < pressure_.size(); ++i) {
-    if (!system_.contact()[i].is_opposed)
+  for (std::size_t i = 0; i < state_.pressure.size(); ++i) {
+    if (!state_.points()[i].is_opposed)
       continue;
-    const double moved = rigid_gap_ - before.rigid_gap + face_displacement_[i] -
+    const double moved = state_.rigid_gap - before.rigid_gap +
+                         state_.face_displacement[i] -
                          before.face_displacement[i];
-    const double gap_there = gap(i) - (1.0 - share) * moved;
-    work += system_.contact()[i].area *
-            std::max(0.0, multiplier_[i] - penalty * gap_there) * moved;
+    const double gap_there = state_.gap(i) - (1.0 - share) * moved;
+    work += state_.points()[i].area *
+            std::max(0.0, state_.multiplier[i] - penalty * gap_there) * moved;
   }
   return dealii::Utilities::MPI::sum(work, MPI_COMM_WORLD);
 }
@@ -124,14 +185,16 @@ double ContactNewton::contact_work(const State& before, double share,
 ///
 /// which is convex, so that its derivative along the step increases and the
 /// step of Newton's method descends.
-void ContactNewton::shorten_step(const State& before, double penalty) {
-  dealii::TrilinosWrappers::MPI::Vector step(displacement_);
+void SpringNewton::shorten_step(const ContactState::Placement& before,
+                                double penalty) {
+  dealii::TrilinosWrappers::MPI::Vector step(state_.displacement);
   step -= before.displacement;
   const double start =
       before.elastic * step +
-      far_pressure_ * (system_.far_load() * step +
-                       area() * (rigid_gap_ - before.rigid_gap));
-  const double increase = elastic_ * step - before.elastic * step;
+      state_.far_pressure *
+          (state_.far_load() * step +
+           state_.area() * (state_.rigid_gap - before.rigid_gap));
+  const double increase = state_.elastic * step - before.elastic * step;
   const auto derivative = [&](double share) {
     return start + share * increase - contact_work(before, share, penalty);
   };
@@ -143,36 +206,36 @@ void ContactNewton::shorten_step(const State& before, double penalty) {
     const double middle = 0.5 * (low + high);
     (derivative(middle) > 0.0 ? high : low) = middle;
   }
-  displacement_.sadd(high, 1.0 - high, before.displacement);
-  elastic_.sadd(high, 1.0 - high, before.elastic);
-  for (std::size_t i = 0; i < face_displacement_.size(); ++i)
-    face_displacement_[i] +=
-        (1.0 - high) * (before.face_displacement[i] - face_displacement_[i]);
-  rigid_gap_ += (1.0 - high) * (before.rigid_gap - rigid_gap_);
+  state_.displacement.sadd(high, 1.0 - high, before.displacement);
+  state_.elastic.sadd(high, 1.0 - high, before.elastic);
+  for (std::size_t i = 0; i < state_.face_displacement.size(); ++i)
+    state_.face_displacement[i] += (1.0 - high) * (before.face_displacement[i] -
+                                                   state_.face_displacement[i]);
+  state_.rigid_gap += (1.0 - high) * (before.rigid_gap - state_.rigid_gap);
 }
 
 /// Finds the nominal pressure whose solution has the prescribed mean gap [m],
 /// and that solution, from the last state that was a solution. Returns whether
 /// it was found; if not, the note gives the reason.
-bool ContactNewton::approach_by_load(double mean_gap_target,
-                                     const BlockContact& contact,
-                                     BlockSolution& answer) {
+bool SpringNewton::approach_by_load(double mean_gap_target,
+                                    const BlockContact& contact,
+                                    BlockSolution& answer) {
   constexpr int bits = 30; // of the pressure
   std::uintmax_t most_loads = 100;
   return_to(settled_, contact.penalty);
-  const double present = borne() / area();
-  const double guess =
-      present > 0.0 ? present
-                    : stiffness_scale_ * std::max(std::abs(mean_gap()),
-                                                  std::abs(mean_gap_target));
+  const double present = state_.borne() / state_.area();
+  const double guess = present > 0.0 ? present
+                                     : state_.stiffness_scale() *
+                                           std::max(std::abs(state_.mean_gap()),
+                                                    std::abs(mean_gap_target));
   double least = std::numeric_limits<double>::infinity();
   bool has_failed = false;
   const Excess excess_at = [&](double pressure) {
     const mechanics::LoadTarget load{mechanics::Control::nominal_pressure,
                                      pressure};
-    has_failed = has_failed || !newton(load, contact, answer, true);
-    least = std::min(least, mean_gap());
-    return has_failed ? 0.0 : mean_gap() - mean_gap_target;
+    has_failed = has_failed || !iterate(load, contact, answer, true);
+    least = std::min(least, state_.mean_gap());
+    return has_failed ? 0.0 : state_.mean_gap() - mean_gap_target;
   };
   const std::optional<Bracket> found = first_bracket(excess_at, guess);
   if (has_failed)

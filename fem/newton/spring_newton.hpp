@@ -1,0 +1,56 @@
+#pragma once
+
+// Newton's method for springs at the contact points.
+// Include this header in .cpp files of fem/ only.
+
+#include "fem/newton/contact_iteration.hpp"
+
+namespace asperity::fem {
+
+/// Solves (F.1) at fixed multipliers lambda and a penalty k, by Newton's
+/// semi-smooth method:
+///
+///     C = {c : lambda_c > k gap_c},
+///     (du, dd, dP) = the linear step with springs k a on C,
+///     (u, d, P) <- (u, d, P) + t (du, dd, dP),
+///     p = (lambda - k gap)+,
+///
+/// until C does not change and the forces balance. t is 1, or the minimum of
+/// the energy along the step if full steps cycle (ContactIteration).
+class SpringNewton {
+public:
+  /// Both must outlive this object.
+  SpringNewton(ContactState& state, LinearStep& step)
+      : state_(state), step_(step) {}
+
+  /// Begins a load step with the present state.
+  void begin();
+
+  /// Iterates, and counts the iterations of the answer. Returns whether the
+  /// contact set was found; if not, the note of the answer gives the reason.
+  /// @param contact  of which law, tolerance and penalty are used
+  bool solve(const mechanics::LoadTarget& load, const BlockContact& contact,
+             BlockSolution& answer);
+
+  /// Whether the load step has ended because of the linear solver.
+  bool has_linear_failure() const { return has_linear_failure_; }
+
+private:
+  bool iterate(const mechanics::LoadTarget& load, const BlockContact& contact,
+               BlockSolution& answer, bool is_hard_to_find);
+  void return_to(const ContactState::Placement& placement, double penalty);
+  double contact_work(const ContactState::Placement& before, double share,
+                      double penalty) const;
+  void shorten_step(const ContactState::Placement& before, double penalty);
+  bool approach_by_load(double mean_gap_target, const BlockContact& contact,
+                        BlockSolution& answer);
+
+  ContactState& state_;
+  LinearStep& step_;
+  /// The last state that was a solution, or that of the beginning of the load
+  /// step. Full steps on changing contact sets may lead far from it.
+  ContactState::Placement settled_;
+  bool has_linear_failure_ = false;
+};
+
+} // namespace asperity::fem
