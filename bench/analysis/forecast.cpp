@@ -130,8 +130,8 @@ std::vector<std::string> asked_quantities(const cases::Case& contact_case) {
       add(gap);
     else if (name.starts_with("area_") || name == "contact_radius_error")
       add(cases::names_a_load(name) && !is_exact ? name : any_area);
-    else if (!is_exact && (name == "gamma_slope" || name == "gamma_theory" ||
-                           name == "kappa" || name == "beta"))
+    else if (!is_exact &&
+             (name.starts_with("gamma_") || name == "kappa" || name == "beta"))
       add(name);
   }
   if (asked.empty())

@@ -81,7 +81,7 @@ Table expect_table() {
         {.name = entry.name,
          .type = ValueType::band,
          .example = "{ value = 0.40, within = 0.05 }",
-         .show = entry.name == "gamma_slope" ? Show::as_comment : Show::no,
+         .show = entry.name == "gamma_matched" ? Show::as_comment : Show::no,
          .description = entry.description});
   return table;
 }

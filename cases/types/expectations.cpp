@@ -12,9 +12,17 @@ std::vector<ExpectationName> rough_surface_names() {
        .description = "u_0 / h_rms of p ~ exp(-u / u_0), from the slope of ln "
                       "p against u [1].",
        .theory_answers = true},
-      {.name = "gamma_theory",
+      {.name = "gamma_matched",
        .description = "gamma of Eq. (10) of Yang and Persson (2008) with which "
-                      "theory best fits the method's u(p) [1]."},
+                      "theory has the method's slope of u against ln p for 1 "
+                      "<= u / h_rms <= 2 [1]."},
+      {.name = "gamma_curve",
+       .description = "gamma of Eq. (10) of Yang and Persson (2008) with which "
+                      "theory best fits the method's u(p) up to 2 h_rms [1]."},
+      {.name = "gamma_energy",
+       .description = "gamma of Eq. (10) of Yang and Persson (2008) with which "
+                      "theory has the method's elastic energy at light load "
+                      "[1]."},
       {.name = "beta",
        .description = "p / E* of the exponential u(p) at u = 0 [1].",
        .theory_answers = true},

@@ -206,7 +206,7 @@ void add_claim_quantities(const results::Result& result,
                           const MethodRecord& method,
                           const MethodRecord* reference,
                           MethodSummary& summary) {
-  const auto gamma = summary.quantities.find("gamma_theory");
+  const auto gamma = summary.quantities.find("gamma_curve");
   if (method.kind == "theory" && gamma != summary.quantities.end() &&
       gamma->second.has_value()) {
     Estimate& epsilon = summary.quantities["epsilon"];

@@ -63,12 +63,14 @@ void add_theory_fits(const Result& result, const cases::Case& contact_case,
     return;
   }
   if (!theory.gap) {
-    fits.parameter.reason = "the heights are not in the result";
+    fits.set_no_gamma("the heights are not in the result");
     return;
   }
-  fits.parameter = fit_parameter(method.realizations[realization].points,
-                                 fits.scales, theory.gap);
-  const FittedValue& gamma = fits.parameter.gamma_theory;
+  const auto& points = method.realizations[realization].points;
+  fits.matched = fit_matched(points, fits.scales, theory.gap);
+  fits.curve = fit_curve(points, fits.scales, theory.gap);
+  fits.energy = fit_energy(points, fits.scales, theory.energy);
+  const FittedValue& gamma = fits.curve.gamma;
   if (why_undetermined(gamma, gamma_range).empty())
     fits.asymptotic_slope = gamma.value * theory.decay_length / height;
 }
@@ -80,8 +82,10 @@ RealizationFits fits_of(const Result& result, const cases::Case& contact_case,
   fits.scales = scales_of(result, contact_case, method, realization);
   if (!is_positive(fits.scales.rms_height) ||
       !is_positive(fits.scales.rms_slope)) {
-    fits.slope.reason = fits.parameter.reason = fits.area.reason =
+    const char* reason =
         "h_rms or the rms slope of the surface is not known, or is 0";
+    fits.slope.reason = fits.area.reason = reason;
+    fits.set_no_gamma(reason);
     return fits;
   }
   const auto& points = method.realizations[realization].points;
@@ -90,9 +94,8 @@ RealizationFits fits_of(const Result& result, const cases::Case& contact_case,
   try {
     add_theory_fits(result, contact_case, method, realization, theories, fits);
   } catch (const std::domain_error& error) { // heights without a theory
-    fits.parameter = {};
-    fits.parameter.reason =
-        fmt::format("there is no theory for this surface: {}", error.what());
+    fits.set_no_gamma(
+        fmt::format("there is no theory for this surface: {}", error.what()));
   }
   return fits;
 }
@@ -253,12 +256,15 @@ void add_rough_quantities(const Result& result, const cases::Case& contact_case,
       mean_of(summary.fits, &RealizationFits::area, &AreaFit::kappa_counted,
               positive_range);
   if (method.kind == "theory") {
-    quantities["gamma_theory"] = set_parameter(contact_case, method);
+    quantities["gamma_curve"] = set_parameter(contact_case, method);
     return;
   }
-  quantities["gamma_theory"] =
-      mean_of(summary.fits, &RealizationFits::parameter,
-              &ParameterFit::gamma_theory, gamma_range);
+  quantities["gamma_matched"] = mean_of(summary.fits, &RealizationFits::matched,
+                                        &ParameterFit::gamma, gamma_range);
+  quantities["gamma_curve"] = mean_of(summary.fits, &RealizationFits::curve,
+                                      &ParameterFit::gamma, gamma_range);
+  quantities["gamma_energy"] = mean_of(summary.fits, &RealizationFits::energy,
+                                       &ParameterFit::gamma, gamma_range);
   if (const MethodRecord* base = base_method(result, method))
     quantities["pressure_difference"] = pressure_difference_to(method, *base);
   if (reference == nullptr)

@@ -20,12 +20,20 @@ namespace asperity::reports {
 struct RealizationFits {
   SurfaceScales scales;
   SlopeFit slope;
-  ParameterFit parameter;
+  ParameterFit matched; ///< gamma by the slope, the whole curve, the energy
+  ParameterFit curve;
+  ParameterFit energy;
   AreaFit area;
   /// u_0/h_rms of Eq. (18) of Yang and Persson (2008) with the fitted gamma
   /// (for the theory: its own) [1]. The slope would approach this value at
   /// vanishing pressure.
   double asymptotic_slope = not_a_number;
+
+  /// Leaves no fit of gamma, for one reason.
+  void set_no_gamma(const std::string& reason) {
+    matched = curve = energy = {};
+    matched.reason = curve.reason = energy.reason = reason;
+  }
 };
 
 struct Cost {

@@ -34,7 +34,12 @@ SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
   prepared.decay_length = contact->gap_decay_length();
   prepared.gap = [contact](double nominal_pressure) {
     const theory::GammaParts parts = contact->mean_gap_parts(nominal_pressure);
-    return GapSplit{parts.linear, parts.cubic};
+    return LossSplit{parts.linear, parts.cubic};
+  };
+  prepared.energy = [contact](double nominal_pressure) {
+    const theory::GammaParts parts =
+        contact->elastic_energy_parts(nominal_pressure);
+    return LossSplit{parts.linear, parts.cubic};
   };
   return prepared;
 }

@@ -19,7 +19,8 @@ namespace asperity::reports {
 /// The part of the theory of one surface that the fits need. An empty `gap`
 /// means that there is no theory of this surface.
 struct SurfaceTheory {
-  GapTheory gap; ///< u(p) of Eq. (14) for gamma = 1 and gamma = 0
+  TheoryParts gap;    ///< u(p) of Eq. (14) [m]
+  TheoryParts energy; ///< U_el/A_0 of Eq. (9) [J/m^2]
   /// u_0 of Eq. (18) at gamma = 1 [m]; u_0 is proportional to gamma
   double decay_length = not_a_number;
 };

@@ -46,7 +46,7 @@ void add_moments(const Result& result, std::vector<Warning>& warnings) {
                    Limits::kurtosis_low, Limits::kurtosis_high),
        "Persson's theory assumes Gaussian heights and does not describe this "
        "surface. Nor does its pressure distribution: do not use "
-       "area_fraction_fit, area_fraction_moment or gamma_theory."});
+       "area_fraction_fit, area_fraction_moment or gamma_curve."});
 }
 
 void add_slope(const Result& result, std::vector<Warning>& warnings) {

@@ -144,49 +144,145 @@ SlopeFit fit_slope(std::span<const CurvePoint> points,
   return none;
 }
 
-ParameterFit fit_parameter(std::span<const CurvePoint> points,
-                           const SurfaceScales& scales,
-                           const GapTheory& theory) {
-  require_scales(scales);
-  std::vector<CurvePoint> rows = loading_rows(points);
-  std::erase_if(rows, [&](const CurvePoint& row) {
-    return row.mean_gap > largest_gap * scales.rms_height ||
-           row.mean_gap <= 0.0;
-  });
+namespace {
+
+ParameterFit no_fit(const std::string& reason) {
   ParameterFit fit;
-  if (rows.size() < fewest_parameter_rows) {
-    fit.reason = fmt::format("fewer than {} load steps with 0 < u <= 2 h_rms",
-                             fewest_parameter_rows);
-    return fit;
-  }
-  std::vector<double> lever;     // u(gamma = 1) - u(gamma = 0)
-  std::vector<double> remainder; // u - u(gamma = 0)
+  fit.reason = reason;
+  return fit;
+}
+
+/// Least squares of gamma (at_one - at_zero) = number - at_zero.
+/// @param numbers  of the rows, in a unit by which deviations become relative
+/// @param theory   of the rows, in the same unit
+ParameterFit least_squares(std::span<const CurvePoint> rows,
+                           std::span<const double> numbers,
+                           std::span<const LossSplit> theory) {
   double product = 0.0;
   double squares = 0.0;
-  for (const CurvePoint& row : rows) {
-    const GapSplit split = theory(row.nominal_pressure);
-    lever.push_back(split.at_one - split.at_zero);
-    remainder.push_back(row.mean_gap - split.at_zero);
-    product += lever.back() * remainder.back();
-    squares += lever.back() * lever.back();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double lever = theory[i].at_one - theory[i].at_zero;
+    product += lever * (numbers[i] - theory[i].at_zero);
+    squares += lever * lever;
   }
   const double gamma = product / squares;
-  if (!std::isfinite(gamma)) {
-    fit.reason = "the theory's u at these loads does not depend on gamma";
-    return fit;
-  }
+  if (!std::isfinite(gamma))
+    return no_fit("the theory at these loads does not depend on gamma");
   double residuals = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double residual = remainder[i] - gamma * lever[i];
+    const double residual = numbers[i] - theory[i].at_zero -
+                            gamma * (theory[i].at_one - theory[i].at_zero);
     residuals += residual * residual;
     largest = std::max(largest, std::abs(residual));
   }
   const int freedom = static_cast<int>(rows.size()) - 1;
+  ParameterFit fit;
   fit.window = window_of(rows);
-  fit.window.largest_deviation = largest / scales.rms_height;
-  fit.gamma_theory = {gamma, std::sqrt(residuals / freedom / squares), freedom};
+  fit.window.largest_deviation = largest;
+  fit.gamma = {gamma, std::sqrt(residuals / freedom / squares), freedom};
   return fit;
+}
+
+/// The rows of a window of u/h_rms.
+std::vector<CurvePoint> rows_between(std::span<const CurvePoint> points,
+                                     const SurfaceScales& scales, double low,
+                                     double high) {
+  std::vector<CurvePoint> rows = loading_rows(points);
+  std::erase_if(rows, [&](const CurvePoint& row) {
+    const double reduced = row.mean_gap / scales.rms_height;
+    return !(reduced > 0.0 && reduced >= low && reduced <= high);
+  });
+  return rows;
+}
+
+/// The theory at the loads of the rows.
+/// @param unit  of a row
+template <class Unit>
+std::vector<LossSplit> theory_at(std::span<const CurvePoint> rows,
+                                 const TheoryParts& theory, const Unit& unit) {
+  std::vector<LossSplit> splits;
+  splits.reserve(rows.size());
+  for (const CurvePoint& row : rows) {
+    const LossSplit split = theory(row.nominal_pressure);
+    splits.push_back({split.at_one / unit(row), split.at_zero / unit(row)});
+  }
+  return splits;
+}
+
+} // namespace
+
+ParameterFit fit_curve(std::span<const CurvePoint> points,
+                       const SurfaceScales& scales, const TheoryParts& gap) {
+  require_scales(scales);
+  const std::vector<CurvePoint> rows =
+      rows_between(points, scales, 0.0, largest_gap);
+  if (rows.size() < fewest_parameter_rows)
+    return no_fit(fmt::format("fewer than {} load steps with 0 < u <= 2 h_rms",
+                              fewest_parameter_rows));
+  std::vector<double> gaps;
+  gaps.reserve(rows.size());
+  for (const CurvePoint& row : rows)
+    gaps.push_back(row.mean_gap / scales.rms_height);
+  return least_squares(rows, gaps, theory_at(rows, gap, [&](const auto&) {
+                         return scales.rms_height;
+                       }));
+}
+
+ParameterFit fit_matched(std::span<const CurvePoint> points,
+                         const SurfaceScales& scales, const TheoryParts& gap) {
+  require_scales(scales);
+  const std::vector<CurvePoint> rows =
+      rows_between(points, scales, matched_from, matched_to);
+  if (rows.size() < fewest_rows)
+    return no_fit(fmt::format("fewer than {} load steps with {:.3g} <= u <= "
+                              "{:.3g} h_rms",
+                              fewest_rows, matched_from, matched_to));
+  std::vector<double> log_pressure, gaps, at_one, at_zero;
+  const std::vector<LossSplit> splits =
+      theory_at(rows, gap, [&](const auto&) { return scales.rms_height; });
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    log_pressure.push_back(
+        std::log(rows[i].nominal_pressure / scales.contact_modulus));
+    gaps.push_back(rows[i].mean_gap / scales.rms_height);
+    at_one.push_back(splits[i].at_one);
+    at_zero.push_back(splits[i].at_zero);
+  }
+  const LineFit line = fit_line(log_pressure, gaps);
+  const double base = fit_line(log_pressure, at_zero).slope;
+  const double lever = fit_line(log_pressure, at_one).slope - base;
+  const double gamma = (line.slope - base) / lever;
+  if (!std::isfinite(gamma))
+    return no_fit("the slope of the theory at these loads does not depend on "
+                  "gamma");
+  ParameterFit fit;
+  fit.window = window_of(rows);
+  fit.window.largest_deviation = line.largest_residual;
+  fit.gamma = {gamma, std::abs(line.slope_error / lever), line.points - 2};
+  return fit;
+}
+
+ParameterFit fit_energy(std::span<const CurvePoint> points,
+                        const SurfaceScales& scales,
+                        const TheoryParts& energy) {
+  require_scales(scales);
+  std::vector<CurvePoint> rows = loading_rows(points);
+  std::erase_if(rows, [](const CurvePoint& row) {
+    return !(row.area_fraction > 0.0 && row.area_fraction <= light_load_area &&
+             std::isfinite(row.elastic_energy));
+  });
+  if (rows.size() < fewest_parameter_rows)
+    return no_fit(fmt::format("fewer than {} load steps of known energy in "
+                              "contact with A/A_0 <= {:.0f} %",
+                              fewest_parameter_rows, 100.0 * light_load_area));
+  const auto unit = [&](const CurvePoint& row) {
+    return row.nominal_pressure * scales.rms_height;
+  };
+  std::vector<double> energies;
+  energies.reserve(rows.size());
+  for (const CurvePoint& row : rows)
+    energies.push_back(row.elastic_energy / unit(row));
+  return least_squares(rows, energies, theory_at(rows, energy, unit));
 }
 
 namespace {

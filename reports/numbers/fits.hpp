@@ -65,27 +65,56 @@ struct SlopeFit {
 SlopeFit fit_slope(std::span<const results::CurvePoint> points,
                    const SurfaceScales& scales);
 
-/// u(p) of Eq. (14) is linear in gamma: u = gamma * at_one + (1 - gamma) *
-/// at_zero.
-struct GapSplit {
-  double at_one = 0.0;  ///< u for gamma = 1 [m]
-  double at_zero = 0.0; ///< u for gamma = 0 [m]
+/// Upper end of the light-load rows. Persson's own coefficient has fallen by
+/// 0.6 % at this area and, by the symmetry of erf, has no linear term, so that
+/// the intercept of the line deviates from his sqrt(8/pi) by about 0.1 %.
+inline constexpr double light_load_area = 0.15;
+
+/// A quantity of the theory that is linear in gamma of Eq. (10), u(p) of Eq.
+/// (14) or U_el(p) of Eq. (9): gamma * at_one + (1 - gamma) * at_zero.
+struct LossSplit {
+  double at_one = 0.0;  ///< for gamma = 1
+  double at_zero = 0.0; ///< for gamma = 0
 };
 
-using GapTheory = std::function<GapSplit(double nominal_pressure)>;
+using TheoryParts = std::function<LossSplit(double nominal_pressure)>;
 
-/// gamma as the parameter of Eq. (10): closed-form least squares of u(p) over
-/// the rows with 0 < u <= 2 h_rms, of which at least 3 are required. Its error
-/// is that of the fit.
+/// gamma as the parameter of Eq. (10), from one property of a curve. It has a
+/// closed form, because u and U_el are linear in gamma; its error is that of
+/// the fit.
 struct ParameterFit {
-  FittedValue gamma_theory;
+  FittedValue gamma;
   Window window;
-  std::string reason;
+  std::string reason; ///< why there is no fit; empty if there is one
 };
 
-ParameterFit fit_parameter(std::span<const results::CurvePoint> points,
-                           const SurfaceScales& scales,
-                           const GapTheory& theory);
+/// gamma by the whole curve: least squares of u(p) over the rows with
+/// 0 < u <= 2 h_rms, of which at least 3 are required.
+ParameterFit fit_curve(std::span<const results::CurvePoint> points,
+                       const SurfaceScales& scales, const TheoryParts& gap);
+
+/// Window in u/h_rms of fit_matched(): light loads, but not so light that the
+/// finite size of the surface ends the exponential.
+inline constexpr double matched_from = 1.0;
+inline constexpr double matched_to = 2.0;
+
+/// gamma by the slope: that with which the theory has the mean slope of u
+/// against ln p of the rows with matched_from <= u/h_rms <= matched_to, of
+/// which at least 4 are required, at the same loads. Both slopes are those of
+/// least-squares lines,
+///
+///     gamma = (s - s_0) / (s_1 - s_0),
+///
+/// s_1 and s_0 those of the theory with gamma = 1 and 0. Unlike gamma_slope, it
+/// needs no load at which the curve of the theory is straight.
+ParameterFit fit_matched(std::span<const results::CurvePoint> points,
+                         const SurfaceScales& scales, const TheoryParts& gap);
+
+/// gamma by the energy: least squares of U_el/p over the rows with
+/// 0 < A/A_0 <= light_load_area, of which at least 3 are required. In the limit
+/// of small loads U_el/p is u_0 = dU_el/dp of Eq. (18).
+ParameterFit fit_energy(std::span<const results::CurvePoint> points,
+                        const SurfaceScales& scales, const TheoryParts& energy);
 
 /// kappa of A/A_0 = kappa p / (E* h') in the limit of zero load: the intercept
 /// of the line through A E* h' / (A_0 p) against A/A_0 over the rows with
@@ -96,11 +125,6 @@ struct AreaFit {
   Window window;
   std::string reason;
 };
-
-/// Upper end of the light-load rows. Persson's own coefficient has fallen by
-/// 0.6 % at this area and, by the symmetry of erf, has no linear term, so that
-/// the intercept of the line deviates from his sqrt(8/pi) by about 0.1 %.
-inline constexpr double light_load_area = 0.15;
 
 AreaFit fit_area(std::span<const results::CurvePoint> points,
                  const SurfaceScales& scales);

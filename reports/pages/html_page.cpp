@@ -42,7 +42,8 @@ Value fit_row(const Series& series, std::size_t realization,
   row.set("realization", std::to_string(realization));
   std::vector<std::string> reasons;
   for (const std::string& reason :
-       {fits.slope.reason, fits.parameter.reason, fits.area.reason})
+       {fits.slope.reason, fits.matched.reason, fits.curve.reason,
+        fits.energy.reason, fits.area.reason})
     if (!reason.empty() &&
         std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
       reasons.push_back(reason);
@@ -53,10 +54,16 @@ Value fit_row(const Series& series, std::size_t realization,
   set_fitted(row, "kappa_counted", "κ, counted", fits.area.kappa_counted,
              positive_range, reasons);
   if (series.is_theory())
-    row.set("gamma", "–"); // prescribed by the case
-  else
-    set_fitted(row, "gamma", "γ", fits.parameter.gamma_theory, gamma_range,
+    for (const char* name : {"gamma_matched", "gamma", "gamma_energy"})
+      row.set(name, "–"); // prescribed by the case
+  else {
+    set_fitted(row, "gamma_matched", "γ by the slope", fits.matched.gamma,
+               gamma_range, reasons);
+    set_fitted(row, "gamma", "γ by the curve", fits.curve.gamma, gamma_range,
                reasons);
+    set_fitted(row, "gamma_energy", "γ by the energy", fits.energy.gamma,
+               gamma_range, reasons);
+  }
   row.set("asymptote", std::isfinite(fits.asymptotic_slope)
                            ? fmt::format("{:.3g}", fits.asymptotic_slope)
                            : "–");

@@ -27,8 +27,10 @@ struct Column {
 const std::vector<Column>& columns_of(bool is_exact) {
   static const std::vector<Column> rough{
       {"gamma_slope", "u₀/h_rms", "slope of ln p(u)", false},
-      {"gamma_theory", "γ", "parameter of Eq. (10) of Yang and Persson (2008)",
-       false},
+      {"gamma_matched", "γ",
+       "parameter of Eq. (10) of Yang and Persson (2008), by the slope", false},
+      {"gamma_curve", "γ", "by the whole curve", false},
+      {"gamma_energy", "γ", "by the energy", false},
       {"kappa", "κ", "of the corrected area", false},
       {"gap_deviation", "u against theory", "largest, in h_rms", true},
       {"area_excess", "area against theory", "counted, light load", true}};

@@ -66,10 +66,14 @@ Json to_json(const RealizationFits& fits, bool is_theory) {
       {"area", fit_json(fits.area, {{"kappa", fits.area.kappa, positive_range},
                                     {"kappa_counted", fits.area.kappa_counted,
                                      positive_range}})}};
-  if (!is_theory)
-    json["parameter"] =
-        fit_json(fits.parameter,
-                 {{"gamma_theory", fits.parameter.gamma_theory, gamma_range}});
+  if (!is_theory) {
+    json["matched"] = fit_json(
+        fits.matched, {{"gamma_matched", fits.matched.gamma, gamma_range}});
+    json["curve"] =
+        fit_json(fits.curve, {{"gamma_curve", fits.curve.gamma, gamma_range}});
+    json["energy"] = fit_json(
+        fits.energy, {{"gamma_energy", fits.energy.gamma, gamma_range}});
+  }
   return json;
 }
 

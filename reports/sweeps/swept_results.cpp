@@ -23,9 +23,9 @@ using Json = nlohmann::ordered_json;
 using Results = std::vector<std::unique_ptr<SweptResult>>;
 
 /// The quantities that figures show first.
-constexpr std::array<std::string_view, 6> first_quantities{
-    "gamma_slope",          "kappa", "area_scale",
-    "area_scale_corrected", "beta",  "gamma_theory"};
+constexpr std::array<std::string_view, 8> first_quantities{
+    "gamma_matched",        "gamma_slope", "kappa",       "area_scale",
+    "area_scale_corrected", "beta",        "gamma_curve", "gamma_energy"};
 
 std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
                                         std::size_t point,

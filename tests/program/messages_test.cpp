@@ -173,13 +173,13 @@ TEST_F(Messages, CheckPrintsPublishedValuesWithoutVerdicts) {
         small_case + "[expect]\nbeta = { above = 0, methods = [\"theory\"] "
                      "}\n");
   write("reference.csv", "quantity,value,unit,uncertainty,source\n"
-                         "gamma_theory,-70,1,0.5,A\nanother,1,1,0,A\n");
+                         "gamma_curve,-70,1,0.5,A\nanother,1,1,0,A\n");
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
 
   const Ended checked = run("check result");
 
   EXPECT_EQ(checked.exit_code, 0) << checked.output;
-  EXPECT_TRUE(says(checked, "gamma_theory         -70 +- 0.5: theory 0.42\n"))
+  EXPECT_TRUE(says(checked, "gamma_curve          -70 +- 0.5: theory 0.42\n"))
       << checked.output;
   EXPECT_FALSE(says(checked, "another")) << checked.output;
 }

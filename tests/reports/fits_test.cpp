@@ -187,37 +187,76 @@ TEST(LoadingRows, LeavesOutUnloadingFailedAndEmptyRows) {
 // The parameter of (10) is recovered from curves made with it, for any split.
 // The split here is not that of the theory, only linear in gamma. Tolerance:
 // roundoff.
-TEST(FitParameter, RecoversTheParameterACurveWasMadeWith) {
-  const GapTheory theory = [](double nominal_pressure) {
+TEST(FitCurve, RecoversTheParameterACurveWasMadeWith) {
+  const TheoryParts theory = [](double nominal_pressure) {
     const double reduced = nominal_pressure / scales.contact_modulus;
-    return GapSplit{scales.rms_height * std::log(1.0 / reduced),
-                    scales.rms_height * 0.2 / (reduced + 0.1)};
+    return LossSplit{scales.rms_height * std::log(1.0 / reduced),
+                     scales.rms_height * 0.2 / (reduced + 0.1)};
   };
   std::vector<CurvePoint> points;
   for (const double reduced : log_spaced(0.01, 0.5, 9)) {
-    const GapSplit split = theory(reduced * scales.contact_modulus);
+    const LossSplit split = theory(reduced * scales.contact_modulus);
     points.push_back(row(reduced, (0.37 * split.at_one + 0.63 * split.at_zero) /
                                       scales.rms_height));
   }
 
-  const ParameterFit fit = fit_parameter(points, scales, theory);
+  const ParameterFit fit = fit_curve(points, scales, theory);
 
-  EXPECT_NEAR(fit.gamma_theory.value, 0.37, 1e-12);
+  EXPECT_NEAR(fit.gamma.value, 0.37, 1e-12);
   EXPECT_NEAR(fit.window.largest_deviation, 0.0, 1e-12);
 }
 
 // There is no fit to two rows, nor with a theory that does not depend on gamma.
-TEST(FitParameter, StatesWhyThereIsNoFit) {
-  const GapTheory theory = [](double) { return GapSplit{20e-9, 10e-9}; };
-  const GapTheory blind = [](double) { return GapSplit{20e-9, 20e-9}; };
+TEST(FitCurve, StatesWhyThereIsNoFit) {
+  const TheoryParts theory = [](double) { return LossSplit{20e-9, 10e-9}; };
+  const TheoryParts blind = [](double) { return LossSplit{20e-9, 20e-9}; };
   const std::vector<CurvePoint> points = exponential(2e-3, 0.1, 3);
 
-  EXPECT_EQ(fit_parameter({points.data(), 2}, scales, theory).reason,
+  EXPECT_EQ(fit_curve({points.data(), 2}, scales, theory).reason,
             "fewer than 3 load steps with 0 < u <= 2 h_rms");
-  EXPECT_EQ(fit_parameter(points, scales, theory).reason, "");
-  EXPECT_NE(fit_parameter(points, scales, blind).reason, "");
-  EXPECT_TRUE(
-      std::isnan(fit_parameter(points, scales, blind).gamma_theory.value));
+  EXPECT_EQ(fit_curve(points, scales, theory).reason, "");
+  EXPECT_NE(fit_curve(points, scales, blind).reason, "");
+  EXPECT_TRUE(std::isnan(fit_curve(points, scales, blind).gamma.value));
+}
+
+// Claim: a curve that is the theory's with one gamma has that gamma by its
+// slope and by its energy, at any offset of the gap. Tolerance: roundoff.
+TEST(FitMatched, FindsGammaBySlopeAndEnergy) {
+  const TheoryParts gap = [](double nominal_pressure) {
+    const double x = std::log(scales.contact_modulus / nominal_pressure);
+    return LossSplit{scales.rms_height * x, scales.rms_height * 0.1 * x * x};
+  };
+  const TheoryParts energy = [](double nominal_pressure) {
+    const double reduced = nominal_pressure / scales.contact_modulus;
+    return LossSplit{nominal_pressure * scales.rms_height * (1.0 - reduced),
+                     nominal_pressure * scales.rms_height * reduced};
+  };
+  const double offset = 0.8; // in h_rms
+  std::vector<CurvePoint> points;
+  for (const double reduced : log_spaced(0.01, 0.5, 20)) {
+    const double pressure = reduced * scales.contact_modulus;
+    const LossSplit split = gap(pressure), work = energy(pressure);
+    points.push_back(row(reduced, (0.37 * split.at_one + 0.63 * split.at_zero) /
+                                          scales.rms_height +
+                                      offset));
+    points.back().area_fraction = 0.1;
+    points.back().elastic_energy = 0.37 * work.at_one + 0.63 * work.at_zero;
+  }
+
+  EXPECT_NEAR(fit_matched(points, scales, gap).gamma.value, 0.37, 1e-12);
+  EXPECT_NEAR(fit_energy(points, scales, energy).gamma.value, 0.37, 1e-12);
+  EXPECT_GT(std::abs(fit_curve(points, scales, gap).gamma.value - 0.37), 0.1);
+}
+
+TEST(FitMatched, StatesWhyThereIsNoFit) {
+  const TheoryParts theory = [](double) { return LossSplit{20e-9, 10e-9}; };
+  const std::vector<CurvePoint> points = exponential(2e-3, 0.1, 3);
+
+  EXPECT_EQ(fit_matched(points, scales, theory).reason,
+            "fewer than 4 load steps with 1 <= u <= 2 h_rms");
+  EXPECT_EQ(fit_energy({points.data(), 2}, scales, theory).reason,
+            "fewer than 3 load steps of known energy in contact with A/A_0 <= "
+            "15 %");
 }
 
 // Rows whose area is not known to be above 0 do not change the line: with them

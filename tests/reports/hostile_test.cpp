@@ -254,7 +254,7 @@ TEST_F(HostileResult, ReportsWhatIsNotDetermined) {
 
   const Summary summary = summarize(result, rough);
 
-  for (const char* name : {"gamma_slope", "gamma_theory", "beta"}) {
+  for (const char* name : {"gamma_slope", "gamma_curve", "beta"}) {
     const Estimate& estimate = summary.methods[1].quantities.at(name);
     EXPECT_FALSE(estimate.has_value()) << name;
     EXPECT_FALSE(estimate.remark.empty()) << name;

@@ -114,7 +114,7 @@ TEST_F(Published, HaveVerdictsForPrograms) {
                      "gamma_slope,0.4,1,0.5,A,\n"
                      "area_excess,0.5,1,0.01,B,\n"
                      "height,14e-9,m,5e-10,C,never stated\n"
-                     "gamma_theory,0.38,1,0.1,D,\n"; // an input of the theory
+                     "gamma_curve,0.38,1,0.1,D,\n"; // an input of the theory
 
   const Summary summary = summarize(result, rough);
   const auto json = nlohmann::json::parse(summary_json(summary))["published"];

@@ -34,7 +34,7 @@ TEST_F(RoughSummary, FindsWhatTheMethodWasMadeWith) {
   EXPECT_NEAR(value_of(summary, "fem", "mean_gap_deviation"), 0.02, 1e-12);
   EXPECT_NEAR(value_of(summary, "fem", "gamma_slope"),
               value_of(summary, "theory", "gamma_slope"), 1e-12);
-  EXPECT_EQ(value_of(summary, "theory", "gamma_theory"), 0.38);
+  EXPECT_EQ(value_of(summary, "theory", "gamma_curve"), 0.38);
   EXPECT_EQ(value_of(summary, "fem", "iterations_max"), 35.0);
 }
 
@@ -102,7 +102,7 @@ TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
 
   const Summary found = summarize(own, rough);
 
-  EXPECT_NEAR(value_of(found, "fem", "gamma_theory"), 0.43, 1e-8);
+  EXPECT_NEAR(value_of(found, "fem", "gamma_curve"), 0.43, 1e-8);
   EXPECT_NEAR(found.methods[1].fits.front().asymptotic_slope,
               contact.gap_decay_length() / own.surfaces.front().rms_height,
               1e-8);
@@ -111,7 +111,7 @@ TEST_F(RoughSummary, FitsGammaByTheSurfacesOwnSpectrum) {
   own.methods[1].realizations[0].own_surface = own.surfaces[0];
   for (double& height : own.surfaces[0].heights)
     height *= 3.0;
-  EXPECT_NEAR(value_of(summarize(own, rough), "fem", "gamma_theory"), 0.43,
+  EXPECT_NEAR(value_of(summarize(own, rough), "fem", "gamma_curve"), 0.43,
               1e-8);
 }
 
@@ -148,7 +148,7 @@ TEST_F(RoughSummary, StatesWhyThereIsNoGammaWithoutHeights) {
 
   const Summary found = summarize(bare, rough);
 
-  const Estimate& gamma = found.methods[1].quantities.at("gamma_theory");
+  const Estimate& gamma = found.methods[1].quantities.at("gamma_curve");
   EXPECT_FALSE(gamma.has_value());
   EXPECT_EQ(gamma.remark, "the heights are not in the result");
 }

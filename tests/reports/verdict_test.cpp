@@ -21,7 +21,7 @@ MethodSummary method_with(const std::string& name, double gamma) {
   method.quantities["gamma_slope"] = estimate;
   Estimate none;
   none.remark = "the heights are not in the result";
-  method.quantities["gamma_theory"] = none;
+  method.quantities["gamma_curve"] = none;
   return method;
 }
 
@@ -129,7 +129,7 @@ TEST(Judge, SkipsAnExcludedMethod) {
 TEST(Judge, CountsMissingNumbersWithTheReason) {
   const std::vector<MethodSummary> methods{method_with("fem", 0.4)};
   std::vector<cases::Expectation> expectations{
-      expect("gamma_theory", 0.0, 1.0), expect("approach_error", 0.0, 1.0),
+      expect("gamma_curve", 0.0, 1.0), expect("approach_error", 0.0, 1.0),
       expect("gamma_slope", 0.0, 1.0)};
   expectations.back().methods = {"md"};
 
@@ -161,7 +161,7 @@ Summary nasty_summary() {
   summary.methods = {method_with("fem", 0.5)};
   const std::vector<cases::Expectation> expectations{
       expect("gamma_slope", 0.35, 0.45), expect("gamma_slope", 0.4, 0.6),
-      expect("gamma_theory", 0.3, 0.5)};
+      expect("gamma_curve", 0.3, 0.5)};
   summary.verdicts = judge(expectations, summary.methods);
   return summary;
 }

@@ -70,10 +70,14 @@ double PerssonContact::pressure_ratio(double nominal_pressure) const {
 }
 
 double PerssonContact::elastic_energy(double nominal_pressure) const {
+  return elastic_energy_parts(nominal_pressure).at(gamma_);
+}
+
+GammaParts PerssonContact::elastic_energy_parts(double nominal_pressure) const {
   require_not_negative("nominal_pressure", nominal_pressure, "Pa");
-  return contact_modulus_ *
-         sums_->elastic_energy(nominal_pressure / contact_modulus_)
-             .at(gamma_); // Eq. (9)
+  const GammaParts parts =
+      sums_->elastic_energy(nominal_pressure / contact_modulus_); // Eq. (9)
+  return {contact_modulus_ * parts.linear, contact_modulus_ * parts.cubic};
 }
 
 double PerssonContact::full_contact_energy() const {

@@ -80,6 +80,9 @@ public:
   ///                          Eq. (6)
   double elastic_energy(double nominal_pressure) const;
 
+  /// The elastic energy at gamma = 1 and at gamma = 0 [J/m^2].
+  GammaParts elastic_energy_parts(double nominal_pressure) const;
+
   /// Eq. (9) with W = 1: E* (pi/2) int q^2 C dq [J/m^2].
   double full_contact_energy() const;
 
