@@ -1,5 +1,6 @@
+#include "base/json.hpp"
+
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -105,7 +106,7 @@ std::string json_of(const Matrix& matrix, const RunWords& run,
                                {"waves", row.waves},
                                {"q1", row.q1},
                                {"q2", row.q2}});
-  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return text_of_json(root, 2) + "\n";
 }
 
 } // namespace asperity::robustness
