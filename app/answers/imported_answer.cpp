@@ -4,6 +4,7 @@
 #include "app/methods/curve_row.hpp"
 #include "base/array_memory.hpp"
 #include "base/field_sums.hpp"
+#include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "base/special_numbers.hpp"
 #include "input/input_error.hpp"
@@ -12,7 +13,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "app/methods/chosen.hpp"
 #include "app/methods/elastic_method.hpp"
 #include "app/run/output.hpp"
+#include "base/json.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
@@ -14,7 +15,6 @@
 #include "results/trial_read.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -219,7 +219,7 @@ ExitCode certify_results(const CertifyCommand& command) {
     }
   }
   if (wants_json())
-    emit_answer(list.dump(2) + "\n");
+    emit_answer(text_of_json(list, 2) + "\n");
   if (!is_certified) {
     fmt::print(stderr, "no field could be certified\n");
     return exit_bad_input;

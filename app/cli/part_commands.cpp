@@ -13,12 +13,12 @@
 #include "app/run/output_folder.hpp"
 #include "app/sweeps/earlier_run.hpp"
 #include "app/sweeps/sweep_run.hpp"
+#include "base/json.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -269,15 +269,16 @@ ExitCode plan_run(const PlanCommand& command) {
              name, records.size(), threads, threads == 1 ? "" : "s", job.time,
              quoted_word((folder / "slurm/submit.sh").string()));
   if (wants_json())
-    emit_answer(nlohmann::ordered_json{
-                    {"format", "asperity-plan-slurm"},
-                    {"format_version", 1},
-                    {"case", name},
-                    {"parts", records.size()},
-                    {"threads", threads},
-                    {"time", job.time},
-                    {"submit", (folder / "slurm/submit.sh").string()}}
-                    .dump(2) +
+    emit_answer(text_of_json(
+                    nlohmann::ordered_json{
+                        {"format", "asperity-plan-slurm"},
+                        {"format_version", 1},
+                        {"case", name},
+                        {"parts", records.size()},
+                        {"threads", threads},
+                        {"time", job.time},
+                        {"submit", (folder / "slurm/submit.sh").string()}},
+                    2) +
                 "\n");
   return exit_good;
 }

@@ -4,6 +4,7 @@
 #include "app/cli/commands.hpp"
 #include "app/run/output.hpp"
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/documents.hpp"
@@ -14,7 +15,6 @@
 #include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -47,11 +47,11 @@ ExitCode show_cache(bool is_to_clear) {
     cache.clear();
   const Cache::Contents contents = cache.contents();
   if (wants_json()) {
-    emit_answer(Json{{"folder", cache.folder().string()},
-                     {"entries", contents.entries},
-                     {"size [bytes]", contents.bytes},
-                     {"limit [bytes]", cache.most_bytes()}}
-                    .dump(2) +
+    emit_answer(text_of_json(Json{{"folder", cache.folder().string()},
+                                  {"entries", contents.entries},
+                                  {"size [bytes]", contents.bytes},
+                                  {"limit [bytes]", cache.most_bytes()}},
+                             2) +
                 "\n");
     return exit_good;
   }
@@ -70,7 +70,7 @@ ExitCode list_cases() {
       fmt::print("{:<24} {}\n", shipped.name, shipped.title);
   }
   if (wants_json())
-    emit_answer(list.dump(2) + "\n");
+    emit_answer(text_of_json(list, 2) + "\n");
   return exit_good;
 }
 

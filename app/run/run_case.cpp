@@ -15,6 +15,7 @@
 #include "app/run/provenance_of_run.hpp"
 #include "app/run/stress_tables.hpp"
 #include "app/run/studies.hpp"
+#include "base/json.hpp"
 #include "base/peak_memory.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/locking.hpp"
@@ -25,7 +26,6 @@
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -405,13 +405,14 @@ std::string text_of(const cases::Case& contact_case, const RunOptions& options,
   names.reserve(methods.size());
   for (const MethodSpec& method : methods)
     names.push_back(method.name);
-  return nlohmann::json{{"case", contact_case.text},
-                        {"path", contact_case.path},
-                        {"folder", options.folder.string()},
-                        {"methods", names},
-                        {"threads", WorkerPool(options.threads).threads()},
-                        {"realizations", options.realizations}}
-      .dump();
+  return text_of_json(
+      nlohmann::ordered_json{{"case", contact_case.text},
+                             {"path", contact_case.path},
+                             {"folder", options.folder.string()},
+                             {"methods", names},
+                             {"threads", WorkerPool(options.threads).threads()},
+                             {"realizations", options.realizations}},
+      -1);
 }
 
 /// Runs the case on all ranks if they share one of its methods.
@@ -469,7 +470,7 @@ RunOutcome run_case(const cases::Case& contact_case,
 }
 
 void follow_run(const std::string& text) {
-  const nlohmann::json run = nlohmann::json::parse(text);
+  const nlohmann::ordered_json run = json_of_text(text);
   const cases::Case contact_case =
       cases::read_case_text(run.at("case"), run.at("path"));
   RunOptions options{run.at("folder").get<std::string>(), run.at("methods"),

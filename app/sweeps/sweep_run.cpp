@@ -11,10 +11,10 @@
 #include "app/sweeps/memory_budget.hpp"
 #include "app/sweeps/sweep_plan.hpp"
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "cases/reader/case_hash.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -221,7 +221,7 @@ void write_record(const reports::SweepRecord& record, const fs::path& folder) {
   put_last_run_aside(folder); // of one case
   remove_report(folder);
   write_file_atomically(folder / reports::sweep_file,
-                        reports::record_json(record).dump(2) + "\n");
+                        text_of_json(reports::record_json(record), 2) + "\n");
 }
 
 SweepOutcome run_sweep(const cases::CaseSweep& sweep,
