@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,9 @@ namespace asperity {
 struct Shown {
   double value = 0.0;
 };
+
+/// The text of a number in a format of fmt, the part behind the colon.
+std::string shown_text(Shown number, std::string_view format);
 
 } // namespace asperity
 
@@ -28,16 +32,9 @@ struct fmt::formatter<asperity::Shown> {
     return end;
   }
 
-  template <class Context>
-  auto format(const asperity::Shown& number, Context& context) const {
-    const std::string pattern = "{:" + std::string(format_) + "}";
-    std::string text = fmt::format(fmt::runtime(pattern), number.value);
-    const std::string_view mantissa =
-        std::string_view(text).substr(0, text.find_first_of("eE"));
-    if (mantissa.find('-') != std::string_view::npos &&
-        mantissa.find_first_of("123456789in") == std::string_view::npos)
-      text = fmt::format(fmt::runtime(pattern), 0.0);
-    return fmt::format_to(context.out(), "{}", text);
+  auto format(asperity::Shown number, format_context& context) const {
+    const std::string text = asperity::shown_text(number, format_);
+    return std::copy(text.begin(), text.end(), context.out());
   }
 
 private:

@@ -1,5 +1,6 @@
 #include "cli/certify_command.hpp"
 
+#include "base/json.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
@@ -14,7 +15,6 @@
 #include "run/output.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -224,7 +224,7 @@ run::ExitCode certify_results(const CertifyCommand& command) {
     }
   }
   if (run::wants_json())
-    run::emit_answer(list.dump(2) + "\n");
+    run::emit_answer(text_of_json(list, 2) + "\n");
   if (!is_certified) {
     fmt::print(stderr, "no field could be certified\n");
     return run::exit_bad_input;

@@ -1,6 +1,7 @@
 #include "cli/import_command.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "base/special_numbers.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <utility>
@@ -134,7 +134,8 @@ run::ExitCode import_submission(const ImportCommand& command) {
   run::put_last_run_aside(folder);
   write_import(folder, case_info(problem, surface, command.problem), surface,
                answer);
-  const std::string json = exchange::answer_json(answer).dump(2) + "\n";
+  const std::string json =
+      text_of_json(exchange::answer_json(answer), 2) + "\n";
   write_file_atomically(folder / "certificate.json", json);
   if (run::wants_json())
     run::emit_answer(json);

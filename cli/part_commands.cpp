@@ -1,5 +1,6 @@
 #include "cli/part_commands.hpp"
 
+#include "base/json.hpp"
 #include "cli/checks.hpp"
 #include "cli/sweep_commands.hpp"
 #include "input/input_error.hpp"
@@ -18,7 +19,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -276,15 +276,16 @@ run::ExitCode plan_run(const PlanCommand& command) {
              name, records.size(), threads, threads == 1 ? "" : "s", job.time,
              run::quoted_word((folder / "slurm/submit.sh").string()));
   if (run::wants_json())
-    run::emit_answer(nlohmann::ordered_json{
-                         {"format", "asperity-plan-slurm"},
-                         {"format_version", 1},
-                         {"case", name},
-                         {"parts", records.size()},
-                         {"threads", threads},
-                         {"time", job.time},
-                         {"submit", (folder / "slurm/submit.sh").string()}}
-                         .dump(2) +
+    run::emit_answer(text_of_json(
+                         nlohmann::ordered_json{
+                             {"format", "asperity-plan-slurm"},
+                             {"format_version", 1},
+                             {"case", name},
+                             {"parts", records.size()},
+                             {"threads", threads},
+                             {"time", job.time},
+                             {"submit", (folder / "slurm/submit.sh").string()}},
+                         2) +
                      "\n");
   return run::exit_good;
 }

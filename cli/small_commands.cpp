@@ -1,5 +1,6 @@
 // The commands that do not run a case.
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/documents.hpp"
@@ -14,7 +15,6 @@
 #include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 
@@ -47,11 +47,11 @@ run::ExitCode show_cache(bool is_to_clear) {
     cache.clear();
   const methods::Cache::Contents contents = cache.contents();
   if (run::wants_json()) {
-    run::emit_answer(Json{{"folder", cache.folder().string()},
-                          {"entries", contents.entries},
-                          {"size [bytes]", contents.bytes},
-                          {"limit [bytes]", cache.most_bytes()}}
-                         .dump(2) +
+    run::emit_answer(text_of_json(Json{{"folder", cache.folder().string()},
+                                       {"entries", contents.entries},
+                                       {"size [bytes]", contents.bytes},
+                                       {"limit [bytes]", cache.most_bytes()}},
+                                  2) +
                      "\n");
     return run::exit_good;
   }
@@ -70,7 +70,7 @@ run::ExitCode list_cases() {
       fmt::print("{:<24} {}\n", shipped.name, shipped.title);
   }
   if (run::wants_json())
-    run::emit_answer(list.dump(2) + "\n");
+    run::emit_answer(text_of_json(list, 2) + "\n");
   return run::exit_good;
 }
 

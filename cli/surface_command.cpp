@@ -1,5 +1,6 @@
 #include "cli/surface_command.hpp"
 
+#include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
 #include "cli/surface_input.hpp"
@@ -17,7 +18,6 @@
 #include "surfaces/formats/scan.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <limits>
@@ -154,17 +154,18 @@ run::ExitCode write_field(const SurfaceCommand& command) {
              command.write, title, quantity.unit, fields->nominal_pressure,
              grid.points_x, grid.points_y, grid.length_x, grid.length_y);
   if (run::wants_json())
-    run::emit_answer(
-        nlohmann::ordered_json{{"written", command.write},
-                               {"field", command.field},
-                               {"unit", quantity.unit},
-                               {"method", method->name},
-                               {"step", fields->step},
-                               {"nominal_pressure", fields->nominal_pressure},
-                               {"points", {grid.points_x, grid.points_y}},
-                               {"lengths", {grid.length_x, grid.length_y}}}
-            .dump(1) +
-        "\n");
+    run::emit_answer(text_of_json(
+                         nlohmann::ordered_json{
+                             {"written", command.write},
+                             {"field", command.field},
+                             {"unit", quantity.unit},
+                             {"method", method->name},
+                             {"step", fields->step},
+                             {"nominal_pressure", fields->nominal_pressure},
+                             {"points", {grid.points_x, grid.points_y}},
+                             {"lengths", {grid.length_x, grid.length_y}}},
+                         1) +
+                     "\n");
   return run::exit_good;
 }
 
@@ -230,7 +231,7 @@ run::ExitCode print_channels(const std::vector<std::string>& files) {
     }
   }
   if (run::wants_json())
-    run::emit_answer(channels.dump(1) + "\n");
+    run::emit_answer(text_of_json(channels, 1) + "\n");
   return run::exit_good;
 }
 
@@ -255,7 +256,7 @@ run::ExitCode inspect_surface(const SurfaceCommand& command) {
   const reports::SurfaceReport report = analysed(command);
   fmt::print("{}", surface_text(report));
   if (run::wants_json())
-    run::emit_answer(surface_json(report).dump(1) + "\n");
+    run::emit_answer(text_of_json(surface_json(report), 1) + "\n");
   if (!command.write.empty())
     write_converted(command, report);
   const bool has_report =

@@ -42,13 +42,14 @@ add_library(asperity_test_sources INTERFACE)
 asperity_show(asperity_test_sources INTERFACE tests)
 asperity_show(asperity_test_sources INTERFACE benchmarks)
 
-# Headers take most of the time of a small source, so a unity build is some
-# times faster from nothing; batches keep two processors busy. Names of one
-# library's sources are therefore unique, also in unnamed namespaces.
-set(ASPERITY_UNITY_BATCH 25 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
+# Headers, and what several sources instantiate, take most of the time of a small
+# source, so a unity build is some times faster from nothing; batches keep two
+# processors busy. Names of one library's sources are therefore unique, also in
+# unnamed namespaces.
+set(ASPERITY_UNITY_BATCH 45 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
 
 # Tests, too; each has a namespace of its own, asperity::theory::persson_test.
-set(ASPERITY_UNITY_TESTS 10 CACHE STRING "Tests that a unity build compiles as one")
+set(ASPERITY_UNITY_TESTS 20 CACHE STRING "Tests that a unity build compiles as one")
 
 # The sources of the program and of the module compute nothing: little is optimised.
 function(asperity_compile_as_one target)

@@ -2,6 +2,7 @@
 
 #include "base/content_hash.hpp"
 #include "base/field_sums.hpp"
+#include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -10,7 +11,6 @@
 #include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -72,8 +72,9 @@ public:
   [[noreturn]] void refuse(const std::string& member,
                            const std::string& rule) const {
     const auto pointer = Json::json_pointer(member);
-    const std::string found =
-        json_.contains(pointer) ? json_.at(pointer).dump() : "missing";
+    const std::string found = json_.contains(pointer)
+                                  ? text_of_json(json_.at(pointer), -1)
+                                  : "missing";
     throw input::InputError(fmt::format("{}: {} is {}, but must be {}", path_,
                                         member, printable(found), rule));
   }
@@ -174,7 +175,7 @@ Json parsed(const std::filesystem::path& path) {
   const std::string text =
       input::read_input_file(path, input::largest_text_file);
   try {
-    return Json::parse(text);
+    return json_of_text(text);
   } catch (const Json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(
                                         std::min(error.byte, text.size()));
@@ -268,7 +269,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                        {"contact_area_fraction [1]", example.area_fraction},
                        {"elastic_energy [J/m^2]", example.elastic_energy},
                        {"largest_pressure [Pa]", example.largest_pressure}}}};
-  return json.dump(2) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 Problem read_problem(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/content_hash.hpp"
+#include "base/json.hpp"
 #include "base/read_file.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -10,7 +11,6 @@
 #include "surfaces/formats/npy.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>
@@ -115,13 +115,11 @@ std::string reference_json(const Problem& problem,
          {"contact_area_fraction_error [1]",
           number_json(answer.area_fraction_error)},
          {"source", answer.source}});
-  return Json({{"problem", problem.name},
-               {"discrete",
-                {{"meaning", discrete_meaning}, {"answers", discrete}}},
-               {"continuum",
-                {{"meaning", continuum_meaning}, {"answers", limit}}}})
-             .dump(2) +
-         "\n";
+  const Json json{
+      {"problem", problem.name},
+      {"discrete", {{"meaning", discrete_meaning}, {"answers", discrete}}},
+      {"continuum", {{"meaning", continuum_meaning}, {"answers", limit}}}};
+  return text_of_json(json, 2) + "\n";
 }
 
 std::string body_text(const mechanics::ElasticBlock& body) {
@@ -215,7 +213,7 @@ References read_references(const fs::path& folder) {
   };
   try {
     const Json json =
-        Json::parse(input::read_input_file(file, input::largest_text_file));
+        json_of_text(input::read_input_file(file, input::largest_text_file));
     for (const Json& answer : json.at("discrete").at("answers"))
       found.discrete.push_back({number(answer, "nominal_pressure [Pa]"),
                                 number(answer, "mean_gap [m]"),

@@ -1,6 +1,6 @@
 #include "robustness/instance_report.hpp"
 
-#include <nlohmann/json.hpp>
+#include "base/json.hpp"
 
 #include <array>
 
@@ -31,16 +31,17 @@ Outcome outcome_of_note(
 }
 
 std::string to_line(const InstanceReport& report) {
-  return nlohmann::json::array({report.index, static_cast<int>(report.outcome),
-                                report.check, report.reason, report.iterations,
-                                report.area, report.reduced_gap,
-                                report.has_pair, report.has_same_bits,
-                                report.pair_difference, report.seconds})
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return text_of_json(
+      nlohmann::ordered_json::array(
+          {report.index, static_cast<int>(report.outcome), report.check,
+           report.reason, report.iterations, report.area, report.reduced_gap,
+           report.has_pair, report.has_same_bits, report.pair_difference,
+           report.seconds}),
+      -1);
 }
 
 InstanceReport from_line(const std::string& line) {
-  const nlohmann::json fields = nlohmann::json::parse(line);
+  const nlohmann::ordered_json fields = json_of_text(line);
   // JSON represents a number that is not finite as null.
   const auto number = [&](std::size_t i) {
     return fields.at(i).is_null() ? 0.0 : fields.at(i).get<double>();

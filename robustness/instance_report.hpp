@@ -58,7 +58,7 @@ struct InstanceReport {
 };
 
 /// Converts a report to one line of JSON and back.
-/// @throws nlohmann::json::exception  the line has another format
+/// @throws nlohmann::ordered_json::exception  the line has another format
 std::string to_line(const InstanceReport& report);
 InstanceReport from_line(const std::string& line);
 

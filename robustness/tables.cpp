@@ -1,8 +1,8 @@
+#include "base/json.hpp"
 #include "robustness/axes.hpp"
 #include "robustness/page.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -105,7 +105,7 @@ std::string json_of(const Matrix& matrix, const RunDescription& run,
                                {"waves", row.waves},
                                {"q1", row.q1},
                                {"q2", row.q2}});
-  return root.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+  return text_of_json(root, 2) + "\n";
 }
 
 } // namespace asperity::robustness

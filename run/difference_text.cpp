@@ -1,8 +1,8 @@
 // Formats the difference of two results or cases as text and as JSON.
+#include "base/json.hpp"
 #include "run/difference.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -117,7 +117,7 @@ std::string difference_json(const Difference& difference, double tolerance) {
                                                    : OrderedJson(nullptr)},
          {"differences", rows}});
   }
-  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 } // namespace asperity::run

@@ -1,10 +1,9 @@
 #include "run/mpi_world.hpp"
 
+#include "base/json.hpp"
 #include "fem/plugin.hpp"
 #include "run/child_run.hpp"
 #include "run/run_case.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -25,7 +24,7 @@ bool is_one_of_several() {
   return false;
 }
 
-nlohmann::json json_of(const RankedRun& run) {
+nlohmann::ordered_json json_of(const RankedRun& run) {
   std::vector<std::string> logs;
   for (const std::filesystem::path& log : run.logs)
     logs.push_back(log.string());
@@ -33,7 +32,7 @@ nlohmann::json json_of(const RankedRun& run) {
 }
 
 /// Runs the command of this rank, if there is one.
-void run_own_command(const nlohmann::json& run) {
+void run_own_command(const nlohmann::ordered_json& run) {
   const auto i =
       static_cast<std::size_t>(fem::load_fem_module().rank_group().rank());
   if (i >= run.at("last_words").size())
@@ -54,7 +53,7 @@ void silence_standard_output() {
 /// What rank 0 tells the others is a run of a case or of their commands.
 void follow(const std::string& text) {
   silence_standard_output();
-  const nlohmann::json run = nlohmann::json::parse(text);
+  const nlohmann::ordered_json run = json_of_text(text);
   if (run.contains("words"))
     run_own_command(run);
   else
@@ -89,8 +88,8 @@ int n_ranks_on_machine() {
 }
 
 void run_on_ranks(const RankedRun& run) {
-  const nlohmann::json text = json_of(run);
-  fem::load_fem_module().on_all_ranks(text.dump(),
+  const nlohmann::ordered_json text = json_of(run);
+  fem::load_fem_module().on_all_ranks(text_of_json(text, -1),
                                       [&] { run_own_command(text); });
 }
 

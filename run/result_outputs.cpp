@@ -1,5 +1,6 @@
 #include "run/result_outputs.hpp"
 
+#include "base/json.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/pages/report.hpp"
@@ -8,7 +9,6 @@
 #include "run/output.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cstdio>
 
@@ -54,11 +54,10 @@ void JsonAnswer::add(const std::string& name, const fs::path& folder,
                        {"exit_code", static_cast<int>(exit_code)}};
   entry["summary"] = summary == nullptr
                          ? OrderedJson(nullptr)
-                         : OrderedJson::parse(reports::summary_json(*summary));
+                         : json_of_text(reports::summary_json(*summary));
   if (!problem.empty())
     entry["problem"] = problem;
-  entries_.push_back(
-      entry.dump(2, ' ', false, OrderedJson::error_handler_t::replace));
+  entries_.push_back(text_of_json(entry, 2));
 }
 
 void JsonAnswer::print(ExitCode exit_code) const {
@@ -69,9 +68,8 @@ void JsonAnswer::print(ExitCode exit_code) const {
                         {"exit_code", static_cast<int>(exit_code)},
                         {"results", OrderedJson::array()}};
   for (const std::string& entry : entries_)
-    answer["results"].push_back(OrderedJson::parse(entry));
-  emit_answer(
-      answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
+    answer["results"].push_back(json_of_text(entry));
+  emit_answer(text_of_json(answer, 2) + "\n");
 }
 
 } // namespace asperity::run

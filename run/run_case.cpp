@@ -1,5 +1,6 @@
 #include "run/run_case.hpp"
 
+#include "base/json.hpp"
 #include "base/peak_memory.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/locking.hpp"
@@ -26,7 +27,6 @@
 #include "run/studies.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -409,14 +409,15 @@ std::string text_of(const cases::Case& contact_case, const RunOptions& options,
   names.reserve(methods.size());
   for (const MethodSpec& method : methods)
     names.push_back(method.name);
-  return nlohmann::json{
-      {"case", contact_case.text},
-      {"path", contact_case.path},
-      {"folder", options.folder.string()},
-      {"methods", names},
-      {"threads", methods::WorkerPool(options.threads).threads()},
-      {"realizations", options.realizations}}
-      .dump();
+  return text_of_json(
+      nlohmann::ordered_json{
+          {"case", contact_case.text},
+          {"path", contact_case.path},
+          {"folder", options.folder.string()},
+          {"methods", names},
+          {"threads", methods::WorkerPool(options.threads).threads()},
+          {"realizations", options.realizations}},
+      -1);
 }
 
 /// Runs the case on all ranks if they share one of its methods.
@@ -474,7 +475,7 @@ RunOutcome run_case(const cases::Case& contact_case,
 }
 
 void follow_run(const std::string& text) {
-  const nlohmann::json run = nlohmann::json::parse(text);
+  const nlohmann::ordered_json run = json_of_text(text);
   const cases::Case contact_case =
       cases::read_case_text(run.at("case"), run.at("path"));
   RunOptions options{run.at("folder").get<std::string>(), run.at("methods"),

@@ -1,9 +1,9 @@
+#include "base/json.hpp"
 #include "bench/analysis/scaling.hpp"
 #include "bench/pages/bench_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -206,7 +206,7 @@ std::string bench_json(const Bench& bench) {
                      {"scaling", scaling_of(bench)},
                      {"fronts", fronts},
                      {"targets", list_of(bench.targets)}};
-  return json.dump(2) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 std::string bench_csv(const Bench& bench) {

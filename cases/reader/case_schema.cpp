@@ -1,10 +1,10 @@
 #include "cases/reader/case_schema.hpp"
 
+#include "base/json.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/types/quantity_at_load.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -146,7 +146,7 @@ Json table_schema(const Table& table, bool is_variant) {
                               (key.when.empty() ? "" : " Needed or default: ") +
                               key.when;
     if (!key.fallback.empty())
-      property["default"] = Json::parse(key.fallback);
+      property["default"] = json_of_text(key.fallback);
     schema["properties"][key.name] = property;
     if (key.need == Need::always && key.kinds.empty() && !is_variant)
       schema["required"].push_back(key.name);
@@ -187,7 +187,7 @@ std::string json_schema() {
       schema["$defs"][table.name + ".variant"] = table_schema(table, true);
   }
   schema["$defs"].erase("load.sweep"); // inlined in its keys, with units
-  return schema.dump(2) + "\n";
+  return text_of_json(schema, 2) + "\n";
 }
 
 } // namespace asperity::cases

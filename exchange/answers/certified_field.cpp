@@ -1,9 +1,9 @@
 #include "exchange/answers/certified_field.hpp"
 
+#include "base/json.hpp"
 #include "base/shown_number.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

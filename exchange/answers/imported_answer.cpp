@@ -2,6 +2,7 @@
 
 #include "base/array_memory.hpp"
 #include "base/field_sums.hpp"
+#include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "base/special_numbers.hpp"
 #include "exchange/mistakes.hpp"
@@ -13,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

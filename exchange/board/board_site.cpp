@@ -1,12 +1,12 @@
 #include "exchange/board/board_site.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "exchange/board/board_figures.hpp"
 #include "exchange/board/board_tables.hpp"
 #include "reports/pages/published_json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>
@@ -189,7 +189,7 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"pressure_error [1]", reports::json_number(entry.pressure_error)},
            {"cpu_time [s]", reports::json_number(entry.cpu_time)},
            {"iterations", entry.iterations}});
-  return list.dump(2) + "\n";
+  return text_of_json(list, 2) + "\n";
 }
 
 } // namespace

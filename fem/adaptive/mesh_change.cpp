@@ -1,6 +1,7 @@
 #include "fem/adaptive/mesh_change.hpp"
 
-#include <deal.II/base/mpi.h>
+#include "fem/block/all_ranks.hpp"
+
 #include <deal.II/distributed/solution_transfer.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
@@ -88,11 +89,10 @@ std::vector<MeshPlan::Wish> wishes(const BoxCells& boxes,
   }
   std::vector<MeshPlan::Wish> all;
   all.reserve(mesh.n_global_active_cells());
-  for (const auto& part :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, own))
-    for (std::size_t i = 0; i < part.size(); i += 5)
-      all.push_back({{part[i], {part[i + 1], part[i + 2], part[i + 3]}},
-                     static_cast<CellChange>(part[i + 4])});
+  const std::vector<int> cells = of_all_ranks(own);
+  for (std::size_t i = 0; i < cells.size(); i += 5)
+    all.push_back({{cells[i], {cells[i + 1], cells[i + 2], cells[i + 3]}},
+                   static_cast<CellChange>(cells[i + 4])});
   return all;
 }
 

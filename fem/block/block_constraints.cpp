@@ -1,3 +1,4 @@
+#include "fem/block/all_ranks.hpp"
 #include "fem/block/block_space.hpp"
 #include "fem/block/place_map.hpp"
 
@@ -38,11 +39,7 @@ std::vector<double> gathered(const std::vector<FaceNode>& nodes, double depth) {
     for (const global_dof_index unknown : node.unknowns)
       mine.push_back(static_cast<double>(unknown));
   }
-  std::vector<double> all;
-  for (const auto& part :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
-    all.insert(all.end(), part.begin(), part.end());
-  return all;
+  return of_all_ranks(mine);
 }
 
 /// The place with the smallest badness over all ranks. Ties are broken by the
@@ -62,8 +59,7 @@ Point<3> best_place(const std::vector<FaceNode>& nodes, double tolerance,
   };
   for (const FaceNode& node : nodes)
     take({badness(node.place), node.place[0], node.place[1], node.place[2]});
-  for (const auto& other :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, best))
+  for (const auto& other : of_all_ranks(std::vector{best}))
     take(other);
   return Point<3>(best[1], best[2], best[3]);
 }

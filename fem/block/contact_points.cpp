@@ -1,5 +1,6 @@
 #include "fem/block/contact_points.hpp"
 
+#include "fem/block/all_ranks.hpp"
 #include "fem/block/place_map.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -86,20 +87,17 @@ void ContactPoints::find_counter() {
       mine.insert(mine.end(),
                   {node.place[0], node.place[1], node.is_counter ? 1.0 : 0.0,
                    static_cast<double>(node.unknowns[2])});
-  const auto parts = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine);
+  const std::vector<double> all = of_all_ranks(mine);
   PlaceMap first(space_.coordinate_tolerance());
-  for (const auto& part : parts)
-    for (std::size_t i = 0; i < part.size(); i += 4)
-      if (part[i + 2] == 0.0)
-        first.insert(Point<3>(part[i], part[i + 1], 0.0),
-                     static_cast<std::size_t>(part[i + 3]));
-  for (const auto& part : parts)
-    for (std::size_t i = 0; i < part.size(); i += 4)
-      if (part[i + 2] != 0.0)
-        if (const auto partner =
-                first.find(Point<3>(part[i], part[i + 1], 0.0)))
-          opposite_[static_cast<global_dof_index>(*partner)] =
-              static_cast<global_dof_index>(part[i + 3]);
+  for (std::size_t i = 0; i < all.size(); i += 4)
+    if (all[i + 2] == 0.0)
+      first.insert(Point<3>(all[i], all[i + 1], 0.0),
+                   static_cast<std::size_t>(all[i + 3]));
+  for (std::size_t i = 0; i < all.size(); i += 4)
+    if (all[i + 2] != 0.0)
+      if (const auto partner = first.find(Point<3>(all[i], all[i + 1], 0.0)))
+        opposite_[static_cast<global_dof_index>(*partner)] =
+            static_cast<global_dof_index>(all[i + 3]);
 }
 
 bool ContactPoints::add_counter(const Point<2>& place, FaceRow& row) const {

@@ -1,8 +1,7 @@
 #include "fem/block/counter_faces.hpp"
 
+#include "fem/block/all_ranks.hpp"
 #include "fem/block/block_triangulation.hpp"
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,19 +88,18 @@ void CounterFaces::gather(const BlockSpace& space) {
               boundary_of(meshes::FaceGroup::contact))
         append_face(space, cell, f, mine);
   }
-  for (const auto& part :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, mine))
-    for (std::size_t i = 0; i < part.size(); i += 8 + n_nodes) {
-      Face& face = faces_.emplace_back();
-      for (std::size_t corner = 0; corner < 4; ++corner)
-        face.corners[corner] =
-            Point<2>(part[i + 2 * corner], part[i + 2 * corner + 1]);
-      for (std::size_t node = 0; node < n_nodes; ++node) {
-        const double number = part[i + 8 + node];
-        face.unknowns.push_back(
-            number < 0.0 ? nobody : static_cast<global_dof_index>(number));
-      }
+  const std::vector<double> all = of_all_ranks(mine);
+  for (std::size_t i = 0; i < all.size(); i += 8 + n_nodes) {
+    Face& face = faces_.emplace_back();
+    for (std::size_t corner = 0; corner < 4; ++corner)
+      face.corners[corner] =
+          Point<2>(all[i + 2 * corner], all[i + 2 * corner + 1]);
+    for (std::size_t node = 0; node < n_nodes; ++node) {
+      const double number = all[i + 8 + node];
+      face.unknowns.push_back(
+          number < 0.0 ? nobody : static_cast<global_dof_index>(number));
     }
+  }
   if (faces_.empty())
     throw std::domain_error(
         "the counter-body has no face in the group contact");

@@ -1,6 +1,7 @@
 #include "fem/solution/block_section.hpp"
 
-#include <deal.II/base/mpi.h>
+#include "fem/block/all_ranks.hpp"
+
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 
@@ -114,10 +115,9 @@ std::vector<double> von_mises_in(const SectionPlane& plane,
     own.take(cell, at_vertex);
   });
   std::vector<Answer> best = own.answers();
-  for (const std::vector<Answer>& found :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, best))
-    for (std::size_t i = 0; i < best.size(); ++i)
-      best[i] = std::min(best[i], found[i]);
+  const std::vector<Answer> found = of_all_ranks(best);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    best[i % best.size()] = std::min(best[i % best.size()], found[i]);
   std::vector<double> strength;
   strength.reserve(best.size());
   for (const Answer& answer : best)

@@ -1,5 +1,6 @@
 #include "fem/solution/block_stress.hpp"
 
+#include "fem/block/all_ranks.hpp"
 #include "fem/block/elastic_response.hpp"
 
 #include <deal.II/base/mpi.h>
@@ -305,8 +306,7 @@ StressPeak BlockStress::strongest() {
       }
     }
   }
-  for (const RankedPlace& found :
-       dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, best))
+  for (const RankedPlace& found : of_all_ranks(std::vector{best}))
     best = std::min(best, found);
   return {.von_mises = -best[0],
           .largest_shear = best[4],

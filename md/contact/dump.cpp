@@ -94,10 +94,9 @@ void write_atoms(const std::filesystem::path& path, const Grid& cell,
       const auto& [x, y, z] = group.positions[i];
       const double pressure =
           group.pressures.empty() ? 0.0 : group.pressures[i];
-      fmt::format_to(std::back_inserter(text),
-                     "{} {:.6f} {:.6f} {:.6f} {:.6f}\n", group.species,
-                     x * in_angstrom, y * in_angstrom, z * in_angstrom,
-                     pressure * in_gigapascal);
+      text += fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}\n", group.species,
+                          x * in_angstrom, y * in_angstrom, z * in_angstrom,
+                          pressure * in_gigapascal);
     }
   std::filesystem::create_directories(path.parent_path());
   write_file_atomically(path, text);

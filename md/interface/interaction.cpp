@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace asperity::md {
 
-void require_valid_mesh(const Interaction& interaction) {
+void require_interaction(const Interaction& interaction) {
   require_positive("energy", interaction.energy, "J");
   require_positive("distance", interaction.distance, "m");
   require_positive("taper_begin", interaction.taper_begin, "m");
@@ -22,7 +21,7 @@ void require_valid_mesh(const Interaction& interaction) {
 }
 
 PairTerm pair_term(const Interaction& interaction, double distance) {
-  require_valid_mesh(interaction);
+  require_interaction(interaction);
   require_positive("distance", distance, "m");
   const auto sixth_power = [&](double r) {
     return std::pow(interaction.distance / r, 6);
@@ -48,18 +47,6 @@ PairTerm pair_term(const Interaction& interaction, double distance) {
              (y - y_begin) * (y + y_begin - 2.0 * interaction.attraction);
   return {interaction.energy * energy,
           12.0 * interaction.energy * y * steepness / (distance * distance)};
-}
-
-double plane_repulsion_pressure(const Interaction& interaction,
-                                double atom_area, double substrate_area,
-                                double height) {
-  require_valid_mesh(interaction);
-  require_positive("atom_area", atom_area, "m^2");
-  require_positive("substrate_area", substrate_area, "m^2");
-  require_positive("height", height, "m");
-  return 2.0 * std::numbers::pi * interaction.energy * interaction.distance /
-         (atom_area * substrate_area) *
-         std::pow(interaction.distance / height, 11);
 }
 
 } // namespace asperity::md

@@ -34,7 +34,7 @@ struct Interaction {
 
 /// Checks that the parameters are valid.
 /// @throws std::domain_error  a member is outside its range
-void require_valid_mesh(const Interaction& interaction);
+void require_interaction(const Interaction& interaction);
 
 /// Energy U and -U'(r)/r of one pair.
 struct PairTerm {
@@ -47,19 +47,5 @@ struct PairTerm {
 /// are 0 from the cutoff on.
 /// @throws std::domain_error  invalid interaction or distance
 PairTerm pair_term(const Interaction& interaction, double distance);
-
-/// Returns the pressure of the untruncated repulsion between two parallel
-/// planes of atoms with one atom per atom_area and one per substrate_area, both
-/// treated as continuous, at a distance d:
-///
-///     p = 2 pi eps r_0^12 / (atom_area substrate_area d^11)             [Pa]
-///
-/// The discrete sum over two incommensurate planes has the same mean, except
-/// for the effects of the cutoff, which removes a fraction (d/cutoff)^12, and
-/// of the taper.
-/// @throws std::domain_error  an argument is not > 0
-double plane_repulsion_pressure(const Interaction& interaction,
-                                double atom_area, double substrate_area,
-                                double height);
 
 } // namespace asperity::md

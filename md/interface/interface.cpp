@@ -192,7 +192,7 @@ Inspection Interface::Kernel::inspect_row(const LayerView& atoms, int iy,
 Interface::Interface(const Interaction& interaction, const Grid& layer,
                      const Grid& substrate, std::span<const double> heights,
                      int threads) {
-  require_valid_mesh(interaction);
+  require_interaction(interaction);
   require_square("layer", layer);
   require_square("substrate", substrate);
   if (!is_same_length(substrate.length_x, layer.length_x))

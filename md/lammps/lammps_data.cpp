@@ -104,13 +104,13 @@ std::string header(const LammpsBlock& block, double height,
 std::string data_file(const LammpsBlock& block, double height) {
   const std::vector<Bond> bonds = bonds_of(block);
   std::string text = header(block, height, bonds.size());
-  const auto out = std::back_inserter(text);
   text += "Atoms # bond\n\n";
   const auto add_atom = [&](std::size_t number, AtomType type, double x,
                             double y, double z) {
-    fmt::format_to(out, "{} {} {} {:.17g} {:.17g} {:.17g}\n", number,
-                   type == AtomType::substrate ? 0 : 1, static_cast<int>(type),
-                   x / metal::length, y / metal::length, z / metal::length);
+    text +=
+        fmt::format("{} {} {} {:.17g} {:.17g} {:.17g}\n", number,
+                    type == AtomType::substrate ? 0 : 1, static_cast<int>(type),
+                    x / metal::length, y / metal::length, z / metal::length);
   };
   const BlockVectors positions = undeformed(block, height);
   for (std::size_t atom = 0; atom < positions.size(); ++atom) {
@@ -127,8 +127,8 @@ std::string data_file(const LammpsBlock& block, double height) {
     }
   text += "\nBonds\n\n";
   for (std::size_t i = 0; i < bonds.size(); ++i)
-    fmt::format_to(out, "{} {} {} {}\n", i + 1, static_cast<int>(bonds[i].type),
-                   bonds[i].first, bonds[i].second);
+    text += fmt::format("{} {} {} {}\n", i + 1, static_cast<int>(bonds[i].type),
+                        bonds[i].first, bonds[i].second);
   return text;
 }
 
@@ -145,9 +145,9 @@ std::string pair_table(const Interaction& interaction) {
   for (int i = 0; i < table_points; ++i) {
     const double distance = std::sqrt(inner_square + i * step);
     const PairTerm term = pair_term(interaction, distance);
-    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g} {:.17g}\n",
-                   i + 1, distance / metal::length, term.energy / metal::energy,
-                   term.force_over_distance * distance / metal::force);
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", i + 1,
+                        distance / metal::length, term.energy / metal::energy,
+                        term.force_over_distance * distance / metal::force);
   }
   return text;
 }
@@ -162,9 +162,9 @@ std::string positions_file(const LammpsBlock& block,
                   positions.size(), length);
   for (std::size_t atom = 0; atom < positions.size(); ++atom) {
     const auto& [x, y, z] = positions[atom];
-    fmt::format_to(std::back_inserter(text), "{} {:.17g} {:.17g} {:.17g}\n",
-                   atom + 1, x / metal::length, y / metal::length,
-                   z / metal::length);
+    text +=
+        fmt::format("{} {:.17g} {:.17g} {:.17g}\n", atom + 1, x / metal::length,
+                    y / metal::length, z / metal::length);
   }
   return text;
 }

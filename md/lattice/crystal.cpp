@@ -113,12 +113,4 @@ CellStiffness cell_stiffness(const Crystal& crystal) {
   return matrix;
 }
 
-double long_wave_contact_modulus(const Crystal& crystal) {
-  require(crystal);
-  if (crystal.lattice == mechanics::AtomLattice::born)
-    return 2.0 * std::sqrt(crystal.youngs_modulus * shear_modulus(crystal));
-  return crystal.youngs_modulus /
-         (1.0 - crystal.poisson_ratio * crystal.poisson_ratio);
-}
-
 } // namespace asperity::md

@@ -42,8 +42,4 @@ using CellStiffness = std::array<double, std::size_t{24} * 24>;
 ///                            nu is not 1/4
 CellStiffness cell_stiffness(const Crystal& crystal);
 
-/// Returns the contact modulus E* of the crystal in the long-wave limit [Pa]:
-/// E / (1 - nu^2), and 2 sqrt(E G) for the Born lattice.
-double long_wave_contact_modulus(const Crystal& crystal);
-
 } // namespace asperity::md

@@ -1,11 +1,11 @@
 #include "reports/explore/explore_data.hpp"
 
 #include "base/content_hash.hpp"
+#include "base/json.hpp"
 #include "base/read_file.hpp"
 #include "reports/explore/explore_script.hpp"
 
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -129,7 +129,7 @@ std::string explore_data(const std::string& name, const std::string& title,
   else
     for (const ChartPanel& panel : panels)
       json["panels"].push_back(json_of(panel));
-  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string text = ascii_of_json(json);
   // None of these stands outside a string of JSON, where the escape sequence
   // means the same character. The text can then end no element of a page.
   boost::replace_all(text, "<", "\\u003c");

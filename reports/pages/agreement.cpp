@@ -1,12 +1,12 @@
 #include "reports/pages/agreement.hpp"
 
+#include "base/json.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/numbers/fits.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/published_json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,13 +1,13 @@
 #include "reports/pages/drawn_groups.hpp"
 
-#include <nlohmann/json.hpp>
+#include "base/json.hpp"
 
 #include <stdexcept>
 
 namespace asperity::reports {
 
 std::string bytes_of(std::span<const DrawnGroup> groups) {
-  using nlohmann::json;
+  using json = nlohmann::ordered_json;
   json list = json::array();
   for (const DrawnGroup& group : groups) {
     json figures = json::array();
@@ -22,7 +22,7 @@ std::string bytes_of(std::span<const DrawnGroup> groups) {
 }
 
 std::vector<DrawnGroup> drawn_groups_in(std::string_view bytes) {
-  using nlohmann::json;
+  using json = nlohmann::ordered_json;
   try {
     std::vector<DrawnGroup> groups;
     const json list = json::from_cbor(bytes.begin(), bytes.end());

@@ -1,3 +1,4 @@
+#include "base/json.hpp"
 #include "reports/pages/paper_table.hpp"
 #include "reports/pages/published_json.hpp"
 
@@ -44,7 +45,7 @@ std::string paper_json(std::span<const PaperPart> parts,
       json["published"].push_back(line);
     }
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 } // namespace asperity::reports

@@ -1,5 +1,6 @@
 #include "reports/pages/published_json.hpp"
 
+#include "base/json.hpp"
 #include "reports/analysis/judgement.hpp"
 
 #include <algorithm>

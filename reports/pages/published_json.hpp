@@ -6,7 +6,7 @@
 
 #include "reports/analysis/verdict.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace asperity::reports {
 

@@ -1,6 +1,7 @@
 #include "reports/pages/report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "base/parallel_rows.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
@@ -14,7 +15,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ void write_comparison(std::span<const ReportEntry> entries,
   const std::vector<Series> series = series_of(entries);
   const std::vector<Agreement> agreements = agreements_of(entries, series);
   write_file_atomically(folder / "comparison.json",
-                        agreement_json(agreements).dump(2) + "\n");
+                        text_of_json(agreement_json(agreements), 2) + "\n");
   write_file_atomically(folder / "comparison.csv", agreement_csv(agreements));
 }
 

@@ -1,3 +1,4 @@
+#include "base/json.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/published_json.hpp"
@@ -164,7 +165,7 @@ std::string summary_json(const Summary& summary,
     json["methods"].push_back(to_json(method));
   for (const auto& [key, fact] : summary.provenance)
     json["provenance"][key] = fact;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 } // namespace asperity::reports

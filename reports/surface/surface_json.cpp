@@ -1,8 +1,7 @@
 #include "reports/surface/surface_json.hpp"
 
+#include "base/json.hpp"
 #include "reports/surface/surface_quantities.hpp"
-
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 

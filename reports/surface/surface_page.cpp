@@ -1,6 +1,7 @@
 #include "reports/surface/surface_page.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "base/parallel_rows.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/pages/page_data.hpp"
@@ -11,7 +12,6 @@
 #include "reports/surface/surface_text.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <kainjow/mustache.hpp>
@@ -177,7 +177,7 @@ write_surface_report(const SurfaceReport& report,
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "spectrum.txt", spectrum_text(report));
   write_file_atomically(folder / "surface.json",
-                        surface_json(report).dump(1) + "\n");
+                        text_of_json(surface_json(report), 1) + "\n");
   const std::vector<DrawnGroup> groups = drawn(figure_sets(report), folder);
   write_file_atomically(folder / "report.html", surface_page(report, groups));
   std::vector<std::string> problems;

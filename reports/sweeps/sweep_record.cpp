@@ -1,10 +1,10 @@
 #include "reports/sweeps/sweep_record.hpp"
 
+#include "base/json.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace asperity::reports {
 namespace {
@@ -97,7 +97,7 @@ SweepRecord read_sweep_record(const std::filesystem::path& folder) {
       input::read_input_file(file, input::largest_number_file);
   SweepRecord record;
   try {
-    const Json json = Json::parse(text);
+    const Json json = json_of_text(text);
     if (json.at("format") != "asperity-sweep" || json.at("format_version") != 1)
       throw input::InputError(file + ": is not a sweep.json of this version");
     record = record_in(json);

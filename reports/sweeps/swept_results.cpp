@@ -1,5 +1,6 @@
 #include "reports/sweeps/swept_results.hpp"
 
+#include "base/json.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/published_json.hpp"
@@ -8,7 +9,6 @@
 #include "results/trial_read.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -196,7 +196,7 @@ std::string sweep_json(const SweepRecord& record, const Results& results) {
                           {"line", check_line(verdict)}});
     point["expectations"] = verdicts;
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of_json(json, 2) + "\n";
 }
 
 } // namespace asperity::reports

@@ -1,13 +1,13 @@
 #include "run/distributed/part_record.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "methods/chosen.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -42,7 +42,7 @@ PartRecord read_part_record(const fs::path& path) {
   const std::string text =
       input::read_input_file(path, input::largest_text_file);
   try {
-    const PartJson json = PartJson::parse(text);
+    const PartJson json = json_of_text(text);
     if (json.at("format") != "asperity-part" || json.at("format_version") != 1)
       throw input::InputError(path.string() +
                               ": is not a part.json of this version");
@@ -157,7 +157,7 @@ void write_part_record(const PartRecord& record, const fs::path& folder) {
         {"contact_modulus", request.contact_modulus}}},
   };
   write_file_atomically(folder / part_folder(record.part) / part_file,
-                        json.dump(2) + "\n");
+                        text_of_json(json, 2) + "\n");
 }
 
 std::vector<PartRecord> read_part_records(const fs::path& folder) {

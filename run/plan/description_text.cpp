@@ -1,10 +1,10 @@
 // Formats the description of a case and its plan as text and as JSON.
+#include "base/json.hpp"
 #include "cases/text/toml_text.hpp"
 #include "run/plan/description.hpp"
 #include "run/plan/memory_check.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -151,8 +151,7 @@ std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
                                  {"why", one.why},
                                  {"cpu_time [s]", number_json(one.cpu_time)},
                                  {"memory [bytes]", number_json(one.bytes)}});
-  return answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
-         "\n";
+  return text_of_json(answer, 2) + "\n";
 }
 
 std::string description_json(const CaseDescription& description,
@@ -190,10 +189,8 @@ std::string description_json(const CaseDescription& description,
     answer["methods"].push_back({{"name", method.name},
                                  {"kind", method.kind},
                                  {"description", method.text}});
-  answer["plan"] =
-      OrderedJson::parse(plan_json(description.plan, contact_case));
-  return answer.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
-         "\n";
+  answer["plan"] = json_of_text(plan_json(description.plan, contact_case));
+  return text_of_json(answer, 2) + "\n";
 }
 
 } // namespace asperity::run

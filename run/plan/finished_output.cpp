@@ -3,12 +3,12 @@
 #include "base/atomic_file.hpp"
 #include "base/child_process.hpp"
 #include "base/content_hash.hpp"
+#include "base/json.hpp"
 #include "base/read_file.hpp"
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cerrno>
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace asperity::run {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr const char* list_name = "output.json";
 
@@ -62,7 +62,7 @@ bool is_listed(const fs::path& file) {
 std::optional<OutputFiles> listed_files(const std::string& list,
                                         methods::Cache& cache) {
   OutputFiles files;
-  const Json parsed = Json::parse(list);
+  const Json parsed = json_of_text(list);
   for (const auto& [file, hash] : parsed.at("sha256").items()) {
     std::optional<std::string> bytes =
         cache.read(hash.get<std::string>(), methods::entry_kind::file);
@@ -113,7 +113,7 @@ void record_output(const fs::path& folder, const OutputKeys& keys,
                      {"format_version", 1},
                      {"key", keys.output},
                      {"sha256", hashes}};
-  const std::string text = list.dump(2) + "\n";
+  const std::string text = text_of_json(list, 2) + "\n";
   write_file_atomically(folder / list_name, text);
   if (!fits)
     return;
@@ -126,7 +126,7 @@ bool has_output(const fs::path& folder, const std::string& key) {
   if (!fs::is_regular_file(folder / list_name))
     return false;
   try {
-    const Json list = Json::parse(read_file(folder / list_name, 1 << 26));
+    const Json list = json_of_text(read_file(folder / list_name, 1 << 26));
     if (list.at("key") != key)
       return false;
     for (const auto& [file, hash] : list.at("sha256").items())

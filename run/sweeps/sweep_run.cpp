@@ -1,6 +1,7 @@
 #include "run/sweeps/sweep_run.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "methods/cache/cache.hpp"
 #include "methods/chosen.hpp"
@@ -14,7 +15,6 @@
 #include "run/sweeps/sweep_plan.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -222,7 +222,7 @@ void write_record(const reports::SweepRecord& record, const fs::path& folder) {
   put_last_run_aside(folder); // of one case
   remove_report(folder);
   write_file_atomically(folder / reports::sweep_file,
-                        reports::record_json(record).dump(2) + "\n");
+                        text_of_json(reports::record_json(record), 2) + "\n");
 }
 
 SweepOutcome run_sweep(const cases::CaseSweep& sweep,

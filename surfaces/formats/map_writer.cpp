@@ -107,8 +107,7 @@ std::string gwyddion_text(const HeightMap& map, const std::string& title,
   for (const double height : map.heights) {
     const bool is_last =
         ++column == static_cast<std::size_t>(map.grid.points_x);
-    fmt::format_to(std::back_inserter(text), "{:.17g}{}", height,
-                   is_last ? '\n' : '\t');
+    text += fmt::format("{:.17g}{}", height, is_last ? '\n' : '\t');
     if (is_last)
       column = 0;
   }

@@ -159,15 +159,6 @@ TEST(BornCell, IsASumOfSquaresOfTheGradient) {
   EXPECT_NEAR(density / expected, 1.0, rounding);
 }
 
-TEST(LongWaves, HaveTheClosedForms) {
-  EXPECT_DOUBLE_EQ(long_wave_contact_modulus(
-                       crystal_of(mechanics::AtomLattice::isotropic, 0.42)),
-                   modulus / (1.0 - 0.42 * 0.42));
-  EXPECT_DOUBLE_EQ(
-      long_wave_contact_modulus(crystal_of(mechanics::AtomLattice::born, 0.42)),
-      2.0 * modulus / std::sqrt(2.0 * 1.42));
-}
-
 std::string refusal(const Crystal& crystal) {
   return tests::message_of<std::domain_error>([&] { cell_stiffness(crystal); });
 }

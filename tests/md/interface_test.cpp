@@ -21,6 +21,7 @@ namespace asperity::md::interface_test {
 using problems::angstrom;
 using problems::InterfaceProblem;
 using problems::paper_atoms;
+using problems::plane_repulsion_pressure;
 using problems::Planes;
 
 struct Answer {

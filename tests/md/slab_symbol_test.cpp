@@ -26,6 +26,15 @@ Crystal crystal_of(mechanics::AtomLattice lattice) {
           lattice == mechanics::AtomLattice::central ? 0.25 : 0.42};
 }
 
+/// The contact modulus of the continuum: E/(1 - nu^2), and 2 sqrt(E G) for the
+/// Born lattice [Pa].
+double long_wave_contact_modulus(const Crystal& crystal) {
+  const double nu = crystal.poisson_ratio;
+  return crystal.lattice == mechanics::AtomLattice::born
+             ? 2.0 * crystal.youngs_modulus / std::sqrt(2.0 * (1.0 + nu))
+             : crystal.youngs_modulus / (1.0 - nu * nu);
+}
+
 using WideCell = std::array<Real, 24 * 24>;
 
 /// The cell with row sums that are exactly zero: without this a uniform

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <random>
 #include <span>
 #include <vector>
@@ -22,6 +23,23 @@ constexpr double layer_spacing = 2.6 * angstrom;       // a
 inline Interaction paper_atoms(double attraction = 0.0) {
   return {74.4 * milli_electron_volt, 3.28 * angstrom, 10.0 * angstrom,
           9.0 * angstrom, attraction};
+}
+
+/// The pressure of the untruncated repulsion between two parallel planes of
+/// atoms, one per atom_area and one per substrate_area, both treated as
+/// continuous, at a distance d:
+///
+///     p = 2 pi eps r_0^12 / (atom_area substrate_area d^11)             [Pa]
+///
+/// The discrete sum over two incommensurate planes has the same mean, except
+/// for the effects of the cutoff, which removes a fraction (d/cutoff)^12, and
+/// of the taper.
+inline double plane_repulsion_pressure(const Interaction& interaction,
+                                       double atom_area, double substrate_area,
+                                       double height) {
+  return 2.0 * std::numbers::pi * interaction.energy * interaction.distance /
+         (atom_area * substrate_area) *
+         std::pow(interaction.distance / height, 11);
 }
 
 inline Grid lattice(int points, double length) {

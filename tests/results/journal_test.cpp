@@ -1,6 +1,7 @@
 // Tests of the journal of a result: it is read as the file would be, the cost
-// of a step is that of its own size, and no damage or full disk loses finished
-// steps.
+// of a step is that of its own size, finished steps are known when a run
+// resumes, and no damage, full disk or kill at any moment loses them.
+#include "base/atomic_file.hpp"
 #include "base/child_process.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
@@ -10,10 +11,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fstream>
+#include <poll.h>
+#include <random>
 #include <string>
+#include <sys/wait.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -377,6 +385,235 @@ TEST_F(ResultJournal, AFullDiskLosesNoFinishedStep) {
   next.append_step("fem", 0, sample_point(static_cast<int>(done)));
   next.finish("complete");
   EXPECT_EQ(rows(), done + 1);
+}
+
+using ResultResume = ResultFolder;
+
+TEST_F(ResultResume, ContinuesFromTheFinishedSteps) {
+  {
+    ResultWriter first(folder_, sample_case());
+    first.begin_method("fem", "fem", "");
+    first.append_step("fem", 0, sample_point(0));
+    first.append_step("fem", 2, sample_point(5));
+    first.finish("interrupted");
+  }
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  EXPECT_EQ(read_result(folder_).status, "running");
+  EXPECT_TRUE(second.has_step("fem", 0, 0));
+  EXPECT_TRUE(second.has_step("fem", 2, 5));
+  EXPECT_FALSE(second.has_step("fem", 0, 5));
+  EXPECT_FALSE(second.has_step("theory", 0, 0));
+  second.append_step("fem", 0, sample_point(1));
+
+  const StepsDone done = steps_done(read_result(folder_));
+
+  EXPECT_EQ(done, (StepsDone{{{"fem", 0}, {0, 1}}, {{"fem", 2}, {5}}}));
+}
+
+// A file of a program with fewer columns is read and continued: its rows have
+// NaN there, the new ones their numbers.
+TEST_F(ResultResume, ContinuesAFileOfFewerColumns) {
+  {
+    ResultWriter first(folder_, sample_case());
+    first.begin_method("fem", "fem", "");
+    first.append_steps("fem", 0, std::vector{sample_point(0), sample_point(1)});
+    first.finish("interrupted");
+    const std::lock_guard lock(hdf5_mutex());
+    Hdf5File file(first.path(), Hdf5File::Mode::read_write);
+    file.open("methods/fem/0/curve").remove("area_fraction_fit");
+    file.close();
+  }
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  second.append_step("fem", 0, sample_point(2));
+  second.append_step("fem", 0, sample_point(3));
+
+  const Result result = read_result(folder_);
+
+  const std::vector<CurvePoint>& points =
+      result.methods.at(0).realizations.at(0).points;
+  ASSERT_EQ(points.size(), 4U);
+  EXPECT_TRUE(std::isnan(points[0].area_fraction_fit));
+  EXPECT_TRUE(std::isnan(points[1].area_fraction_fit));
+  expect_same(points[2], sample_point(2));
+  expect_same(points[3], sample_point(3));
+  EXPECT_EQ(points[0].area_fraction, sample_point(0).area_fraction);
+}
+
+// A result of another case, of other input files or of another program is not
+// changed, and every difference is named.
+TEST_F(ResultResume, NamesTheDifferencesAndChangesNothing) {
+  CaseInfo before = sample_case();
+  before.inputs = {{"surface.file", std::string(64, 'a')},
+                   {"program", std::string(64, 'b')},
+                   {"mesh.file", std::string(64, 'c')}};
+  { const ResultWriter first(folder_, before); }
+  CaseInfo now = before;
+  now.hash = "beef";
+  now.text = "schema = 1\r\n# o\n";
+  now.inputs["surface.file"] = std::string(64, 'd');
+  now.inputs["program"] = std::string(64, 'e');
+
+  try {
+    const ResultWriter second(folder_, now, ResultWriter::Mode::resume);
+    FAIL() << "a result of another case was taken for this one's";
+  } catch (const input::InputError& error) {
+    EXPECT_EQ(
+        std::string(error.what()),
+        (folder_ / "result.h5").string() +
+            " cannot be resumed: line 2 of the case is \"# o\", but was \"# "
+            "ü\"; the program was built from different sources or tools "
+            "(SHA-256 eeeeeeeeeeee, but was bbbbbbbbbbbb); the file given by "
+            "surface.file has different content (SHA-256 dddddddddddd, but was "
+            "aaaaaaaaaaaa); run without --resume, or choose another --out");
+  }
+  EXPECT_EQ(read_result(folder_).case_hash, "0af3");
+  EXPECT_EQ(inputs_of(read_result(folder_)), before.inputs);
+
+  const ResultWriter third(folder_, before, ResultWriter::Mode::resume);
+}
+
+// A result of an earlier program does not record its input files.
+TEST_F(ResultResume, RefusesUnknownInputs) {
+  { const ResultWriter first(folder_, sample_case()); }
+  CaseInfo now = sample_case();
+  now.inputs = {{"surface.file", std::string(64, 'd')}};
+
+  EXPECT_THROW(ResultWriter(folder_, now, ResultWriter::Mode::resume),
+               input::InputError);
+}
+
+// The published values do not affect the computation: an old result is compared
+// with the present ones.
+TEST_F(ResultResume, TakesTheReferenceOfTheResumedRun) {
+  { const ResultWriter first(folder_, sample_case()); }
+  CaseInfo corrected = sample_case();
+  corrected.reference += "kappa,2.2,1,0.1,a paper\n";
+
+  const ResultWriter second(folder_, corrected, ResultWriter::Mode::resume);
+
+  EXPECT_EQ(read_result(folder_).reference, corrected.reference);
+}
+
+// A temporary file that a killed run left is overwritten and never read.
+TEST_F(ResultResume, IgnoresThePartOfAKilledRun) {
+  { const ResultWriter first(folder_, sample_case()); }
+  write_file_atomically(folder_ / ".result.h5.part", "half a file");
+
+  ResultWriter second(folder_, sample_case(), ResultWriter::Mode::resume);
+  second.finish("complete");
+
+  EXPECT_EQ(read_result(folder_).status, "complete");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / ".result.h5.part"));
+}
+
+using ResultKill = ResultFolder;
+
+const Grid large_grid{64, 64, 1e-6, 1e-6};
+
+Fields sample_fields(int step) {
+  Fields fields;
+  fields.step = step;
+  fields.nominal_pressure = sample_point(step).nominal_pressure;
+  fields.pressure.assign(large_grid.size(), 1e6 + step);
+  fields.gap.assign(large_grid.size(), 1e-9 * step);
+  return fields;
+}
+
+/// Appends steps without end and writes each to `report` when it is done; every
+/// fifth has maps. Continues from the content of the file.
+[[noreturn]] void run_for_ever(const std::filesystem::path& folder,
+                               int report) {
+  ResultWriter writer(folder, sample_case(), ResultWriter::Mode::resume);
+  writer.begin_method("fem", "fem", "");
+  for (int step = 0;; ++step) {
+    if (writer.has_step("fem", 0, step))
+      continue;
+    if (step % 5 == 0)
+      writer.append_step_with_fields("fem", 0, sample_point(step), large_grid,
+                                     sample_fields(step));
+    else
+      writer.append_step("fem", 0, sample_point(step));
+    if (::write(report, &step, sizeof step) != sizeof step)
+      ::_exit(1);
+  }
+}
+
+/// Until the run copies its file, or reports a step.
+void wait_for_copy(const std::filesystem::path& folder, int report) {
+  pollfd watched{report, POLLIN, 0};
+  while (!std::filesystem::exists(folder / ".result.h5.part") &&
+         ::poll(&watched, 1, 0) == 0) {
+  }
+}
+
+/// Starts a run and kills it `delay` after its `n_steps`-th step is reported; 0
+/// is the copy with which it begins, and has no delay.
+///
+/// @return  the last step it reported, -1 if there was none
+int last_step_of_killed_run(const std::filesystem::path& folder, int n_steps,
+                            std::chrono::microseconds delay) {
+  int ends[2];
+  if (::pipe(ends) != 0)
+    throw std::runtime_error("no pipe");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::close(ends[0]);
+    run_for_ever(folder, ends[1]);
+  }
+  ::close(ends[1]);
+  int last = -1;
+  int step = -1;
+  const auto read_report = [&] {
+    return ::read(ends[0], &step, sizeof step) == sizeof step;
+  };
+  for (int i = 0; i < n_steps && read_report(); ++i)
+    last = step;
+  if (n_steps == 0)
+    wait_for_copy(folder, ends[0]);
+  else
+    std::this_thread::sleep_for(delay);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "the run ended by itself";
+  while (read_report())
+    last = step;
+  ::close(ends[0]);
+  return last;
+}
+
+// Each run resumes what the one before left, so that a file that was damaged
+// would fail the next. A step may be in the file and not yet reported. A third
+// of the kills are made while the journal is merged into the file.
+TEST_F(ResultKill, AtAnyMomentLosesNoFinishedStep) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> delay_us(0, 3'000);
+  { const ResultWriter first(folder_, sample_case()); }
+  int n_before = 0;
+  int n_kills_in_a_copy = 0;
+
+  for (int run = 0; run < 60; ++run) {
+    const int last = last_step_of_killed_run(
+        folder_, run % 3, std::chrono::microseconds(delay_us(random)));
+    n_kills_in_a_copy += std::filesystem::exists(folder_ / ".result.h5.part");
+
+    const Result result = read_result(folder_);
+    EXPECT_EQ(result.case_text, sample_case().text);
+    if (result.methods.empty() || result.methods[0].realizations.empty())
+      continue; // killed before the first step
+    const Curve& curve = result.methods[0].realizations[0];
+    const int n_points = static_cast<int>(curve.points.size());
+    EXPECT_GE(n_points, std::max(n_before, last + 1));
+    EXPECT_LE(n_points, std::max(n_before, last + 1) + 1);
+    for (int step = 0; step < n_points; ++step)
+      expect_same(curve.points[static_cast<std::size_t>(step)],
+                  sample_point(step));
+    EXPECT_EQ(static_cast<int>(curve.fields.size()), (n_points + 4) / 5);
+    n_before = n_points;
+  }
+
+  EXPECT_GT(n_before, 50) << "the kills came before the steps";
+  EXPECT_GT(n_kills_in_a_copy, 0) << "no kill hit a copy of the file";
 }
 
 } // namespace asperity::results::journal_test

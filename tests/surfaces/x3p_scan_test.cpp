@@ -1,4 +1,6 @@
-// Tests of the reader of ISO 5436-2 (X3P), with archives that the tests write.
+// Tests of the reader of ISO 5436-2 (X3P), with archives that the tests write:
+// what is read and refused, and larger files with every type of number,
+// positions, checksums and damage.
 #include "base/content_hash.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
@@ -6,13 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/missing_of.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::x3p_scan_test {
 
@@ -192,6 +198,239 @@ TEST(X3pScan, ReadsAnArchiveOfAFolder) {
                                 {"a/bindata/data.bin", numbers_as_bytes(six)}})
                 .find("main.xml has the MD5 checksum"),
             std::string::npos);
+}
+
+using namespace tests_of_rows;
+using namespace tests_of_formats;
+
+/// Rows that do not begin with a byte of the file of valid points.
+constexpr int n_columns = 211;
+constexpr int n_rows = 201;
+constexpr std::size_t n_points = std::size_t{n_columns} * n_rows;
+
+const std::string absolute = "<AxisType>A</AxisType><DataType>D</DataType>";
+const std::string regular = "<AxisType>I</AxisType><Increment>1e-6</Increment>";
+
+struct X3pParts {
+  std::string x = regular, y = regular, z = absolute;
+  std::string sums; ///< entries beside the links
+  bool has_mask = false;
+  int columns = n_columns;
+
+  std::string text() const {
+    return "<p:ISO5436_2><Record1><FeatureType>SUR</FeatureType><Axes><CX>" +
+           x + "</CX><CY>" + y + "</CY><CZ>" + z +
+           "</CZ></Axes></Record1><Record3><MatrixDimension><SizeX>" +
+           std::to_string(columns) + "</SizeX><SizeY>" +
+           std::to_string(n_rows) +
+           "</SizeY><SizeZ>1</SizeZ></MatrixDimension><DataLink>"
+           "<PointDataLink>bindata/data.bin</PointDataLink>" +
+           (has_mask ? "<ValidPointsLink>bindata/valid.bin</ValidPointsLink>"
+                     : "") +
+           sums + "</DataLink></Record3></p:ISO5436_2>";
+  }
+};
+
+double height_of(std::size_t i) {
+  return i % 1000 == 77 ? std::nan("")
+                        : std::sin(0.37 * static_cast<double>(i));
+}
+
+template <class Number>
+std::string heights_as(double factor) {
+  std::string bytes;
+  for (std::size_t i = 0; i < n_points; ++i) {
+    const double height = height_of(i);
+    bytes += little_endian(static_cast<Number>(
+        std::isnan(height) && std::numeric_limits<Number>::is_integer
+            ? 0.0
+            : factor * height));
+  }
+  return bytes;
+}
+
+std::string mask() {
+  std::string bits((n_points + 7) / 8, '\xFF');
+  for (std::size_t i = 0; i < n_points; i += 13)
+    bits[i / 8] = static_cast<char>(bits[i / 8] & ~(1 << (i % 8)));
+  return bits;
+}
+
+Members members_of(const X3pParts& parts, const std::string& points) {
+  Members members{{"main.xml", parts.text()}, {"bindata/data.bin", points}};
+  if (parts.has_mask)
+    members["bindata/valid.bin"] = mask();
+  return members;
+}
+
+std::string x3p(const Members& members) {
+  return written("map.x3p", zip_bytes(members));
+}
+
+/// @param unit    of the numbers [m]
+/// @param offset  of the heights [m]
+template <class Number>
+void expect_heights(const X3pParts& parts, double factor, double unit,
+                    double offset) {
+  const Scan scan = read_scan(
+      x3p(members_of(parts, heights_as<Number>(factor) + "more")), {});
+  ASSERT_EQ(scan.map.grid.points_x, n_columns);
+  ASSERT_EQ(scan.map.heights.size(), n_points);
+  for (std::size_t i = 0; i < n_points; ++i) {
+    double number = factor * height_of(i);
+    if (std::isnan(number) && std::numeric_limits<Number>::is_integer)
+      number = 0.0;
+    const bool is_missing =
+        std::isnan(number) || (parts.has_mask && i % 13 == 0);
+    ASSERT_EQ(std::isnan(scan.map.heights[i]), is_missing) << i;
+    if (!is_missing) {
+      ASSERT_EQ(scan.map.heights[i],
+                offset +
+                    unit * static_cast<double>(static_cast<Number>(number)))
+          << i;
+    }
+  }
+}
+
+TEST(X3pArchive, HasHeightsOfEveryType) {
+  X3pParts parts;
+  expect_heights<double>(parts, 1e-9, 1.0, 0.0);
+  parts.has_mask = true;
+  parts.z = "<AxisType>A</AxisType><DataType>F</DataType><Offset>0.1</Offset>";
+  expect_heights<float>(parts, 1e-9, 1.0, 0.1);
+  parts.z = "<AxisType>A</AxisType><DataType>I</DataType><Increment>1e-12"
+            "</Increment>";
+  expect_heights<std::int16_t>(parts, 3e4, 1e-12, 0.0);
+  parts.z = "<AxisType>A</AxisType><DataType>L</DataType>";
+  expect_heights<std::int32_t>(parts, 2e9, 1.0, 0.0);
+}
+
+/// Positions of both axes and heights of each point.
+std::string positions(std::size_t moved_x, std::size_t moved_y) {
+  std::string bytes;
+  for (std::size_t i = 0; i < n_points; ++i) {
+    const auto x = static_cast<double>(i % n_columns);
+    const auto y = static_cast<double>(i / n_columns);
+    bytes += little_endian(1e-6 * (x + (i == moved_x ? 0.05 : 0.01)));
+    bytes += little_endian(-2e-6 * (y + (i == moved_y ? 0.05 : 0.01)));
+    bytes += little_endian(1e-9 * height_of(i));
+  }
+  return bytes;
+}
+
+TEST(X3pArchive, HasRegularPositions) {
+  X3pParts parts;
+  parts.x = parts.y = absolute;
+  const Scan scan =
+      read_scan(x3p(members_of(parts, positions(n_points, n_points))), {});
+  EXPECT_NEAR(scan.map.grid.length_x, n_columns * 1e-6, 1e-18); // roundoff
+  EXPECT_NEAR(scan.map.grid.length_y, n_rows * 2e-6, 1e-18);
+  EXPECT_EQ(scan.map.heights[1], 1e-9 * height_of(1));
+  EXPECT_NE(refusal_of(x3p(members_of(parts, positions(40000, 3))), {})
+                .find("positions along x are not regular at point (121, 189)"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(x3p(members_of(parts, positions(n_points, 17000))), {})
+                .find("positions along y are not regular at point (120, 80)"),
+            std::string::npos);
+}
+
+TEST(X3pArchive, IsRefusedIfAMemberIsWrong) {
+  X3pParts parts;
+  parts.has_mask = true;
+  parts.sums = "<MD5ChecksumPointData>" + md5_hash(heights_as<double>(1.0)) +
+               "</MD5ChecksumPointData><MD5ChecksumValidPoints>" +
+               md5_hash(mask()) + "</MD5ChecksumValidPoints>";
+  const Members good = members_of(parts, heights_as<double>(1.0));
+  EXPECT_NO_THROW(read_scan(x3p(good), {}));
+  const auto refusal = [&](const std::string& member,
+                           const std::string& bytes) {
+    Members bad = good;
+    bad[member] = bytes;
+    return refusal_of(x3p(bad), {});
+  };
+
+  EXPECT_NE(refusal("bindata/data.bin", heights_as<double>(2.0))
+                .find("data.bin has the MD5 checksum"),
+            std::string::npos);
+  EXPECT_NE(refusal("bindata/valid.bin", std::string(mask().size(), '\xFE'))
+                .find("valid.bin has the MD5 checksum"),
+            std::string::npos);
+  EXPECT_NE(refusal("bindata/valid.bin", mask().substr(1)).find("points need"),
+            std::string::npos);
+  EXPECT_NE(refusal("bindata/data.bin", heights_as<double>(1.0).substr(8))
+                .find("bytes, but only"),
+            std::string::npos);
+  for (const int columns : {1, -3, 2000000000}) {
+    X3pParts other = parts;
+    other.columns = columns;
+    EXPECT_NE(refusal("main.xml", other.text())
+                  .find(columns > 1000 ? "but a map must have 2 to"
+                                       : "points, but a map must"),
+              std::string::npos);
+  }
+  Members absent = good;
+  absent.erase("bindata/valid.bin");
+  EXPECT_NE(refusal_of(x3p(absent), {}).find("the archive has no such file"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal_of(x3p(good), {mechanics::MapFormat::automatic, {}, {1e-6, {}}})
+          .find("surface.length = 1e-06 m, but must be left out"),
+      std::string::npos);
+}
+
+TEST(X3pArchive, IsRefusedIfItIsDamaged) {
+  const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
+  for (const std::size_t bytes : {whole.size() - 1, whole.size() / 2})
+    EXPECT_NE(refusal_of(written("short.x3p", whole.substr(0, bytes)),
+                         {mechanics::MapFormat::x3p})
+                  .find("is a damaged zip archive"),
+              std::string::npos);
+  std::string damaged = whole;
+  for (std::size_t i = 1000; i < 1100; ++i)
+    damaged[i] = '\x55';
+  EXPECT_NE(refusal_of(written("damaged.x3p", damaged), {})
+                .find("data.bin: is damaged"),
+            std::string::npos);
+}
+
+/// An archive that states another size of its points.
+std::string with_size(std::string bytes, std::uint32_t stated) {
+  constexpr std::size_t size_in_directory = 24;
+  const std::size_t entry = bytes.find("PK\x01\x02");
+  bytes.replace(entry + size_in_directory, 4, little_endian(stated));
+  return bytes;
+}
+
+// The archive cannot make the program unpack more than it says, or allocate
+// what it says.
+TEST(X3pArchive, IsRefusedIfItStatesOtherSizes) {
+  const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
+  EXPECT_NE(refusal_of(written("less.x3p", with_size(whole, 1000)), {})
+                .find("data.bin: is longer than the archive says"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(written("more.x3p", with_size(whole, 1U << 29)), {})
+                .find("data.bin: is shorter than the archive says"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal_of(written("most.x3p", with_size(whole, 0xFFFFFFFFU - 9)), {})
+          .find("must have at most"),
+      std::string::npos);
+}
+
+// The name main.xml is behind the first 64 kB of the file.
+TEST(X3pArchive, MayBeginWithThePoints) {
+  std::string noise(400000, '\0');
+  for (std::size_t i = 0; i < noise.size(); ++i)
+    noise[i] = static_cast<char>(i * i * i / 7 + i / 3);
+  Members members = members_of({}, heights_as<double>(1e-9));
+  members["a"] = noise;
+  const std::string path = x3p(members);
+  std::ifstream stream(path, std::ios::binary);
+  std::string beginning(1 << 16, '\0');
+  stream.read(beginning.data(), 1 << 16);
+  ASSERT_EQ(beginning.find("main.xml"), std::string::npos);
+
+  EXPECT_EQ(read_scan(path, {}).map.heights[1], 1e-9 * height_of(1));
 }
 
 } // namespace asperity::surfaces::x3p_scan_test

@@ -161,13 +161,4 @@ AsperityLoad bush_gibson_thomas(const ProfileMoments& moments,
           pi * density * deviation / unit * sum.area_fraction};
 }
 
-AsperityLoad bush_gibson_thomas_asymptote(const ProfileMoments& moments,
-                                          double contact_modulus,
-                                          double mean_gap) {
-  check(moments, contact_modulus, mean_gap);
-  const double area =
-      0.25 * std::erfc(mean_gap / std::sqrt(2.0 * moments.height));
-  return {contact_modulus * std::sqrt(moments.slope / pi) * area, area};
-}
-
 } // namespace asperity::theory

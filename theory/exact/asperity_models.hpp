@@ -51,18 +51,18 @@ struct AsperityLoad {
 AsperityLoad greenwood_williamson(const ProfileMoments& moments,
                                   double contact_modulus, double mean_gap);
 
-/// The model of Bush, Gibson and Thomas in full: elliptic_contact() over all
-/// summits, with mean curvature t, half difference rho of the principal
+/// The model of Bush, Gibson and Thomas in full: elliptic Hertzian contacts on
+/// all summits, with mean curvature t, half difference rho of the principal
 /// curvatures and height z. The density of summits, from <z t> = m_2,
 /// <t^2> = 2 m_4/3 and <rho^2> = 2 m_4/3, is
-/// <rho^2> = 2 m_4/3,
 ///
 ///     n = (t^2 - rho^2)/(2 pi m_2) N(t) (3 rho/m_4) e^{-3 rho^2/2 m_4} N(z|t),
 ///
 /// for 0 < rho < t, and p = int n F, A = int n pi a b over z > u.
 ///
-/// For large separations p ~ u^{-1} e^{-u^2/2 m_0}, which is a = 1 in the
-/// notation of Yang and Persson (2008), as in bush_gibson_thomas_asymptote().
+/// For large separations A/A_0 = erfc(u/sqrt(2 m_0))/4 and
+/// p = E* sqrt(m_2/pi) A/A_0 ~ u^{-1} e^{-u^2/2 m_0}, which is a = 1 in the
+/// notation of Yang and Persson (2008).
 ///
 /// The arguments, errors and model assumptions are those of
 /// greenwood_williamson().
@@ -70,11 +70,5 @@ AsperityLoad greenwood_williamson(const ProfileMoments& moments,
 /// @see  A. W. Bush, R. D. Gibson, T. R. Thomas, Wear 35, 87 (1975)
 AsperityLoad bush_gibson_thomas(const ProfileMoments& moments,
                                 double contact_modulus, double mean_gap);
-
-/// The limit of bush_gibson_thomas() for large separations,
-///     A/A_0 = erfc(u/sqrt(2 m_0))/4,   p = E* sqrt(m_2/pi) A/A_0.
-AsperityLoad bush_gibson_thomas_asymptote(const ProfileMoments& moments,
-                                          double contact_modulus,
-                                          double mean_gap);
 
 } // namespace asperity::theory

@@ -6,7 +6,6 @@
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -53,28 +52,6 @@ EllipticFactors elliptic_factors(double curvature_contrast) {
   const double stretch = 1.0 / std::sqrt(1.0 - m); // a/b
   return {m, 0.5 * pi * stretch * std::sqrt(second / first) / first,
           stretch * second / first};
-}
-
-EllipticContact elliptic_contact(double approach, double first_curvature,
-                                 double second_curvature,
-                                 double contact_modulus) {
-  require_not_negative("approach", approach, "m");
-  require_positive("first_curvature", first_curvature, "1/m");
-  require_positive("second_curvature", second_curvature, "1/m");
-  require_positive("contact_modulus", contact_modulus, "Pa");
-  const double mean = 0.5 * (first_curvature + second_curvature);
-  const EllipticFactors factors = elliptic_factors(
-      0.5 * std::abs(first_curvature - second_curvature) / mean);
-  const double stretch = 1.0 / std::sqrt(1.0 - factors.squared_eccentricity);
-  const double product = approach / mean * factors.area_factor; // a b
-  EllipticContact contact;
-  contact.load = 4.0 / 3.0 * contact_modulus * approach *
-                 std::sqrt(approach / mean) * factors.load_factor;
-  contact.major_radius = std::sqrt(product * stretch);
-  contact.minor_radius = std::sqrt(product / stretch);
-  contact.peak_pressure =
-      approach > 0.0 ? 1.5 * contact.load / (pi * product) : 0.0;
-  return contact;
 }
 
 } // namespace asperity::theory

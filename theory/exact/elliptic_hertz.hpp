@@ -5,14 +5,6 @@
 
 namespace asperity::theory {
 
-/// One elliptic Hertzian contact, p = p_0 sqrt(1 - x^2/a^2 - y^2/b^2).
-struct EllipticContact {
-  double load = 0.0;          ///< F = (2 pi/3) a b p_0 [N]
-  double major_radius = 0.0;  ///< a, along the smaller curvature [m]
-  double minor_radius = 0.0;  ///< b <= a [m]
-  double peak_pressure = 0.0; ///< p_0 [Pa]
-};
-
 /// Factors relative to a sphere: with the mean curvature t = (k_1 + k_2)/2 and
 /// the approach delta,
 ///     F = (4/3) E* delta^{3/2} t^{-1/2} load_factor,
@@ -35,14 +27,5 @@ struct EllipticFactors {
 /// @par Accuracy  roundoff divided by m, about 1e-13
 /// @see  K. L. Johnson, Contact Mechanics (1985), Sec. 4.2(c)
 EllipticFactors elliptic_factors(double curvature_contrast);
-
-/// The contact at a given approach.
-/// @param approach         delta [m] >= 0
-/// @param curvatures       k_1, k_2 of the body [1/m] > 0, in either order
-/// @param contact_modulus  E* [Pa] > 0
-/// @throws std::domain_error  an argument is outside its range or not finite
-EllipticContact elliptic_contact(double approach, double first_curvature,
-                                 double second_curvature,
-                                 double contact_modulus);
 
 } // namespace asperity::theory
