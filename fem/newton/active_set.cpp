@@ -16,7 +16,7 @@ constexpr double first_spring = 1e3;
 
 /// Fraction of the tolerances of gap and forces below which a penetration or a
 /// tensile pressure is considered roundoff.
-constexpr double slack = 0.1;
+constexpr double rounding_share = 0.1;
 
 } // namespace
 
@@ -41,15 +41,16 @@ ContactSet ActiveSet::next_active(const ContactSet& active,
   double highest = 0.0;
   for (const double pressure : state_.pressure)
     highest = std::max(highest, pressure);
-  const double pull = slack * gap_tolerance * state_.stiffness_scale();
+  const double pull = rounding_share * gap_tolerance * state_.stiffness_scale();
   const double rounding = 1e-12 * max(highest, MPI_COMM_WORLD);
-  const double force = slack * contact.tolerance * state_.largest_force();
+  const double force =
+      rounding_share * contact.tolerance * state_.largest_force();
   ContactSet next(active.size());
   for (std::size_t i = 0; i < next.size(); ++i) {
     const double tension =
         std::max(std::min(pull, force / state_.points()[i].area), rounding);
     next[i] = active[i] ? state_.pressure[i] >= -tension
-                        : state_.gap(i) < -slack * gap_tolerance;
+                        : state_.gap(i) < -rounding_share * gap_tolerance;
   }
   return next;
 }

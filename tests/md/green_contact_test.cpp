@@ -156,7 +156,7 @@ TEST(GreenContact, StoresTheWorkOfTheLoad) {
 TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
   const AtomRequest request = flat_request(incommensurate_atoms(points));
   const double distance = request.settings.contact_distance;
-  const double pressure = plane_repulsion_pressure(
+  const double pressure = problems::plane_repulsion_pressure(
       interaction_of(request.settings), request.layer.cell_area(),
       request.substrate.cell_area(), distance);
 
