@@ -56,8 +56,8 @@ const std::set<std::string> parts_of_board = {"challenge",
                                               "wave-1d",
                                               "wave-2d"};
 
-const std::set<std::string> parts_of_peers = {"full-contact", "hertz",
-                                              "westergaard"};
+const std::set<std::string> parts_of_peers = {"full-contact", "gfmd-zhou",
+                                              "hertz", "westergaard"};
 
 /// Names of the sub-folders that hold a case or a collection; the sources of
 /// the module lie beside them.
