@@ -59,7 +59,6 @@ float ContactState::product_scale() const {
 NodeFields ContactState::fields() {
   NodeFields fields;
   const std::span<const double> weights = elasticity.nodal_weights();
-  fields.nodes = pressure.size();
   fields.weight = weights.empty() ? nullptr : weights.data();
   fields.pressure = pressure.data();
   fields.raw_gap = raw_gap.data();
@@ -69,6 +68,9 @@ NodeFields ContactState::fields() {
       iterations > 0 ? previous_residual_.data() : residual.data();
   fields.freedom = freedom.data();
   fields.change = change_.data();
+  fields.active = active.data();
+  fields.lowest = lowest_.data();
+  fields.compliance = problem.local_compliance;
   fields.product_scale = product_scale();
   return fields;
 }
@@ -81,9 +83,7 @@ void ContactState::compute_raw_gap() {
   all.heights = problem.heights.data();
   contact_sums_ = chunked_sum<TwoSums>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / block_nodes;
-        return subtract_heights(all.at(begin, end), problem.local_compliance,
-                                &active[block], &lowest_[block]);
+        return subtract_heights(all, {begin, end});
       });
 }
 
@@ -92,9 +92,7 @@ void ContactState::add_to_gap(double factor, std::span<const float> field) {
   all.displaced = field.data();
   contact_sums_ = chunked_sum<TwoSums>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / block_nodes;
-        return change_gap(all.at(begin, end), factor, problem.local_compliance,
-                          &active[block], &lowest_[block]);
+        return change_gap(all, {begin, end}, factor);
       });
 }
 
@@ -114,7 +112,7 @@ void ContactState::update_residual() {
 
 void ContactState::measure_residual() {
   const double rigid = by_pressure()
-                           ? -contact_sums_.first / contact_sums_.second
+                           ? -contact_sums_.values[0] / contact_sums_.values[1]
                            : target.amount + mean_height_;
   rigid_distance_ = rigid;
   // A block without pressure whose lowest gap is not negative stays inactive.
@@ -125,9 +123,7 @@ void ContactState::measure_residual() {
   const NodeFields all = fields();
   const auto sums = chunked_sum<MeasuredNodes>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        return measure_nodes(all.at(begin, end), rigid,
-                             problem.local_compliance,
-                             &active[begin / block_nodes]);
+        return measure_nodes(all, {begin, end}, rigid);
       });
   gap_error = sums.error;
   free_weight = sums.weight;
@@ -139,20 +135,18 @@ float ContactState::free_mean(std::span<const float> field) {
     return 0.0F;
   NodeFields all = fields();
   all.preconditioned = field.data();
-  const Sum sum = flagged_sum<Sum>(active, field.size(), workers,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     return Sum{sum_free(all.at(begin, end))};
-                                   });
+  const Sum sum = flagged_sum<Sum>(
+      active, field.size(), workers,
+      [&](const NodeRange& range) { return sum_free(all, range); });
   return static_cast<float>(sum.value / free_weight);
 }
 
 TwoSums ContactState::slopes(std::span<const float> field, float mean) {
   NodeFields all = fields();
   all.preconditioned = field.data();
-  return flagged_sum<TwoSums>(active, field.size(), workers,
-                              [&](std::size_t begin, std::size_t end) {
-                                return sum_slopes(all.at(begin, end), mean);
-                              });
+  return flagged_sum<TwoSums>(
+      active, field.size(), workers,
+      [&](const NodeRange& range) { return sum_slopes(all, range, mean); });
 }
 
 void ContactState::advance(float step, std::span<float> direction,
@@ -162,12 +156,11 @@ void ContactState::advance(float step, std::span<float> direction,
   NodeFields all = fields();
   all.direction = direction.data();
   const TwoSums sums = flagged_sum<TwoSums>(
-      active, pressure.size(), workers,
-      [&](std::size_t begin, std::size_t end) {
-        return advance_nodes(all.at(begin, end), static_cast<double>(step));
+      active, pressure.size(), workers, [&](const NodeRange& range) {
+        return advance_nodes(all, range, static_cast<double>(step));
       });
-  if (sums.second > 0.0) {
-    restore_load(sums.first);
+  if (sums.values[1] > 0.0) {
+    restore_load(sums.values[0]);
     elasticity.displacement_change(change_, compliance_direction);
     ++transforms;
     add_to_gap(1.0, compliance_direction);
@@ -182,10 +175,11 @@ void ContactState::restore_load(double pressure_sum) {
   const double scale =
       load_scale(target, workers.all_nodes(pressure.size()), pressure_sum);
   const NodeFields all = fields();
-  flagged(active, pressure.size(), workers.threads,
-          [&](std::size_t begin, std::size_t end) {
-            scale_nodes(all.at(begin, end), scale);
-          });
+  flagged_sum<Sum>(active, pressure.size(), workers.threads,
+                   [&](const NodeRange& range) {
+                     scale_nodes(all, range, scale);
+                     return Sum{};
+                   });
 }
 
 ContactSolution ContactState::solution() && {

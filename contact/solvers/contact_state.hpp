@@ -14,20 +14,6 @@
 
 namespace asperity::contact {
 
-/// Changes of pressure that the iteration allows at a node.
-enum Freedom : std::uint8_t {
-  fixed = 0,     ///< inactive: no pressure, no overlap
-  gains = 1,     ///< overlaps without pressure: the pressure may only grow
-  may_shift = 2, ///< carries pressure, which may change in either direction
-};
-
-/// Value of a search direction at a node, restricted to the changes allowed.
-inline float allowed(float value, std::uint8_t freedom) {
-  const float gain = value < 0.0F ? value : 0.0F;
-  const float limited = freedom > gains ? value : gain;
-  return freedom > fixed ? limited : 0.0F;
-}
-
 /// Pressure, displacement and residual, kept consistent. Each operation passes
 /// over the active blocks of nodes and accumulates the sums needed later; only
 /// the gap is read and written at every node, once per change of pressure.

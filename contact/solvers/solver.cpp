@@ -144,25 +144,25 @@ private:
   double conjugate(ContactState& state) {
     const float mean = state.free_mean(preconditioned_);
     const TwoSums slopes = state.slopes(preconditioned_, mean);
-    const float beta =
-        before_ > 0.0
-            ? static_cast<float>(std::max(0.0, slopes.second / before_))
-            : 0.0F;
-    before_ = slopes.first;
+    const auto [now, change] = slopes.values;
+    const float beta = before_ > 0.0
+                           ? static_cast<float>(std::max(0.0, change / before_))
+                           : 0.0F;
+    before_ = now;
     clear_inactive(state.active, written_, std::span(direction_));
     NodeFields all = state.fields();
     all.preconditioned = preconditioned_.data();
     all.direction = direction_.data();
-    const Sum slope = flagged_sum<Sum>(
-        state.active, direction_.size(), state.workers,
-        [&](std::size_t begin, std::size_t end) {
-          return Sum{conjugate_nodes(all.at(begin, end), mean, beta)};
-        });
+    const Sum slope =
+        flagged_sum<Sum>(state.active, direction_.size(), state.workers,
+                         [&](const NodeRange& range) {
+                           return conjugate_nodes(all, range, mean, beta);
+                         });
     if (slope.value > 0.0)
       return slope.value;
     for (std::size_t i = 0; i < direction_.size(); ++i) // restart
       direction_[i] = allowed(preconditioned_[i] - mean, state.freedom[i]);
-    return slopes.first;
+    return now;
   }
 
   /// d . (C + c) d
@@ -170,12 +170,9 @@ private:
     NodeFields all = state.fields();
     all.direction = direction_.data();
     all.displaced = compliance_direction_.data();
-    return flagged_sum<Sum>(state.active, direction_.size(), state.workers,
-                            [&](std::size_t begin, std::size_t end) {
-                              return Sum{
-                                  sum_energy(all.at(begin, end),
-                                             state.problem.local_compliance)};
-                            })
+    return flagged_sum<Sum>(
+               state.active, direction_.size(), state.workers,
+               [&](const NodeRange& range) { return sum_energy(all, range); })
         .value;
   }
 
