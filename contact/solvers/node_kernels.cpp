@@ -65,7 +65,6 @@ INLINED inline void each_lane(std::size_t first, Count n,
                               const DoNode& do_node) {
   std::size_t k = 0;
   for (; k + n_lanes <= n; k += n_lanes)
-#pragma GCC ivdep
     for (std::size_t lane = 0; lane < n_lanes; ++lane)
       do_node(first + k + lane, lane);
   for (; k < n; ++k)
