@@ -3,8 +3,7 @@
 #include "base/maximum.hpp"
 #include "contact/operators/gathered_operator.hpp"
 #include "contact/solvers/active_system.hpp"
-#include "contact/solvers/iteration.hpp"
-#include "contact/solvers/projected_state.hpp"
+#include "contact/solvers/contact_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -65,15 +64,15 @@ double long_wave_compliance(SurfaceOperator& elasticity) {
 
 class ActiveSet {
 public:
-  explicit ActiveSet(ProjectedState& state)
+  explicit ActiveSet(ContactState& state)
       : state_(state),
         weights_(state.elasticity.nodal_weights()),
         system_(state.elasticity, state.problem.local_compliance,
                 state.by_pressure()),
-        is_free_(state.is_free),
+        is_free_(state.freedom),
         residual_(state.pressure.size()),
         balanced_(state.pressure.size()),
-        displacement_(state.pressure.size()) {}
+        raw_gap_(state.pressure.size()) {}
 
   /// Makes one iteration. Returns an empty string, or why the iteration failed.
   std::string step() {
@@ -81,23 +80,24 @@ public:
     for (std::size_t i = 0; i < is_free_.size(); ++i)
       if (is_free_[i])
         free_.push_back(i);
-    find_residual(state_.pressure, state_.displacement);
+    find_residual(state_.pressure, state_.raw_gap);
     std::string reason = system_.solve(
         free_, residual_, 0.1 * state_.problem.gap_tolerance, balanced_);
     if (!reason.empty())
       return reason;
     for (std::size_t i = 0; i < balanced_.size(); ++i)
       balanced_[i] += state_.pressure[i];
-    state_.elasticity.displacement(balanced_, displacement_);
-    find_residual(balanced_, displacement_);
+    state_.elasticity.displacement(balanced_, raw_gap_);
+    ++state_.transforms;
+    for (std::size_t i = 0; i < raw_gap_.size(); ++i)
+      raw_gap_[i] -= state_.problem.heights[i];
+    find_residual(balanced_, raw_gap_);
     if (!std::isfinite(largest_magnitude(residual_)))
       return "the equilibrium gap is not finite";
     exchange();
-    for (std::size_t i = 0; i < balanced_.size(); ++i)
-      state_.pressure[i] = std::max(0.0, balanced_[i]);
-    scale_to_target(state_.target, weights_, state_.pressure);
-    state_.elasticity.displacement(state_.pressure, state_.displacement);
-    state_.transforms += 2;
+    for (double& pressure : balanced_)
+      pressure = std::max(0.0, pressure);
+    state_.set_pressure(balanced_);
     return {};
   }
 
@@ -107,9 +107,9 @@ private:
   /// Finds gap + c p of all nodes. Under a prescribed load its mean over the
   /// active nodes is set to 0.
   void find_residual(std::span<const double> pressure,
-                     std::span<const double> displacement) {
+                     std::span<const double> raw_gap) {
     for (std::size_t i = 0; i < residual_.size(); ++i)
-      residual_[i] = displacement[i] - state_.problem.heights[i] +
+      residual_[i] = raw_gap[i] +
                      state_.problem.local_compliance * pressure[i] +
                      state_.rigid_distance;
     if (!state_.by_pressure())
@@ -149,20 +149,20 @@ private:
       is_free_[node] = is_free_[node] ? 0 : 1;
   }
 
-  ProjectedState& state_;
+  ContactState& state_;
   std::span<const double> weights_;
   ActiveSystem system_;
   std::vector<std::uint8_t> is_free_;
   std::vector<std::size_t> free_;
-  std::vector<double> residual_; ///< gap + c p [m]
-  std::vector<double> balanced_; ///< p with no residual on active nodes [Pa]
-  std::vector<double> displacement_;
+  std::vector<double> residual_;   ///< gap + c p [m]
+  std::vector<double> balanced_;   ///< p with no residual on active nodes [Pa]
+  std::vector<double> raw_gap_;    ///< C p - h of these
   std::vector<std::size_t> wrong_; ///< nodes in tension, or overlapping
   std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
   int tries_left_ = 0;
 };
 
-double gap_rounding(const ProjectedState& state, double long_wave) {
+double gap_rounding(const ContactState& state, double long_wave) {
   const Workers workers = state.elasticity.workers();
   return rounding_of_a_field *
          (largest_size_of(state.problem.heights, workers) +
@@ -172,9 +172,9 @@ double gap_rounding(const ProjectedState& state, double long_wave) {
 }
 
 /// Why the ranks cannot solve the first system of a problem; empty if they can.
-std::string refusal_on_ranks(const ProjectedState& state) {
+std::string refusal_on_ranks(const ContactState& state) {
   const auto own = static_cast<std::size_t>(std::ranges::count_if(
-      state.is_free, [](auto flag) { return flag != 0; }));
+      state.freedom, [](auto freedom) { return freedom > fixed; }));
   return refusal_of_system(state.elasticity,
                            total_count(state.elasticity.workers(), own),
                            state.elasticity.grid().size());
@@ -211,12 +211,12 @@ ContactSolution active_set(SurfaceOperator& elasticity,
                            const ContactProblem& problem,
                            const mechanics::LoadTarget& target,
                            std::span<const double> initial_pressure) {
-  ProjectedState state(elasticity, problem, target, initial_pressure);
+  ContactState state(elasticity, problem, target,
+                     {initial_pressure.begin(), initial_pressure.end()});
   const double long_wave = long_wave_compliance(elasticity);
   ++state.transforms;
   state.problem.max_iterations =
       std::min(problem.max_iterations, most_iterations);
-  state.update_residual();
   std::optional<ActiveSet> nodes;
   std::string reason;
   for (;; ++state.iterations) {

@@ -1,7 +1,10 @@
 #include "contact/solvers/contact_state.hpp"
 
+#include "contact/solvers/starting_pressure.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "ranks/node_sums.hpp"
@@ -14,16 +17,26 @@ namespace {
 /// left an error of about 1e-7 of the first one.
 constexpr double recurrence_range = 1e-4;
 
+std::string not_converged_note(double gap_error, int iterations) {
+  return (std::isfinite(gap_error) ? "not converged in "
+                                   : "the residual is not finite after ") +
+         std::to_string(iterations) + " iterations";
+}
+
 } // namespace
 
 ContactState::ContactState(SurfaceOperator& elasticity_,
                            const ContactProblem& problem_,
                            const mechanics::LoadTarget& target_,
                            std::vector<double> initial_pressure)
-    : Iteration(elasticity_, problem_, target_, std::move(initial_pressure)),
+    : elasticity(elasticity_),
+      problem(problem_),
+      target(target_),
+      workers(elasticity_.workers()),
+      pressure(starting_pressure(elasticity_, problem_, target_,
+                                 std::move(initial_pressure))),
       raw_gap(pressure.size()),
       freedom(pressure.size()),
-      workers(elasticity_.workers()),
       active(blocks_of(pressure.size()), 1),
       unset_(std::make_unique_for_overwrite<float[]>(3 * pressure.size())),
       written_(active.size(), 1),
@@ -37,12 +50,17 @@ ContactState::ContactState(SurfaceOperator& elasticity_,
     mean_height_ =
         weighted_sum(elasticity.nodal_weights(), problem.heights, workers) /
         static_cast<double>(workers.all_nodes(pressure.size()));
-  compute_raw_gap();
+  compute_gap();
 }
 
 /// One of the three fields.
 std::span<float> ContactState::unset_part(std::size_t i) {
   return {unset_.get() + i * pressure.size(), pressure.size()};
+}
+
+bool ContactState::is_at_end() const {
+  return is_converged() || !std::isfinite(gap_error) ||
+         iterations >= problem.max_iterations;
 }
 
 /// 1 over the largest residual times the pressure that closes it on short
@@ -59,7 +77,6 @@ float ContactState::product_scale() const {
 NodeFields ContactState::fields() {
   NodeFields fields;
   const std::span<const double> weights = elasticity.nodal_weights();
-  fields.nodes = pressure.size();
   fields.weight = weights.empty() ? nullptr : weights.data();
   fields.pressure = pressure.data();
   fields.raw_gap = raw_gap.data();
@@ -69,32 +86,38 @@ NodeFields ContactState::fields() {
       iterations > 0 ? previous_residual_.data() : residual.data();
   fields.freedom = freedom.data();
   fields.change = change_.data();
+  fields.heights = problem.heights.data();
+  fields.active = active.data();
+  fields.lowest = lowest_.data();
+  fields.compliance = problem.local_compliance;
   fields.product_scale = product_scale();
   return fields;
 }
 
-void ContactState::compute_raw_gap() {
+void ContactState::compute_gap() {
   elasticity.displacement(pressure, raw_gap);
   ++transforms;
+  subtract_heights_from_gap();
   is_computed_ = true;
-  NodeFields all = fields();
-  all.heights = problem.heights.data();
+}
+
+void ContactState::subtract_heights_from_gap() {
+  is_computed_ = false;
+  const NodeFields all = fields();
   contact_sums_ = chunked_sum<TwoSums>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / block_nodes;
-        return subtract_heights(all.at(begin, end), problem.local_compliance,
-                                &active[block], &lowest_[block]);
+        return subtract_heights(all, {begin, end});
       });
 }
 
+/// raw_gap += factor * field
 void ContactState::add_to_gap(double factor, std::span<const float> field) {
+  is_computed_ = false;
   NodeFields all = fields();
   all.displaced = field.data();
   contact_sums_ = chunked_sum<TwoSums>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        const std::size_t block = begin / block_nodes;
-        return change_gap(all.at(begin, end), factor, problem.local_compliance,
-                          &active[block], &lowest_[block]);
+        return change_gap(all, {begin, end}, factor);
       });
 }
 
@@ -106,68 +129,42 @@ void ContactState::update_residual() {
     computed_error_ = gap_error;
   } else if (is_converged() || gap_error < recurrence_range * computed_error_) {
     scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
-    compute_raw_gap();
+    compute_gap();
     measure_residual();
     computed_error_ = gap_error;
   }
 }
 
 void ContactState::measure_residual() {
-  const double rigid = by_pressure()
-                           ? -contact_sums_.first / contact_sums_.second
-                           : target.amount + mean_height_;
-  rigid_distance_ = rigid;
+  rigid_distance = by_pressure()
+                       ? -contact_sums_.values[0] / contact_sums_.values[1]
+                       : target.amount + mean_height_;
   // A block without pressure whose lowest gap is not negative stays inactive.
   for (std::size_t block = 0; block < active.size(); ++block)
     active[block] |=
-        static_cast<std::uint8_t>(!(lowest_[block] + rigid >= 0.0));
+        static_cast<std::uint8_t>(!(lowest_[block] + rigid_distance >= 0.0));
   clear_inactive(active, written_, residual);
   const NodeFields all = fields();
   const auto sums = chunked_sum<MeasuredNodes>(
       pressure.size(), workers, [&](std::size_t begin, std::size_t end) {
-        return measure_nodes(all.at(begin, end), rigid,
-                             problem.local_compliance,
-                             &active[begin / block_nodes]);
+        return measure_nodes(all, {begin, end}, rigid_distance);
       });
   gap_error = sums.error;
   free_weight = sums.weight;
   freed += sums.changed;
 }
 
-float ContactState::free_mean(std::span<const float> field) {
-  if (!by_pressure())
-    return 0.0F;
-  NodeFields all = fields();
-  all.preconditioned = field.data();
-  const Sum sum = flagged_sum<Sum>(active, field.size(), workers,
-                                   [&](std::size_t begin, std::size_t end) {
-                                     return Sum{sum_free(all.at(begin, end))};
-                                   });
-  return static_cast<float>(sum.value / free_weight);
-}
-
-TwoSums ContactState::slopes(std::span<const float> field, float mean) {
-  NodeFields all = fields();
-  all.preconditioned = field.data();
-  return flagged_sum<TwoSums>(active, field.size(), workers,
-                              [&](std::size_t begin, std::size_t end) {
-                                return sum_slopes(all.at(begin, end), mean);
-                              });
-}
-
 void ContactState::advance(float step, std::span<float> direction,
                            std::span<float> compliance_direction) {
   clear_inactive(active, change_written_, change_);
-  is_computed_ = false;
   NodeFields all = fields();
   all.direction = direction.data();
-  const TwoSums sums = flagged_sum<TwoSums>(
-      active, pressure.size(), workers,
-      [&](std::size_t begin, std::size_t end) {
-        return advance_nodes(all.at(begin, end), static_cast<double>(step));
-      });
-  if (sums.second > 0.0) {
-    restore_load(sums.first);
+  const auto [pressure_sum, cut] =
+      sum<TwoSums>([&](const NodeRange& range) {
+        return advance_nodes(all, range, static_cast<double>(step));
+      }).values;
+  if (cut > 0.0) {
+    restore_load(pressure_sum);
     elasticity.displacement_change(change_, compliance_direction);
     ++transforms;
     add_to_gap(1.0, compliance_direction);
@@ -182,34 +179,59 @@ void ContactState::restore_load(double pressure_sum) {
   const double scale =
       load_scale(target, workers.all_nodes(pressure.size()), pressure_sum);
   const NodeFields all = fields();
-  flagged(active, pressure.size(), workers.threads,
-          [&](std::size_t begin, std::size_t end) {
-            scale_nodes(all.at(begin, end), scale);
-          });
+  sum<Sum>([&](const NodeRange& range) {
+    scale_nodes(all, range, scale);
+    return Sum{};
+  });
+}
+
+void ContactState::set_pressure(std::vector<double> other) {
+  pressure = std::move(other);
+  scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
+  std::ranges::fill(active, std::uint8_t{1});
+  compute_gap();
 }
 
 ContactSolution ContactState::solution() && {
   if (!is_computed_) {
     scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
-    compute_raw_gap();
+    compute_gap();
   }
   residual = change_ = previous_residual_ = {};
   unset_.reset();
   freedom = std::vector<std::uint8_t>();
-  std::vector<double> all_displacements(pressure.size());
-  double* const displacement = all_displacements.data();
-  double* const gap = raw_gap.data();
-  const double* const h = problem.heights.data();
-  const double rigid = rigid_distance_;
-  const auto sums = chunked_sum<Observed>(
-      pressure.size(), workers, [&, rigid](std::size_t begin, std::size_t end) {
+  ContactSolution answer;
+  answer.displacement.resize(pressure.size());
+  const auto sums = chunked_sum<TwoSums>(
+      pressure.size(), workers,
+      [&, displacement = answer.displacement.data(), gap = raw_gap.data(),
+       p = pressure.data(), h = problem.heights.data(),
+       rigid = rigid_distance](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           displacement[i] = gap[i] + h[i];
           gap[i] += rigid;
         }
-        return observe(raw_gap, begin, end);
+        return with_weights(elasticity.nodal_weights(), [=](const auto weight) {
+          const auto sum_of = [=](const double* field) {
+            return sum_in_lanes(begin, end, [=](std::size_t i) {
+              return weight[i] * field[i];
+            });
+          };
+          return TwoSums{{sum_of(p), sum_of(gap)}};
+        });
       });
-  return solution_of(std::move(raw_gap), std::move(all_displacements), sums);
+  const auto nodes = static_cast<double>(workers.all_nodes(pressure.size()));
+  answer.nominal_pressure = sums.values[0] / nodes;
+  answer.mean_gap = sums.values[1] / nodes;
+  answer.pressure = std::move(pressure);
+  answer.gap = std::move(raw_gap);
+  answer.gap_error = gap_error;
+  answer.iterations = iterations;
+  answer.transforms = transforms;
+  answer.converged = is_converged();
+  if (!answer.converged)
+    answer.note = not_converged_note(gap_error, iterations);
+  return answer;
 }
 
 } // namespace asperity::contact

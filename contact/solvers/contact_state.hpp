@@ -1,11 +1,11 @@
 #pragma once
 
-// The fields of one contact problem in the preconditioned iteration: pressure
-// and displacement in double precision, their changes in single precision.
+// The state of one contact problem: pressure and gap in double precision,
+// residual and changes in single precision.
 
-#include "contact/solvers/iteration.hpp"
 #include "contact/solvers/node_blocks.hpp"
 #include "contact/solvers/node_kernels.hpp"
+#include "contact/solvers/solver.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -14,24 +14,11 @@
 
 namespace asperity::contact {
 
-/// Changes of pressure that the iteration allows at a node.
-enum Freedom : std::uint8_t {
-  fixed = 0,     ///< inactive: no pressure, no overlap
-  gains = 1,     ///< overlaps without pressure: the pressure may only grow
-  may_shift = 2, ///< carries pressure, which may change in either direction
-};
-
-/// Value of a search direction at a node, restricted to the changes allowed.
-inline float allowed(float value, std::uint8_t freedom) {
-  const float gain = value < 0.0F ? value : 0.0F;
-  const float limited = freedom > gains ? value : gain;
-  return freedom > fixed ? limited : 0.0F;
-}
-
-/// Pressure, displacement and residual, kept consistent. Each operation passes
-/// over the active blocks of nodes and accumulates the sums needed later; only
-/// the gap is read and written at every node, once per change of pressure.
-class ContactState : public Iteration {
+/// Pressure, displacement and residual, kept consistent, the error that is left
+/// and the counts. Each operation passes over the active blocks of nodes and
+/// accumulates the sums needed later; only the gap is read and written at every
+/// node, once per change of pressure.
+class ContactState {
 public:
   /// Checks the arguments and sets the initial state.
   /// @throws std::domain_error  see solve_contact
@@ -39,10 +26,21 @@ public:
                const mechanics::LoadTarget& target,
                std::vector<double> initial_pressure);
 
-  /// Updates the residual, the separation u, the error and the node classes.
-  /// The displacement is recomputed in double precision when the error has
-  /// fallen so far that the single precision of the changes would matter, and
-  /// before convergence is accepted.
+  bool by_pressure() const {
+    return target.control == mechanics::Control::nominal_pressure;
+  }
+
+  bool is_converged() const { return gap_error <= problem.gap_tolerance; }
+
+  /// True if the tolerance is met, if the iteration limit is reached, or if the
+  /// error is not finite.
+  bool is_at_end() const;
+
+  /// Updates the residual gap + c p, the separation u (under pressure control
+  /// it makes the mean residual over the contact vanish), the error and the
+  /// node classes. The displacement is recomputed in double precision when the
+  /// error has fallen so far that the single precision of the changes would
+  /// matter, and before convergence is accepted.
   void update_residual();
 
   /// Sets p = max(0, p - step * direction) and updates C p. If a pressure was
@@ -52,33 +50,47 @@ public:
   void advance(float step, std::span<float> direction,
                std::span<float> compliance_direction);
 
-  /// Mean of a field over the active nodes under pressure control, otherwise 0.
-  /// Subtracting it from a direction preserves the load.
-  float free_mean(std::span<const float> field);
-
-  /// Computes r . z and the part of it due to the change of the residual;
-  /// z = field - mean, restricted to the changes allowed.
-  TwoSums slopes(std::span<const float> field, float mean);
+  /// Replaces the pressure by another one at the load of the target.
+  void set_pressure(std::vector<double> other);
 
   /// The fields for the loops over nodes.
   NodeFields fields();
 
+  /// Adds loop(range) -> Sums over the active blocks.
+  template <class Sums, class Loop>
+  Sums sum(const Loop& loop) const {
+    return flagged_sum<Sums>(active, pressure.size(), workers, loop);
+  }
+
   /// The state as a solution; its note says if it did not converge.
   ContactSolution solution() &&;
 
-  std::vector<double> raw_gap;       ///< C p - h [m]
+  SurfaceOperator& elasticity;
+  ContactProblem problem;
+  mechanics::LoadTarget target;
+  Workers workers;
+  std::vector<double> pressure; ///< p [Pa]
+  std::vector<double> raw_gap;  ///< C p - h [m]
+  double rigid_distance = 0.0;  ///< u [m]
+  double gap_error = 0.0;       ///< [m]
+  int iterations = 0;
+  int transforms = 0;
+
   std::span<float> residual;         ///< gap + c p [m] on active nodes, else 0
   std::vector<std::uint8_t> freedom; ///< Freedom of each node
   double free_weight = 0.0;          ///< total weight of the active nodes
-  Workers workers;
   /// Blocks with an active node. Residual and freedom are 0 in the others.
   BlockFlags active;
   double freed = 0.0; ///< cumulative number of changes of the active set
 
+protected:
+  /// Computes raw_gap from the pressure by one application of C.
+  void compute_gap();
+  /// Sets raw_gap, which contains an updated C p, to C p - h.
+  void subtract_heights_from_gap();
+
 private:
   std::span<float> unset_part(std::size_t i);
-  void compute_raw_gap();
-  /// raw_gap += factor * field
   void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
   float product_scale() const;
@@ -88,7 +100,6 @@ private:
   /// their inactive blocks are set to 0 then.
   std::unique_ptr<float[]> unset_;
   double mean_height_ = 0.0;    ///< under gap control [m]
-  double rigid_distance_ = 0.0; ///< u [m]
   double computed_error_ = 0.0; ///< gap_error when C p was last recomputed
   bool is_computed_ = false;    ///< C p was recomputed, not updated
   TwoSums contact_sums_;        ///< see change_gap()

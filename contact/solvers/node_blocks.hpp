@@ -32,8 +32,13 @@ void each_block(std::size_t begin, std::size_t end, const DoBlock& do_block) {
     do_block(first / block_nodes, first, std::min(end, first + block_nodes));
 }
 
-/// As chunked_sum, over the flagged blocks: calls do_run(begin, end) -> Sums
-/// for each run of adjacent flagged blocks of a chunk.
+/// Nodes begin..end-1, the first of which begins a block.
+struct NodeRange {
+  std::size_t begin, end;
+};
+
+/// As chunked_sum, over the flagged blocks: calls do_run(range) -> Sums for
+/// each run of adjacent flagged blocks of a chunk.
 template <class Sums, class DoRun>
 Sums flagged_sum(const BlockFlags& flags, std::size_t nodes,
                  const Workers& workers, const DoRun& do_run) {
@@ -48,21 +53,10 @@ Sums flagged_sum(const BlockFlags& flags, std::size_t nodes,
           const std::size_t first = block * block_nodes;
           while (block < last && flag[block] != 0)
             ++block;
-          total += do_run(first, std::min(end, block * block_nodes));
+          total += do_run(NodeRange{first, std::min(end, block * block_nodes)});
         }
         return total;
       });
-}
-
-/// The same loop without a sum; it calls do_run(begin, end).
-template <class DoRun>
-void flagged(const BlockFlags& flags, std::size_t nodes, int threads,
-             const DoRun& do_run) {
-  flagged_sum<Sum>(flags, nodes, threads,
-                   [&](std::size_t begin, std::size_t end) {
-                     do_run(begin, end);
-                     return Sum{};
-                   });
 }
 
 /// Sets a field to 0 in the blocks that were written and are not active, and

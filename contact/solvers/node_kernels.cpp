@@ -1,274 +1,300 @@
 #include "contact/solvers/node_kernels.hpp"
 
 #include "base/simd_pack.hpp"
-#include "contact/solvers/node_lanes.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "ranks/node_weights.hpp"
+
+// The loops are plain ones that the compiler turns into vectors of any width:
+// conditions are masks, and what has another width than the other fields, the
+// freedom of the nodes, is converted in a loop of its own.
+
+#define INLINED __attribute__((always_inline))
 
 namespace asperity::contact {
 namespace {
 
-// Products of two single-precision fields, and their sums over a block, are in
-// single precision: conversions would take most of the time. The factor `scale`
-// keeps them from underflow.
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Which changes the Freedom of adjacent nodes allows.
-template <std::size_t bytes>
-struct Changes {
-  using Pack = NodePack<bytes, float>;
-  using Mask = typename Pack::template Mask<float>;
+/// Sums, or other partial results, of the nodes whose places in a block are the
+/// same modulo 16: they are added in the same order for any width of vectors.
+template <class Real>
+using Lanes = std::array<Real, 16>;
+constexpr std::size_t n_lanes = 16;
 
-  [[gnu::always_inline]] explicit Changes(const std::uint8_t* freedom) {
-    Pack::template convert<std::int32_t>(freedom, codes);
+template <class Join>
+INLINED inline double folded(Lanes<double> lanes, const Join& join) {
+  for (std::size_t half = n_lanes / 2; half > 0; half /= 2)
+    for (std::size_t i = 0; i < half; ++i)
+      lanes[i] = join(lanes[i], lanes[i + half]);
+  return lanes[0];
+}
+
+INLINED inline double total(const Lanes<double>& lanes) {
+  return folded(lanes, [](double a, double b) { return a + b; });
+}
+
+/// Returns loop(weights), compiled for this processor.
+template <class Loop>
+auto on_weights(const NodeFields& fields, const Loop& loop) {
+  return on_this_processor([&](auto) INLINED {
+    return fields.weight == nullptr ? loop(EqualWeights())
+                                    : loop(fields.weight);
+  });
+}
+
+/// Calls do_block(first node, number of nodes) for the blocks of a range; the
+/// number is a constant for all but an incomplete one.
+template <class DoBlock>
+INLINED inline void each_node_block(const NodeRange& range,
+                                    const DoBlock& do_block) {
+  std::size_t first = range.begin;
+  for (; first + block_nodes <= range.end; first += block_nodes)
+    do_block(first, std::integral_constant<std::size_t, block_nodes>());
+  if (first < range.end)
+    do_block(first, range.end - first);
+}
+
+/// Calls do_node(i, lane) for n nodes from `first` on.
+template <class Count, class DoNode>
+INLINED inline void each_lane(std::size_t first, Count n,
+                              const DoNode& do_node) {
+  std::size_t k = 0;
+  for (; k + n_lanes <= n; k += n_lanes)
+    for (std::size_t lane = 0; lane < n_lanes; ++lane)
+      do_node(first + k + lane, lane);
+  for (; k < n; ++k)
+    do_node(first + k, k % n_lanes);
+}
+
+/// Adds product(i, freedom, weight) over a range of nodes. Products, and their
+/// sums over a block, are in single precision: conversions would take most of
+/// the time. The factor product_scale keeps them from underflow.
+template <std::size_t n_sums, class Product>
+SeveralSums<n_sums> sum_products(const NodeFields& f, const NodeRange& range,
+                                 const Product& product) {
+  return on_weights(f, [&](const auto weights) INLINED {
+    std::array<Lanes<double>, n_sums> lanes{};
+    each_node_block(range, [&](std::size_t first, auto n) INLINED {
+      std::array<std::int32_t, block_nodes> freedom;
+      for (std::size_t i = 0; i < n; ++i)
+        freedom[i] = f.freedom[first + i];
+      std::array<Lanes<float>, n_sums> own{};
+      each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+        const auto weight = static_cast<float>(weights[i]);
+        const auto terms = product(i, freedom[i - first], weight);
+        for (std::size_t k = 0; k < n_sums; ++k)
+          own[k][lane] += terms[k];
+      });
+      for (std::size_t k = 0; k < n_sums; ++k)
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          lanes[k][lane] += static_cast<double>(own[k][lane]);
+    });
+    SeveralSums<n_sums> sums;
+    for (std::size_t k = 0; k < n_sums; ++k)
+      sums.values[k] = total(lanes[k]);
+    return sums;
+  });
+}
+
+/// raw_gap = next(node, raw_gap). A block has either sums over its contact or a
+/// lowest gap: one loop with both waits for registers.
+template <class Next>
+TwoSums change(const NodeFields& f, const NodeRange& range, const Next& next) {
+  return on_weights(f, [&](const auto weights) INLINED {
+    const double* const p = f.pressure;
+    double* const raw_gap = f.raw_gap;
+    const double compliance = f.compliance;
+    Lanes<double> residual{}, weight{};
+    each_node_block(range, [&](std::size_t first, auto n) INLINED {
+      if (f.active[first / block_nodes] == 0) {
+        Lanes<double> least, sum{};
+        least.fill(infinity);
+        each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+          const double gap = next(i, raw_gap[i]);
+          raw_gap[i] = gap;
+          least[lane] = gap < least[lane] ? gap : least[lane];
+          sum[lane] += gap;
+        });
+        const double lowest =
+            folded(least, [](double a, double b) { return b < a ? b : a; });
+        f.lowest[first / block_nodes] =
+            std::isfinite(total(sum)) ? lowest : -infinity;
+        return;
+      }
+      each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+        const double gap = next(i, raw_gap[i]);
+        raw_gap[i] = gap;
+        const double own = gap + compliance * p[i];
+        residual[lane] += masked(own * weights[i], p[i] > 0.0);
+        weight[lane] += masked(weights[i], p[i] > 0.0);
+      });
+    });
+    return TwoSums{{total(residual), total(weight)}};
+  });
+}
+
+/// Sets the freedom of n nodes. Returns whether one is active.
+/// @param changed  their number that became active or inactive is added
+template <class Count>
+INLINED inline bool store_freedom(const std::array<double, block_nodes>& codes,
+                                  Count n, std::uint8_t* freedom,
+                                  int& changed) {
+  std::array<std::int32_t, block_nodes> narrow; // one conversion at a time
+  for (std::size_t i = 0; i < block_nodes; ++i)
+    narrow[i] = static_cast<std::int32_t>(codes[i]);
+  std::uint8_t any = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto now = static_cast<std::uint8_t>(narrow[i]);
+    any |= now;
+    changed += (now > fixed) != (freedom[i] > fixed) ? 1 : 0;
+    freedom[i] = now;
   }
-
-  /// allowed() of contact_state.hpp: a Freedom of 2 allows every change, 1 only
-  /// negative ones.
-  [[gnu::always_inline]] void
-  restrict_to_allowed(typename Pack::Reals& values) const {
-    Mask mask;
-    Pack::template negative<float>(values, mask);
-    mask = -(codes >> 1) | (-(codes & 1) & mask);
-    Pack::template restrict_to<float>(mask, values);
-  }
-
-  [[gnu::always_inline]] void
-  restrict_to_active(typename Pack::Reals& values) const {
-    const Mask mask = -(codes >> 1) | -(codes & 1);
-    Pack::template restrict_to<float>(mask, values);
-  }
-
-  Mask codes;
-};
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline double sum_of_free(const NodeFields& all) {
-  using Pack = NodePack<bytes, float>;
-  Lanes<bytes> total;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto weights) __attribute__((always_inline)) {
-        const float* const z = f.preconditioned + first;
-        const std::uint8_t* const freedom = f.freedom + first;
-        Lanes<bytes, float> sum;
-        each_pack<Pack>([&](std::size_t i,
-                            std::size_t part) __attribute__((always_inline)) {
-          typename Pack::Reals own;
-          Pack::take(z + i, own);
-          Changes<bytes>(freedom + i).restrict_to_active(own);
-          Pack::scale(weights, i, own);
-          sum.parts[part] += own;
-        });
-        total.add(sum);
-      });
-  return total.total();
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline TwoSums slopes(const NodeFields& all,
-                                             float mean) {
-  using Pack = NodePack<bytes, float>;
-  const float scale = all.product_scale;
-  Lanes<bytes> now, change;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto weights) __attribute__((always_inline)) {
-        const float* const z = f.preconditioned + first;
-        const float* const r = f.residual + first;
-        const float* const before = f.previous_residual + first;
-        const std::uint8_t* const freedom = f.freedom + first;
-        Lanes<bytes, float> own_now, own_change;
-        each_pack<Pack>([&](std::size_t i,
-                            std::size_t part) __attribute__((always_inline)) {
-          typename Pack::Reals own, residual, old;
-          Pack::take(z + i, own);
-          Pack::take(r + i, residual);
-          Pack::take(before + i, old);
-          own -= mean;
-          Changes<bytes>(freedom + i).restrict_to_allowed(own);
-          own *= scale;
-          Pack::scale(weights, i, own);
-          own_now.parts[part] += own * residual;
-          own_change.parts[part] += own * (residual - old);
-        });
-        now.add(own_now);
-        change.add(own_change);
-      });
-  return {now.total() / static_cast<double>(scale),
-          change.total() / static_cast<double>(scale)};
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline double conjugate(const NodeFields& all,
-                                               float mean, float beta) {
-  using Pack = NodePack<bytes, float>;
-  const float scale = all.product_scale;
-  Lanes<bytes> slope;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto weights) __attribute__((always_inline)) {
-        const float* const z = f.preconditioned + first;
-        const float* const r = f.residual + first;
-        float* const direction = f.direction + first;
-        const std::uint8_t* const freedom = f.freedom + first;
-        Lanes<bytes, float> sum;
-        each_pack<Pack>([&](std::size_t i, std::size_t part)
-                            __attribute__((always_inline)) {
-                              typename Pack::Reals own, old, residual;
-                              Pack::take(z + i, own);
-                              Pack::take(direction + i, old);
-                              Pack::take(r + i, residual);
-                              const Changes<bytes> changes(freedom + i);
-                              own -= mean;
-                              changes.restrict_to_allowed(own);
-                              own += beta * old;
-                              changes.restrict_to_allowed(own);
-                              Pack::put(own, direction + i);
-                              own *= scale;
-                              Pack::scale(weights, i, own);
-                              sum.parts[part] += own * residual;
-                            });
-        slope.add(sum);
-      });
-  return slope.total() / static_cast<double>(scale);
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline double energy(const NodeFields& all,
-                                            float compliance) {
-  using Pack = NodePack<bytes, float>;
-  const float scale = all.product_scale;
-  Lanes<bytes> total;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto weights) __attribute__((always_inline)) {
-        const float* const direction = f.direction + first;
-        const float* const displaced = f.displaced + first;
-        Lanes<bytes, float> sum;
-        each_pack<Pack>([&](std::size_t i, std::size_t part)
-                            __attribute__((always_inline)) {
-                              typename Pack::Reals own, displacement;
-                              Pack::take(direction + i, own);
-                              Pack::take(displaced + i, displacement);
-                              displacement += compliance * own;
-                              own *= scale;
-                              Pack::scale(weights, i, own);
-                              sum.parts[part] += own * displacement;
-                            });
-        total.add(sum);
-      });
-  return total.total() / static_cast<double>(scale);
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline TwoSums advance(const NodeFields& all,
-                                              double step) {
-  using Pack = NodePack<bytes, double>;
-  using Doubles = typename Pack::Reals;
-  Lanes<bytes> total, cuts;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto weights) __attribute__((always_inline)) {
-        const float* const direction = f.direction + first;
-        double* const pressure = f.pressure + first;
-        float* const change = f.change + first;
-        each_pack<Pack>([&](std::size_t i,
-                            std::size_t part) __attribute__((always_inline)) {
-          Doubles own, wish;
-          Pack::take(pressure + i, own);
-          Pack::template convert<double>(direction + i, wish);
-          wish = own - step * wish;
-          Doubles kept = wish > 0.0 ? wish : Doubles{};
-          Pack::put(kept, pressure + i);
-          typename Pack::template Of<float> changed;
-          Pack::template convert<float>(kept - own, changed);
-          Pack::put(changed, change + i);
-          cuts.parts[part] += kept - wish;
-          Pack::scale(weights, i, kept);
-          total.parts[part] += kept;
-        });
-      });
-  return {total.total(), cuts.total()};
-}
-
-template <std::size_t bytes>
-[[gnu::always_inline]] inline void scale(const NodeFields& all, double factor) {
-  using Pack = NodePack<bytes, double>;
-  each_node_block(
-      all, [&](const NodeFields& f, std::size_t first, std::size_t,
-               auto) __attribute__((always_inline)) {
-        double* const pressure = f.pressure + first;
-        float* const change = f.change + first;
-        each_pack<Pack>([&](std::size_t i,
-                            std::size_t) __attribute__((always_inline)) {
-          typename Pack::Reals own;
-          typename Pack::template Of<float> before, added;
-          Pack::take(pressure + i, own);
-          Pack::take(change + i, before);
-          Pack::template convert<float>((factor - 1.0) * own, added);
-          before += added;
-          own *= factor;
-          Pack::put(own, pressure + i);
-          Pack::put(before, change + i);
-        });
-      });
-}
-
-template <class Field>
-Field* moved(Field* field, std::size_t nodes) {
-  return field != nullptr ? field + nodes : nullptr;
+  return any > fixed;
 }
 
 } // namespace
 
-NodeFields NodeFields::at(std::size_t begin, std::size_t end) const {
-  return {end - begin,
-          moved(weight, begin),
-          moved(pressure, begin),
-          moved(raw_gap, begin),
-          moved(residual, begin),
-          moved(previous_residual, begin),
-          moved(freedom, begin),
-          moved(preconditioned, begin),
-          moved(direction, begin),
-          moved(displaced, begin),
-          moved(change, begin),
-          moved(heights, begin),
-          product_scale};
-}
-
-double sum_free(const NodeFields& fields) {
-  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return sum_of_free<bytes()>(fields);
+MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
+                            double rigid) {
+  return on_weights(fields, [&](const auto weights) INLINED {
+    const double* const p = fields.pressure;
+    const double* const raw_gap = fields.raw_gap;
+    const double compliance = fields.compliance;
+    Lanes<double> error{}, sum{}, weight{};
+    int changed = 0;
+    each_node_block(range, [&](std::size_t first, auto n) INLINED {
+      std::uint8_t& is_active = fields.active[first / block_nodes];
+      if (is_active == 0)
+        return;
+      std::array<double, block_nodes> codes{};
+      each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+        const double value = raw_gap[i] + compliance * p[i] + rigid;
+        const bool has_pressure = p[i] > 0.0;
+        const bool is_free = has_pressure | (value < 0.0);
+        const double kept = masked(value, is_free);
+        fields.residual[i] = static_cast<float>(kept);
+        codes[i - first] = masked(1.0, is_free) + masked(1.0, has_pressure);
+        const double size = std::abs(kept);
+        error[lane] = size > error[lane] ? size : error[lane];
+        sum[lane] += value;
+        weight[lane] += masked(weights[i], is_free);
+      });
+      is_active = store_freedom(codes, n, fields.freedom + first, changed);
+    });
+    const double largest =
+        folded(error, [](double a, double b) { return b > a ? b : a; });
+    return MeasuredNodes{0.0 * total(sum) + largest, total(weight),
+                         static_cast<double>(changed)};
   });
 }
 
-TwoSums sum_slopes(const NodeFields& fields, float mean) {
-  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return slopes<bytes()>(fields, mean);
+TwoSums change_gap(const NodeFields& fields, const NodeRange& range,
+                   double factor) {
+  const float* const change_of_gap = fields.displaced;
+  return change(fields, range, [=](std::size_t i, double gap) INLINED {
+    return gap + factor * static_cast<double>(change_of_gap[i]);
   });
 }
 
-double conjugate_nodes(const NodeFields& fields, float mean, float beta) {
-  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return conjugate<bytes()>(fields, mean, beta);
+TwoSums subtract_heights(const NodeFields& fields, const NodeRange& range) {
+  const double* const h = fields.heights;
+  return change(fields, range,
+                [=](std::size_t i, double gap) INLINED { return gap - h[i]; });
+}
+
+Sum sum_free(const NodeFields& fields, const NodeRange& range) {
+  const float* const z = fields.preconditioned;
+  const auto sums = sum_products<1>(
+      fields, range,
+      [=](std::size_t i, std::int32_t freedom, float weight) INLINED {
+        return std::array{masked(z[i], freedom > fixed) * weight};
+      });
+  return {sums.values[0]};
+}
+
+TwoSums sum_slopes(const NodeFields& fields, const NodeRange& range,
+                   float mean) {
+  const float* const z = fields.preconditioned;
+  const float* const r = fields.residual;
+  const float* const before = fields.previous_residual;
+  const float scale = fields.product_scale;
+  TwoSums sums = sum_products<2>(
+      fields, range,
+      [=](std::size_t i, std::int32_t freedom, float weight) INLINED {
+        const float own = allowed(z[i] - mean, freedom) * scale * weight;
+        return std::array{own * r[i], own * (r[i] - before[i])};
+      });
+  for (double& sum : sums.values)
+    sum /= static_cast<double>(scale);
+  return sums;
+}
+
+Sum conjugate_nodes(const NodeFields& fields, const NodeRange& range,
+                    float mean, float beta) {
+  const float* const z = fields.preconditioned;
+  const float* const r = fields.residual;
+  float* const d = fields.direction;
+  const float scale = fields.product_scale;
+  const auto sums = sum_products<1>(
+      fields, range,
+      [=](std::size_t i, std::int32_t freedom, float weight) INLINED {
+        const float own = allowed(z[i] - mean, freedom);
+        d[i] = allowed(own + beta * d[i], freedom);
+        return std::array{d[i] * scale * weight * r[i]};
+      });
+  return {sums.values[0] / static_cast<double>(scale)};
+}
+
+Sum sum_energy(const NodeFields& fields, const NodeRange& range) {
+  const float* const d = fields.direction;
+  const float* const cd = fields.displaced;
+  const float scale = fields.product_scale;
+  const auto compliance = static_cast<float>(fields.compliance);
+  const auto sums = sum_products<1>(
+      fields, range, [=](std::size_t i, std::int32_t, float weight) INLINED {
+        return std::array{d[i] * scale * weight * (cd[i] + compliance * d[i])};
+      });
+  return {sums.values[0] / static_cast<double>(scale)};
+}
+
+TwoSums advance_nodes(const NodeFields& fields, const NodeRange& range,
+                      double step) {
+  const float* const d = fields.direction;
+  double* const p = fields.pressure;
+  float* const change = fields.change;
+  return on_weights(fields, [&](const auto weights) INLINED {
+    Lanes<double> sum{}, cuts{};
+    each_node_block(range, [&](std::size_t first, auto n) INLINED {
+      each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+        const double wish = p[i] - step * static_cast<double>(d[i]);
+        const double kept = wish > 0.0 ? wish : 0.0;
+        change[i] = static_cast<float>(kept - p[i]);
+        p[i] = kept;
+        cuts[lane] += kept - wish;
+        sum[lane] += kept * weights[i];
+      });
+    });
+    return TwoSums{{total(sum), total(cuts)}};
   });
 }
 
-double sum_energy(const NodeFields& fields, double compliance) {
-  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return energy<bytes()>(fields, static_cast<float>(compliance));
-  });
-}
-
-TwoSums advance_nodes(const NodeFields& fields, double step) {
-  return on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    return advance<bytes()>(fields, step);
-  });
-}
-
-void scale_nodes(const NodeFields& fields, double factor) {
-  on_this_processor([&](auto bytes) __attribute__((always_inline)) {
-    scale<bytes()>(fields, factor);
+void scale_nodes(const NodeFields& fields, const NodeRange& range,
+                 double factor) {
+  double* const p = fields.pressure;
+  float* const change = fields.change;
+  on_this_processor([=](auto) INLINED {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      change[i] += static_cast<float>((factor - 1.0) * p[i]);
+      p[i] *= factor;
+    }
   });
 }
 
 } // namespace asperity::contact
+
+#undef INLINED

@@ -8,15 +8,41 @@
 #include "base/maximum.hpp"
 #include "contact/solvers/node_blocks.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
 namespace asperity::contact {
 
-/// The fields of an iteration at adjacent nodes, the first of which begins a
-/// block. Pointers that a loop does not use may be null.
+/// Changes of pressure that the iteration allows at a node.
+enum Freedom : std::uint8_t {
+  fixed = 0,     ///< inactive: no pressure, no overlap
+  gains = 1,     ///< overlaps without pressure: the pressure may only grow
+  may_shift = 2, ///< carries pressure, which may change in either direction
+};
+
+/// The value where it is kept, otherwise 0: of its bits, because the compiler
+/// makes no vectors of branches.
+[[gnu::always_inline]] inline float masked(float value, bool is_kept) {
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(value) &
+                              -std::int32_t{is_kept});
+}
+
+[[gnu::always_inline]] inline double masked(double value, bool is_kept) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(value) &
+                               -std::int64_t{is_kept});
+}
+
+/// Value of a search direction at a node, restricted to the changes allowed: a
+/// Freedom of 2 allows every change, 1 only negative ones.
+[[gnu::always_inline]] inline float allowed(float value, std::int32_t freedom) {
+  const auto bits = std::bit_cast<std::int32_t>(value);
+  return std::bit_cast<float>(
+      bits & (-(freedom >> 1) | (-(freedom & 1) & bits >> 31)));
+}
+
+/// The fields of an iteration. Pointers that a loop does not use may be null.
 struct NodeFields {
-  std::size_t nodes = 0;
   const double* weight = nullptr; ///< relative areas; null if all are equal
   double* pressure = nullptr;     ///< p [Pa]
   double* raw_gap = nullptr;      ///< C p - h [m]
@@ -28,23 +54,12 @@ struct NodeFields {
   const float* displaced = nullptr;      ///< C d, or a change of C p [m]
   float* change = nullptr;               ///< of the pressure [Pa]
   const double* heights = nullptr;       ///< [m]
+  std::uint8_t* active = nullptr;        ///< one flag per block
+  double* lowest = nullptr; ///< lowest raw_gap [m] of each inactive block
+  double compliance = 0.0;  ///< c [m/Pa]
   /// Power of two by which products of a pressure and a length are multiplied
   /// in single precision, so that they do not underflow [1/(Pa m)].
   float product_scale = 1.0F;
-
-  /// The same fields from node `begin` on.
-  NodeFields at(std::size_t begin, std::size_t end) const;
-};
-
-/// Two sums over the same nodes.
-struct TwoSums {
-  double first = 0.0, second = 0.0;
-
-  TwoSums& operator+=(const TwoSums& other) {
-    first += other.first;
-    second += other.second;
-    return *this;
-  }
 };
 
 /// What is found when the residual changes.
@@ -61,45 +76,47 @@ struct MeasuredNodes {
   }
 };
 
+/// Two sums over the same nodes.
+using TwoSums = SeveralSums<2>;
+
 /// Sets residual and freedom of the nodes of the active blocks, see
 /// ContactState::update_residual, and finds out which blocks remain active.
-/// @param rigid       u [m]
-/// @param compliance  c [m/Pa]
-/// @param active      one flag per block
-MeasuredNodes measure_nodes(const NodeFields& fields, double rigid,
-                            double compliance, std::uint8_t* active);
+/// @param rigid  u [m]
+MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
+                            double rigid);
 
 /// raw_gap += factor displaced. Returns the sums of weight (raw_gap + c p) and
-/// of weight where p > 0, in the active blocks.
-/// @param active  one flag per block
-/// @param lowest  lowest raw_gap [m] of each block that is not active,
-///                overwritten; minus infinity if a value is not finite
-TwoSums change_gap(const NodeFields& fields, double factor, double compliance,
-                   const std::uint8_t* active, double* lowest);
+/// of weight where p > 0, in the active blocks; `lowest` of the other blocks is
+/// set, to minus infinity if a value is not finite.
+TwoSums change_gap(const NodeFields& fields, const NodeRange& range,
+                   double factor);
 
 /// The same with raw_gap = C p - heights, where raw_gap contains C p before.
-TwoSums subtract_heights(const NodeFields& fields, double compliance,
-                         const std::uint8_t* active, double* lowest);
+TwoSums subtract_heights(const NodeFields& fields, const NodeRange& range);
 
 /// Sum of weight z over the active nodes.
-double sum_free(const NodeFields& fields);
+Sum sum_free(const NodeFields& fields, const NodeRange& range);
 
 /// Sums of weight z' r and weight z' (r - previous r), where z' is z - mean
 /// restricted to the changes allowed.
-TwoSums sum_slopes(const NodeFields& fields, float mean);
+TwoSums sum_slopes(const NodeFields& fields, const NodeRange& range,
+                   float mean);
 
 /// direction = z' + beta direction, restricted likewise; returns the sum of
 /// weight direction r.
-double conjugate_nodes(const NodeFields& fields, float mean, float beta);
+Sum conjugate_nodes(const NodeFields& fields, const NodeRange& range,
+                    float mean, float beta);
 
 /// Sum of weight d (C d + c d).
-double sum_energy(const NodeFields& fields, double compliance);
+Sum sum_energy(const NodeFields& fields, const NodeRange& range);
 
 /// Sets p = max(0, p - step d) and `change` to the change of p. Returns the sum
 /// of weight p and a number that is positive if a pressure was set to 0.
-TwoSums advance_nodes(const NodeFields& fields, double step);
+TwoSums advance_nodes(const NodeFields& fields, const NodeRange& range,
+                      double step);
 
 /// Multiplies p and adds its change to `change`.
-void scale_nodes(const NodeFields& fields, double factor);
+void scale_nodes(const NodeFields& fields, const NodeRange& range,
+                 double factor);
 
 } // namespace asperity::contact

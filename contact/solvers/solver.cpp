@@ -15,13 +15,15 @@
 
 // A tour: solve_contact_from() below is the loop. ContactState holds the fields
 // p, C p - h and the residual r and finds the active nodes (contact_state.hpp);
-// Directions, here, is one step of preconditioned conjugate gradients. Its
-// preconditioner (preconditioner.hpp) continues r across the edge of the
-// contact by the extension E (boundary_extension.hpp) and applies the inverse
-// of the operator (operators/surface_operator.hpp). The loops over nodes are in
+// it begins with the checks of starting_pressure.hpp. Directions, here, is one
+// step of preconditioned conjugate gradients. Its preconditioner
+// (preconditioner.hpp) continues r across the edge of the contact by the
+// extension E (boundary_extension.hpp) and applies the inverse of the operator
+// (operators/surface_operator.hpp). The loops over nodes are in
 // node_kernels.hpp. load_sequence.hpp and coarse_start.cpp choose what pressure
 // an iteration starts from. hand_over() passes a problem that stalls to
-// active_set.hpp and polonsky_keer.cpp.
+// active_set.hpp and polonsky_keer.cpp, which have the same state with
+// directions in double precision (projected_state.hpp).
 
 namespace asperity::contact {
 namespace {
@@ -142,27 +144,36 @@ private:
   /// direction = z + beta direction, Polak-Ribiere with beta >= 0; returns the
   /// slope r . direction.
   double conjugate(ContactState& state) {
-    const float mean = state.free_mean(preconditioned_);
-    const TwoSums slopes = state.slopes(preconditioned_, mean);
-    const float beta =
-        before_ > 0.0
-            ? static_cast<float>(std::max(0.0, slopes.second / before_))
-            : 0.0F;
-    before_ = slopes.first;
     clear_inactive(state.active, written_, std::span(direction_));
     NodeFields all = state.fields();
     all.preconditioned = preconditioned_.data();
     all.direction = direction_.data();
-    const Sum slope = flagged_sum<Sum>(
-        state.active, direction_.size(), state.workers,
-        [&](std::size_t begin, std::size_t end) {
-          return Sum{conjugate_nodes(all.at(begin, end), mean, beta)};
-        });
+    // Subtracting the mean of z over the active nodes preserves the load.
+    float mean = 0.0F;
+    if (state.by_pressure())
+      mean = static_cast<float>(state
+                                    .sum<Sum>([&](const NodeRange& range) {
+                                      return sum_free(all, range);
+                                    })
+                                    .value /
+                                state.free_weight);
+    const auto [now, change] = state
+                                   .sum<TwoSums>([&](const NodeRange& range) {
+                                     return sum_slopes(all, range, mean);
+                                   })
+                                   .values;
+    const float beta = before_ > 0.0
+                           ? static_cast<float>(std::max(0.0, change / before_))
+                           : 0.0F;
+    before_ = now;
+    const Sum slope = state.sum<Sum>([&](const NodeRange& range) {
+      return conjugate_nodes(all, range, mean, beta);
+    });
     if (slope.value > 0.0)
       return slope.value;
     for (std::size_t i = 0; i < direction_.size(); ++i) // restart
       direction_[i] = allowed(preconditioned_[i] - mean, state.freedom[i]);
-    return slopes.first;
+    return now;
   }
 
   /// d . (C + c) d
@@ -170,12 +181,9 @@ private:
     NodeFields all = state.fields();
     all.direction = direction_.data();
     all.displaced = compliance_direction_.data();
-    return flagged_sum<Sum>(state.active, direction_.size(), state.workers,
-                            [&](std::size_t begin, std::size_t end) {
-                              return Sum{
-                                  sum_energy(all.at(begin, end),
-                                             state.problem.local_compliance)};
-                            })
+    return state
+        .sum<Sum>(
+            [&](const NodeRange& range) { return sum_energy(all, range); })
         .value;
   }
 

@@ -1,11 +1,11 @@
 // Tests of contact/solvers/node_kernels.hpp: each loop against the formula of
 // its declaration, one node after another.
-#include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/node_kernels.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -40,8 +40,7 @@ struct Fields {
   }
 
   NodeFields view() {
-    return {nodes,
-            weight.empty() ? nullptr : weight.data(),
+    return {weight.empty() ? nullptr : weight.data(),
             pressure.data(),
             raw_gap.data(),
             residual.data(),
@@ -50,7 +49,11 @@ struct Fields {
             preconditioned.data(),
             direction.data(),
             displaced.data(),
-            change.data()};
+            change.data(),
+            nullptr,
+            active.data(),
+            lowest.data(),
+            compliance};
   }
 
   double weight_at(std::size_t i) const {
@@ -69,7 +72,11 @@ struct Fields {
   std::vector<float> previous = residual, preconditioned = residual,
                      direction = residual, displaced = residual,
                      change = residual;
+  std::vector<std::uint8_t> active{1, 1, 1}; ///< of the blocks
+  std::vector<double> lowest = std::vector<double>(3, infinity);
 };
+
+constexpr NodeRange all{0, Fields::nodes};
 
 /// A sum of up to 165 terms of order 1 in any order: 165 eps 165, rounded up.
 constexpr double roundoff = 1e-11;
@@ -84,10 +91,9 @@ class NodeKernels : public testing::TestWithParam<bool> {};
 TEST_P(NodeKernels, MeasuresResidualAndFreedomOfActiveBlocks) {
   Fields fields(GetParam());
   const Fields before = fields;
-  std::vector<std::uint8_t> active{1, 0, 1};
+  fields.active[1] = 0;
 
-  const MeasuredNodes found =
-      measure_nodes(fields.view(), rigid, compliance, active.data());
+  const MeasuredNodes found = measure_nodes(fields.view(), all, rigid);
 
   MeasuredNodes expected;
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
@@ -113,18 +119,17 @@ TEST_P(NodeKernels, MeasuresResidualAndFreedomOfActiveBlocks) {
   EXPECT_EQ(found.error, expected.error);
   EXPECT_EQ(found.changed, expected.changed);
   EXPECT_NEAR(found.weight, expected.weight, roundoff);
-  EXPECT_EQ(active, (std::vector<std::uint8_t>{1, 0, 1}));
+  EXPECT_EQ(fields.active, (std::vector<std::uint8_t>{1, 0, 1}));
 }
 
 TEST_P(NodeKernels, FindsBlocksWithoutActiveNodes) {
   Fields fields(GetParam());
   std::fill_n(fields.pressure.begin(), block_nodes, 0.0);
   std::fill_n(fields.raw_gap.begin(), block_nodes, 1.0);
-  std::vector<std::uint8_t> active{1, 1, 1};
 
-  measure_nodes(fields.view(), rigid, compliance, active.data());
+  measure_nodes(fields.view(), all, rigid);
 
-  EXPECT_EQ(active, (std::vector<std::uint8_t>{0, 1, 1}));
+  EXPECT_EQ(fields.active, (std::vector<std::uint8_t>{0, 1, 1}));
 }
 
 // More blocks than the bytes count that hold the numbers of a few of them.
@@ -134,14 +139,13 @@ TEST(NodeCounts, OfManyBlocksAreExact) {
   std::vector<float> residual(n);
   const auto check = [&] {
     std::vector<std::uint8_t> freedom(n, fixed), active(400, 1);
-    NodeFields all{};
-    all.nodes = n;
-    all.pressure = pressure.data();
-    all.raw_gap = raw_gap.data();
-    all.residual = residual.data();
-    all.freedom = freedom.data();
-    const MeasuredNodes found =
-        measure_nodes(all, rigid, compliance, active.data());
+    NodeFields many{};
+    many.pressure = pressure.data();
+    many.raw_gap = raw_gap.data();
+    many.residual = residual.data();
+    many.freedom = freedom.data();
+    many.active = active.data();
+    const MeasuredNodes found = measure_nodes(many, {0, n}, rigid);
     EXPECT_EQ(found.weight, static_cast<double>(n));
     EXPECT_EQ(found.changed, static_cast<double>(n));
   };
@@ -156,79 +160,74 @@ TEST_P(NodeKernels, ReportsValuesThatAreNotFinite) {
     for (const std::size_t node : {std::size_t{5}, Fields::nodes - 1}) {
       Fields fields(GetParam());
       fields.raw_gap[node] = wrong;
-      std::vector<std::uint8_t> active{1, 1, 1};
-      std::vector<double> lowest(3);
 
-      const MeasuredNodes found =
-          measure_nodes(fields.view(), rigid, compliance, active.data());
-      std::fill(active.begin(), active.end(), 0);
-      change_gap(fields.view(), 1.0, compliance, active.data(), lowest.data());
+      const MeasuredNodes found = measure_nodes(fields.view(), all, rigid);
+      std::ranges::fill(fields.active, std::uint8_t{0});
+      change_gap(fields.view(), all, 1.0);
 
       EXPECT_TRUE(std::isnan(found.error)) << wrong << " at " << node;
-      EXPECT_EQ(lowest[node / block_nodes], -infinity);
-      EXPECT_TRUE(std::isfinite(lowest[1]));
+      EXPECT_EQ(fields.lowest[node / block_nodes], -infinity);
+      EXPECT_TRUE(std::isfinite(fields.lowest[1]));
     }
 }
 
 TEST_P(NodeKernels, ChangesTheGapAndSumsItUnderPressure) {
   Fields fields(GetParam());
   const Fields before = fields;
-  const std::vector<std::uint8_t> active{1, 0, 1};
-  std::vector<double> lowest(3, infinity);
+  fields.active[1] = 0;
 
-  const TwoSums found =
-      change_gap(fields.view(), 0.6, compliance, active.data(), lowest.data());
+  const auto found = change_gap(fields.view(), all, 0.6).values;
 
-  TwoSums expected;
+  std::array<double, 2> expected{};
   std::vector<double> least(3, infinity);
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
     const std::size_t block = i / block_nodes;
     const double gap =
         before.raw_gap[i] + 0.6 * static_cast<double>(before.displaced[i]);
     EXPECT_EQ(fields.raw_gap[i], gap);
-    if (active[block] == 0)
+    if (fields.active[block] == 0)
       least[block] = std::min(least[block], gap);
-    if (active[block] == 0 || before.pressure[i] <= 0.0)
+    if (fields.active[block] == 0 || before.pressure[i] <= 0.0)
       continue;
-    expected.first +=
+    expected[0] +=
         fields.weight_at(i) * (gap + compliance * before.pressure[i]);
-    expected.second += fields.weight_at(i);
+    expected[1] += fields.weight_at(i);
   }
-  EXPECT_EQ(lowest, least);
-  EXPECT_NEAR(found.first, expected.first, roundoff);
-  EXPECT_NEAR(found.second, expected.second, roundoff);
+  EXPECT_EQ(fields.lowest, least);
+  EXPECT_NEAR(found[0], expected[0], roundoff);
+  EXPECT_NEAR(found[1], expected[1], roundoff);
 }
 
 TEST_P(NodeKernels, SumsTheDirection) {
   Fields fields(GetParam());
   double free = 0.0, energy = 0.0;
-  TwoSums slopes;
+  std::array<double, 2> slopes{};
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
     const double weight = fields.weight_at(i);
     if (fields.freedom[i] > fixed)
       free += weight * static_cast<double>(fields.preconditioned[i]);
     const double slope = weight * static_cast<double>(fields.restricted(i));
-    slopes.first += slope * static_cast<double>(fields.residual[i]);
-    slopes.second +=
+    slopes[0] += slope * static_cast<double>(fields.residual[i]);
+    slopes[1] +=
         slope * static_cast<double>(fields.residual[i] - fields.previous[i]);
     const double d = static_cast<double>(fields.direction[i]);
     energy += weight * d *
               (static_cast<double>(fields.displaced[i]) + compliance * d);
   }
 
-  const TwoSums found = sum_slopes(fields.view(), mean);
+  const auto found = sum_slopes(fields.view(), all, mean).values;
 
-  EXPECT_NEAR(sum_free(fields.view()), free, single_roundoff);
-  EXPECT_NEAR(found.first, slopes.first, single_roundoff);
-  EXPECT_NEAR(found.second, slopes.second, single_roundoff);
-  EXPECT_NEAR(sum_energy(fields.view(), compliance), energy, single_roundoff);
+  EXPECT_NEAR(sum_free(fields.view(), all).value, free, single_roundoff);
+  EXPECT_NEAR(found[0], slopes[0], single_roundoff);
+  EXPECT_NEAR(found[1], slopes[1], single_roundoff);
+  EXPECT_NEAR(sum_energy(fields.view(), all).value, energy, single_roundoff);
 }
 
 TEST_P(NodeKernels, ConjugatesWithinTheChangesAllowed) {
   Fields fields(GetParam());
   const std::vector<float> before = fields.direction;
 
-  const double found = conjugate_nodes(fields.view(), mean, beta);
+  const double found = conjugate_nodes(fields.view(), all, mean, beta).value;
 
   double expected = 0.0;
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
@@ -244,28 +243,28 @@ TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
   Fields fields(GetParam());
   const Fields before = fields;
 
-  const TwoSums found = advance_nodes(fields.view(), 0.4);
+  const auto found = advance_nodes(fields.view(), all, 0.4).values;
 
-  TwoSums expected;
+  std::array<double, 2> expected{};
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
     const double wish =
         before.pressure[i] - 0.4 * static_cast<double>(before.direction[i]);
     const double kept = std::max(0.0, wish);
     EXPECT_EQ(fields.pressure[i], kept);
     EXPECT_EQ(fields.change[i], static_cast<float>(kept - before.pressure[i]));
-    expected.first += fields.weight_at(i) * kept;
-    expected.second += kept - wish;
+    expected[0] += fields.weight_at(i) * kept;
+    expected[1] += kept - wish;
   }
-  EXPECT_NEAR(found.first, expected.first, roundoff);
-  EXPECT_NEAR(found.second, expected.second, roundoff);
-  EXPECT_GT(found.second, 0.0);
+  EXPECT_NEAR(found[0], expected[0], roundoff);
+  EXPECT_NEAR(found[1], expected[1], roundoff);
+  EXPECT_GT(found[1], 0.0);
 }
 
 TEST_P(NodeKernels, ScalesThePressure) {
   Fields fields(GetParam());
   const Fields before = fields;
 
-  scale_nodes(fields.view(), 1.25);
+  scale_nodes(fields.view(), all, 1.25);
 
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
     EXPECT_EQ(fields.pressure[i], 1.25 * before.pressure[i]);
@@ -293,35 +292,36 @@ TEST_P(NodeKernels, ScaledProductsDoNotUnderflow) {
     return std::ldexp(sum, -of_pressure - of_length);
   };
 
-  const TwoSums expected = sum_slopes(ordinary.view(), mean);
-  const TwoSums found = sum_slopes(scaled, std::ldexp(mean, of_pressure));
-  EXPECT_EQ(back(found.first), expected.first);
-  EXPECT_EQ(back(found.second), expected.second);
+  const auto expected = sum_slopes(ordinary.view(), all, mean).values;
+  const auto found =
+      sum_slopes(scaled, all, std::ldexp(mean, of_pressure)).values;
+  EXPECT_EQ(back(found[0]), expected[0]);
+  EXPECT_EQ(back(found[1]), expected[1]);
   EXPECT_EQ(
-      back(sum_energy(scaled, std::ldexp(compliance, of_length - of_pressure))),
-      sum_energy(ordinary.view(), compliance));
-  EXPECT_EQ(back(conjugate_nodes(scaled, std::ldexp(mean, of_pressure), beta)),
-            conjugate_nodes(ordinary.view(), mean, beta));
+      back(conjugate_nodes(scaled, all, std::ldexp(mean, of_pressure), beta)
+               .value),
+      conjugate_nodes(ordinary.view(), all, mean, beta).value);
+  scaled.compliance = std::ldexp(compliance, of_length - of_pressure);
+  EXPECT_EQ(back(sum_energy(scaled, all).value),
+            sum_energy(ordinary.view(), all).value);
 }
 
 /// What all loops return and leave in the fields, one after another.
 std::vector<double> all_results(bool is_weighted) {
   Fields fields(is_weighted);
-  std::vector<std::uint8_t> active{1, 1, 1};
-  std::vector<double> found(3);
+  std::vector<double> found;
   const auto take = [&](const TwoSums& sums) {
-    found.insert(found.end(), {sums.first, sums.second});
+    found.insert(found.end(), sums.values.begin(), sums.values.end());
   };
-  take(change_gap(fields.view(), 0.6, compliance, active.data(), found.data()));
-  const MeasuredNodes measured =
-      measure_nodes(fields.view(), rigid, compliance, active.data());
+  take(change_gap(fields.view(), all, 0.6));
+  const MeasuredNodes measured = measure_nodes(fields.view(), all, rigid);
   found.insert(found.end(), {measured.error, measured.weight, measured.changed,
-                             sum_free(fields.view())});
-  take(sum_slopes(fields.view(), mean));
-  found.push_back(conjugate_nodes(fields.view(), mean, beta));
-  found.push_back(sum_energy(fields.view(), compliance));
-  take(advance_nodes(fields.view(), 0.4));
-  scale_nodes(fields.view(), 1.1);
+                             sum_free(fields.view(), all).value});
+  take(sum_slopes(fields.view(), all, mean));
+  found.push_back(conjugate_nodes(fields.view(), all, mean, beta).value);
+  found.push_back(sum_energy(fields.view(), all).value);
+  take(advance_nodes(fields.view(), all, 0.4));
+  scale_nodes(fields.view(), all, 1.1);
   for (const auto* field : {&fields.pressure, &fields.raw_gap})
     found.insert(found.end(), field->begin(), field->end());
   for (const auto* field :

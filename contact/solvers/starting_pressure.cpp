@@ -1,4 +1,4 @@
-#include "contact/solvers/iteration.hpp"
+#include "contact/solvers/starting_pressure.hpp"
 
 #include "base/require.hpp"
 
@@ -99,9 +99,8 @@ bool is_apart(std::span<const double> heights, std::span<const double> weights,
   return target.amount >= highest.value - mean;
 }
 
-/// Checks the arguments of solve_contact.
-/// @return  the initial pressure [Pa], at the load of the target
-/// @throws std::domain_error  see solve_contact
+} // namespace
+
 std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
                                       const ContactProblem& problem,
                                       const mechanics::LoadTarget& target,
@@ -138,61 +137,6 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
              elasticity.threads());
   }
   return pressure;
-}
-
-std::string not_converged_note(double gap_error, int iterations) {
-  return (std::isfinite(gap_error) ? "not converged in "
-                                   : "the residual is not finite after ") +
-         std::to_string(iterations) + " iterations";
-}
-
-} // namespace
-
-Iteration::Iteration(SurfaceOperator& elasticity_,
-                     const ContactProblem& problem_,
-                     const mechanics::LoadTarget& target_,
-                     std::vector<double> initial_pressure)
-    : elasticity(elasticity_),
-      problem(problem_),
-      target(target_),
-      pressure(starting_pressure(elasticity_, problem_, target_,
-                                 std::move(initial_pressure))) {}
-
-bool Iteration::is_at_end() const {
-  return is_converged() || !std::isfinite(gap_error) ||
-         iterations >= problem.max_iterations;
-}
-
-Iteration::Observed Iteration::observe(std::span<const double> gap,
-                                       std::size_t begin,
-                                       std::size_t end) const {
-  return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-    const auto sum = [=](const double* field) {
-      return sum_in_lanes(begin, end,
-                          [=](std::size_t i) { return weight[i] * field[i]; });
-    };
-    return Observed{sum(pressure.data()), sum(gap.data())};
-  });
-}
-
-ContactSolution Iteration::solution_of(std::vector<double> gap,
-                                       std::vector<double> displacement,
-                                       const Observed& sums) {
-  const auto nodes =
-      static_cast<double>(elasticity.workers().all_nodes(pressure.size()));
-  ContactSolution answer;
-  answer.nominal_pressure = sums.pressure / nodes;
-  answer.mean_gap = sums.gap / nodes;
-  answer.pressure = std::move(pressure);
-  answer.gap = std::move(gap);
-  answer.displacement = std::move(displacement);
-  answer.gap_error = gap_error;
-  answer.iterations = iterations;
-  answer.transforms = transforms;
-  answer.converged = is_converged();
-  if (!answer.converged)
-    answer.note = not_converged_note(gap_error, iterations);
-  return answer;
 }
 
 double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
