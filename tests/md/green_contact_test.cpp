@@ -16,6 +16,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "tests/md/small_interface.hpp"
+
 namespace asperity::md::green_contact_test {
 
 using mechanics::Control;
@@ -156,7 +158,7 @@ TEST(GreenContact, StoresTheWorkOfTheLoad) {
 TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
   const AtomRequest request = flat_request(incommensurate_atoms(points));
   const double distance = request.settings.contact_distance;
-  const double pressure = plane_repulsion_pressure(
+  const double pressure = problems::plane_repulsion_pressure(
       interaction_of(request.settings), request.layer.cell_area(),
       request.substrate.cell_area(), distance);
 

@@ -14,7 +14,7 @@ namespace asperity::theory::elliptic_hertz_test {
 
 using std::numbers::pi;
 
-constexpr double modulus = 3e9, approach = 2e-7;
+constexpr double modulus = 3e9, indentation = 2e-7;
 
 /// One elliptic Hertzian contact, p = p_0 sqrt(1 - x^2/a^2 - y^2/b^2).
 struct EllipticContact {
@@ -42,8 +42,8 @@ EllipticContact elliptic_contact(double approach, double first_curvature,
 TEST(EllipticHertz, OfEqualCurvaturesIsASphere) {
   for (const double contrast : {0.0, 1e-9, 1e-6}) {
     const EllipticContact spot = elliptic_contact(
-        approach, 100.0 * (1.0 + contrast), 100.0 * (1.0 - contrast));
-    const double radius = std::sqrt(approach / 100.0);
+        indentation, 100.0 * (1.0 + contrast), 100.0 * (1.0 - contrast));
+    const double radius = std::sqrt(indentation / 100.0);
     const HertzContact sphere =
         hertz_contact(hertz_load(radius, 0.01, modulus), 0.01, modulus);
 
@@ -62,7 +62,7 @@ TEST(EllipticHertz, OfEqualCurvaturesIsASphere) {
 TEST(EllipticHertz, PressureDeformsTheSurfaceToTheBody) {
   for (const double ratio : {1.0, 3.0, 40.0}) {
     const double flat = 100.0, steep = ratio * flat;
-    const EllipticContact spot = elliptic_contact(approach, steep, flat);
+    const EllipticContact spot = elliptic_contact(indentation, steep, flat);
     const double a = spot.major_radius, b = spot.minor_radius;
     const auto ray = [&](double x, double y, double angle) {
       const double ex = std::cos(angle) / a, ey = std::sin(angle) / b;
@@ -87,7 +87,7 @@ TEST(EllipticHertz, PressureDeformsTheSurfaceToTheBody) {
       displacement *= spot.peak_pressure / (pi * modulus);
 
       EXPECT_NEAR((displacement + 0.5 * (flat * x * x + steep * y * y)) /
-                      approach,
+                      indentation,
                   1.0, 1e-9)
           << ratio << ' ' << at_x << ' ' << at_y;
     }
