@@ -16,6 +16,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "tests/md/small_interface.hpp"
+
 namespace asperity::md::green_contact_test {
 
 using mechanics::Control;
