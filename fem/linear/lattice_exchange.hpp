@@ -6,6 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
+#include "fem/linear/unknown_exchange.hpp"
 #include "fem/multigrid/face_contact.hpp"
 #include "fem/multigrid/lattice_slab.hpp"
 
@@ -15,8 +16,6 @@
 #include <memory>
 #include <span>
 #include <vector>
-
-#include "ranks/value_exchange.hpp"
 
 namespace asperity::fem {
 
@@ -75,21 +74,19 @@ public:
   std::size_t bytes() const;
 
 private:
-  void number_unknowns(const BoxLattice& lattice, const LatticeSlab& slab,
-                       const LatticeNumbering& numbering);
+  static UnknownExchange unknowns_of(const BoxLattice& lattice,
+                                     const LatticeSlab& slab, RankGroup* ranks,
+                                     const LatticeNumbering& numbering);
   void number_points(const BlockSystem& system, const BoxLattice& lattice,
                      const LatticeSlab& slab,
                      const LatticeNumbering& numbering);
 
   RankGroup* ranks_;
   std::size_t size_, face_size_; ///< of a vector and of the face of the slab
-  // Places are below 2^32, because the numbers of unknowns are.
-  std::vector<std::uint32_t> unknowns_; ///< in this rank's vector, by target
-  std::vector<std::uint32_t> places_;   ///< on the slab, of values received
-  std::vector<std::size_t> order_;      ///< contact points of this rank by
-                                        ///< target; empty on one rank
+  UnknownExchange unknowns_;
+  std::vector<std::size_t> order_; ///< contact points of this rank by target
   SparseRows points_; ///< contact points received, by nodes of the slab's face
-  std::unique_ptr<ValueExchange> values_, point_values_; ///< null on one rank
+  std::unique_ptr<ValueExchange> point_values_; ///< null on one rank
 };
 
 } // namespace asperity::fem
