@@ -84,7 +84,8 @@ void LatticeNumbering::take(const BlockSpace& space, const BoxLattice& lattice,
                             global_dof_index unknown, unsigned int component,
                             std::size_t node) {
   const auto& constraints = space.constraints();
-  const bool is_on_face = component == 2 && node < layout_.plane_size();
+  const bool is_on_face =
+      component == 2 && node % layout_.slice_size() < layout_.row_size();
   if (!constraints.is_constrained(unknown)) {
     // Searching the set of owned unknowns would take longer than all else.
     if (unknown >= first_owned_ && unknown - first_owned_ < nodes.size())
@@ -109,8 +110,8 @@ LatticeExchange::LatticeExchange(const BlockSystem& system,
                                  const LatticeSlab& slab, RankGroup* ranks,
                                  const LatticeNumbering& numbering)
     : ranks_(ranks),
+      sharing_(slab.ranks()),
       size_(slab.layout(lattice).size()),
-      face_size_(face_places(slab.layout(lattice)).size()),
       unknowns_(unknowns_of(lattice, slab, ranks, numbering)) {
   number_points(system, lattice, slab, numbering);
 }
@@ -123,7 +124,7 @@ LatticeExchange::unknowns_of(const BoxLattice& lattice, const LatticeSlab& slab,
   std::function<int(std::size_t)> rank_of;
   if (slab.is_shared())
     rank_of = [&](std::size_t node) {
-      return slab.rank_of(places.row_of(node), lattice.degree);
+      return slab.rank_of(places.slice_of(node), lattice.degree);
     };
   return {ranks, numbering.nodes, rank_of,
           [&](std::size_t node) { return places.of(node); }};
@@ -163,7 +164,7 @@ void LatticeExchange::number_points(const BlockSystem& system,
   }
   const SlabPlaces places(lattice, slab);
   for (const FaceEntry& entry : entries) {
-    points_.column.push_back(places.on_face(entry.node));
+    points_.column.push_back(places.with_images(entry.node));
     points_.weight.push_back(entry.value);
   }
   for (const std::uint32_t size : sizes)
@@ -181,7 +182,7 @@ void LatticeExchange::from_lattice(const std::vector<double>& from,
   unknowns_.give_back(from, to);
 }
 
-FaceContact LatticeExchange::contact(std::span<const double> springs,
+MeshContact LatticeExchange::contact(std::span<const double> springs,
                                      const std::vector<bool>& held,
                                      bool is_sticking) const {
   std::vector<double> stiffness;
@@ -194,25 +195,9 @@ FaceContact LatticeExchange::contact(std::span<const double> springs,
     stiffness = point_values_->sent(std::span<const double>(stiffness));
     flags = point_values_->sent(std::span<const std::uint8_t>(flags));
   }
-  FaceContact contact;
-  contact.is_sticking = is_sticking;
-  SparseRows scaled = points_;
-  bool has_springs = false;
-  for (std::size_t point = 0; point < stiffness.size(); ++point) {
-    has_springs = has_springs || stiffness[point] != 0.0;
-    for (std::size_t i = points_.start[point]; i < points_.start[point + 1];
-         ++i) {
-      scaled.weight[i] *= stiffness[point];
-      if (flags[point] == 0)
-        continue;
-      contact.held.resize(face_size_, false);
-      contact.held[points_.column[i]] = true;
-    }
-  }
-  if (has_springs)
-    contact.springs =
-        product(transposed(scaled, face_size_), points_, face_size_);
-  return contact;
+  const std::vector<bool> is_held(flags.begin(), flags.end());
+  return contact_of_points(points_, {stiffness, is_held, is_sticking}, size_,
+                           sharing_);
 }
 
 std::size_t LatticeExchange::bytes() const {

@@ -7,8 +7,8 @@
 
 #include "fem/block/block_system.hpp"
 #include "fem/linear/unknown_exchange.hpp"
-#include "fem/multigrid/face_contact.hpp"
 #include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/mesh_contact.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -68,7 +68,7 @@ public:
 
   /// The contact of the slab.
   /// @param springs, held  of the contact points of this rank
-  FaceContact contact(std::span<const double> springs,
+  MeshContact contact(std::span<const double> springs,
                       const std::vector<bool>& held, bool is_sticking) const;
 
   std::size_t bytes() const;
@@ -82,10 +82,11 @@ private:
                      const LatticeNumbering& numbering);
 
   RankGroup* ranks_;
-  std::size_t size_, face_size_; ///< of a vector and of the face of the slab
+  RankGroup* sharing_; ///< the same, but null if each has all rows
+  std::size_t size_;   ///< of a vector of the slab
   UnknownExchange unknowns_;
   std::vector<std::size_t> order_; ///< contact points of this rank by target
-  SparseRows points_; ///< contact points received, by nodes of the slab's face
+  SparseRows points_; ///< contact points received, by places on the slab
   std::unique_ptr<ValueExchange> point_values_; ///< null on one rank
 };
 
