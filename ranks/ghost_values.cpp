@@ -3,71 +3,58 @@
 #include "base/require.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <numeric>
+
+#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {
 
-/// The number of the first item of each rank, and that of all.
-std::vector<std::size_t> first_items(RankGroup& ranks, std::size_t owned) {
-  const auto n = static_cast<std::size_t>(ranks.size());
-  std::vector<std::size_t> counts(n);
-  ranks.gather_to_all(std::as_bytes(std::span(&owned, 1)),
-                      std::vector<std::size_t>(n, sizeof(std::size_t)),
-                      std::as_writable_bytes(std::span(counts)));
-  std::vector<std::size_t> first(n + 1, 0);
-  std::inclusive_scan(counts.begin(), counts.end(), first.begin() + 1);
-  return first;
+/// The number of the first item of this rank.
+std::size_t first_item(RankGroup& ranks, std::size_t owned) {
+  const std::vector<double> counts =
+      of_ranks(&ranks, static_cast<double>(owned));
+  return static_cast<std::size_t>(
+      std::accumulate(counts.begin(), counts.begin() + ranks.rank(), 0.0));
+}
+
+/// The rank that owns each ghost. Collective.
+std::vector<int> owners_of(RankGroup& ranks, std::size_t owned,
+                           std::span<const std::size_t> ghosts) {
+  if (std::ranges::adjacent_find(ghosts, std::greater_equal<>()) !=
+      ghosts.end())
+    refuse_argument("a number of ghosts", 0.0, "increasing");
+  const std::vector<double> counts =
+      of_ranks(&ranks, static_cast<double>(owned));
+  std::vector<double> ends(counts.size());
+  std::inclusive_scan(counts.begin(), counts.end(), ends.begin());
+  std::vector<int> owners;
+  for (const std::size_t ghost : ghosts) {
+    const auto number = static_cast<double>(ghost);
+    const auto owner =
+        static_cast<int>(std::ranges::upper_bound(ends, number) - ends.begin());
+    if (owner >= ranks.size() || owner == ranks.rank())
+      refuse_argument("the number of a ghost", number,
+                      "that of an item of another rank");
+    owners.push_back(owner);
+  }
+  return owners;
 }
 
 } // namespace
 
 GhostValues::GhostValues(RankGroup& ranks, std::size_t owned,
                          std::span<const std::size_t> ghosts, std::size_t width)
-    : ranks_(ranks), owned_(owned), ghosts_(ghosts.size()), width_(width) {
-  const std::vector<std::size_t> first = first_items(ranks, owned);
-  const auto n = static_cast<std::size_t>(ranks.size());
-  const auto own = static_cast<std::size_t>(ranks.rank());
-  if (std::ranges::adjacent_find(ghosts, std::greater_equal<>()) !=
-      ghosts.end())
-    refuse_argument("a number of ghosts", 0.0, "increasing");
-  received_.assign(n, 0);
-  for (const std::size_t ghost : ghosts) {
-    const auto owner = static_cast<std::size_t>(
-        std::upper_bound(first.begin(), first.end(), ghost) - first.begin() -
-        1);
-    if (owner >= n || owner == own)
-      refuse_argument("the number of a ghost", static_cast<double>(ghost),
-                      "that of an item of another rank");
-    ++received_[owner];
-  }
-  sent_.resize(n);
-  const std::vector<std::size_t> one_number(n, sizeof(std::size_t));
-  ranks.exchange(std::as_bytes(std::span(received_)), one_number,
-                 std::as_writable_bytes(std::span(sent_)), one_number);
-  items_.resize(std::accumulate(sent_.begin(), sent_.end(), std::size_t{0}));
-  const auto bytes = [](std::vector<std::size_t> counts) {
-    for (std::size_t& count : counts)
-      count *= sizeof(std::size_t);
-    return counts;
-  };
-  ranks.exchange(std::as_bytes(ghosts), bytes(received_),
-                 std::as_writable_bytes(std::span(items_)), bytes(sent_));
+    : ranks_(ranks),
+      owned_(owned),
+      ghosts_(ghosts.size()),
+      width_(width),
+      to_owners_(ranks, owners_of(ranks, owned, ghosts)),
+      items_(to_owners_.sent(ghosts)) {
+  const std::size_t first = first_item(ranks, owned);
   for (std::size_t& item : items_)
-    item -= first[own];
-}
-
-/// Numbers of items as numbers of bytes, with numbers of `size` bytes.
-std::vector<std::size_t>
-GhostValues::bytes_of(const std::vector<std::size_t>& items,
-                      std::size_t size) const {
-  std::vector<std::size_t> bytes;
-  bytes.reserve(items.size());
-  for (const std::size_t count : items)
-    bytes.push_back(count * width_ * size);
-  return bytes;
+    item -= first;
 }
 
 template <class Number>
@@ -76,18 +63,16 @@ void GhostValues::fill_ghosts(Number* values) const {
   auto* to = reinterpret_cast<Number*>(buffer_.data());
   for (const std::size_t item : items_)
     to = std::copy_n(values + item * width_, width_, to);
-  ranks_.exchange(buffer_, bytes_of(sent_, sizeof(Number)),
-                  std::as_writable_bytes(
-                      std::span(values + owned_ * width_, ghosts_ * width_)),
-                  bytes_of(received_, sizeof(Number)));
+  to_owners_.give_back(buffer_, width_ * sizeof(Number),
+                       std::as_writable_bytes(std::span(
+                           values + owned_ * width_, ghosts_ * width_)));
 }
 
 template <class Number>
 void GhostValues::add_to_owners(Number* values) const {
   buffer_.resize(items_.size() * width_ * sizeof(Number));
   const std::span ghosts(values + owned_ * width_, ghosts_ * width_);
-  ranks_.exchange(std::as_bytes(ghosts), bytes_of(received_, sizeof(Number)),
-                  buffer_, bytes_of(sent_, sizeof(Number)));
+  to_owners_.send(std::as_bytes(ghosts), width_ * sizeof(Number), buffer_);
   const auto* from = reinterpret_cast<const Number*>(buffer_.data());
   for (const std::size_t item : items_)
     for (std::size_t i = 0; i < width_; ++i)
@@ -101,8 +86,7 @@ template void GhostValues::add_to_owners(float*) const;
 template void GhostValues::add_to_owners(double*) const;
 
 std::size_t GhostValues::bytes() const {
-  return (received_.size() + sent_.size() + items_.size()) *
-             sizeof(std::size_t) +
+  return to_owners_.bytes() + items_.size() * sizeof(std::size_t) +
          buffer_.capacity();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ranks/rank_group.hpp"
+#include "ranks/value_exchange.hpp"
 
 namespace asperity {
 
@@ -42,14 +43,10 @@ public:
   std::size_t bytes() const;
 
 private:
-  std::vector<std::size_t> bytes_of(const std::vector<std::size_t>& items,
-                                    std::size_t size) const;
-
   RankGroup& ranks_;
-  std::size_t owned_, ghosts_ = 0, width_;
-  std::vector<std::size_t> received_; ///< number of ghosts of each rank
-  std::vector<std::size_t> sent_;     ///< number of own items each rank needs
-  std::vector<std::size_t> items_;    ///< these items, rank after rank
+  std::size_t owned_, ghosts_, width_;
+  ValueExchange to_owners_;        ///< of the ghosts
+  std::vector<std::size_t> items_; ///< own items that other ranks need
   mutable std::vector<std::byte> buffer_;
 };
 

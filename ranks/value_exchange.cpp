@@ -6,6 +6,18 @@
 #include <numeric>
 
 namespace asperity {
+namespace {
+
+std::vector<std::size_t> in_bytes(const std::vector<std::size_t>& counts,
+                                  std::size_t value) {
+  std::vector<std::size_t> bytes;
+  bytes.reserve(counts.size());
+  for (const std::size_t count : counts)
+    bytes.push_back(count * value);
+  return bytes;
+}
+
+} // namespace
 
 ValueExchange::ValueExchange(RankGroup& ranks, std::span<const int> targets)
     : ranks_(&ranks),
@@ -37,14 +49,24 @@ ValueExchange::ValueExchange(RankGroup& ranks, std::size_t n_values)
                            std::size_t{0});
 }
 
-std::vector<std::size_t>
-ValueExchange::in_bytes(const std::vector<std::size_t>& counts,
-                        std::size_t value) {
-  std::vector<std::size_t> bytes;
-  bytes.reserve(counts.size());
-  for (const std::size_t count : counts)
-    bytes.push_back(count * value);
-  return bytes;
+void ValueExchange::send(std::span<const std::byte> own, std::size_t size,
+                         std::span<std::byte> received) const {
+  if (sent_.empty())
+    ranks_->gather_to_all(own, in_bytes(received_, size), received);
+  else
+    ranks_->exchange(own, in_bytes(sent_, size), received,
+                     in_bytes(received_, size));
+}
+
+void ValueExchange::give_back(std::span<const std::byte> values,
+                              std::size_t size,
+                              std::span<std::byte> own) const {
+  if (sent_.empty())
+    std::ranges::copy(values.subspan(first_ * size, n_own_ * size),
+                      own.begin());
+  else
+    ranks_->exchange(values, in_bytes(received_, size), own,
+                     in_bytes(sent_, size));
 }
 
 } // namespace asperity

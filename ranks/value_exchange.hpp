@@ -33,13 +33,8 @@ public:
   template <class Value>
   std::vector<Value> sent(std::span<const Value> own) const {
     std::vector<Value> all(n_received_);
-    const auto received = in_bytes(received_, sizeof(Value));
-    const auto bytes = std::as_writable_bytes(std::span(all));
-    if (sent_.empty())
-      ranks_->gather_to_all(std::as_bytes(own), received, bytes);
-    else
-      ranks_->exchange(std::as_bytes(own), in_bytes(sent_, sizeof(Value)),
-                       bytes, received);
+    send(std::as_bytes(own), sizeof(Value),
+         std::as_writable_bytes(std::span(all)));
     return all;
   }
 
@@ -47,21 +42,23 @@ public:
   /// a value that it received.
   template <class Value>
   std::vector<Value> returned(std::span<const Value> values) const {
-    if (sent_.empty()) {
-      const auto own = values.subspan(first_, n_own_);
-      return {own.begin(), own.end()};
-    }
     std::vector<Value> own(n_own_);
-    ranks_->exchange(std::as_bytes(values), in_bytes(received_, sizeof(Value)),
-                     std::as_writable_bytes(std::span(own)),
-                     in_bytes(sent_, sizeof(Value)));
+    give_back(std::as_bytes(values), sizeof(Value),
+              std::as_writable_bytes(std::span(own)));
     return own;
   }
 
-private:
-  static std::vector<std::size_t>
-  in_bytes(const std::vector<std::size_t>& counts, std::size_t value);
+  /// The same for values of `size` bytes each.
+  void send(std::span<const std::byte> own, std::size_t size,
+            std::span<std::byte> received) const;
+  void give_back(std::span<const std::byte> values, std::size_t size,
+                 std::span<std::byte> own) const;
 
+  std::size_t bytes() const {
+    return (sent_.size() + received_.size()) * sizeof(std::size_t);
+  }
+
+private:
   RankGroup* ranks_;
   std::size_t n_own_;
   /// Numbers of values for and from each rank; the first is empty if every rank

@@ -10,7 +10,7 @@
 
 namespace asperity::fem {
 
-HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit) {
+MeshUnits units_of(const HexahedronMesh& mesh) {
   double edge = std::numeric_limits<double>::max(), stiffest = 0.0;
   for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
     const auto& v = mesh.vertices[cell];
@@ -21,24 +21,39 @@ HexahedronMesh normalised(const HexahedronMesh& mesh, double& unit) {
     }
     stiffest = std::max(stiffest, mesh.moduli[cell].shear);
   }
-  edge = -rank_max(mesh.ranks(), -edge);
-  stiffest = rank_max(mesh.ranks(), stiffest);
-  HexahedronMesh scaled = mesh;
-  for (auto& vertices : scaled.vertices)
+  RankGroup* const ranks = mesh.unknowns.ranks();
+  return {-rank_max(ranks, -edge), rank_max(ranks, stiffest)};
+}
+
+HexahedronMesh scaled(const HexahedronMesh& mesh, const MeshUnits& units) {
+  HexahedronMesh result = mesh;
+  for (auto& vertices : result.vertices)
     for (auto& vertex : vertices)
       for (double& coordinate : vertex)
-        coordinate /= edge;
-  for (CellModuli& moduli : scaled.moduli)
-    moduli = {moduli.lame / stiffest, moduli.shear / stiffest};
-  unit = edge * stiffest;
-  return scaled;
+        coordinate /= units.length;
+  for (CellModuli& moduli : result.moduli)
+    moduli = {moduli.lame / units.modulus, moduli.shear / units.modulus};
+  return result;
+}
+
+std::vector<double> diagonal_of(const HexahedronMesh& mesh) {
+  std::vector<double> sum(mesh.unknowns.size, 0.0);
+  CellDiagonal of_cell;
+  for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
+    const auto& own =
+        of_cell.of(hexahedron_shape(mesh.vertices[cell]), mesh.moduli[cell]);
+    for (std::size_t a = 0; a < nodes_in_hexahedron; ++a)
+      for (std::size_t k = 0; k < 3; ++k)
+        sum[mesh.nodes[cell][a] + k] += own[3 * a + k];
+  }
+  mesh.unknowns.constraints->condense_diagonal(sum);
+  mesh.unknowns.collect(sum.data());
+  return sum;
 }
 
 template <class Number>
 HexahedronOperator<Number>::HexahedronOperator(const HexahedronMesh& mesh)
-    : size_(mesh.unknowns),
-      ghosts_(mesh.ghosts),
-      constraints_(mesh.constraints) {
+    : MeshOperator<Number>(mesh.unknowns) {
   const std::size_t cells = mesh.nodes.size();
   const std::size_t groups = (cells + cells_in_group - 1) / cells_in_group;
   nodes_.reserve(groups * cells_in_group * nodes_in_hexahedron);
@@ -107,28 +122,8 @@ void HexahedronOperator<Number>::set_tangents(
 }
 
 template <class Number>
-std::vector<Number>
-HexahedronOperator<Number>::diagonal(const HexahedronMesh& mesh) const {
-  std::vector<double> sum(size_, 0.0);
-  CellDiagonal of_cell;
-  for (std::size_t cell = 0; cell < mesh.nodes.size(); ++cell) {
-    const auto& own =
-        of_cell.of(hexahedron_shape(mesh.vertices[cell]), mesh.moduli[cell]);
-    for (std::size_t a = 0; a < nodes_in_hexahedron; ++a)
-      for (std::size_t k = 0; k < 3; ++k)
-        sum[mesh.nodes[cell][a] + k] += own[3 * a + k];
-  }
-  constraints_->condense_diagonal(sum);
-  collect(sum.data());
-  return {sum.begin(), sum.end()};
-}
-
-template <class Number>
-void HexahedronOperator<Number>::add_own(Number* displacement, Number* force,
-                                         Number factor) const {
-  if (ghosts_ != nullptr)
-    ghosts_->fill_ghosts(displacement);
-  constraints_->distribute(displacement);
+void HexahedronOperator<Number>::add_cells(const Number* displacement,
+                                           Number* force, Number factor) const {
   HexahedronProduct<Number> product;
   product.from = displacement;
   product.to = force;
@@ -140,7 +135,6 @@ void HexahedronOperator<Number>::add_own(Number* displacement, Number* force,
   product.tangents = tangents_.data();
   product.factor = factor;
   multiply_hexahedra(product);
-  constraints_->condense(force);
 }
 
 template <class Number>

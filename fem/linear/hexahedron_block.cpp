@@ -16,29 +16,6 @@
 namespace asperity::fem {
 namespace {
 
-HexahedronMesh mesh_of(const BlockSystem& system,
-                       const LocalUnknowns& unknowns) {
-  HexahedronMesh mesh;
-  mesh.unknowns = unknowns.size();
-  mesh.constraints = unknowns.constraints();
-  mesh.ghosts = unknowns.ghosts();
-  auto first = unknowns.cell_nodes().begin();
-  for (const auto& cell :
-       system.space().dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned())
-      continue;
-    std::copy_n(first, nodes_in_hexahedron, mesh.nodes.emplace_back().begin());
-    first += nodes_in_hexahedron;
-    auto& vertices = mesh.vertices.emplace_back();
-    for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int i = 0; i < 3; ++i)
-        vertices.at(v).at(i) = cell->vertex(v)[i];
-    const Moduli moduli = system.moduli_of(cell);
-    mesh.moduli.push_back({moduli.lame_modulus, moduli.shear_modulus});
-  }
-  return mesh;
-}
-
 /// The share of the vertex v = 0..7 of a cell in the node = 0..26.
 double weight_of(unsigned int v, std::size_t node) {
   double weight = 1.0;
@@ -58,6 +35,27 @@ BlockProblem first_order(const BlockProblem& problem) {
 }
 
 } // namespace
+
+HexahedronMesh hexahedron_mesh(const BlockSystem& system,
+                               const LocalUnknowns& unknowns) {
+  HexahedronMesh mesh;
+  mesh.unknowns = unknowns.layout();
+  auto first = unknowns.cell_nodes().begin();
+  for (const auto& cell :
+       system.space().dof_handler().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    std::copy_n(first, nodes_in_hexahedron, mesh.nodes.emplace_back().begin());
+    first += nodes_in_hexahedron;
+    auto& vertices = mesh.vertices.emplace_back();
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int i = 0; i < 3; ++i)
+        vertices.at(v).at(i) = cell->vertex(v)[i];
+    const Moduli moduli = system.moduli_of(cell);
+    mesh.moduli.push_back({moduli.lame_modulus, moduli.shear_modulus});
+  }
+  return mesh;
+}
 
 FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
                                            const BlockSystem& fine,
@@ -224,9 +222,8 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
         values[parents_.column[k] + c] +=
             unit * parents_.weight[k] *
             static_cast<double>(residual[nodes_[row] + c]);
-  numbers_.constraints()->condense(values);
-  if (numbers_.ghosts() != nullptr)
-    numbers_.ghosts()->add_to_owners(values);
+  numbers_.layout().constraints->condense(values);
+  numbers_.layout().collect(values);
   for (const auto unknown : held_)
     values[numbers_.of(unknown)] = 0.0;
   std::copy_n(values, numbers_.owned(), force_.begin());
@@ -234,9 +231,7 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
   std::copy_n(displacement_.begin(), numbers_.owned(), values);
   for (const auto unknown : held_)
     values[numbers_.of(unknown)] = 0.0;
-  if (numbers_.ghosts() != nullptr)
-    numbers_.ghosts()->fill_ghosts(values);
-  numbers_.constraints()->distribute(values);
+  numbers_.layout().complete(values);
   for (std::size_t row = 0; row < nodes_.size(); ++row)
     for (std::size_t k = parents_.start[row]; k < parents_.start[row + 1]; ++k)
       for (std::size_t c = 0; c < 3; ++c)
@@ -273,14 +268,21 @@ HexahedronBlock::HexahedronBlock(const BlockProblem& problem,
                                  const BlockSystem& system,
                                  const std::shared_ptr<LocalUnknowns>& unknowns)
     : HexahedronBlock(
-          system, unknowns,
+          system, unknowns, hexahedron_mesh(system, *unknowns),
           std::make_unique<FirstOrderCorrection>(problem, system, *unknowns)) {}
 
 HexahedronBlock::HexahedronBlock(const BlockSystem& system,
                                  const std::shared_ptr<LocalUnknowns>& unknowns,
+                                 const HexahedronMesh& mesh,
                                  std::unique_ptr<MeshCorrection> correction)
-    : MeshBlock(system, unknowns, mesh_of(system, *unknowns),
+    : MeshBlock(system, unknowns,
+                stiffness_of<HexahedronOperator>(mesh, units_of(mesh)),
                 std::move(correction)) {}
+
+void HexahedronBlock::set_tangents(std::span<const CellTangents> cells) {
+  // The constructor has made it.
+  static_cast<HexahedronOperator<double>&>(stiffness()).set_tangents(cells);
+}
 
 bool is_hexahedron_block(const BlockSystem& system) {
   return has_low_order(system.space()) &&

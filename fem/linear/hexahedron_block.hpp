@@ -78,23 +78,27 @@ private:
   int setups_ = 0;
 };
 
+/// The cells of this rank.
+HexahedronMesh hexahedron_mesh(const BlockSystem& system,
+                               const LocalUnknowns& unknowns);
+
 /// The stiffness of a block of second-order hexahedra and its inverse.
-class HexahedronBlock : public MeshBlock<HexahedronOperator> {
+class HexahedronBlock : public MeshBlock {
 public:
   /// @param system must outlive this object
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system);
 
   /// The same with another correction, which refers to the unknowns.
+  /// @param mesh  hexahedron_mesh()
   HexahedronBlock(const BlockSystem& system,
                   const std::shared_ptr<LocalUnknowns>& unknowns,
+                  const HexahedronMesh& mesh,
                   std::unique_ptr<MeshCorrection> correction);
 
   /// Gives some cells tangents at their Gauss points, as a plastic body has
   /// them; the preconditioner stays that of the elastic block.
   /// @param cells  in the order of the active cells of this rank, each once
-  void set_tangents(std::span<const CellTangents> cells) {
-    multigrid().stiffness().set_tangents(cells);
-  }
+  void set_tangents(std::span<const CellTangents> cells);
 
 private:
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system,

@@ -46,12 +46,12 @@ void LatticeBlock::vmult(Vector& to, const Vector& from) const {
 /// Separates the pins that prevent a rigid motion from those that are held.
 void LatticeBlock::find_modes() {
   loose_.clear();
-  std::vector<std::size_t> held;
+  held_pins_.clear();
   for (const Pin& pin : pins_)
     if (pin.component != 2 || !has_contact_)
       loose_.push_back(pin);
     else if (pin.place != SlabPlaces::nowhere)
-      held.push_back(pin.place);
+      held_pins_.push_back(pin.place);
   modes_ = rigid_modes(multigrid_.lattice(), multigrid_.slab(), has_contact_);
   if (modes_.size() != loose_.size())
     throw std::logic_error("the pins of a lattice do not match its motions");
@@ -60,17 +60,17 @@ void LatticeBlock::find_modes() {
     for (const Pin& pin : loose_)
       at_loose_.push_back(multigrid_.slab().sum(
           pin.place != SlabPlaces::nowhere ? mode[pin.place] : 0.0));
-  multigrid_.pin(std::move(held));
 }
 
 void LatticeBlock::prepare(std::span<const double> springs,
                            const std::vector<bool>& held, bool is_sticking) {
-  FaceContact contact = exchange_.contact(springs, held, is_sticking);
+  MeshContact contact = exchange_.contact(springs, held, is_sticking);
   if (has_contact_ ==
       (multigrid_.slab().sum(contact.is_free() ? 0.0 : 1.0) == 0.0)) {
     has_contact_ = !has_contact_;
     find_modes();
   }
+  contact.pinned = held_pins_;
   multigrid_.set_contact(std::move(contact));
 }
 
@@ -99,7 +99,8 @@ void LatticeBlock::balance_forces() {
   for (std::size_t mode = 0; mode < modes_.size(); ++mode)
     for (std::size_t i = 0; i < to_.size(); ++i)
       sums[mode] -= modes_[mode][i] * to_[i];
-  multigrid_.slab().sum(std::span(sums));
+  for (double& sum : sums)
+    sum = multigrid_.slab().sum(sum);
   sums = at_pins(sums, false);
   for (std::size_t pin = 0; pin < loose_.size(); ++pin)
     if (loose_[pin].place != SlabPlaces::nowhere)
@@ -112,7 +113,8 @@ void LatticeBlock::remove_motions() {
   for (std::size_t pin = 0; pin < loose_.size(); ++pin)
     if (loose_[pin].place != SlabPlaces::nowhere)
       sums[pin] = from_[loose_[pin].place];
-  multigrid_.slab().sum(std::span(sums));
+  for (double& sum : sums)
+    sum = multigrid_.slab().sum(sum);
   sums = at_pins(sums, true);
   for (std::size_t mode = 0; mode < modes_.size(); ++mode)
     for (std::size_t i = 0; i < from_.size(); ++i)
@@ -125,8 +127,9 @@ LinearSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
   exchange_.to_lattice(unknowns, from_);
   if (!modes_.empty())
     balance_forces();
+  multigrid_.force() = to_;
   const LinearSolution solution =
-      multigrid_.solve(to_, from_, tolerance, most_iterations);
+      multigrid_.solve(from_, tolerance, most_iterations);
   if (!modes_.empty())
     remove_motions();
   exchange_.from_lattice(from_, unknowns);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace asperity::fem {
@@ -26,15 +25,6 @@ std::unique_ptr<ValueExchange> exchange_of(RankGroup& ranks,
   return slab.is_shared()
              ? std::make_unique<ValueExchange>(ranks, targets)
              : std::make_unique<ValueExchange>(ranks, targets.size());
-}
-
-/// The numbers 0..n-1 by increasing target.
-std::vector<std::size_t> order_by(const std::vector<int>& targets) {
-  std::vector<std::size_t> order(targets.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {},
-                           [&](std::size_t i) { return targets[i]; });
-  return order;
 }
 
 } // namespace
@@ -94,7 +84,8 @@ void LatticeNumbering::take(const BlockSpace& space, const BoxLattice& lattice,
                             global_dof_index unknown, unsigned int component,
                             std::size_t node) {
   const auto& constraints = space.constraints();
-  const bool is_on_face = component == 2 && node < layout_.plane_size();
+  const bool is_on_face =
+      component == 2 && node % layout_.slice_size() < layout_.row_size();
   if (!constraints.is_constrained(unknown)) {
     // Searching the set of owned unknowns would take longer than all else.
     if (unknown >= first_owned_ && unknown - first_owned_ < nodes.size())
@@ -119,45 +110,24 @@ LatticeExchange::LatticeExchange(const BlockSystem& system,
                                  const LatticeSlab& slab, RankGroup* ranks,
                                  const LatticeNumbering& numbering)
     : ranks_(ranks),
+      sharing_(slab.ranks()),
       size_(slab.layout(lattice).size()),
-      face_size_(face_places(slab.layout(lattice)).size()) {
-  number_unknowns(lattice, slab, numbering);
+      unknowns_(unknowns_of(lattice, slab, ranks, numbering)) {
   number_points(system, lattice, slab, numbering);
 }
 
-void LatticeExchange::number_unknowns(const BoxLattice& lattice,
-                                      const LatticeSlab& slab,
-                                      const LatticeNumbering& numbering) {
-  const auto take = [](std::size_t number, std::vector<std::uint32_t>& list) {
-    list.push_back(static_cast<std::uint32_t>(number));
-  };
-  for (std::size_t i = 0; i < numbering.nodes.size(); ++i)
-    if (numbering.nodes[i] != SlabPlaces::nowhere)
-      take(i, unknowns_);
-  places_.reserve(unknowns_.size());
-  if (ranks_ == nullptr) {
-    for (const std::uint32_t unknown : unknowns_)
-      take(numbering.nodes[unknown], places_);
-    return;
-  }
+UnknownExchange
+LatticeExchange::unknowns_of(const BoxLattice& lattice, const LatticeSlab& slab,
+                             RankGroup* ranks,
+                             const LatticeNumbering& numbering) {
   const SlabPlaces places(lattice, slab);
-  std::vector<int> targets;
-  targets.reserve(unknowns_.size());
-  for (const std::uint32_t unknown : unknowns_)
-    targets.push_back(
-        slab.rank_of(places.row_of(numbering.nodes[unknown]), lattice.degree));
-  std::vector<std::uint32_t> ordered;
-  std::vector<std::uint64_t> nodes;
-  for (const std::size_t i : order_by(targets)) {
-    ordered.push_back(unknowns_[i]);
-    nodes.push_back(numbering.nodes[unknowns_[i]]);
-  }
-  unknowns_ = std::move(ordered);
-  std::ranges::sort(targets);
-  values_ = exchange_of(*ranks_, slab, targets);
-  for (const std::uint64_t node :
-       values_->sent(std::span<const std::uint64_t>(nodes)))
-    take(places.of(node), places_);
+  std::function<int(std::size_t)> rank_of;
+  if (slab.is_shared())
+    rank_of = [&](std::size_t node) {
+      return slab.rank_of(places.slice_of(node), lattice.degree);
+    };
+  return {ranks, numbering.nodes, rank_of,
+          [&](std::size_t node) { return places.of(node); }};
 }
 
 /// A contact point belongs to the rank that has the row of cells in which it
@@ -194,7 +164,7 @@ void LatticeExchange::number_points(const BlockSystem& system,
   }
   const SlabPlaces places(lattice, slab);
   for (const FaceEntry& entry : entries) {
-    points_.column.push_back(places.on_face(entry.node));
+    points_.column.push_back(places.with_images(entry.node));
     points_.weight.push_back(entry.value);
   }
   for (const std::uint32_t size : sizes)
@@ -203,42 +173,16 @@ void LatticeExchange::number_points(const BlockSystem& system,
 
 void LatticeExchange::to_lattice(const Vector& from,
                                  std::vector<double>& to) const {
-  to.assign(size_, 0.0);
-  const double* const values = from.begin();
-  if (ranks_ == nullptr) {
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      to[places_[i]] = values[unknowns_[i]];
-    return;
-  }
-  std::vector<double> own;
-  own.reserve(unknowns_.size());
-  for (const std::uint32_t unknown : unknowns_)
-    own.push_back(values[unknown]);
-  const std::vector<double> all = values_->sent(std::span<const double>(own));
-  for (std::size_t i = 0; i < places_.size(); ++i)
-    to[places_[i]] = all[i];
+  to.resize(size_);
+  unknowns_.send(from, to);
 }
 
 void LatticeExchange::from_lattice(const std::vector<double>& from,
                                    Vector& to) const {
-  double* const values = to.begin();
-  std::fill(to.begin(), to.end(), 0.0);
-  if (ranks_ == nullptr) {
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      values[unknowns_[i]] = from[places_[i]];
-    return;
-  }
-  std::vector<double> all;
-  all.reserve(places_.size());
-  for (const std::uint32_t place : places_)
-    all.push_back(from[place]);
-  const std::vector<double> own =
-      values_->returned(std::span<const double>(all));
-  for (std::size_t i = 0; i < own.size(); ++i)
-    values[unknowns_[i]] = own[i];
+  unknowns_.give_back(from, to);
 }
 
-FaceContact LatticeExchange::contact(std::span<const double> springs,
+MeshContact LatticeExchange::contact(std::span<const double> springs,
                                      const std::vector<bool>& held,
                                      bool is_sticking) const {
   std::vector<double> stiffness;
@@ -251,30 +195,14 @@ FaceContact LatticeExchange::contact(std::span<const double> springs,
     stiffness = point_values_->sent(std::span<const double>(stiffness));
     flags = point_values_->sent(std::span<const std::uint8_t>(flags));
   }
-  FaceContact contact;
-  contact.is_sticking = is_sticking;
-  SparseRows scaled = points_;
-  bool has_springs = false;
-  for (std::size_t point = 0; point < stiffness.size(); ++point) {
-    has_springs = has_springs || stiffness[point] != 0.0;
-    for (std::size_t i = points_.start[point]; i < points_.start[point + 1];
-         ++i) {
-      scaled.weight[i] *= stiffness[point];
-      if (flags[point] == 0)
-        continue;
-      contact.held.resize(face_size_, false);
-      contact.held[points_.column[i]] = true;
-    }
-  }
-  if (has_springs)
-    contact.springs =
-        product(transposed(scaled, face_size_), points_, face_size_);
-  return contact;
+  const std::vector<bool> is_held(flags.begin(), flags.end());
+  return contact_of_points(points_, {stiffness, is_held, is_sticking}, size_,
+                           sharing_);
 }
 
 std::size_t LatticeExchange::bytes() const {
-  return (unknowns_.size() + places_.size()) * sizeof(std::uint32_t) +
-         order_.size() * sizeof(std::size_t) + points_.bytes();
+  return unknowns_.bytes() + order_.size() * sizeof(std::size_t) +
+         points_.bytes();
 }
 
 } // namespace asperity::fem

@@ -6,8 +6,9 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/multigrid/face_contact.hpp"
+#include "fem/linear/unknown_exchange.hpp"
 #include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/mesh_contact.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,6 @@
 #include <memory>
 #include <span>
 #include <vector>
-
-#include "ranks/value_exchange.hpp"
 
 namespace asperity::fem {
 
@@ -69,27 +68,26 @@ public:
 
   /// The contact of the slab.
   /// @param springs, held  of the contact points of this rank
-  FaceContact contact(std::span<const double> springs,
+  MeshContact contact(std::span<const double> springs,
                       const std::vector<bool>& held, bool is_sticking) const;
 
   std::size_t bytes() const;
 
 private:
-  void number_unknowns(const BoxLattice& lattice, const LatticeSlab& slab,
-                       const LatticeNumbering& numbering);
+  static UnknownExchange unknowns_of(const BoxLattice& lattice,
+                                     const LatticeSlab& slab, RankGroup* ranks,
+                                     const LatticeNumbering& numbering);
   void number_points(const BlockSystem& system, const BoxLattice& lattice,
                      const LatticeSlab& slab,
                      const LatticeNumbering& numbering);
 
   RankGroup* ranks_;
-  std::size_t size_, face_size_; ///< of a vector and of the face of the slab
-  // Places are below 2^32, because the numbers of unknowns are.
-  std::vector<std::uint32_t> unknowns_; ///< in this rank's vector, by target
-  std::vector<std::uint32_t> places_;   ///< on the slab, of values received
-  std::vector<std::size_t> order_;      ///< contact points of this rank by
-                                        ///< target; empty on one rank
-  SparseRows points_; ///< contact points received, by nodes of the slab's face
-  std::unique_ptr<ValueExchange> values_, point_values_; ///< null on one rank
+  RankGroup* sharing_; ///< the same, but null if each has all rows
+  std::size_t size_;   ///< of a vector of the slab
+  UnknownExchange unknowns_;
+  std::vector<std::size_t> order_; ///< contact points of this rank by target
+  SparseRows points_; ///< contact points received, by places on the slab
+  std::unique_ptr<ValueExchange> point_values_; ///< null on one rank
 };
 
 } // namespace asperity::fem

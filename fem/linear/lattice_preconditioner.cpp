@@ -1,6 +1,7 @@
 #include "fem/linear/lattice_preconditioner.hpp"
 
 #include "base/require.hpp"
+#include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
@@ -18,7 +19,7 @@ using dealii::Point;
 using dealii::types::global_dof_index;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t nowhere = UnknownExchange::nowhere;
 
 /// Relative residual of the surface problem in each solve. It is far below the
 /// tolerance of CG, so that the preconditioner is a fixed linear operator.
@@ -46,13 +47,6 @@ std::vector<bool> held_components(mechanics::FarBoundary far_boundary) {
   return {false, false, false};
 }
 
-template <class Mail>
-void deliver(const Mail& from, Mail& to) {
-  MPI_Alltoallv(from.values.data(), from.counts.data(), from.starts.data(),
-                MPI_DOUBLE, to.values.data(), to.counts.data(),
-                to.starts.data(), MPI_DOUBLE, MPI_COMM_WORLD);
-}
-
 } // namespace
 
 LatticePreconditioner::LatticePreconditioner(const BlockSystem& system,
@@ -62,7 +56,7 @@ LatticePreconditioner::LatticePreconditioner(const BlockSystem& system,
       solver_(system.grid(), degree, uniform, 1, Among::all_ranks),
       plane_depths_(planes_of(uniform, degree)) {
   number_unknowns(uniform);
-  agree_on_numbers();
+  distribute_unknowns();
   lattice_values_.resize(solver_.lattice().size());
 }
 
@@ -118,34 +112,15 @@ void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
       pins_[c] = pin - 1;
 }
 
-/// Determines which of the own unknowns go to which rank, and which nodes come
-/// from it.
-void LatticePreconditioner::agree_on_numbers() {
+/// Sends each unknown to the rank that solves for its field.
+void LatticePreconditioner::distribute_unknowns() {
   const std::size_t nodes = solver_.lattice().grid.size();
-  std::vector<std::vector<std::size_t>> numbers(solver_.share().n_ranks());
-  std::vector<std::vector<std::size_t>> unknowns(numbers.size());
-  for (std::size_t i = 0; i < own_numbers_.size(); ++i)
-    if (own_numbers_[i] != nowhere) {
-      const std::size_t to = solver_.share().owner_of(own_numbers_[i] / nodes);
-      numbers[to].push_back(own_numbers_[i]);
-      unknowns[to].push_back(i);
-    }
-  std::map<unsigned int, std::vector<std::size_t>> to_ranks;
-  for (std::size_t rank = 0; rank < numbers.size(); ++rank)
-    to_ranks[static_cast<unsigned int>(rank)] = std::move(numbers[rank]);
-  auto from_ranks =
-      dealii::Utilities::MPI::some_to_some(MPI_COMM_WORLD, to_ranks);
-  const auto add = [](Mail& mail, const std::vector<std::size_t>& at) {
-    constexpr const char* what = "unknowns that a rank exchanges";
-    mail.starts.push_back(mpi_count(mail.at.size(), what));
-    mail.counts.push_back(mpi_count(at.size(), what));
-    mail.at.insert(mail.at.end(), at.begin(), at.end());
-    mail.values.resize(mail.at.size());
-  };
-  for (std::size_t rank = 0; rank < unknowns.size(); ++rank) {
-    add(unknowns_, unknowns[rank]);
-    add(lattice_, from_ranks[static_cast<unsigned int>(rank)]);
-  }
+  unknowns_.emplace(
+      n_ranks() > 1 ? &mpi_group() : nullptr, own_numbers_,
+      [&](std::size_t number) {
+        return static_cast<int>(solver_.share().owner_of(number / nodes));
+      },
+      [](std::size_t number) { return number; });
 }
 
 void LatticePreconditioner::prepare(std::span<const double> springs,
@@ -174,24 +149,6 @@ void LatticePreconditioner::prepare(std::span<const double> springs,
   has_springs_ = std::ranges::any_of(at_nodes, [](double s) { return s > 0; });
   solver_.set_springs(at_nodes);
   has_converged_ = true;
-}
-
-void LatticePreconditioner::send(const Vector& from) {
-  for (std::size_t i = 0; i < unknowns_.at.size(); ++i)
-    unknowns_.values[i] = *(from.begin() + unknowns_.at[i]);
-  deliver(unknowns_, lattice_);
-  std::fill(lattice_values_.begin(), lattice_values_.end(), 0.0);
-  for (std::size_t i = 0; i < lattice_.at.size(); ++i)
-    lattice_values_[lattice_.at[i]] = lattice_.values[i];
-}
-
-void LatticePreconditioner::send_back(Vector& to) {
-  for (std::size_t i = 0; i < lattice_.at.size(); ++i)
-    lattice_.values[i] = lattice_values_[lattice_.at[i]];
-  deliver(lattice_, unknowns_);
-  std::fill(to.begin(), to.end(), 0.0);
-  for (std::size_t i = 0; i < unknowns_.at.size(); ++i)
-    *(to.begin() + unknowns_.at[i]) = unknowns_.values[i];
 }
 
 /// Calls do_pin(fields, node) for each component that only a pin constrains,
@@ -239,7 +196,7 @@ void LatticePreconditioner::rest() {
 }
 
 void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
-  send(from);
+  unknowns_->send(from, lattice_values_);
   balance();
   // The residual in CG is correct whatever this operator does, so a surface
   // problem that did not converge costs only iterations. It is reported if CG
@@ -253,7 +210,7 @@ void LatticePreconditioner::vmult(Vector& to, const Vector& from) {
   else
     solver_.solve(lattice_values_, lattice_values_);
   rest();
-  send_back(to);
+  unknowns_->give_back(lattice_values_, to);
 }
 
 std::string LatticePreconditioner::failure() const {

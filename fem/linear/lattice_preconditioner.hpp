@@ -5,6 +5,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/linear/block_solver.hpp"
+#include "fem/linear/unknown_exchange.hpp"
 #include "fem/waves/lattice_solver.hpp"
 
 #include <array>
@@ -47,9 +48,7 @@ private:
   void number_unknowns(const LayeredBlock& uniform);
   std::size_t lattice_index(const dealii::Point<3>& place,
                             std::size_t component) const;
-  void agree_on_numbers();
-  void send(const dealii::TrilinosWrappers::MPI::Vector& from);
-  void send_back(dealii::TrilinosWrappers::MPI::Vector& to);
+  void distribute_unknowns();
   template <class DoPin>
   void each_pin(const DoPin& do_pin);
   void balance();
@@ -62,14 +61,7 @@ private:
   /// `nowhere`.
   std::vector<std::size_t> own_numbers_;
 
-  struct Mail {
-    std::vector<int> counts, starts; ///< of each rank
-    std::vector<std::size_t> at;     ///< index of each value, rank after rank
-    std::vector<double> values;
-  };
-
-  Mail unknowns_; ///< exchange with the ranks' own unknowns
-  Mail lattice_;  ///< exchange with the fields of this rank
+  std::optional<UnknownExchange> unknowns_;
   std::array<std::optional<std::size_t>, 3> pins_; ///< one per component
   bool has_springs_ = false;
   bool has_converged_ = true; ///< whether all solves of (L.4) since prepare()

@@ -1,12 +1,8 @@
 #include "fem/linear/local_unknowns.hpp"
 
-#include "fem/linear/block_solver.hpp"
 #include "fem/parallel/mpi_group.hpp"
 
-#include <deal.II/base/mpi.h>
-
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -14,19 +10,6 @@ namespace asperity::fem {
 namespace {
 
 constexpr unsigned int in_node = 3; // unknowns
-
-/// Appends the node of a contact point, the first of its row, and the face of
-/// the other body, which the row subtracts.
-void append_pair(const FaceRow& row, double spring,
-                 const LocalUnknowns& unknowns, ContactPairs& pairs) {
-  pairs.nodes.push_back(unknowns.of(row.front().first));
-  pairs.springs.push_back(spring);
-  for (std::size_t entry = 1; entry < row.size(); ++entry) {
-    pairs.faces.column.push_back(unknowns.of(row[entry].first));
-    pairs.faces.weight.push_back(-row[entry].second);
-  }
-  pairs.faces.start.push_back(pairs.faces.column.size());
-}
 
 } // namespace
 
@@ -40,9 +23,10 @@ LocalUnknowns::LocalUnknowns(const BlockSpace& space,
   RankGroup& ranks = mpi_group();
   if (ranks.size() > 1) {
     find_ghosts(space, needed);
-    ghosts_ = std::make_unique<GhostValues>(ranks, owned() / in_node,
-                                            ghost_nodes_, in_node);
+    layout_.ghosts = std::make_shared<const GhostValues>(
+        ranks, owned() / in_node, ghost_nodes_, in_node);
   }
+  layout_.size = owned() + in_node * ghost_nodes_.size();
   take_constraints(space);
   for (std::uint32_t& node : cell_nodes_)
     node = static_cast<std::uint32_t>(of(node));
@@ -97,7 +81,7 @@ std::vector<LocalUnknowns::Unknown> LocalUnknowns::global() const {
 /// the global ones.
 void LocalUnknowns::take_constraints(const BlockSpace& space) {
   dealii::IndexSet of_cells = owned_;
-  if (ghosts_) {
+  if (layout_.ghosts) {
     std::vector<Unknown> unknowns;
     for (const std::uint32_t node : cell_nodes_)
       for (Unknown unknown = node; unknown < node + in_node; ++unknown)
@@ -115,56 +99,29 @@ void LocalUnknowns::take_constraints(const BlockSpace& space) {
       found.add_master(of(master), weight);
     found.add(of(line.index));
   }
-  constraints_ = std::make_shared<const UnknownConstraints>(std::move(found));
+  layout_.constraints =
+      std::make_shared<const UnknownConstraints>(std::move(found));
 }
 
 std::size_t LocalUnknowns::bytes() const {
   return cell_nodes_.size() * sizeof(std::uint32_t) +
-         ghost_nodes_.size() * sizeof(std::size_t) + constraints_->bytes() +
-         (ghosts_ ? ghosts_->bytes() : 0);
+         ghost_nodes_.size() * sizeof(std::size_t) +
+         layout_.constraints->bytes() +
+         (layout_.ghosts ? layout_.ghosts->bytes() : 0);
 }
 
-MeshContact mesh_contact(const BlockSystem& system,
-                         const LocalUnknowns& unknowns,
-                         std::span<const double> springs,
-                         const std::vector<bool>& held, bool is_sticking,
-                         const std::vector<bool>& is_pair) {
-  MeshContact contact;
-  SparseRows points; // by number of an unknown in contact.unknowns
-  std::vector<std::size_t> number(unknowns.size(), 0);
-  for (std::size_t i = 0; i < springs.size(); ++i) {
-    const auto& row = system.contact()[i].row;
-    if (held[i])
-      append_held(static_cast<dealii::types::global_dof_index>(
-                      unknowns.of(row.front().first)),
-                  is_sticking, contact.held);
-    if (springs[i] == 0.0)
-      continue;
-    if (!is_pair.empty() && is_pair[i]) {
-      append_pair(row, springs[i], unknowns, contact.pairs);
-      continue;
+SparseRows contact_rows(const BlockSystem& system,
+                        const LocalUnknowns& unknowns) {
+  SparseRows rows;
+  const ContactPoints& points = system.contact();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (const auto& [global, value] : points[i].row) {
+      rows.column.push_back(unknowns.of(global));
+      rows.weight.push_back(value);
     }
-    for (const auto& [global, value] : row) {
-      const std::size_t unknown = unknowns.of(global);
-      if (number[unknown] == 0) {
-        contact.unknowns.push_back(unknown);
-        number[unknown] = contact.unknowns.size();
-      }
-      points.column.push_back(number[unknown] - 1);
-      points.weight.push_back(value * std::sqrt(springs[i]));
-    }
-    points.start.push_back(points.column.size());
+    rows.start.push_back(rows.column.size());
   }
-  const std::size_t size = contact.unknowns.size();
-  if (size > 0)
-    contact.springs = product(transposed(points, size), points, size);
-  contact.has_springs =
-      dealii::Utilities::MPI::max(size > 0 ? 1 : 0, MPI_COMM_WORLD) == 1;
-  contact.pairs.exist =
-      dealii::Utilities::MPI::max(contact.pairs.nodes.empty() ? 0 : 1,
-                                  MPI_COMM_WORLD) == 1;
-  contact.pairs.ghosts = unknowns.ghosts();
-  return contact;
+  return rows;
 }
 
 } // namespace asperity::fem

@@ -5,15 +5,11 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/hexahedra/hexahedron_operator.hpp"
-#include "fem/hexahedra/smoothed_level.hpp"
+#include "fem/multigrid/mesh_contact.hpp"
+#include "fem/multigrid/unknown_layout.hpp"
 
 #include <cstdint>
-#include <memory>
-#include <span>
 #include <vector>
-
-#include "ranks/ghost_values.hpp"
 
 namespace asperity::fem {
 
@@ -29,7 +25,10 @@ public:
   /// @param needed  further unknowns
   LocalUnknowns(const BlockSpace& space, const dealii::IndexSet& needed);
 
-  std::size_t size() const { return owned() + 3 * ghost_nodes_.size(); }
+  /// With the constraints of the unknowns of cells.
+  const UnknownLayout& layout() const { return layout_; }
+
+  std::size_t size() const { return layout_.size; }
 
   std::size_t owned() const { return owned_.n_elements(); }
 
@@ -42,12 +41,6 @@ public:
 
   void forget_cells() { cell_nodes_ = {}; } ///< frees their memory
 
-  /// The constraints of the unknowns of cells.
-  const SharedConstraints& constraints() const { return constraints_; }
-
-  /// Null on one process.
-  const GhostValues* ghosts() const { return ghosts_.get(); }
-
   std::size_t bytes() const;
 
 private:
@@ -57,20 +50,13 @@ private:
   dealii::IndexSet owned_;
   Unknown first_ = 0;
   std::vector<std::size_t> ghost_nodes_; ///< global numbers, increasing
-  std::unique_ptr<GhostValues> ghosts_;
   std::vector<std::uint32_t> cell_nodes_;
-  SharedConstraints constraints_;
+  UnknownLayout layout_;
 };
 
-/// The contact of a block for the linear solver of its mesh [m, N]. This call
-/// is collective.
-/// @param unknowns  must outlive the result
-/// @param springs, held, is_sticking  as BlockSolver::set_contact has them
-/// @param is_pair  whether each point is a contact pair; or empty, on all ranks
-MeshContact mesh_contact(const BlockSystem& system,
-                         const LocalUnknowns& unknowns,
-                         std::span<const double> springs,
-                         const std::vector<bool>& held, bool is_sticking,
-                         const std::vector<bool>& is_pair = {});
+/// The values of shape functions at the contact points, a row per point, by
+/// these unknowns.
+SparseRows contact_rows(const BlockSystem& system,
+                        const LocalUnknowns& unknowns);
 
 } // namespace asperity::fem

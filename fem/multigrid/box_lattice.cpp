@@ -39,38 +39,37 @@ void require_lattice(const BoxLattice& lattice) {
   }
 }
 
-BoxLattice normalised(const BoxLattice& lattice, double& unit) {
-  BoxLattice scaled = lattice;
-  double length = std::min(lattice.width_x(), lattice.width_y());
+MeshUnits units_of(const BoxLattice& lattice) {
+  MeshUnits units{std::min(lattice.width_x(), lattice.width_y()), 0.0};
   for (const double thickness : lattice.thickness)
-    length = std::min(length, thickness);
-  double stress = 0.0;
+    units.length = std::min(units.length, thickness);
   for (const CellModuli& moduli : lattice.moduli)
-    stress = std::max(stress, moduli.shear);
-  scaled.length_x /= length;
-  scaled.length_y /= length;
-  for (double& thickness : scaled.thickness)
-    thickness /= length;
-  for (CellModuli& moduli : scaled.moduli)
-    moduli = {moduli.lame / stress, moduli.shear / stress};
-  unit = stress * length;
-  return scaled;
+    units.modulus = std::max(units.modulus, moduli.shear);
+  return units;
+}
+
+BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units) {
+  BoxLattice result = lattice;
+  result.length_x /= units.length;
+  result.length_y /= units.length;
+  for (double& thickness : result.thickness)
+    thickness /= units.length;
+  for (CellModuli& moduli : result.moduli)
+    moduli = {moduli.lame / units.modulus, moduli.shear / units.modulus};
+  return result;
 }
 
 NodeLayout::NodeLayout(const BoxLattice& lattice)
-    : NodeLayout(lattice, lattice.cells_y, lattice.is_periodic) {
-  face_rows_ = nodes_y();
-}
+    : NodeLayout(lattice, lattice.cells_y, lattice.is_periodic) {}
 
 NodeLayout::NodeLayout(const BoxLattice& lattice, int cells_y,
-                       bool has_image_row)
+                       bool has_image_slice)
     : degree_(at(lattice.degree)),
       stride_(at(lattice.cells_x) + 1),
-      rows_(degree_ * at(cells_y) + 1),
+      slices_(degree_ * at(cells_y) + 1),
       planes_(degree_ * at(lattice.layers()) + 1),
       has_image_column_(lattice.is_periodic),
-      has_image_row_(has_image_row),
-      face_rows_(static_cast<int>(rows_)) {}
+      has_image_slice_(has_image_slice) {}
 
 int NodeLayout::nodes_x() const {
   return static_cast<int>(degree_ * (stride_ - 1)) +
@@ -78,7 +77,7 @@ int NodeLayout::nodes_x() const {
 }
 
 int NodeLayout::nodes_y() const {
-  return static_cast<int>(rows_) - (has_image_row_ ? 1 : 0);
+  return static_cast<int>(slices_) - (has_image_slice_ ? 1 : 0);
 }
 
 } // namespace asperity::fem

@@ -3,6 +3,8 @@
 // A block on a lattice of boxes as plain data, and the order of its nodes in
 // vectors. This folder does not depend on deal.II.
 
+#include "fem/multigrid/mesh_units.hpp"
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -49,10 +51,10 @@ struct BoxLattice {
 ///                            many moduli as layers or cells
 void require_lattice(const BoxLattice& lattice);
 
-/// The lattice in units of its smallest cell side and its largest shear
-/// modulus, so that its stiffness can be stored in single precision.
-/// @param unit  unit of the stiffness of the result [N/m]
-BoxLattice normalised(const BoxLattice& lattice, double& unit);
+MeshUnits units_of(const BoxLattice& lattice);
+
+/// The lattice in these units.
+BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units);
 
 /// The order of the nodes in vectors. With periodic sides the nodes at the far
 /// ends of x and y are images of those at 0. They have places of their own, so
@@ -60,27 +62,26 @@ BoxLattice normalised(const BoxLattice& lattice, double& unit);
 /// zeros. Along x, a row of vertices and (degree 2) a row of centres follow
 /// each other, so that numbers of neighbouring cells are neighbours:
 ///
-///     (((plane rows + row) 3 + component) degree + x % degree) stride
+///     (((y planes + plane) 3 + component) degree + x % degree) stride
 ///       + x / degree
 ///
-/// The end of a vector is padded with zeros, which may be read with the last
-/// cells.
-///
-/// A process may hold some rows of cells only (LatticeSlab). Rows of nodes are
-/// then counted from its first, and the last is an image of the first row of
-/// the next process, as it is one of row 0 where the sides are periodic.
+/// All nodes of equal y are a slice, and slices follow each other, so that
+/// those of a process are consecutive (LatticeSlab). It counts them from its
+/// first; the last may be an image of the first of the next process, as it is
+/// one of slice 0 where the sides are periodic. The end of a vector is padded
+/// with zeros, which may be read with the last cells.
 class NodeLayout {
 public:
-  /// All rows of the lattice.
+  /// All slices of the lattice.
   explicit NodeLayout(const BoxLattice& lattice);
 
-  /// @param cells_y        number of rows of cells that this process holds
-  /// @param has_image_row  whether the last row of nodes is an image of one of
-  ///                       another process
-  NodeLayout(const BoxLattice& lattice, int cells_y, bool has_image_row);
+  /// @param cells_y          number of rows of cells that this process holds
+  /// @param has_image_slice  whether the last slice is an image of one of
+  ///                         another process
+  NodeLayout(const BoxLattice& lattice, int cells_y, bool has_image_slice);
 
   std::size_t index(int x, int y, int plane, int component) const {
-    return at(plane) * plane_size() + at(y) * row_size() +
+    return at(y) * slice_size() + at(plane) * row_size() +
            (at(component) * degree_ + at(x) % degree_) * stride_ +
            at(x) / degree_;
   }
@@ -89,39 +90,34 @@ public:
 
   std::size_t stride() const { return stride_; } ///< of x / degree + 1
 
-  std::size_t row_size() const { return 3 * degree_ * stride_; }
+  /// From a component of a node to the next.
+  std::size_t step() const { return degree_ * stride_; }
 
-  std::size_t rows() const { return rows_; } ///< of nodes in a plane
-
-  std::size_t plane_size() const { return rows_ * row_size(); }
+  std::size_t row_size() const { return 3 * step(); } ///< of a plane's slice
 
   std::size_t planes() const { return planes_; }
 
-  /// The length of a vector without the padding.
-  std::size_t used() const { return planes_ * plane_size(); }
+  std::size_t slice_size() const { return planes_ * row_size(); }
 
-  std::size_t size() const { return used() + padding; }
+  std::size_t slices() const { return slices_; }
+
+  std::size_t size() const { return slices_ * slice_size() + padding; }
 
   bool has_image_column() const { return has_image_column_; }
 
-  bool has_image_row() const { return has_image_row_; }
+  bool has_image_slice() const { return has_image_slice_; }
 
   /// Number of nodes along x and y without images.
   int nodes_x() const;
   int nodes_y() const;
-
-  /// Number of rows of the contact surface (FaceContact). With the rows of one
-  /// process they include the image row, which the last cells bear.
-  int face_rows() const { return face_rows_; }
 
 private:
   static constexpr std::size_t padding = 64;
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-  std::size_t degree_, stride_, rows_, planes_;
-  bool has_image_column_, has_image_row_;
-  int face_rows_;
+  std::size_t degree_, stride_, slices_, planes_;
+  bool has_image_column_, has_image_slice_;
 };
 
 } // namespace asperity::fem

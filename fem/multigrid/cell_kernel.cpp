@@ -34,20 +34,20 @@ struct Cells {
   static constexpr ParitySlots<degree> slots{};
 
   [[gnu::always_inline]] static std::size_t
-  line_start(const LayerProduct<Number>& layer, std::size_t line) {
+  line_start(const RowProduct<Number>& row, std::size_t line) {
     const std::size_t component = line / (nodes * nodes);
-    return line / nodes % nodes * layer.plane_size +
-           line % nodes * layer.row_size + component * degree * layer.stride;
+    return line / nodes % nodes * row.row_size + line % nodes * row.slice_size +
+           component * degree * row.stride;
   }
 
-  [[gnu::always_inline]] static void read(const LayerProduct<Number>& layer,
+  [[gnu::always_inline]] static void read(const RowProduct<Number>& row,
                                           const Number* from, Pack* v) {
     for (std::size_t line = 0; line < lines; ++line) {
-      const Number* const first = from + line_start(layer, line);
+      const Number* const first = from + line_start(row, line);
       v[line * nodes] = *reinterpret_cast<const Unaligned*>(first);
       if constexpr (degree == 2)
         v[line * nodes + 1] =
-            *reinterpret_cast<const Unaligned*>(first + layer.stride);
+            *reinterpret_cast<const Unaligned*>(first + row.stride);
       v[line * nodes + degree] = *reinterpret_cast<const Unaligned*>(first + 1);
     }
   }
@@ -113,74 +113,65 @@ struct Cells {
 
   /// Adds the sums of each cell. A vertex between two cells is written once:
   /// what the cell before it adds is passed on in `passed`.
-  [[gnu::always_inline]] static void write(const LayerProduct<Number>& layer,
+  [[gnu::always_inline]] static void write(const RowProduct<Number>& row,
                                            const Pack* v, Pack* passed,
                                            Number* to) {
     for (std::size_t line = 0; line < lines; ++line) {
-      Number* const first = to + line_start(layer, line);
+      Number* const first = to + line_start(row, line);
       Pack from_before;
       shift_up(passed[line], v[line * nodes + degree], from_before,
                std::make_index_sequence<lanes>());
       passed[line] = v[line * nodes + degree];
       *reinterpret_cast<Unaligned*>(first) += v[line * nodes] + from_before;
       if constexpr (degree == 2)
-        *reinterpret_cast<Unaligned*>(first + layer.stride) +=
+        *reinterpret_cast<Unaligned*>(first + row.stride) +=
             v[line * nodes + 1];
     }
   }
 
-  [[gnu::always_inline]] static void row(const LayerProduct<Number>& layer,
-                                         std::size_t y) {
-    const std::size_t start = degree * y * layer.row_size;
+  [[gnu::always_inline]] static void all(const RowProduct<Number>& row) {
     Pack passed[lines] = {};
-    for (std::size_t x = 0; x < layer.cells_x; x += lanes) {
+    for (std::size_t x = 0; x < row.cells; x += lanes) {
       Pack v[size];
-      read(layer, layer.from + start + x, v);
-      const std::size_t at = y * layer.factor_row + x;
+      read(row, row.from + x, v);
       const Pack factor =
-          *reinterpret_cast<const Unaligned*>(layer.factor + at);
+          row.scale * *reinterpret_cast<const Unaligned*>(row.factor + x);
       Pack shear = factor;
       if constexpr (has_shear)
-        shear = *reinterpret_cast<const Unaligned*>(layer.shear + at);
-      multiply(layer.blocks, factor, shear, v);
-      write(layer, v, passed, layer.to + start + x);
+        shear = row.scale * *reinterpret_cast<const Unaligned*>(row.shear + x);
+      multiply(row.blocks, factor, shear, v);
+      write(row, v, passed, row.to + x);
     }
-    if (layer.cells_x % lanes != 0)
+    if (row.cells % lanes != 0)
       return;
     for (std::size_t line = 0; line < lines; ++line)
-      layer.to[start + layer.cells_x + line_start(layer, line)] +=
-          passed[line][lanes - 1];
-  }
-
-  [[gnu::always_inline]] static void all(const LayerProduct<Number>& layer) {
-    for (std::size_t y = 0; y < layer.cells_y; ++y)
-      row(layer, y);
+      row.to[row.cells + line_start(row, line)] += passed[line][lanes - 1];
   }
 };
 
 template <int degree, bool has_shear, class Number>
-void multiply_here(const LayerProduct<Number>& layer) {
+void multiply_here(const RowProduct<Number>& row) {
   on_this_processor_with_fma([&](auto bytes) __attribute__((always_inline)) {
-    Cells<degree, Number, has_shear, bytes()>::all(layer);
+    Cells<degree, Number, has_shear, bytes()>::all(row);
   });
 }
 
 template <int degree, class Number>
-void multiply_layer_of(const LayerProduct<Number>& layer) {
-  if (layer.shear == nullptr)
-    multiply_here<degree, false>(layer);
+void multiply_row_of(const RowProduct<Number>& row) {
+  if (row.shear == nullptr)
+    multiply_here<degree, false>(row);
   else
-    multiply_here<degree, true>(layer);
+    multiply_here<degree, true>(row);
 }
 
 } // namespace
 
-void multiply_layer(int degree, const LayerProduct<float>& layer) {
-  degree == 1 ? multiply_layer_of<1>(layer) : multiply_layer_of<2>(layer);
+void multiply_row(int degree, const RowProduct<float>& row) {
+  degree == 1 ? multiply_row_of<1>(row) : multiply_row_of<2>(row);
 }
 
-void multiply_layer(int degree, const LayerProduct<double>& layer) {
-  degree == 1 ? multiply_layer_of<1>(layer) : multiply_layer_of<2>(layer);
+void multiply_row(int degree, const RowProduct<double>& row) {
+  degree == 1 ? multiply_row_of<1>(row) : multiply_row_of<2>(row);
 }
 
 } // namespace asperity::fem

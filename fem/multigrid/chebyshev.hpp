@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
@@ -89,11 +90,19 @@ double eigenvalue_from(std::vector<float> vector,
   return margin * largest_eigenvalue(alphas, squares);
 }
 
-/// The same from a vector of its own.
+/// The same from a random vector, which is that of one process if the unknowns
+/// of the ranks follow each other.
 template <class Apply>
 double eigenvalue_estimate(const std::vector<float>& diagonal,
                            const Apply& apply, RankGroup* ranks = nullptr) {
   std::mt19937 engine(1);
+  if (ranks != nullptr) {
+    const auto own = static_cast<double>(std::count_if(
+        diagonal.begin(), diagonal.end(), [](float d) { return d > 0.0F; }));
+    const std::vector<double> all = of_ranks(ranks, own);
+    engine.discard(static_cast<unsigned long long>(
+        std::accumulate(all.begin(), all.begin() + ranks->rank(), 0.0)));
+  }
   std::vector<float> vector(diagonal.size(), 0.0F);
   for (std::size_t i = 0; i < vector.size(); ++i)
     if (diagonal[i] > 0.0F)

@@ -19,6 +19,7 @@ CoarsestLattice::CoarsestLattice(const BoxLattice& lattice)
       displacement(force.size()),
       lattice_(lattice),
       layout_(lattice),
+      constraints_(unknowns_of(lattice, LatticeSlab(lattice)).constraints),
       numbers_(force.size()),
       factors_(std::make_unique<Factors>()) {
   for (int k = 0; k < static_cast<int>(layout_.planes()); ++k)
@@ -66,12 +67,11 @@ void CoarsestLattice::assemble() {
       }
 }
 
-void CoarsestLattice::set_contact(const FaceContact& contact) {
+void CoarsestLattice::set_contact(const MeshContact& contact) {
   Eigen::MatrixXd matrix = factors_->stiffness;
   const double scale = matrix.diagonal().mean();
-  const std::vector<std::size_t> face = face_places(layout_);
-  const auto row_of = [&](std::size_t node) {
-    return static_cast<Eigen::Index>(numbers_[face[node]]);
+  const auto row_of = [&](std::size_t number) {
+    return static_cast<Eigen::Index>(numbers_[contact.unknowns[number]]);
   };
   const SparseRows& springs = contact.springs;
   for (std::size_t row = 0; row < springs.rows(); ++row)
@@ -84,12 +84,12 @@ void CoarsestLattice::set_contact(const FaceContact& contact) {
       values[static_cast<Eigen::Index>(i)] = mode[places_[i]];
     matrix += scale / values.squaredNorm() * values * values.transpose();
   }
-  std::vector<double> is_free(layout_.size(), 1.0);
-  clear_far_boundary(lattice_, layout_, is_free.data());
-  for (const std::size_t place : held_places(layout_, contact))
-    is_free[place] = 0.0;
+  std::vector<bool> is_held(layout_.size(), false);
+  constraints_->visit([&](std::size_t place) { is_held[place] = true; });
+  for (const std::size_t place : contact.held_unknowns(layout_.step()))
+    is_held[place] = true;
   for (std::size_t i = 0; i < places_.size(); ++i)
-    if (is_free[places_[i]] == 0.0) {
+    if (is_held[places_[i]]) {
       const auto row = static_cast<Eigen::Index>(i);
       matrix.row(row).setZero();
       matrix.col(row).setZero();

@@ -2,7 +2,9 @@
 
 // The exact solution on the coarsest lattice.
 
-#include "fem/multigrid/face_contact.hpp"
+#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/mesh_contact.hpp"
+#include "fem/multigrid/unknown_constraints.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -18,13 +20,13 @@ public:
   explicit CoarsestLattice(const BoxLattice& lattice);
   ~CoarsestLattice();
 
-  void set_contact(const FaceContact& contact);
+  void set_contact(const MeshContact& contact);
 
   /// Computes `displacement` from `force`.
   void solve();
 
   std::vector<float> force;        ///< on the lattice
-  std::vector<float> displacement; ///< without images
+  std::vector<float> displacement; ///< zero at images
 
   std::size_t bytes() const;
 
@@ -34,6 +36,7 @@ private:
 
   BoxLattice lattice_;
   NodeLayout layout_;
+  SharedConstraints constraints_;
   std::vector<std::size_t> places_;  ///< in a vector, of each row
   std::vector<std::size_t> numbers_; ///< of each place its row
   std::unique_ptr<Factors> factors_;

@@ -26,10 +26,6 @@ struct GradientVectors {
   /// The ranks that share the unknowns, or null. Each has its own unknowns and
   /// copies of others, at which the residual is zero.
   RankGroup* ranks = nullptr;
-
-  std::size_t size() const { ///< of all vectors
-    return residual.size() + direction.size() + product.size();
-  }
 };
 
 /// Solves for `displacement`, starting from its values. The residual of `own`

@@ -8,6 +8,9 @@ namespace {
 /// A merged cell is at most this much longer than the intended width.
 constexpr double most_stretch = 1.5;
 
+/// A lattice with at most this many unknowns is solved exactly.
+constexpr std::size_t most_exact_unknowns = 250;
+
 /// Merges neighbouring layers up to a thickness.
 std::vector<double> merged_layers(const std::vector<double>& thickness,
                                   double most) {
@@ -62,6 +65,10 @@ LatticeAxis even_axis(const BoxLattice& lattice, int cells, double length) {
   return axis;
 }
 
+bool can_coarsen(const BoxLattice& lattice) {
+  return lattice.cells_x > 1 || lattice.cells_y > 1 || lattice.layers() > 1;
+}
+
 } // namespace
 
 std::array<LatticeAxis, 3> axes_of(const BoxLattice& lattice) {
@@ -72,8 +79,12 @@ std::array<LatticeAxis, 3> axes_of(const BoxLattice& lattice) {
           even_axis(lattice, lattice.cells_y, lattice.length_y), z};
 }
 
-bool can_coarsen(const BoxLattice& lattice) {
-  return lattice.cells_x > 1 || lattice.cells_y > 1 || lattice.layers() > 1;
+bool has_coarser(const BoxLattice& lattice) {
+  const NodeLayout layout(lattice);
+  return can_coarsen(lattice) &&
+         3 * layout.planes() * static_cast<std::size_t>(layout.nodes_x()) *
+                 static_cast<std::size_t>(layout.nodes_y()) >
+             most_exact_unknowns;
 }
 
 BoxLattice coarser(const BoxLattice& lattice) {

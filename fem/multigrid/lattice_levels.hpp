@@ -20,7 +20,8 @@ std::array<LatticeAxis, 3> axes_of(const BoxLattice& lattice);
 /// Moduli are means over the merged volume.
 BoxLattice coarser(const BoxLattice& lattice);
 
-/// Whether coarser() has cells to merge.
-bool can_coarsen(const BoxLattice& lattice);
+/// Whether the lattice is solved on coarser ones, because it has too many
+/// unknowns for an exact solution and cells to merge.
+bool has_coarser(const BoxLattice& lattice);
 
 } // namespace asperity::fem

@@ -1,79 +1,65 @@
 #include "fem/multigrid/lattice_multigrid.hpp"
 
+#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/lattice_operator.hpp"
+#include "fem/multigrid/lattice_transfer.hpp"
+
 #include <utility>
 
 namespace asperity::fem {
 namespace {
 
-BoxLattice in_units(const BoxLattice& lattice, double& unit) {
-  require_lattice(lattice);
-  return normalised(lattice, unit);
-}
-
 LatticeSlab slab_of(const BoxLattice& lattice, RankGroup* ranks) {
   require_lattice(lattice);
-  return MultigridCycle::has_levels(lattice) ? divided(lattice, ranks)
-                                             : LatticeSlab(lattice);
+  return has_coarser(lattice) ? divided(lattice, ranks) : LatticeSlab(lattice);
+}
+
+MeshStiffness stiffness_of(const BoxLattice& lattice, const LatticeSlab& slab) {
+  const MeshUnits units = units_of(lattice);
+  const UnknownLayout unknowns = unknowns_of(lattice, slab);
+  auto in_units = std::make_unique<LatticeOperator<float>>(
+      scaled(lattice, units), slab, unknowns);
+  MeshStiffness stiffness;
+  stiffness.in_si =
+      std::make_unique<LatticeOperator<double>>(lattice, slab, unknowns);
+  stiffness.unit = units.stiffness();
+  stiffness.diagonal = in_units->diagonal();
+  stiffness.bound = in_units->jacobi_bound();
+  stiffness.in_units = std::move(in_units);
+  return stiffness;
 }
 
 } // namespace
 
 LatticeMultigrid::LatticeMultigrid(const BoxLattice& lattice, RankGroup* ranks)
-    : lattice_(lattice),
-      stiffness_(lattice, slab_of(lattice, ranks)),
-      cycle_(in_units(lattice, unit_), slab()),
-      places_(face_places(stiffness_.layout())) {
+    : LatticeMultigrid(lattice, slab_of(lattice, ranks)) {}
+
+LatticeMultigrid::LatticeMultigrid(const BoxLattice& lattice,
+                                   const LatticeSlab& slab)
+    : MeshMultigrid(stiffness_of(lattice, slab)),
+      lattice_(lattice),
+      slab_(slab) {
   lattice_.moduli.clear();
-  gradients_.ranks = slab().ranks();
+  const BoxLattice own = scaled(lattice, units_of(lattice));
+  // A small lattice is its own coarsest one.
+  const BoxLattice next = has_coarser(own) ? coarser(own) : own;
+  const LatticeSlab rows = next_slab(own, slab, next);
+  cycle_.add_lattices(std::make_unique<LatticeTransfer>(own, slab, next, rows),
+                      next, rows);
+  set_correction([this](const auto& residual, auto& displacement) {
+    cycle_.add_correction(residual, displacement);
+  });
   set_contact({});
 }
 
-void LatticeMultigrid::apply(std::vector<double>& displacement,
-                             std::vector<double>& force) const {
-  force.resize(layout().size());
-  stiffness_.apply(displacement.data(), force.data());
-  clear_far_boundary(lattice_, layout(), force.data());
-}
-
-void LatticeMultigrid::apply_all(std::vector<double>& displacement,
-                                 std::vector<double>& force) const {
-  force.resize(layout().size());
-  stiffness_.apply(displacement.data(), force.data(),
-                   {&contact_.springs, &places_});
-  clear_far_boundary(lattice_, layout(), force.data());
-  clear_held(force);
-}
-
-/// Sets the unknowns that contact or a pin holds to zero.
-void LatticeMultigrid::clear_held(std::vector<double>& vector) const {
-  for (const std::size_t place : held_)
-    vector[place] = 0.0;
-  for (const std::size_t place : pinned_)
-    vector[place] = 0.0;
-}
-
-void LatticeMultigrid::set_contact(FaceContact contact) {
-  contact_ = std::move(contact);
-  share_held(layout(), slab(), contact_);
-  held_ = held_places(layout(), contact_);
-  FaceContact scaled = contact_;
-  for (double& spring : scaled.springs.weight)
-    spring /= unit_;
-  cycle_.set_contact(scaled);
-}
-
-LinearSolution LatticeMultigrid::solve(const std::vector<double>& force,
-                                       std::vector<double>& displacement,
-                                       double tolerance, int most_iterations) {
-  gradients_.residual = force;
-  return conjugate_gradients(*this, displacement, tolerance, most_iterations,
-                             gradients_);
+void LatticeMultigrid::set_contact(MeshContact contact) {
+  cycle_.set_contact(contact.in_units_of(unit()));
+  MeshMultigrid::set_contact(std::move(contact));
 }
 
 std::size_t LatticeMultigrid::bytes() const {
-  return cycle_.bytes() + stiffness_.bytes() + contact_.springs.bytes() +
-         places_.size() * sizeof(std::size_t) +
-         3 * layout().size() * sizeof(double);
+  return MeshMultigrid::bytes() + cycle_.bytes() +
+         unknowns().constraints->bytes();
 }
 
 } // namespace asperity::fem

@@ -1,17 +1,13 @@
 #include "fem/multigrid/lattice_operator.hpp"
 
 #include "fem/multigrid/box_stiffness.hpp"
+#include "fem/multigrid/cell_kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace asperity::fem {
 namespace {
-
-const BoxLattice& checked_lattice(const BoxLattice& lattice) {
-  require_lattice(lattice);
-  return lattice;
-}
 
 /// Smallest and largest lambda / mu of a layer.
 struct RatioRange {
@@ -59,18 +55,20 @@ void append_as(const std::vector<double>& numbers, std::vector<Number>& to) {
 
 template <class Number>
 LatticeOperator<Number>::LatticeOperator(const BoxLattice& lattice,
-                                         LatticeSlab slab)
-    : degree_(checked_lattice(lattice).degree),
+                                         const LatticeSlab& slab,
+                                         UnknownLayout unknowns)
+    : MeshOperator<Number>(std::move(unknowns)),
+      degree_(lattice.degree),
       cells_x_(static_cast<std::size_t>(lattice.cells_x)),
       cells_y_(static_cast<std::size_t>(slab.count())),
-      slab_(std::move(slab)),
-      layout_(slab_.layout(lattice)) {
+      layout_(slab.layout(lattice)) {
   for (int layer = 0; layer < lattice.layers(); ++layer)
-    add_layer(lattice, layer);
+    add_layer(lattice, slab, layer);
 }
 
 template <class Number>
-void LatticeOperator<Number>::add_layer(const BoxLattice& lattice, int layer) {
+void LatticeOperator<Number>::add_layer(const BoxLattice& lattice,
+                                        const LatticeSlab& slab, int layer) {
   const RatioRange ratio(lattice, layer);
   const std::array<double, 3> size = lattice.cell_size(layer);
   const auto stiffness = [&](double lame, double shear) {
@@ -92,12 +90,13 @@ void LatticeOperator<Number>::add_layer(const BoxLattice& lattice, int layer) {
     own.of_factor = diagonal_of(of_lame);
     own.of_shear = diagonal_of(of_shear);
   }
-  take_factors(lattice, layer, own);
+  take_factors(lattice, slab, layer, own);
   layers_.push_back(std::move(own));
 }
 
 template <class Number>
-void LatticeOperator<Number>::take_factors(const BoxLattice& lattice, int layer,
+void LatticeOperator<Number>::take_factors(const BoxLattice& lattice,
+                                           const LatticeSlab& slab, int layer,
                                            Layer& own) const {
   const bool has_shear = !own.of_shear.empty();
   const std::size_t padded =
@@ -110,7 +109,7 @@ void LatticeOperator<Number>::take_factors(const BoxLattice& lattice, int layer,
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < cells_x_; ++x) {
       const CellModuli& moduli = lattice.moduli_of(
-          static_cast<int>(x), slab_.first() + static_cast<int>(y), layer);
+          static_cast<int>(x), slab.first() + static_cast<int>(y), layer);
       own.factor[y * padded + x] =
           static_cast<Number>(has_shear ? moduli.lame : moduli.shear);
       if (has_shear)
@@ -119,33 +118,27 @@ void LatticeOperator<Number>::take_factors(const BoxLattice& lattice, int layer,
 }
 
 template <class Number>
-void LatticeOperator<Number>::apply(Number* displacement, Number* force,
-                                    const FaceSprings& springs) const {
-  write_images(layout_, slab_, displacement);
-  std::fill_n(force, layout_.size(), Number(0));
-  LayerProduct<Number> product;
-  product.stride = layout_.stride();
-  product.row_size = layout_.row_size();
-  product.plane_size = layout_.plane_size();
-  product.cells_x = cells_x_;
-  product.cells_y = cells_y_;
-  product.from = displacement;
-  product.to = force;
-  for (const Layer& layer : layers_) {
-    product.blocks = layer.blocks.data();
-    product.factor = layer.factor.data();
-    product.shear = layer.shear.empty() ? nullptr : layer.shear.data();
-    product.factor_row = layer.factor_row;
-    multiply_layer(degree_, product);
-    product.from += layout_.degree() * layout_.plane_size();
-    product.to += layout_.degree() * layout_.plane_size();
-  }
-  // The springs of this rank on the image row act on the next rank's nodes.
-  const auto own_nodes = static_cast<std::size_t>(layout_.nodes_x()) *
-                         static_cast<std::size_t>(layout_.nodes_y());
-  springs.add_force(own_nodes, springs.nodes(), displacement, force);
-  fold_images(layout_, slab_, force);
-  springs.add_force(0, own_nodes, displacement, force);
+void LatticeOperator<Number>::add_cells(const Number* displacement,
+                                        Number* force, Number scale) const {
+  RowProduct<Number> row;
+  row.stride = layout_.stride();
+  row.row_size = layout_.row_size();
+  row.slice_size = layout_.slice_size();
+  row.cells = cells_x_;
+  row.scale = scale;
+  for (std::size_t y = 0; y < cells_y_; ++y)
+    for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
+      const Layer& own = layers_[layer];
+      const std::size_t at = layout_.degree() * (y * layout_.slice_size() +
+                                                 layer * layout_.row_size());
+      row.from = displacement + at;
+      row.to = force + at;
+      row.blocks = own.blocks.data();
+      row.factor = own.factor.data() + y * own.factor_row;
+      row.shear =
+          own.shear.empty() ? nullptr : own.shear.data() + y * own.factor_row;
+      multiply_row(degree_, row);
+    }
 }
 
 /// Adds the diagonal of the cell (x, y) of a layer, whose first plane is
@@ -153,7 +146,7 @@ void LatticeOperator<Number>::apply(Number* displacement, Number* force,
 template <class Number>
 void LatticeOperator<Number>::add_diagonal(const Layer& layer,
                                            std::size_t plane, int x, int y,
-                                           std::vector<Number>& sum) const {
+                                           std::vector<double>& sum) const {
   const std::size_t at = static_cast<std::size_t>(y) * layer.factor_row +
                          static_cast<std::size_t>(x);
   const auto factor = static_cast<double>(layer.factor[at]);
@@ -166,20 +159,20 @@ void LatticeOperator<Number>::add_diagonal(const Layer& layer,
         for (int i = 0; i <= degree_; ++i, ++row)
           sum[layout_.index(degree_ * x + i, degree_ * y + j,
                             static_cast<int>(plane) + k, c)] +=
-              static_cast<Number>(
-                  factor * layer.of_factor[row] +
-                  (shear != 0.0 ? shear * layer.of_shear[row] : 0.0));
+              factor * layer.of_factor[row] +
+              (shear != 0.0 ? shear * layer.of_shear[row] : 0.0);
 }
 
 template <class Number>
-std::vector<Number> LatticeOperator<Number>::diagonal() const {
-  std::vector<Number> sum(layout_.size(), Number(0));
+std::vector<double> LatticeOperator<Number>::diagonal() const {
+  std::vector<double> sum(layout_.size(), 0.0);
   for (std::size_t layer = 0; layer < layers_.size(); ++layer)
     for (std::size_t y = 0; y < cells_y_; ++y)
       for (std::size_t x = 0; x < cells_x_; ++x)
         add_diagonal(layers_[layer], layer * layout_.degree(),
                      static_cast<int>(x), static_cast<int>(y), sum);
-  fold_images(layout_, slab_, sum.data());
+  this->layout().constraints->condense_diagonal(sum);
+  this->layout().collect(sum.data());
   return sum;
 }
 

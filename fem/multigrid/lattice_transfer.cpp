@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "ranks/value_exchange.hpp"
-
 namespace asperity::fem {
 namespace {
 
@@ -16,16 +14,10 @@ void add_multiple(double weight, const float* from, std::size_t size,
     to[i] += factor * from[i];
 }
 
-/// The interpolation along y to the fine nodes of a rank.
-/// @param all  to all fine nodes
-SparseRows rows_of_rank(const SparseRows& all, const LatticeSlab& slab,
-                        std::size_t rank, std::size_t degree) {
-  const auto first = degree * static_cast<std::size_t>(slab.bounds()[rank]);
-  const bool is_last = rank + 2 == slab.bounds().size();
-  const auto end =
-      is_last ? all.rows()
-              : degree * static_cast<std::size_t>(slab.bounds()[rank + 1]);
-  return some_rows(all, first, end - first);
+/// The ranks that receive all of a coarse lattice of which they share the fine
+/// one.
+RankGroup* gathering(const LatticeSlab& fine, const LatticeSlab& coarse) {
+  return coarse.is_shared() ? nullptr : fine.ranks();
 }
 
 } // namespace
@@ -34,64 +26,61 @@ LatticeTransfer::LatticeTransfer(const BoxLattice& fine,
                                  const LatticeSlab& fine_slab,
                                  const BoxLattice& coarse,
                                  const LatticeSlab& coarse_slab)
-    : fine_(fine_slab.layout(fine)),
-      coarse_(coarse_slab.layout(coarse)),
-      fine_slab_(fine_slab),
-      coarse_slab_(coarse_slab) {
+    : LevelTransfer(gathering(fine_slab, coarse_slab)),
+      fine_(fine_slab.layout(fine)),
+      coarse_(coarse_slab.layout(coarse)) {
   const auto from = axes_of(coarse);
   const auto to = axes_of(fine);
-  for (const std::size_t axis : {0U, 2U}) {
-    weights_[axis] = interpolation(from[axis], to[axis]);
-    transposed_[axis] = transposed(weights_[axis], from[axis].nodes());
-  }
-  const bool is_gathered = fine_slab.is_shared() && !coarse_slab.is_shared();
+  const bool is_gathered = gathering(fine_slab, coarse_slab) != nullptr;
   const LatticeAxis from_y = coarse_slab.axis_y(coarse);
-  const SparseRows along_y =
-      interpolation(from_y, is_gathered ? to[1] : fine_slab.axis_y(fine));
-  if (is_gathered) {
-    weights_[1] = rows_of_rank(
-        along_y, fine_slab, static_cast<std::size_t>(fine_slab.ranks()->rank()),
-        fine_.degree());
-    find_rows_of_ranks(along_y);
-  } else {
-    weights_[1] =
-        some_rows(along_y, 0, static_cast<std::size_t>(fine_.nodes_y()));
-  }
-  transposed_[1] = transposed(weights_[1], from_y.nodes());
+  const LatticeAxis to_y = is_gathered ? to[1] : fine_slab.axis_y(fine);
+  const std::size_t first =
+      is_gathered ? fine_.degree() * static_cast<std::size_t>(fine_slab.first())
+                  : 0;
+  const SparseRows along_y = interpolation(from_y, to_y);
+  weights_ = {
+      interpolation(from[0], to[0]),
+      some_rows(along_y, first, static_cast<std::size_t>(fine_.nodes_y())),
+      interpolation(from[2], to[2])};
+  for (const std::size_t axis : {0U, 1U, 2U})
+    transposed_[axis] = transposed(
+        weights_[axis], axis == 1 ? from_y.nodes() : from[axis].nodes());
+  const std::size_t slices = fine_slab.is_shared()
+                                 ? fine_.slices()
+                                 : static_cast<std::size_t>(fine_.nodes_y());
+  add_contact(some_rows(along_y, first, slices), nearest_fine(from[0], to[0]),
+              nearest_fine(from_y, to_y), first);
 }
 
-/// @param along_y  the interpolation to all fine rows
-void LatticeTransfer::find_rows_of_ranks(const SparseRows& along_y) {
-  for (std::size_t r = 0; r + 1 < fine_slab_.bounds().size(); ++r) {
-    auto& rows = rows_of_ranks_.emplace_back(
-        rows_of_rank(along_y, fine_slab_, r, fine_.degree()).column);
-    std::ranges::sort(rows);
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  }
-}
-
-/// Sets the coarse force to the sum of those of all ranks.
-void LatticeTransfer::add_rows_of_ranks(std::vector<float>& coarse) const {
-  const std::size_t n = coarse_.row_size();
-  const auto visit = [&](std::size_t rank, const auto& act) {
-    for (std::size_t plane = 0; plane < coarse_.planes(); ++plane)
-      for (const std::size_t row : rows_of_ranks_[rank])
-        act(plane * coarse_.plane_size() + row * n);
+/// @param along_y    the interpolation to the slices of this rank and the image
+///                   slice, where its cells may have springs
+/// @param nearest_x, nearest_y  the fine nodes nearest to coarse ones
+/// @param first      slice of this rank in the numbers of nearest_y
+void LatticeTransfer::add_contact(const SparseRows& along_y,
+                                  const std::vector<std::size_t>& nearest_x,
+                                  const std::vector<std::size_t>& nearest_y,
+                                  std::size_t first) {
+  const auto normal = [](const NodeLayout& layout, std::size_t x,
+                         std::size_t y) {
+    return layout.index(static_cast<int>(x), static_cast<int>(y), 0, 2);
   };
-  std::vector<float> own;
-  visit(static_cast<std::size_t>(fine_slab_.ranks()->rank()),
-        [&](std::size_t at) {
-          own.insert(own.end(), &coarse[at], &coarse[at] + n);
-        });
-  const ValueExchange forces(*fine_slab_.ranks(), own.size());
-  const std::vector<float> all = forces.sent(std::span<const float>(own));
-  std::fill(coarse.begin(), coarse.end(), 0.0F);
-  std::size_t next = 0;
-  for (std::size_t r = 0; r < rows_of_ranks_.size(); ++r)
-    visit(r, [&](std::size_t at) {
-      for (std::size_t i = 0; i < n; ++i)
-        coarse[at + i] += all[next++];
-    });
+  const SparseRows& along_x = weights_[0];
+  for (std::size_t y = 0; y < along_y.rows(); ++y)
+    for (std::size_t x = 0; x < along_x.rows(); ++x) {
+      contact().add_node(normal(fine_, x, y));
+      for (std::size_t j = along_y.start[y]; j < along_y.start[y + 1]; ++j)
+        for (std::size_t i = along_x.start[x]; i < along_x.start[x + 1]; ++i)
+          contact().add_master(
+              normal(coarse_, along_x.column[i], along_y.column[j]),
+              along_y.weight[j] * along_x.weight[i]);
+    }
+  const auto own = static_cast<std::size_t>(fine_.nodes_y());
+  for (std::size_t y = 0; y < nearest_y.size(); ++y)
+    for (std::size_t x = 0; x < nearest_x.size(); ++x)
+      if (nearest_y[y] >= first && nearest_y[y] < first + own)
+        contact().add_held(normal(fine_, nearest_x[x], nearest_y[y] - first),
+                           normal(coarse_, x, y));
+  contact().finish();
 }
 
 /// Adds the product of the matrix with one row of nodes, for each component.
@@ -116,52 +105,35 @@ void LatticeTransfer::add_along_x(const SparseRows& matrix, const float* from,
   }
 }
 
-void LatticeTransfer::restrict_force(const std::vector<float>& fine,
-                                     std::vector<float>& coarse) {
-  multiply(transposed_, fine_, fine, coarse_, coarse);
-  if (coarse_slab_.is_shared())
-    fold_images(coarse_, coarse_slab_, coarse.data());
-  else if (fine_slab_.is_shared())
-    add_rows_of_ranks(coarse);
-}
-
-void LatticeTransfer::interpolate(std::vector<float>& coarse,
-                                  std::vector<float>& fine) {
-  if (coarse_slab_.is_shared())
-    write_images(coarse_, coarse_slab_, coarse.data());
-  multiply(weights_, coarse_, coarse, fine_, fine);
-}
-
-void LatticeTransfer::multiply(const std::array<SparseRows, 3>& matrices,
-                               const NodeLayout& from_layout,
-                               const std::vector<float>& from,
-                               const NodeLayout& to_layout,
-                               std::vector<float>& to) {
-  std::fill(to.begin(), to.end(), 0.0F);
-  plane_.resize(from_layout.plane_size());
+void LatticeTransfer::add_product(const std::array<SparseRows, 3>& matrices,
+                                  const NodeLayout& from_layout,
+                                  const std::vector<float>& from,
+                                  const NodeLayout& to_layout,
+                                  std::vector<float>& to) {
+  slice_.resize(from_layout.slice_size());
   row_.resize(from_layout.row_size());
   const auto& [x, y, z] = matrices;
-  for (std::size_t k = 0; k < z.rows(); ++k) {
-    std::fill(plane_.begin(), plane_.end(), 0.0F);
-    for (std::size_t i = z.start[k]; i < z.start[k + 1]; ++i)
-      add_multiple(z.weight[i], &from[z.column[i] * plane_.size()],
-                   plane_.size(), plane_.data());
-    for (std::size_t j = 0; j < y.rows(); ++j) {
-      if (y.start[j] == y.start[j + 1])
-        continue; // a row to which other ranks contribute
+  for (std::size_t j = 0; j < y.rows(); ++j) {
+    if (y.start[j] == y.start[j + 1])
+      continue; // a slice to which other ranks contribute
+    std::fill(slice_.begin(), slice_.end(), 0.0F);
+    for (std::size_t i = y.start[j]; i < y.start[j + 1]; ++i)
+      add_multiple(y.weight[i], &from[y.column[i] * slice_.size()],
+                   slice_.size(), slice_.data());
+    for (std::size_t k = 0; k < z.rows(); ++k) {
       std::fill(row_.begin(), row_.end(), 0.0F);
-      for (std::size_t i = y.start[j]; i < y.start[j + 1]; ++i)
-        add_multiple(y.weight[i], &plane_[y.column[i] * row_.size()],
+      for (std::size_t i = z.start[k]; i < z.start[k + 1]; ++i)
+        add_multiple(z.weight[i], &slice_[z.column[i] * row_.size()],
                      row_.size(), row_.data());
       add_along_x(x, row_.data(), from_layout.stride(),
-                  &to[k * to_layout.plane_size() + j * to_layout.row_size()],
+                  &to[j * to_layout.slice_size() + k * to_layout.row_size()],
                   to_layout.stride());
     }
   }
 }
 
 std::size_t LatticeTransfer::bytes() const {
-  return (plane_.size() + row_.size()) * sizeof(float);
+  return (slice_.size() + row_.size()) * sizeof(float) + contact().bytes();
 }
 
 } // namespace asperity::fem

@@ -1,12 +1,12 @@
 #pragma once
 
-// One cycle of geometric multigrid over coarser and coarser lattices, in single
-// precision.
+// The V-cycle of geometric multigrid in single precision, over the functions
+// that are coarser than those of a mesh.
 
 #include "fem/multigrid/coarsest_lattice.hpp"
-#include "fem/multigrid/face_contact.hpp"
-#include "fem/multigrid/lattice_operator.hpp"
-#include "fem/multigrid/lattice_transfer.hpp"
+#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/level_transfer.hpp"
+#include "fem/multigrid/smoothed_level.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -14,53 +14,56 @@
 
 namespace asperity::fem {
 
-/// Approximates (K + S)^-1 by a V-cycle, where S are the springs of contact and
-/// held unknowns are left out. It is symmetric and positive up to rounding.
-///
-/// The smoother is a Chebyshev polynomial of the fourth kind, which needs an
-/// upper bound on the eigenvalues only: that of a single cell
-/// (LatticeOperator::jacobi_bound). A spring matrix S adds the sums of its rows
-/// |S_ij| over that bound to the diagonal of K, so that the bound holds for any
-/// springs.
-/// @see  J. Lottes, Numer. Linear Algebra Appl. 30, e2518 (2023)
+/// Approximates (K + S)^-1 for the residual of a mesh by coarser and coarser
+/// functions, where S are the springs of contact and held unknowns are left
+/// out: each level smooths before and after the correction by the next, and a
+/// small lattice is solved exactly. Together with the smoother of the mesh it
+/// is symmetric and positive up to rounding. All calls are collective.
 class MultigridCycle {
 public:
-  /// @param lattice  in the units of normalised()
-  explicit MultigridCycle(const BoxLattice& lattice)
-      : MultigridCycle(lattice, LatticeSlab(lattice)) {}
+  /// Appends a level.
+  /// @param transfer  from the level before, or from the mesh, to this one
+  void add_level(std::unique_ptr<LevelTransfer> transfer,
+                 std::unique_ptr<SmoothedLevel> level);
 
-  /// @param slab  the rows of this rank, which may be shared only if the
-  ///              lattice has coarser ones. All calls are then collective.
-  MultigridCycle(const BoxLattice& lattice, LatticeSlab slab);
-  ~MultigridCycle();
+  /// Appends a lattice and coarser ones, of which the coarsest is solved by
+  /// every rank. Nothing may be appended afterwards.
+  /// @param transfer  from the level before, or from the mesh, to this one
+  /// @param lattice   in units in which its stiffness fits into a float
+  /// @param slab      the rows of this rank, which may be shared only if the
+  ///                  lattice has coarser ones
+  void add_lattices(std::unique_ptr<LevelTransfer> transfer, BoxLattice lattice,
+                    LatticeSlab slab);
 
-  /// Transfers contact to all lattices and factorises the coarsest.
-  /// @param contact  springs in the unit of the lattice's stiffness
-  void set_contact(const FaceContact& contact);
+  /// Transfers contact to all levels and factorises the coarsest lattice.
+  /// @param contact  of the mesh, springs in the unit of the stiffness
+  void set_contact(const MeshContact& contact);
 
-  /// The force on the finest lattice, to be written before run(), zero at
-  /// images; overwritten by it.
-  std::vector<float>& force();
+  /// Adds the correction for a residual, both over the unknowns of the mesh.
+  void add_correction(const std::vector<float>& residual,
+                      std::vector<float>& displacement) {
+    add_correction(0, residual, displacement);
+  }
 
-  /// The displacement after run(); its images have no meaning.
-  const std::vector<float>& displacement() const;
-
-  void run();
-
-  /// Whether there are coarser lattices; otherwise the cycle is an exact
-  /// solution.
-  static bool has_levels(const BoxLattice& lattice);
-
-  std::size_t levels() const { return levels_.size() + 1; }
+  /// Number of levels, with the coarsest lattice.
+  std::size_t levels() const { return transfers_.size(); }
 
   std::size_t bytes() const;
 
 private:
-  struct Level;
-  void descend(std::size_t level);
+  void add_correction(std::size_t level, const std::vector<float>& residual,
+                      std::vector<float>& displacement);
+  void run(std::size_t level);
 
-  std::vector<std::unique_ptr<Level>> levels_; ///< all but the coarsest
+  /// transfers_[i] leads to level i, or to the coarsest lattice.
+  std::vector<std::unique_ptr<LevelTransfer>> transfers_;
+  std::vector<std::unique_ptr<SmoothedLevel>> levels_;
   std::unique_ptr<CoarsestLattice> coarsest_;
 };
+
+/// The slab of the lattice that coarser() makes; all rows if that is solved
+/// exactly.
+LatticeSlab next_slab(const BoxLattice& lattice, const LatticeSlab& slab,
+                      const BoxLattice& next);
 
 } // namespace asperity::fem

@@ -1,7 +1,5 @@
 #include "fem/refined/box_levels.hpp"
 
-#include "base/array_memory.hpp"
-
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -225,19 +223,14 @@ BoxLevel::BoxLevel(const BoxLattice& lattice, HalvedBoxes own)
   }
   mesh.nodes = shared_nodes(std::move(corners));
   mesh.moduli = boxes.moduli;
-  mesh.unknowns = 3 * nodes.size();
-  mesh.constraints = std::make_shared<const UnknownConstraints>(
+  mesh.unknowns.size = 3 * nodes.size();
+  mesh.unknowns.constraints = std::make_shared<const UnknownConstraints>(
       constraints_of(lattice, nodes, boxes.cells));
 }
 
 bool BoxLevel::is_constrained(std::size_t unknown) const {
-  return mesh.constraints->row_of(unknown) < mesh.constraints->rows();
-}
-
-void BoxLevel::release_cells() {
-  boxes = {};
-  mesh.nodes = {};
-  free_memory(mesh.edges, mesh.moduli);
+  const UnknownConstraints& constraints = *mesh.unknowns.constraints;
+  return constraints.row_of(unknown) < constraints.rows();
 }
 
 } // namespace asperity::fem

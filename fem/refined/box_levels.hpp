@@ -39,9 +39,6 @@ struct BoxLevel {
 
   bool is_constrained(std::size_t unknown) const;
 
-  /// Forgets the cells; the constraints stay.
-  void release_cells();
-
   HalvedBoxes boxes;
   BoxMesh mesh; ///< in the units of the lattice
 };

@@ -54,37 +54,42 @@ SharedNodes shared_nodes(std::vector<std::uint32_t> nodes) {
   return std::make_shared<const std::vector<std::uint32_t>>(std::move(nodes));
 }
 
-void BoxMesh::rescale(double length, double modulus) {
-  for (auto& cell : edges)
-    for (double& edge : cell)
-      edge /= length;
-  for (CellModuli& cell : moduli)
-    cell = {cell.lame / modulus, cell.shear / modulus};
-}
-
-BoxUnits units_of(const BoxMesh& mesh) {
+MeshUnits units_of(const BoxMesh& mesh) {
   double shortest = std::numeric_limits<double>::max(), stiffest = 0.0;
   for (const auto& cell : mesh.edges)
     shortest = std::min(shortest, std::ranges::min(cell));
   for (const CellModuli& cell : mesh.moduli)
     stiffest = std::max(stiffest, cell.shear);
-  return {-rank_max(mesh.ranks(), -shortest), rank_max(mesh.ranks(), stiffest)};
+  RankGroup* const ranks = mesh.unknowns.ranks();
+  return {-rank_max(ranks, -shortest), rank_max(ranks, stiffest)};
 }
 
-BoxMesh normalised(const BoxMesh& mesh, double& unit) {
-  const BoxUnits units = units_of(mesh);
-  BoxMesh scaled = mesh;
-  scaled.rescale(units.length, units.modulus);
-  unit = units.stiffness();
-  return scaled;
+BoxMesh scaled(const BoxMesh& mesh, const MeshUnits& units) {
+  BoxMesh result = mesh;
+  for (auto& cell : result.edges)
+    for (double& edge : cell)
+      edge /= units.length;
+  for (CellModuli& cell : result.moduli)
+    cell = {cell.lame / units.modulus, cell.shear / units.modulus};
+  return result;
+}
+
+std::vector<double> diagonal_of(const BoxMesh& mesh) {
+  std::vector<double> sum(mesh.unknowns.size, 0.0);
+  for (std::size_t cell = 0; cell < mesh.edges.size(); ++cell) {
+    const auto own = box_diagonal(mesh.edges[cell], mesh.moduli[cell]);
+    for (std::size_t a = 0; a < nodes_in_box; ++a)
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[(*mesh.nodes)[cell * nodes_in_box + a] + i] += own[i];
+  }
+  mesh.unknowns.constraints->condense_diagonal(sum);
+  mesh.unknowns.collect(sum.data());
+  return sum;
 }
 
 template <class Number>
 BoxOperator<Number>::BoxOperator(const BoxMesh& mesh)
-    : size_(mesh.unknowns),
-      ghosts_(mesh.ghosts),
-      constraints_(mesh.constraints),
-      nodes_(mesh.nodes) {
+    : MeshOperator<Number>(mesh.unknowns), nodes_(mesh.nodes) {
   constexpr std::size_t in_group = boxes_in_group * numbers_in_box;
   std::map<std::array<Number, in_group>, std::uint32_t> known;
   const std::size_t groups = nodes_->size() / (nodes_in_box * boxes_in_group);
@@ -99,25 +104,8 @@ BoxOperator<Number>::BoxOperator(const BoxMesh& mesh)
 }
 
 template <class Number>
-std::vector<Number> BoxOperator<Number>::diagonal(const BoxMesh& mesh) const {
-  std::vector<double> sum(mesh.unknowns, 0.0);
-  for (std::size_t cell = 0; cell < mesh.edges.size(); ++cell) {
-    const auto own = box_diagonal(mesh.edges[cell], mesh.moduli[cell]);
-    for (std::size_t a = 0; a < nodes_in_box; ++a)
-      for (std::size_t i = 0; i < 3; ++i)
-        sum[(*mesh.nodes)[cell * nodes_in_box + a] + i] += own[i];
-  }
-  constraints_->condense_diagonal(sum);
-  collect(sum.data());
-  return {sum.begin(), sum.end()};
-}
-
-template <class Number>
-void BoxOperator<Number>::add_own(Number* displacement, Number* force,
-                                  Number factor) const {
-  if (ghosts_ != nullptr)
-    ghosts_->fill_ghosts(displacement);
-  constraints_->distribute(displacement);
+void BoxOperator<Number>::add_cells(const Number* displacement, Number* force,
+                                    Number factor) const {
   BoxProduct<Number> product;
   product.from = displacement;
   product.to = force;
@@ -127,7 +115,6 @@ void BoxOperator<Number>::add_own(Number* displacement, Number* force,
   product.kinds = kinds_.data();
   product.factor = factor;
   multiply_boxes(product);
-  constraints_->condense(force);
 }
 
 template <class Number>

@@ -23,14 +23,18 @@ namespace asperity::fem {
 class RefinedCorrection final : public MeshCorrection {
 public:
   /// @param problem   whose mesh is the coarsest mesh of the system
-  /// @param unknowns  those of the system; must outlive this object
+  /// @param unknowns  those of the system, with its cells
+  /// @param units     of the stiffness of the mesh
   RefinedCorrection(const BlockProblem& problem, const BlockSystem& system,
-                    const LocalUnknowns& unknowns);
+                    const LocalUnknowns& unknowns, const MeshUnits& units);
 
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
                bool is_sticking, const MeshContact& contact) override;
+
   void add(const std::vector<float>& residual, std::vector<float>& displacement,
-           double unit) override;
+           double /*unit*/) override {
+    cycle_.add_correction(residual, displacement);
+  }
 
   void check_efficiency(int /*iterations*/, double /*decades*/) override {}
 
@@ -42,25 +46,11 @@ public:
 
   std::string name() const override;
 
-  std::size_t bytes() const override;
+  std::size_t bytes() const override { return cycle_.bytes(); }
 
 private:
-  RankGroup* ranks_;  ///< null if there is only one
-  double unit_ = 1.0; ///< of the stiffness of the cycle [N/m]
-  std::unique_ptr<RefinedCycle> cycle_;
-  std::vector<float> all_; ///< forces of all ranks
-};
-
-/// The block of first-order boxes with this correction.
-class RefinedBlock : public MeshBlock<BoxOperator> {
-public:
-  /// @param problem  whose mesh is the coarsest mesh of the system
-  /// @param system   must outlive this object
-  RefinedBlock(const BlockProblem& problem, const BlockSystem& system);
-
-private:
-  RefinedBlock(const BlockProblem& problem, const BlockSystem& system,
-               const std::shared_ptr<LocalUnknowns>& unknowns);
+  double unit_; ///< of the stiffness of the cycle [N/m]
+  MultigridCycle cycle_;
 };
 
 /// Whether RefinedCorrection serves the problem: one body whose coarsest mesh
@@ -68,6 +58,8 @@ private:
 bool is_refined_block(const BlockProblem& problem);
 
 /// The block of a problem that is_refined_block() permits, in either order.
+/// @param problem  whose mesh is the coarsest mesh of the system
+/// @param system   must outlive the result
 std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
                                                   const BlockSystem& system);
 

@@ -54,19 +54,31 @@ std::vector<bool> touched(const NodeLayout& layout) {
   return nodes;
 }
 
-FaceContact held_nodes(const NodeLayout& layout) {
-  return {{}, touched(layout)};
+/// The u_z of these nodes.
+std::vector<std::size_t> touched_unknowns(const NodeLayout& layout) {
+  const std::vector<bool> nodes = touched(layout);
+  std::vector<std::size_t> unknowns;
+  for (int y = 0; y < layout.nodes_y(); ++y)
+    for (int x = 0; x < layout.nodes_x(); ++x)
+      if (nodes[static_cast<std::size_t>(y * layout.nodes_x() + x)])
+        unknowns.push_back(layout.index(x, y, 0, 2));
+  return unknowns;
 }
 
-FaceContact nodal_springs(const NodeLayout& layout, double stiffness) {
-  FaceContact contact;
-  const std::vector<bool> nodes = touched(layout);
-  for (std::size_t node = 0; node < nodes.size(); ++node) {
-    if (nodes[node]) {
-      contact.springs.column.push_back(node);
-      contact.springs.weight.push_back(stiffness);
-    }
-    contact.springs.start.push_back(contact.springs.column.size());
+MeshContact held_nodes(const NodeLayout& layout) {
+  MeshContact contact;
+  contact.held = touched_unknowns(layout);
+  return contact;
+}
+
+MeshContact nodal_springs(const NodeLayout& layout, double stiffness) {
+  MeshContact contact;
+  contact.has_springs = true;
+  contact.unknowns = touched_unknowns(layout);
+  for (std::size_t node = 0; node < contact.unknowns.size(); ++node) {
+    contact.springs.column.push_back(node);
+    contact.springs.weight.push_back(stiffness);
+    contact.springs.start.push_back(node + 1);
   }
   return contact;
 }
@@ -86,7 +98,7 @@ std::vector<double> random_forces(const NodeLayout& layout) {
 
 /// Iterations to a given residual relative to the force; 1000 if it is not
 /// reached.
-int iterations(const BoxLattice& lattice, const FaceContact& contact,
+int iterations(const BoxLattice& lattice, const MeshContact& contact,
                double tolerance = 1e-8) {
   LatticeMultigrid multigrid(lattice);
   multigrid.set_contact(contact);
@@ -95,8 +107,9 @@ int iterations(const BoxLattice& lattice, const FaceContact& contact,
   for (const double value : force)
     square += value * value;
   std::vector<double> displacement(force.size(), 0.0);
+  multigrid.force() = force;
   const LinearSolution solution =
-      multigrid.solve(force, displacement, tolerance * std::sqrt(square), 300);
+      multigrid.solve(displacement, tolerance * std::sqrt(square), 300);
   return solution.has_converged ? solution.iterations : 1000;
 }
 
@@ -201,17 +214,17 @@ TEST_P(LatticeDegrees, NeedAsManyIterationsInAnyUnit) {
 TEST_P(LatticeDegrees, HaveASymmetricCycle) {
   const BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
   const NodeLayout layout(lattice);
-  MultigridCycle cycle(lattice);
-  cycle.set_contact(nodal_springs(layout, 1.0));
+  LatticeMultigrid multigrid(lattice);
+  multigrid.set_contact(nodal_springs(layout, multigrid.unit()));
   const std::vector<double> a = random_forces(layout);
   std::vector<double> b(a.size(), 0.0);
   for (int y = 0; y < layout.nodes_y(); ++y)
     b[layout.index(0, y, 0, 2)] = 1.0 + y;
   const auto run = [&](const std::vector<double>& force) {
-    std::transform(force.begin(), force.end(), cycle.force().begin(),
+    std::transform(force.begin(), force.end(), multigrid.cycle_force().begin(),
                    [](double value) { return static_cast<float>(value); });
-    cycle.run();
-    return cycle.displacement();
+    multigrid.run_cycle();
+    return multigrid.cycle_displacement();
   };
   const auto inner_product = [](const auto& x, const auto& y) {
     double sum = 0.0;

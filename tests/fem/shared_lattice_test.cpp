@@ -100,6 +100,13 @@ std::vector<double> random_vector(const BoxLattice& lattice) {
   return vector;
 }
 
+/// Sets the supported unknowns of a vector of all nodes to zero.
+void clear_far_boundary(const BoxLattice& lattice,
+                        std::vector<double>& vector) {
+  unknowns_of(lattice, LatticeSlab(lattice))
+      .constraints->visit([&](std::size_t place) { vector[place] = 0.0; });
+}
+
 /// Whether the cell or node at a place in [0, 1)^2 is in contact.
 bool is_touched(double x, double y) {
   const double turn = 2.0 * std::numbers::pi;
@@ -107,22 +114,23 @@ bool is_touched(double x, double y) {
 }
 
 /// The contact of a rank's rows. Springs couple all nodes of a cell's face.
-FaceContact contact_of(Contact kind, const BoxLattice& lattice,
+MeshContact contact_of(Contact kind, const BoxLattice& lattice,
                        const LatticeSlab& slab) {
-  FaceContact contact;
+  MeshContact contact;
   const NodeLayout layout = slab.layout(lattice);
-  const int nodes_x = layout.nodes_x(), rows = layout.face_rows();
+  const int nodes_x = layout.nodes_x(), nodes_y = layout.nodes_y();
   const int degree = lattice.degree;
   contact.is_sticking = kind == Contact::sticking;
   if (kind == Contact::held || kind == Contact::sticking)
-    for (int y = 0; y < rows; ++y)
+    for (int y = 0; y < nodes_y; ++y)
       for (int x = 0; x < nodes_x; ++x)
-        contact.held.push_back(
-            y < layout.nodes_y() && // the image row is for the operator to hold
-            is_touched(1.0 * x / nodes_x, 1.0 * (y + degree * slab.first()) /
-                                              (degree * lattice.cells_y)));
+        if (is_touched(1.0 * x / nodes_x, 1.0 * (y + degree * slab.first()) /
+                                              (degree * lattice.cells_y)))
+          contact.held.push_back(layout.index(x, y, 0, 2));
   if (kind != Contact::springs)
     return contact;
+  const int rows =
+      slab.is_shared() ? static_cast<int>(layout.slices()) : nodes_y;
   SparseRows shapes; // a cell's mean displacement, weighted unevenly
   for (int y = 0; y < slab.count(); ++y)
     for (int x = 0; x < lattice.cells_x; ++x) {
@@ -131,15 +139,16 @@ FaceContact contact_of(Contact kind, const BoxLattice& lattice,
         continue;
       for (int j = 0; j <= degree; ++j)
         for (int i = 0; i <= degree; ++i) {
-          shapes.column.push_back(static_cast<std::size_t>(
-              (degree * y + j) % rows * nodes_x + (degree * x + i) % nodes_x));
+          shapes.column.push_back(layout.index((degree * x + i) % nodes_x,
+                                               (degree * y + j) % rows, 0, 2));
           shapes.weight.push_back(0.2 + 0.1 * i + 0.03 * j);
         }
       shapes.start.push_back(shapes.column.size());
     }
-  const auto nodes = static_cast<std::size_t>(nodes_x * rows);
-  contact.springs = product(transposed(shapes, nodes), shapes, nodes);
-  return contact;
+  const std::vector<double> springs(shapes.rows(), 1.0);
+  const std::vector<bool> held(shapes.rows(), false);
+  return contact_of_points(shapes, {springs, held, false}, layout.size(),
+                           slab.ranks());
 }
 
 /// Coarser lattices have the borders of the ranks if the number of rows is
@@ -172,6 +181,7 @@ TEST_P(SharedLattices, HaveTheStiffnessOfOneProcess) {
   const BoxLattice lattice = lattice_of(GetParam());
   const LatticeMultigrid alone(lattice);
   std::vector<double> displacement = random_vector(lattice), expected;
+  clear_far_boundary(lattice, displacement);
   alone.apply(displacement, expected);
 
   for (const int n : {2, 3, 4})
@@ -204,8 +214,9 @@ Answer solved(const BoxLattice& lattice, Contact contact,
   double square = 0.0;
   for (const double value : force)
     square += value * value;
+  multigrid.force() = own;
   answer.solution =
-      multigrid.solve(own, answer.displacement, 1e-12 * std::sqrt(square), 100);
+      multigrid.solve(answer.displacement, 1e-12 * std::sqrt(square), 100);
   answer.bytes = multigrid.bytes();
   return answer;
 }
@@ -213,7 +224,7 @@ Answer solved(const BoxLattice& lattice, Contact contact,
 void expect_same_solution(const SharedCase& own, Contact contact) {
   const BoxLattice lattice = lattice_of(own);
   std::vector<double> force = random_vector(lattice);
-  clear_far_boundary(lattice, NodeLayout(lattice), force.data());
+  clear_far_boundary(lattice, force);
   const Answer expected = solved(lattice, contact, force, nullptr);
   ASSERT_TRUE(expected.solution.has_converged);
   for (const int n : {2, 3, 4})

@@ -1,4 +1,4 @@
-#include "fem/hexahedra/unknown_constraints.hpp"
+#include "fem/multigrid/unknown_constraints.hpp"
 
 #include <algorithm>
 #include <array>

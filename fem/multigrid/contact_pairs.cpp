@@ -1,4 +1,4 @@
-#include "fem/hexahedra/contact_pairs.hpp"
+#include "fem/multigrid/contact_pairs.hpp"
 
 namespace asperity::fem {
 

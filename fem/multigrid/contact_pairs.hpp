@@ -6,6 +6,7 @@
 #include "fem/multigrid/sparse_rows.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "ranks/ghost_values.hpp"
@@ -28,8 +29,8 @@ struct ContactPairs {
   std::vector<double> springs;    ///< k > 0
   SparseRows faces;               ///< N, a row per pair; columns are unknowns
   bool exist = false;             ///< on any rank
-  const GhostValues* ghosts = nullptr; ///< of the vectors below; must outlive
-                                       ///< this object
+  std::shared_ptr<const GhostValues> ghosts; ///< of the vectors below; null
+                                             ///< on one process
 
   /// Computes u = T (r, m) in place. Collective.
   template <class Number>
