@@ -36,9 +36,9 @@ constexpr double roundoff_share = 0.1;
 /// itself; for hard contact the solution does not depend on the working
 /// penalty.
 double ContactNewton::own_spring(const BlockContact& contact) const {
-  const double low = contact.law == mechanics::ContactLaw::penalty
-                         ? 0.0
-                         : softest_spring * stiffness_scale_;
+  const double low = mechanics::has_wall(contact.law)
+                         ? softest_spring * stiffness_scale_
+                         : 0.0;
   return std::clamp(contact.penalty, low, stiffest_spring * stiffness_scale_);
 }
 
@@ -81,7 +81,7 @@ double ContactNewton::violation(double compliance) const {
 double ContactNewton::stiffer_penalty(const BlockContact& working,
                                       const BlockContact& contact) const {
   double limit = stiffest_penalty(working.tolerance);
-  if (contact.law == mechanics::ContactLaw::penalty)
+  if (!mechanics::has_wall(contact.law))
     limit = std::min(limit, contact.penalty);
   return std::max(working.penalty, std::min(stiffer * working.penalty, limit));
 }
@@ -104,13 +104,11 @@ void ContactNewton::solve_springs(const mechanics::LoadTarget& load,
   std::fill(multiplier_.begin(), multiplier_.end(), 0.0);
   BlockContact spring = contact;
   spring.penalty = own_spring(contact);
-  const double compliance = contact.law == mechanics::ContactLaw::penalty
-                                ? 1.0 / contact.penalty
-                                : 0.0;
+  const double compliance = contact.local_compliance();
   double last = std::numeric_limits<double>::infinity();
   while (newton(load, spring, answer)) {
-    const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
-                        spring.penalty == contact.penalty;
+    const bool is_own =
+        !mechanics::has_wall(contact.law) && spring.penalty == contact.penalty;
     answer.residual = is_own ? 0.0 : violation(compliance) / height_scale;
     const double softer = softer_penalty(spring);
     answer.converged =

@@ -151,7 +151,7 @@ void ContactNewton::add_up(const BlockContact& contact,
     value = sum(value, MPI_COMM_WORLD);
   const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
   answer.elastic_energy = 0.5 * (work - force * displacement / area()) / area();
-  if (contact.law == mechanics::ContactLaw::penalty)
+  if (!mechanics::has_wall(contact.law))
     answer.contact_energy = 0.5 * square / (contact.penalty * area());
   if (force > 0.0)
     answer.pressure_centre = {moment_x / force, moment_y / force};
@@ -170,14 +170,14 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   is_careful_ = false;
   has_linear_failure_ = false;
   const bool is_gap = load.control == mechanics::Control::mean_gap;
-  if (is_gap && load.amount < 0.0 &&
-      contact.law != mechanics::ContactLaw::penalty)
+  if (is_gap && load.amount < 0.0 && mechanics::has_wall(contact.law))
     answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
                               "but must be >= 0 m where nothing overlaps",
                               load.amount);
   else if (is_gap && load.amount >= touching_mean_gap())
     leave_contact(answer);
-  else if (contact.law == mechanics::ContactLaw::hard)
+  else if (mechanics::traits_of(contact.law).block_solver ==
+           mechanics::BlockSolver::wall)
     solve_wall(load, contact, height_scale, answer);
   else
     solve_springs(load, contact, height_scale, answer);
