@@ -152,9 +152,7 @@ private:
                                  {}); // nothing is cached
     methods::SolverFactory factory(case_->material, none, keys);
     return Model{factory.operator_of(method, surface, 1),
-                 law->law == mechanics::ContactLaw::penalty
-                     ? 1.0 / law->penalty.in_si(surface.scales)
-                     : 0.0};
+                 law->in_si(surface.scales).local_compliance()};
   }
 
   /// Reads the pressure of one step and certifies it.

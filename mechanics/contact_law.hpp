@@ -1,23 +1,111 @@
 #pragma once
 
-// The contact law of block and counterface, and the settings of its solver.
+// The contact laws of block and counter-surface: what pressure acts at a gap,
+// and which solver finds the contact. This file and its .cpp are the only ones
+// that name them all; docs/extending.md tells how to add one.
 
 #include "mechanics/quantity.hpp"
 
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
 namespace asperity::mechanics {
 
-/// Contact law. All laws except `penalty` end at hard contact.
+/// The contact laws, in the order of contact_laws().
 enum class ContactLaw {
   penalty,   ///< p = k * penetration
   hard,      ///< unilateral contact, complementarity conditions
   augmented, ///< penalty, its multiplier updated until nothing penetrates
 };
 
-/// A contact law with its penalty in SI units.
+/// Pressures that a law admits [Pa]. The smallest one is negative for a law
+/// with tension.
+struct PressureBounds {
+  double smallest = 0.0;
+  double largest = std::numeric_limits<double>::infinity();
+
+  bool operator==(const PressureBounds&) const = default;
+};
+
+/// A contact law with its parameters in SI units. Its energy per area W(g)
+/// depends on the gap g [m], which is negative where the surfaces penetrate.
+/// Laws with a wall admit no g < 0, where all three functions are infinite; at
+/// g = 0, the wall carries any pressure above that of the law.
 struct ContactInterface {
   ContactLaw law = ContactLaw::hard;
   double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
+
+  double energy(double gap) const;    ///< W [J/m^2], 0 at infinity
+  double pressure(double gap) const;  ///< -W' [Pa]
+  double stiffness(double gap) const; ///< W'' [Pa/m]
+  PressureBounds pressure_bounds() const;
+  double range() const; ///< smallest gap beyond which W = 0 [m] >= 0
+  /// Compliance 1/k [m/Pa] of a linear penalty; 0 for a law with a wall.
+  double local_compliance() const;
 };
+
+/// Solver of a surface operator: half-space, slab or condensed block.
+enum class SurfaceSolver {
+  none,
+  complementarity, ///< contact/solvers/solver.hpp
+  multipliers,     ///< solve_augmented() of contact/solvers/load_sequence.hpp
+};
+
+/// Solver of a meshed block (fem/newton/contact_newton.hpp).
+enum class BlockSolver {
+  none,
+  wall,    ///< active set of nodes; neither Gauss points nor two bodies
+  springs, ///< penalty, and multiplier updates if the law has a wall
+};
+
+/// What is known of a contact law without its parameters.
+struct ContactLawTraits {
+  ContactLaw law;
+  const char* name;   ///< in cases
+  const char* words;  ///< in reports, before the penalty if it needs one
+  bool has_wall;      ///< whether its solution is free of penetration
+  bool needs_penalty; ///< whether a case must give k
+  SurfaceSolver surface_solver;
+  BlockSolver block_solver;
+
+  using Function = double (*)(const ContactInterface&, double gap);
+  Function energy, pressure, stiffness; ///< where the wall admits the gap
+  PressureBounds (*pressure_bounds)(const ContactInterface&);
+  double (*range)(const ContactInterface&);
+};
+
+/// All contact laws.
+std::span<const ContactLawTraits> contact_laws();
+
+const ContactLawTraits& traits_of(ContactLaw law);
+
+/// Names of all laws in cases.
+std::vector<const char*> contact_law_names();
+
+inline bool has_wall(ContactLaw law) {
+  return traits_of(law).has_wall;
+}
+
+inline bool needs_penalty(ContactLaw law) {
+  return traits_of(law).needs_penalty;
+}
+
+/// Whether a law is solved by a series of problems with a penalty.
+inline bool needs_multipliers(ContactLaw law) {
+  return has_wall(law) && needs_penalty(law);
+}
+
+/// The solver of a law for surface operators. They all assume pressures >= 0
+/// without an upper bound.
+/// @throws std::domain_error  no solver serves the law, or its pressures with
+///         these parameters have other bounds
+SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
+                                const ContactInterface& interface);
+
+/// @throws std::domain_error  no solver of meshed blocks serves the law
+BlockSolver block_solver_of(const ContactLawTraits& traits);
 
 /// The contact law and its solver settings for an elastic method.
 struct ContactSettings {
@@ -26,6 +114,8 @@ struct ContactSettings {
                    ReferenceUnit::contact_modulus_per_spacing}; ///< [Pa/m]
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
+
+  ContactInterface in_si(const Scales& scales) const;
 };
 
 } // namespace asperity::mechanics

@@ -20,12 +20,6 @@ using mechanics::ContactSettings;
 using mechanics::FemSettings;
 using mechanics::HalfspaceSettings;
 
-mechanics::ContactInterface interface_of(const ContactSettings& settings,
-                                         const mechanics::Scales& scales) {
-  const bool is_hard = settings.law == mechanics::ContactLaw::hard;
-  return {settings.law, is_hard ? 0.0 : settings.penalty.in_si(scales)};
-}
-
 bool has_free_boundaries(const cases::MethodSpec& method) {
   const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
   return half != nullptr && half->has_free_boundaries;
@@ -59,13 +53,12 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const ContactSettings& contact =
       block != nullptr ? block->contact
                        : std::get<HalfspaceSettings>(method.settings).contact;
-  LoadStepsSetting setting{interface_of(contact, surface.scales),
+  LoadStepsSetting setting{contact.in_si(surface.scales),
                            contact.tolerance * surface.scales.rms_height,
                            contact.max_iterations, workforce.threads,
                            surface.scales.rms_height};
   Observation& observation = setting.observation;
-  if (setting.interface.law == mechanics::ContactLaw::penalty)
-    observation.local_compliance = 1.0 / setting.interface.penalty;
+  observation.local_compliance = setting.interface.local_compliance();
   observation.area_coefficients = block != nullptr
                                       ? area_coefficients(*block)
                                       : results::halfspace_area_coefficients;

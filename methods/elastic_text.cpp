@@ -10,23 +10,15 @@ using mechanics::FemSettings;
 using mechanics::HalfspaceSettings;
 
 std::string in_words(const ContactSettings& settings) {
-  const auto penalty = [&] {
-    const char* unit =
-        settings.penalty.reference ==
-                mechanics::ReferenceUnit::contact_modulus_per_spacing
-            ? "E*/h"
-            : "Pa/m";
-    return fmt::format("{:g} {}", settings.penalty.value, unit);
-  };
-  switch (settings.law) {
-  case mechanics::ContactLaw::penalty:
-    return "penalty " + penalty();
-  case mechanics::ContactLaw::augmented:
-    return "augmented Lagrangian with a penalty of " + penalty();
-  case mechanics::ContactLaw::hard:
-    break;
-  }
-  return "hard (unilateral) contact";
+  const mechanics::ContactLawTraits& law = mechanics::traits_of(settings.law);
+  if (!law.needs_penalty)
+    return law.words;
+  const char* unit =
+      settings.penalty.reference ==
+              mechanics::ReferenceUnit::contact_modulus_per_spacing
+          ? "E*/h"
+          : "Pa/m";
+  return fmt::format("{} {:g} {}", law.words, settings.penalty.value, unit);
 }
 
 /// Returns the moduli of each layer as text, beginning at the contact surface.

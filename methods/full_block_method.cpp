@@ -82,12 +82,9 @@ public:
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
     const auto [centre_x, centre_y] = solution.pressure_centre;
-    const double penalty_compliance =
-        contact_.law == mechanics::ContactLaw::penalty ? 1.0 / contact_.penalty
-                                                       : 0.0;
     StepAnswer answer = observe(
         as_contact(std::move(solution), surface_),
-        {block_->nodal_weights(), penalty_compliance,
+        {block_->nodal_weights(), contact_.local_compliance(),
          area_coefficients(settings_), boundary_modulus_, resolves_boundary,
          results::Border::periodic, surface_.has_middle},
         surface_);

@@ -132,7 +132,7 @@ std::vector<std::string> labels_of(const Instance& instance) {
       name_of(family),
       where(is_contact, name_of(instance.shape)),
       where(is_continuum, name_of(instance.law)),
-      where(is_continuum && instance.law != mechanics::ContactLaw::hard,
+      where(is_continuum && mechanics::needs_penalty(instance.law),
             penalties.label_of(instance.penalty)),
       where(is_contact, name_of(instance.control)),
       where(is_sound && by_pressure, loads.label_of(instance.load)),

@@ -31,10 +31,9 @@ struct Pass {
 
 mechanics::ContactInterface interface_of(const Instance& instance,
                                          const Grid& grid) {
-  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
-  return {instance.law, is_hard ? 0.0
-                                : instance.penalty * instance.contact_modulus /
-                                      grid.spacing_x()};
+  const double penalty =
+      instance.penalty * instance.contact_modulus / grid.spacing_x();
+  return {instance.law, mechanics::needs_penalty(instance.law) ? penalty : 0.0};
 }
 
 /// Runs one pass and applies every check to every step. The solutions are empty

@@ -57,7 +57,7 @@ AskedContact asked_of_block(const Instance& instance,
   AskedContact asked{heights, block.nodal_weights()};
   asked.may_lose_contact = may_lose_contact(instance);
   asked.local_compliance =
-      instance.law == mechanics::ContactLaw::penalty ? 1.0 / spring : 0.0;
+      mechanics::ContactInterface{instance.law, spring}.local_compliance();
   asked.long_wave_compliance =
       std::max(range.longest, uniform_compliance(instance));
   asked.short_wave_compliance = range.shortest;
@@ -176,9 +176,9 @@ ComplianceRange range_of(const Instance& instance, const Grid& grid,
 }
 
 double spring_of(const Instance& instance, const Grid& grid) {
-  const bool is_hard = instance.law == mechanics::ContactLaw::hard;
-  return (is_hard ? wall_spring : instance.penalty) * instance.contact_modulus /
-         grid.spacing_x();
+  const double spring =
+      mechanics::needs_penalty(instance.law) ? instance.penalty : wall_spring;
+  return spring * instance.contact_modulus / grid.spacing_x();
 }
 
 FullBlockRun::FullBlockRun(const Instance& instance, InstanceReport& report)

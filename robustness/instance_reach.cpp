@@ -17,7 +17,8 @@ constexpr double atom_spacing = 2.6e-10;
 /// has at most 0.4 R, and the surface on it is a paraboloid of its radius R:
 /// over a square of side L, the rms of the slope r/R is L/(sqrt(6) R).
 Instance with_counter_settings(Instance instance) {
-  if (instance.law == mechanics::ContactLaw::hard)
+  if (mechanics::traits_of(instance.law).block_solver ==
+      mechanics::BlockSolver::wall)
     instance.law = mechanics::ContactLaw::augmented;
   if (instance.far_boundary == mechanics::FarBoundary::pressure)
     instance.far_boundary = mechanics::FarBoundary::sliding;

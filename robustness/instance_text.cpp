@@ -29,7 +29,7 @@ std::string name_of(Shape shape) {
 }
 
 std::string name_of(mechanics::ContactLaw law) {
-  return nth(std::array{"penalty", "hard", "augmented"}, law);
+  return mechanics::traits_of(law).name;
 }
 
 std::string name_of(mechanics::Control control) {
@@ -127,7 +127,7 @@ std::string text_of(const Instance& instance) {
         fmt::format("a coating of {:.17g} block thicknesses and {:.17g} E, ",
                     instance.coating_thickness, instance.coating_stiffness);
   words += name_of(instance.law);
-  if (instance.law != mechanics::ContactLaw::hard)
+  if (mechanics::needs_penalty(instance.law))
     words += fmt::format(" of {:.17g} E*/h", instance.penalty);
   words += instance.control == mechanics::Control::nominal_pressure
                ? fmt::format(", {} to {:.17g} E* h'", name_of(instance.program),

@@ -187,7 +187,7 @@ std::string method_text(const Instance& instance, const CaseNumbers& numbers) {
   if (numbers.has_elements || numbers.is_slab)
     text += "top = \"" + name_of(instance.far_boundary) + "\"\n";
   text += "contact = \"" + name_of(numbers.law) + "\"\n";
-  if (numbers.law != mechanics::ContactLaw::hard)
+  if (mechanics::needs_penalty(numbers.law))
     text += "penalty = " + number(numbers.penalty) + "\n";
   return text + "tolerance = " + number(numbers.tolerance) + "\n";
 }

@@ -28,6 +28,9 @@ struct Values {
   Values(std::initializer_list<const char*> all_words)
       : type(ValueType::word), words(all_words.begin(), all_words.end()) {}
 
+  Values(const std::vector<const char*>& all_words)
+      : type(ValueType::word), words(all_words.begin(), all_words.end()) {}
+
   Values(Range numbers) : range(numbers) {}
 
   Values(Dimension unit, Range numbers = positive(),

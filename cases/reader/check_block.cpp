@@ -152,7 +152,8 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                    method.name + ".bodies = 2, but the table "
                                  "[material.counter] is missing");
     if (fem->full.bodies == 2 &&
-        fem->contact.law == mechanics::ContactLaw::hard)
+        mechanics::traits_of(fem->contact.law).block_solver ==
+            mechanics::BlockSolver::wall)
       mistakes.add(entry_of(file, method.name, "bodies").place,
                    method.name +
                        ".bodies = 2 cannot be combined with hard (unilateral) "

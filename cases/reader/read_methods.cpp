@@ -15,7 +15,7 @@ bool has_free_edges(const Node& file) {
 mechanics::ContactSettings read_contact(TableReader& table) {
   mechanics::ContactSettings contact;
   table.read(contact);
-  if (contact.law != mechanics::ContactLaw::hard)
+  if (mechanics::needs_penalty(contact.law))
     table.require("penalty", ", which this contact needs");
   return contact;
 }
@@ -56,7 +56,8 @@ void check_full_block(TableReader& table, bool has_mesh,
   if (full.uses_case_mesh && !has_mesh)
     table.refuse(table.said_by("mesh"), "the table [mesh] is missing");
   if (full.contact_at == mechanics::ContactPoints::gauss &&
-      fem.contact.law == mechanics::ContactLaw::hard)
+      mechanics::traits_of(fem.contact.law).block_solver ==
+          mechanics::BlockSolver::wall)
     table.refuse(
         table.said_by("contact_at"),
         "hard (unilateral) contact at more points than the contact surface has "

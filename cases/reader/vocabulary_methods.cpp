@@ -28,7 +28,7 @@ Key top_key() {
 std::vector<Key> contact_keys() {
   return {
       key<&Contact::law>(
-          "contact", {"penalty", "hard", "augmented"},
+          "contact", mechanics::contact_law_names(),
           "Penalty, hard (unilateral) or augmented-Lagrangian contact.")
           .shown(),
       key<&Contact::penalty>(

@@ -100,10 +100,12 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
     : elasticity_(std::move(elasticity)),
       heights_(std::move(heights)),
       interface_(interface),
+      solver_(mechanics::surface_solver_of(mechanics::traits_of(interface.law),
+                                           interface)),
       gap_tolerance_(gap_tolerance),
       max_iterations_(max_iterations) {
   require_positive("gap_tolerance", gap_tolerance_, "m");
-  if (interface_.law != mechanics::ContactLaw::hard)
+  if (mechanics::needs_penalty(interface_.law))
     require_positive("penalty", interface_.penalty, "Pa/m");
 }
 
@@ -114,9 +116,7 @@ bool LoadSequence::has_load(std::span<const double> pressure) const {
 }
 
 double LoadSequence::local_compliance() const {
-  return interface_.law == mechanics::ContactLaw::penalty
-             ? 1.0 / interface_.penalty
-             : 0.0;
+  return interface_.local_compliance();
 }
 
 ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
@@ -130,7 +130,7 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
                                              elasticity_->grid().size()),
                          max_iterations_};
   ContactSolution solution;
-  if (interface_.law == mechanics::ContactLaw::augmented) {
+  if (solver_ == mechanics::SurfaceSolver::multipliers) {
     problem.local_compliance = 1.0 / interface_.penalty;
     solution = solve_augmented(*elasticity_, problem, target, start);
   } else {

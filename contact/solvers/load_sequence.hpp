@@ -77,6 +77,7 @@ private:
   std::vector<double> heights_;
   std::optional<double> rms_height_; ///< [m], once it was needed
   mechanics::ContactInterface interface_;
+  mechanics::SurfaceSolver solver_;
   double gap_tolerance_;
   int max_iterations_;
   mechanics::Control control_ = mechanics::Control::nominal_pressure;

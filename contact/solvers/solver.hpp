@@ -19,7 +19,8 @@ namespace asperity::contact {
 ///     p >= 0,  gap + c p >= 0,  p (gap + c p) = 0     at every node
 ///
 /// c = 1/k is the compliance of a linear penalty (p = k times penetration);
-/// c = 0 is hard contact.
+/// c = 0 is hard contact. The methods below project onto p >= 0 and are for
+/// these two laws: mechanics::surface_solver_of() refuses others.
 struct ContactProblem {
   std::span<const double> heights; ///< h [m], elasticity.n_nodes() values
   double local_compliance = 0.0;   ///< c = 1/k [m/Pa] >= 0

@@ -123,7 +123,7 @@ private:
   /// Whether gaps have a prescribed mean and cannot be negative.
   static bool excludes_overlap(const Step& step) {
     return step.load.control == mechanics::Control::mean_gap &&
-           step.contact.law != mechanics::ContactLaw::penalty;
+           mechanics::has_wall(step.contact.law);
   }
 
   BlockSolution solve_on_mesh(const Step& step, double tolerance);
@@ -217,9 +217,7 @@ BlockSolution AdaptiveBlock::solve(std::span<const double> heights,
 /// changed; if so, the block on the new mesh continues from that solution.
 bool AdaptiveBlock::change_mesh(const BlockSolution& found, const Step& step,
                                 bool may_coarsen) {
-  const double compliance = step.contact.law == mechanics::ContactLaw::penalty
-                                ? 1.0 / step.contact.penalty
-                                : 0.0;
+  const double compliance = step.contact.local_compliance();
   std::vector<double> gap = found.gap;
   for (std::size_t i = 0; i < gap.size(); ++i)
     gap[i] += compliance * found.pressure[i];

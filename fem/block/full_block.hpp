@@ -47,6 +47,10 @@ struct BlockContact {
   /// force.
   double tolerance = 1e-8;
   int max_iterations = 2000; ///< Newton steps
+
+  double local_compliance() const {
+    return mechanics::ContactInterface{law, penalty}.local_compliance();
+  }
   BlockWatch watch = {};     ///< may be empty
 };
 

@@ -37,9 +37,9 @@ constexpr double roundoff_share = 0.1;
 /// itself; for hard contact the solution does not depend on the working
 /// penalty.
 double AugmentedLagrangian::first_penalty(const BlockContact& contact) const {
-  const double low = contact.law == mechanics::ContactLaw::penalty
-                         ? 0.0
-                         : softest_spring * state_.stiffness_scale();
+  const double low = mechanics::has_wall(contact.law)
+                         ? softest_spring * state_.stiffness_scale()
+                         : 0.0;
   return std::clamp(contact.penalty, low,
                     stiffest_spring * state_.stiffness_scale());
 }
@@ -70,7 +70,7 @@ double AugmentedLagrangian::stiffest_penalty(double tolerance) const {
 double AugmentedLagrangian::stiffer_penalty(const BlockContact& working,
                                             const BlockContact& contact) const {
   double limit = stiffest_penalty(working.tolerance);
-  if (contact.law == mechanics::ContactLaw::penalty)
+  if (!mechanics::has_wall(contact.law))
     limit = std::min(limit, contact.penalty);
   return std::max(working.penalty, std::min(stiffer * working.penalty, limit));
 }
@@ -93,13 +93,11 @@ void AugmentedLagrangian::solve(const mechanics::LoadTarget& load,
   std::fill(state_.multiplier.begin(), state_.multiplier.end(), 0.0);
   BlockContact spring = contact;
   spring.penalty = first_penalty(contact);
-  const double compliance = contact.law == mechanics::ContactLaw::penalty
-                                ? 1.0 / contact.penalty
-                                : 0.0;
+  const double compliance = contact.local_compliance();
   double last = std::numeric_limits<double>::infinity();
   while (newton_.solve(load, spring, answer)) {
-    const bool is_own = contact.law == mechanics::ContactLaw::penalty &&
-                        spring.penalty == contact.penalty;
+    const bool is_own =
+        !mechanics::has_wall(contact.law) && spring.penalty == contact.penalty;
     answer.residual =
         is_own ? 0.0 : state_.violation(compliance) / height_scale;
     const double softer = softer_penalty(spring);

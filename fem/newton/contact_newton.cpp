@@ -83,7 +83,7 @@ void ContactNewton::add_up(const BlockContact& contact,
   const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
   answer.elastic_energy =
       0.5 * (work - force * displacement / state_.area()) / state_.area();
-  if (contact.law == mechanics::ContactLaw::penalty)
+  if (!mechanics::has_wall(contact.law))
     answer.contact_energy = 0.5 * square / (contact.penalty * state_.area());
   if (force > 0.0)
     answer.pressure_centre = {moment_x / force, moment_y / force};
@@ -111,15 +111,15 @@ void ContactNewton::search(double height_scale,
                            const mechanics::LoadTarget& load,
                            const BlockContact& contact, BlockSolution& answer) {
   const bool is_gap = load.control == mechanics::Control::mean_gap;
-  if (is_gap && load.amount < 0.0 &&
-      contact.law != mechanics::ContactLaw::penalty) {
+  if (is_gap && load.amount < 0.0 && mechanics::has_wall(contact.law)) {
     answer.note = fmt::format("the mean gap of the contact points is {:.3g} m, "
                               "but must be >= 0 m where nothing overlaps",
                               load.amount);
   } else if (is_gap && load.amount >= state_.touching_mean_gap()) {
     state_.leave_contact();
     answer.converged = true;
-  } else if (contact.law == mechanics::ContactLaw::hard) {
+  } else if (mechanics::traits_of(contact.law).block_solver ==
+             mechanics::BlockSolver::wall) {
     std::ranges::fill(state_.multiplier, 0.0);
     search_wall(height_scale, load, contact, answer);
   } else {

@@ -204,12 +204,14 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
   else if (!std::isfinite(load.amount))
     refuse_argument("mean gap", load.amount, "finite [m]");
   require_field("height", heights, "m");
-  if (contact.law == mechanics::ContactLaw::hard &&
-      !system_.contact().is_nodal())
+  const bool is_wall =
+      mechanics::block_solver_of(mechanics::traits_of(contact.law)) ==
+      mechanics::BlockSolver::wall;
+  if (is_wall && !system_.contact().is_nodal())
     throw std::domain_error(
         "contact = hard with contact_at = gauss: hard contact is not available "
         "at Gauss points; choose augmented");
-  if (contact.law == mechanics::ContactLaw::hard && system_.has_counter())
+  if (is_wall && system_.has_counter())
     throw std::domain_error(
         "contact = hard with two meshed bodies: hard contact is not available "
         "between two meshes; choose augmented");

@@ -76,7 +76,7 @@ MethodCost cost_of_full_block(const cases::Case& contact_case,
   if (settings.full.uses_case_mesh &&
       contact_case.mesh.kind == mechanics::MeshKind::adaptive)
     solutions *= adaptive_solutions;
-  if (settings.contact.law == mechanics::ContactLaw::augmented)
+  if (mechanics::needs_multipliers(settings.contact.law))
     solutions *= augmented_steps;
   MethodCost cost;
   cost.unknowns = block.unknowns;

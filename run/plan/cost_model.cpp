@@ -107,7 +107,7 @@ MethodCost cost_on_face(const mechanics::ContactSettings& contact,
   const auto& [contact_case, method, grid, rates, ranks] = input;
   MethodCost cost;
   const double law =
-      contact.law == mechanics::ContactLaw::augmented ? augmented_factor : 1.0;
+      mechanics::needs_multipliers(contact.law) ? augmented_factor : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
   cost.step_time = law *

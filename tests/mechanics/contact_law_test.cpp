@@ -1,0 +1,123 @@
+// Tests of mechanics/contact_law.hpp, which hold for every law of its list.
+#include "mechanics/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/message_of.hpp"
+
+namespace asperity::mechanics {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Law : public testing::TestWithParam<ContactLawTraits> {
+protected:
+  ContactInterface interface { GetParam().law, 3.0 };
+
+  /// Gaps on both sides of 0 and of the range, in units of which the parameters
+  /// above are of order 1. None lies at a jump of a derivative.
+  std::vector<double> gaps() const {
+    const double range =
+        std::isfinite(interface.range()) ? interface.range() : 10.0;
+    std::vector<double> all;
+    for (const double gap : {-1.1, -0.3, 0.07, 0.4, 0.93, 1.3})
+      if (gap > 0.0 || !GetParam().has_wall)
+        all.push_back(gap * (range > 0.0 ? range : 1.0));
+    return all;
+  }
+};
+
+// Central differences with steps of 1e-5 of the gaps: an error of 1e-10 of the
+// third derivative, which is of order 1, and roundoff of 1e-16 / 1e-5.
+constexpr double step = 1e-5;
+constexpr double accuracy = 1e-9;
+
+TEST_P(Law, PressureIsMinusTheSlopeOfTheEnergy) {
+  for (const double gap : gaps())
+    EXPECT_NEAR((interface.energy(gap - step) - interface.energy(gap + step)) /
+                    (2.0 * step),
+                interface.pressure(gap), accuracy)
+        << gap;
+}
+
+TEST_P(Law, StiffnessIsMinusTheSlopeOfThePressure) {
+  for (const double gap : gaps())
+    EXPECT_NEAR(
+        (interface.pressure(gap - step) - interface.pressure(gap + step)) /
+            (2.0 * step),
+        interface.stiffness(gap), accuracy)
+        << gap;
+}
+
+TEST_P(Law, PressuresLieWithinTheirBounds) {
+  const PressureBounds bounds = interface.pressure_bounds();
+
+  for (const double gap : gaps()) {
+    EXPECT_GE(interface.pressure(gap), bounds.smallest) << gap;
+    EXPECT_LE(interface.pressure(gap), bounds.largest) << gap;
+  }
+}
+
+TEST_P(Law, DoesNotActBeyondItsRange) {
+  ASSERT_GE(interface.range(), 0.0);
+  if (!std::isfinite(interface.range()))
+    return;
+  const double gap = std::nextafter(interface.range(), infinity);
+
+  EXPECT_EQ(interface.energy(gap), 0.0);
+  EXPECT_EQ(interface.pressure(gap), 0.0);
+}
+
+TEST_P(Law, AdmitsPenetrationOnlyWithoutAWall) {
+  EXPECT_EQ(std::isfinite(interface.energy(-0.1)), !GetParam().has_wall);
+  EXPECT_EQ(interface.local_compliance() > 0.0, !GetParam().has_wall);
+}
+
+// The list is indexed by the enumeration.
+TEST_P(Law, IsFoundByItsName) {
+  const auto place = static_cast<std::size_t>(GetParam().law);
+
+  EXPECT_EQ(contact_laws()[place].law, GetParam().law);
+  EXPECT_STREQ(contact_law_names()[place], GetParam().name);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, Law, testing::ValuesIn(contact_laws().begin(), contact_laws().end()),
+    [](const auto& law) { return std::string(law.param.name); });
+
+ContactLawTraits with_tension() {
+  ContactLawTraits traits = traits_of(ContactLaw::hard);
+  traits.name = "sticky";
+  traits.pressure_bounds = [](const ContactInterface&) {
+    return PressureBounds{-5e6, infinity};
+  };
+  return traits;
+}
+
+TEST(SolversOfLaws, RefuseTensionWhereTheyAssumeNone) {
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { surface_solver_of(with_tension(), {}); }),
+            "contact = sticky: pressures from -5e+06 to inf Pa, but the solver "
+            "of this law assumes that they are >= 0 without an upper bound");
+}
+
+TEST(SolversOfLaws, RefuseALawThatNoneServes) {
+  ContactLawTraits traits = with_tension();
+  traits.surface_solver = SurfaceSolver::none;
+  traits.block_solver = BlockSolver::none;
+
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [&] { surface_solver_of(traits, {}); }),
+            "contact = sticky: this law is not available for a half-space, a "
+            "slab or a condensed block");
+  EXPECT_EQ(
+      tests::message_of<std::domain_error>([&] { block_solver_of(traits); }),
+      "contact = sticky: this law is not available for a meshed block");
+}
+
+} // namespace
+} // namespace asperity::mechanics
