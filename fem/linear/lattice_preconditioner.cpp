@@ -1,22 +1,16 @@
 #include "fem/linear/lattice_preconditioner.hpp"
 
-#include "base/require.hpp"
+#include "fem/linear/lattice_exchange.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 namespace asperity::fem {
 namespace {
 
-using dealii::Point;
-using dealii::types::global_dof_index;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr std::size_t nowhere = UnknownExchange::nowhere;
@@ -25,100 +19,44 @@ constexpr std::size_t nowhere = UnknownExchange::nowhere;
 /// tolerance of CG, so that the preconditioner is a fixed linear operator.
 constexpr double face_tolerance = 1e-11;
 
-std::vector<double> planes_of(const LayeredBlock& block, int degree) {
-  std::vector<double> depths{0.0};
-  for (const ElasticLayer& layer : block.layers) {
-    const double below = depths.back();
-    for (int k = 1; k <= degree; ++k)
-      depths.push_back(below + layer.thickness * k / degree);
-  }
-  return depths;
-}
-
-std::vector<bool> held_components(mechanics::FarBoundary far_boundary) {
-  switch (far_boundary) {
-  case mechanics::FarBoundary::clamped:
-    return {true, true, true};
-  case mechanics::FarBoundary::sliding:
-    return {false, false, true};
-  case mechanics::FarBoundary::pressure:
-    break;
-  }
-  return {false, false, false};
-}
-
 } // namespace
 
 LatticePreconditioner::LatticePreconditioner(const BlockSystem& system,
-                                             int degree,
+                                             const BoxLattice& lattice,
                                              const LayeredBlock& uniform)
     : system_(system),
-      solver_(system.grid(), degree, uniform, 1, Among::all_ranks),
-      plane_depths_(planes_of(uniform, degree)) {
-  number_unknowns(uniform);
-  distribute_unknowns();
+      solver_(system.grid(), lattice.degree, uniform, 1, Among::all_ranks) {
+  number_unknowns(lattice);
   lattice_values_.resize(solver_.lattice().size());
 }
 
-std::size_t LatticePreconditioner::lattice_index(const Point<3>& place,
-                                                 std::size_t component) const {
-  const Grid& grid = system_.grid();
-  const double tolerance = system_.space().coordinate_tolerance();
-  const auto plane = std::lower_bound(
-      plane_depths_.begin(), plane_depths_.end(), place[2] - tolerance);
-  if (plane == plane_depths_.end() || *plane > place[2] + tolerance)
-    refuse_argument("depth of a node", place[2], "a plane of the node grid");
-  const auto round = [](double steps, int points) {
-    return static_cast<int>(std::lround(steps)) % points;
+/// Numbers the unknowns and the pins on the node grid, and sends each unknown
+/// to the rank that solves for its field.
+void LatticePreconditioner::number_unknowns(const BoxLattice& lattice) {
+  const LatticeNumbering numbering(system_, lattice);
+  const NodeLayout layout(lattice);
+  const NodeLattice& nodes = solver_.lattice();
+  const auto number_of = [&](std::size_t index) {
+    const NodeLayout::Node node = layout.node(index);
+    return nodes.index(static_cast<std::size_t>(node.plane),
+                       static_cast<std::size_t>(node.component),
+                       nodes.grid.index(node.x, node.y));
   };
-  return solver_.lattice().index(
-      static_cast<std::size_t>(plane - plane_depths_.begin()), component,
-      grid.index(round(place[0] / grid.spacing_x(), grid.points_x),
-                 round(place[1] / grid.spacing_y(), grid.points_y)));
-}
-
-/// Numbers the unknowns on the node grid. Constrained unknowns are set to
-/// nowhere; those that only a pin constrains are recorded.
-void LatticePreconditioner::number_unknowns(const LayeredBlock& uniform) {
-  const BlockSpace& space = system_.space();
-  std::map<global_dof_index, Point<3>> places;
-  dealii::DoFTools::map_dofs_to_support_points(space.mapping(),
-                                               space.dof_handler(), places);
-  std::array<dealii::IndexSet, 3> of_component;
-  for (unsigned int c = 0; c < 3; ++c) {
-    dealii::ComponentMask mask(3, false);
-    mask.set(c, true);
-    of_component[c] = dealii::DoFTools::extract_dofs(space.dof_handler(), mask);
-  }
-  const std::vector<bool> held = held_components(uniform.far_boundary);
-  std::array<std::uint64_t, 3> pins{}; // index plus one; 0: none
-  own_numbers_.assign(space.owned().n_elements(), nowhere);
-  for (const global_dof_index unknown : space.owned()) {
-    const std::size_t component = of_component[0].is_element(unknown)   ? 0
-                                  : of_component[1].is_element(unknown) ? 1
-                                                                        : 2;
-    const std::size_t number = lattice_index(places.at(unknown), component);
-    const auto& constraints = space.constraints();
-    if (!constraints.is_constrained(unknown))
-      own_numbers_[space.owned().index_within_set(unknown)] = number;
-    else if (!held[component] &&
-             constraints.get_constraint_entries(unknown)->empty())
-      pins[component] = number + 1;
-  }
+  for (const std::size_t index : numbering.nodes)
+    own_numbers_.push_back(index == nowhere ? nowhere : number_of(index));
+  std::array<std::uint64_t, 3> pins{}; // number plus one; 0: none
+  for (const LatticeNumbering::Pin& pin : numbering.pins)
+    pins.at(pin.component) = number_of(pin.node) + 1;
   for (std::size_t c = 0; c < 3; ++c)
     if (const std::uint64_t pin =
             dealii::Utilities::MPI::max(pins[c], MPI_COMM_WORLD);
         pin > 0)
       pins_[c] = pin - 1;
-}
-
-/// Sends each unknown to the rank that solves for its field.
-void LatticePreconditioner::distribute_unknowns() {
-  const std::size_t nodes = solver_.lattice().grid.size();
+  const std::size_t field = nodes.grid.size();
   unknowns_.emplace(
       n_ranks() > 1 ? &mpi_group() : nullptr, own_numbers_,
       [&](std::size_t number) {
-        return static_cast<int>(solver_.share().owner_of(number / nodes));
+        return static_cast<int>(solver_.share().owner_of(number / field));
       },
       [](std::size_t number) { return number; });
 }

@@ -6,6 +6,7 @@
 
 #include "fem/linear/block_solver.hpp"
 #include "fem/linear/unknown_exchange.hpp"
+#include "fem/multigrid/box_lattice.hpp"
 #include "fem/waves/lattice_solver.hpp"
 
 #include <array>
@@ -25,9 +26,10 @@ namespace asperity::fem {
 /// shift is then subtracted so that the pin does not move.
 class LatticePreconditioner final : public BlockPreconditioner {
 public:
-  /// @param system  must be periodic; its mesh is the node grid of `uniform`
-  /// @throws std::domain_error  an unknown is not at a node of the node grid
-  LatticePreconditioner(const BlockSystem& system, int degree,
+  /// @param system   must be periodic
+  /// @param lattice  the mesh of the system
+  /// @param uniform  with the layers of the lattice
+  LatticePreconditioner(const BlockSystem& system, const BoxLattice& lattice,
                         const LayeredBlock& uniform);
 
   /// Springs at Gauss points are distributed to the surrounding nodes by their
@@ -45,10 +47,7 @@ public:
   std::size_t bytes() const override { return solver_.bytes(); }
 
 private:
-  void number_unknowns(const LayeredBlock& uniform);
-  std::size_t lattice_index(const dealii::Point<3>& place,
-                            std::size_t component) const;
-  void distribute_unknowns();
+  void number_unknowns(const BoxLattice& lattice);
   template <class DoPin>
   void each_pin(const DoPin& do_pin);
   void balance();
@@ -56,7 +55,6 @@ private:
 
   const BlockSystem& system_;
   LatticeSolver solver_;
-  std::vector<double> plane_depths_; ///< of the node planes [m]
   /// Numbers on the node grid, in owned() order; constrained unknowns have
   /// `nowhere`.
   std::vector<std::size_t> own_numbers_;

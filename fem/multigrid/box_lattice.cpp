@@ -71,6 +71,15 @@ NodeLayout::NodeLayout(const BoxLattice& lattice, int cells_y,
       has_image_column_(lattice.is_periodic),
       has_image_slice_(has_image_slice) {}
 
+NodeLayout::Node NodeLayout::node(std::size_t index) const {
+  const std::size_t line = index / stride_;
+  const std::size_t x = index % stride_ * degree_ + line % degree_;
+  const std::size_t row = line / degree_ / 3;
+  return {static_cast<int>(x), static_cast<int>(row / planes_),
+          static_cast<int>(row % planes_),
+          static_cast<int>(line / degree_ % 3)};
+}
+
 int NodeLayout::nodes_x() const {
   return static_cast<int>(degree_ * (stride_ - 1)) +
          (has_image_column_ ? 0 : 1);

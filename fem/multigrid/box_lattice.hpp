@@ -86,6 +86,13 @@ public:
            at(x) / degree_;
   }
 
+  /// The node and its component at an index.
+  struct Node {
+    int x = 0, y = 0, plane = 0, component = 0;
+  };
+
+  Node node(std::size_t index) const;
+
   std::size_t degree() const { return degree_; }
 
   std::size_t stride() const { return stride_; } ///< of x / degree + 1

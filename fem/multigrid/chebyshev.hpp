@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <numeric>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "ranks/rank_sums.hpp"
@@ -40,20 +39,37 @@ inline double largest_eigenvalue(const std::vector<double>& diagonal,
   return above;
 }
 
+/// A random vector, zero where D is: that of one process if the unknowns of the
+/// ranks follow each other. Collective.
+inline std::vector<float> random_vector_of(const std::vector<float>& diagonal,
+                                           RankGroup* ranks) {
+  const auto own = static_cast<double>(std::count_if(
+      diagonal.begin(), diagonal.end(), [](float d) { return d > 0.0F; }));
+  const std::vector<double> all = of_ranks(ranks, own);
+  const int rank = ranks == nullptr ? 0 : ranks->rank();
+  std::mt19937 engine(1);
+  engine.discard(static_cast<unsigned long long>(
+      std::accumulate(all.begin(), all.begin() + rank, 0.0)));
+  std::vector<float> vector(diagonal.size(), 0.0F);
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    if (diagonal[i] > 0.0F)
+      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
+  return vector;
+}
+
 /// The largest eigenvalue of D^-1 K by the method of Lanczos in the product of
 /// D, made larger by its possible error.
-/// @param vector    random; zero at unknowns that are not solved for
 /// @param diagonal  D; zero at unknowns that are not solved for
 /// @param apply     computes a vector K x from a vector x, both of float; it
 ///                  may overwrite entries of x where D is zero
 /// @param ranks     share the unknowns; null for this process alone
 template <class Apply>
-double eigenvalue_from(std::vector<float> vector,
-                       const std::vector<float>& diagonal, const Apply& apply,
-                       RankGroup* ranks = nullptr) {
+double eigenvalue_estimate(const std::vector<float>& diagonal,
+                           const Apply& apply, RankGroup* ranks = nullptr) {
   constexpr int steps = 12;
   constexpr double margin = 1.1;
   const std::size_t size = diagonal.size();
+  std::vector<float> vector = random_vector_of(diagonal, ranks);
   std::vector<float> before(size, 0.0F), image(size);
   std::vector<double> alphas, squares; // of the tridiagonal matrix
   double square = 0.0;
@@ -88,26 +104,6 @@ double eigenvalue_from(std::vector<float> vector,
   if (!squares.empty())
     squares.pop_back();
   return margin * largest_eigenvalue(alphas, squares);
-}
-
-/// The same from a random vector, which is that of one process if the unknowns
-/// of the ranks follow each other.
-template <class Apply>
-double eigenvalue_estimate(const std::vector<float>& diagonal,
-                           const Apply& apply, RankGroup* ranks = nullptr) {
-  std::mt19937 engine(1);
-  if (ranks != nullptr) {
-    const auto own = static_cast<double>(std::count_if(
-        diagonal.begin(), diagonal.end(), [](float d) { return d > 0.0F; }));
-    const std::vector<double> all = of_ranks(ranks, own);
-    engine.discard(static_cast<unsigned long long>(
-        std::accumulate(all.begin(), all.begin() + ranks->rank(), 0.0)));
-  }
-  std::vector<float> vector(diagonal.size(), 0.0F);
-  for (std::size_t i = 0; i < vector.size(); ++i)
-    if (diagonal[i] > 0.0F)
-      vector[i] = static_cast<float>(engine()) * 0x1p-32F - 0.5F;
-  return eigenvalue_from(std::move(vector), diagonal, apply, ranks);
 }
 
 /// The vectors that are smoothed. The residual must be that of the

@@ -15,7 +15,9 @@ namespace asperity::fem {
 /// K of equal columns of boxes. The cells of a layer share their matrix up to a
 /// factor, or if their Poisson's ratios differ, two matrices, of lambda = 1 and
 /// mu = 1; see ParitySlots for how a product is split. If ranks share the rows
-/// of cells, each has the displacements and forces of its own.
+/// of cells, each has the displacements and forces of its own. The order of
+/// unknowns lets neighbouring cells be read and written together; with numbers
+/// of nodes as BoxOperator has them, a product takes 2.5 times as long.
 template <class Number>
 class LatticeOperator final : public MeshOperator<Number> {
 public:

@@ -65,20 +65,4 @@ SparseRows some_rows(const SparseRows& matrix, std::size_t first,
   return result;
 }
 
-SparseRows tensor_product(const SparseRows& along_y, const SparseRows& along_x,
-                          std::size_t columns_x) {
-  SparseRows result;
-  for (std::size_t y = 0; y < along_y.rows(); ++y)
-    for (std::size_t x = 0; x < along_x.rows(); ++x) {
-      for (std::size_t j = along_y.start[y]; j < along_y.start[y + 1]; ++j)
-        for (std::size_t i = along_x.start[x]; i < along_x.start[x + 1]; ++i) {
-          result.column.push_back(along_y.column[j] * columns_x +
-                                  along_x.column[i]);
-          result.weight.push_back(along_y.weight[j] * along_x.weight[i]);
-        }
-      result.start.push_back(result.column.size());
-    }
-  return result;
-}
-
 } // namespace asperity::fem

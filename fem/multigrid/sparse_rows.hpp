@@ -34,9 +34,4 @@ SparseRows product(const SparseRows& left, const SparseRows& right,
 SparseRows some_rows(const SparseRows& matrix, std::size_t first,
                      std::size_t count);
 
-/// The product of interpolations along y and x: row y * (rows of x) + x.
-/// @param columns_x  number of columns of `along_x`
-SparseRows tensor_product(const SparseRows& along_y, const SparseRows& along_x,
-                          std::size_t columns_x);
-
 } // namespace asperity::fem

@@ -106,7 +106,7 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
   case BlockSolverKind::fourier:
     return ContactNewton(system, requested,
                          std::make_unique<LatticePreconditioner>(
-                             system, problem.degree, *problem.lattice));
+                             system, *lattice, *problem.lattice));
   case BlockSolverKind::lattice:
     return ContactNewton(system, requested, nullptr,
                          std::make_unique<LatticeBlock>(system, *lattice));
