@@ -92,6 +92,7 @@ const ContactLawTraits& traits_of(ContactLaw law) {
 
 std::vector<const char*> contact_law_names() {
   std::vector<const char*> names;
+  names.reserve(all_laws.size());
   for (const ContactLawTraits& traits : all_laws)
     names.push_back(traits.name);
   return names;
