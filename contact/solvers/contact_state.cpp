@@ -1,16 +1,23 @@
 #include "contact/solvers/contact_state.hpp"
 
 #include "contact/solvers/starting_pressure.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "ranks/node_sums.hpp"
-
 namespace asperity::contact {
 namespace {
+
+/// The sum of weight times field over the nodes from `begin` to `end`.
+template <class Weight>
+double sum_of_weighted(const Weight& weight, const double* field,
+                       std::size_t begin, std::size_t end) {
+  return sum_in_lanes(begin, end,
+                      [=](std::size_t i) { return weight[i] * field[i]; });
+}
 
 /// The displacement is recomputed when the error has fallen by this factor
 /// since the last time: the accumulated single-precision changes have by then
@@ -212,12 +219,8 @@ ContactSolution ContactState::solution() && {
           gap[i] += rigid;
         }
         return with_weights(elasticity.nodal_weights(), [=](const auto weight) {
-          const auto sum_of = [=](const double* field) {
-            return sum_in_lanes(begin, end, [=](std::size_t i) {
-              return weight[i] * field[i];
-            });
-          };
-          return TwoSums{{sum_of(p), sum_of(gap)}};
+          return TwoSums{{sum_of_weighted(weight, p, begin, end),
+                          sum_of_weighted(weight, gap, begin, end)}};
         });
       });
   const auto nodes = static_cast<double>(workers.all_nodes(pressure.size()));
