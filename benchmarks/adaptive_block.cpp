@@ -26,6 +26,7 @@
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
+#include "tests/fem/rough_surface.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
@@ -35,8 +36,6 @@
 #include <cstdlib>
 #include <string>
 #include <vector>
-
-#include "tests/fem/rough_surface.hpp"
 
 namespace asperity::fem {
 namespace {

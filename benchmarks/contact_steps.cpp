@@ -12,6 +12,7 @@
 #include "base/array_memory.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +23,6 @@
 #include <limits>
 #include <memory>
 #include <sys/resource.h>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -14,6 +14,7 @@
 #include "fem/linear/hexahedron_block.hpp"
 
 #include "base/cpu_clock.hpp"
+#include "benchmarks/matrix_free_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/hanging_mesh.hpp"
@@ -25,8 +26,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
-
-#include "benchmarks/matrix_free_block.hpp"
 
 namespace asperity::fem {
 namespace {

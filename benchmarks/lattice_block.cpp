@@ -11,6 +11,7 @@
 #include "fem/linear/lattice_block.hpp"
 
 #include "base/cpu_clock.hpp"
+#include "benchmarks/matrix_free_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
@@ -20,8 +21,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <numbers>
-
-#include "benchmarks/matrix_free_block.hpp"
 
 namespace asperity::fem {
 namespace {

@@ -14,6 +14,7 @@
 #include "fem/refined/refined_block.hpp"
 
 #include "base/cpu_clock.hpp"
+#include "benchmarks/matrix_free_block.hpp"
 #include "fem/block/block_triangulation.hpp"
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
@@ -25,8 +26,6 @@
 #include <cstring>
 #include <memory>
 #include <string>
-
-#include "benchmarks/matrix_free_block.hpp"
 
 namespace asperity::fem {
 namespace {

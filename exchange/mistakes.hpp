@@ -5,12 +5,11 @@
 // the field itself says and named in a sentence.
 
 #include "contact/operators/surface_operator.hpp"
+#include "exchange/problem.hpp"
+#include "exchange/submission.hpp"
 
 #include <string>
 #include <vector>
-
-#include "exchange/problem.hpp"
-#include "exchange/submission.hpp"
 
 namespace asperity::exchange {
 

@@ -4,6 +4,7 @@
 #include "base/field_sums.hpp"
 #include "base/json.hpp"
 #include "base/plain_text.hpp"
+#include "exchange/checksums.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "mechanics/limits.hpp"
@@ -15,8 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "exchange/checksums.hpp"
 
 namespace asperity::exchange {
 namespace {

@@ -4,6 +4,8 @@
 #include "base/content_hash.hpp"
 #include "base/json.hpp"
 #include "base/read_file.hpp"
+#include "exchange/checksums.hpp"
+#include "exchange/problem_texts.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -17,9 +19,6 @@
 #include <mutex>
 #include <sstream>
 #include <utility>
-
-#include "exchange/checksums.hpp"
-#include "exchange/problem_texts.hpp"
 
 namespace asperity::exchange {
 namespace {

@@ -4,12 +4,12 @@
 // heights in four formats, checksums, reference answers and a README with the
 // equations.
 
+#include "exchange/problem.hpp"
+
 #include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "exchange/problem.hpp"
 
 namespace asperity::exchange {
 

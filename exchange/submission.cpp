@@ -2,6 +2,7 @@
 
 #include "base/plain_text.hpp"
 #include "cases/text/toml_text.hpp"
+#include "exchange/pressure_file.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
@@ -12,8 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "exchange/pressure_file.hpp"
 
 namespace asperity::exchange {
 namespace {

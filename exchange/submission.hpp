@@ -4,13 +4,12 @@
 // that it names. This file owns the keys of submission.toml.
 
 #include "base/special_numbers.hpp"
+#include "exchange/problem.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "exchange/problem.hpp"
 
 namespace asperity::exchange {
 

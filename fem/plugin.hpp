@@ -11,6 +11,7 @@
 #include "mechanics/fem_settings.hpp"
 #include "mechanics/material.hpp"
 #include "mechanics/quantity.hpp"
+#include "ranks/root_work.hpp"
 
 #include <functional>
 #include <memory>
@@ -18,8 +19,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "ranks/root_work.hpp"
 
 namespace asperity::fem {
 

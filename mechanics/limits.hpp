@@ -1,8 +1,8 @@
 #pragma once
 
-// Limits of numbers that the keys of a case, the computations, files of heights and
-// problems for other programs have in common: what one command computes the others
-// read.
+// Limits of numbers that the keys of a case, the computations, files of heights
+// and problems for other programs have in common: what one command computes the
+// others read.
 
 namespace asperity::mechanics {
 

@@ -5,6 +5,7 @@
 
 #include "base/maximum.hpp"
 #include "base/parallel_rows.hpp"
+#include "ranks/workers.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,6 @@
 #include <span>
 #include <type_traits>
 #include <vector>
-
-#include "ranks/workers.hpp"
 
 namespace asperity {
 

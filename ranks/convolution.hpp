@@ -5,14 +5,13 @@
 // with others.
 
 #include "base/pair_transforms.hpp"
+#include "ranks/shared_rows.hpp"
 
 #include <complex>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity {
 

@@ -1,12 +1,11 @@
 #include "ranks/ghost_values.hpp"
 
 #include "base/require.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {

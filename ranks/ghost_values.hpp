@@ -3,12 +3,12 @@
 // Completes the numbers that a rank owns by those that it needs from others,
 // its ghosts, and returns contributions to ghosts to their owners.
 
+#include "ranks/rank_group.hpp"
+#include "ranks/value_exchange.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "ranks/rank_group.hpp"
-#include "ranks/value_exchange.hpp"
 
 namespace asperity {
 

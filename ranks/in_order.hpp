@@ -3,12 +3,12 @@
 // Continues a computation from the nodes of one rank to those of the next, so
 // that sums over all nodes have the bits of one process.
 
+#include "ranks/shared_rows.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <type_traits>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity {
 

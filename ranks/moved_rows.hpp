@@ -2,11 +2,11 @@
 
 // Moves rows between ranks that hold them in two divisions.
 
+#include "ranks/shared_rows.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity {
 

@@ -3,12 +3,12 @@
 // Computes weighted sums over all nodes of a field, bitwise the same on any
 // number of threads and ranks.
 
+#include "ranks/chunked_sum.hpp"
+#include "ranks/node_weights.hpp"
+
 #include <array>
 #include <cstddef>
 #include <span>
-
-#include "ranks/chunked_sum.hpp"
-#include "ranks/node_weights.hpp"
 
 namespace asperity {
 

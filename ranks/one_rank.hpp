@@ -3,10 +3,10 @@
 // The group of one rank, with which one process calls what is written for
 // several.
 
-#include <algorithm>
-
 #include "ranks/rank_group.hpp"
 #include "ranks/shared_rows.hpp"
+
+#include <algorithm>
 
 namespace asperity {
 

@@ -2,14 +2,14 @@
 
 // Adds and compares one number of each rank.
 
+#include "ranks/rank_group.hpp"
+#include "ranks/value_exchange.hpp"
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <span>
 #include <vector>
-
-#include "ranks/rank_group.hpp"
-#include "ranks/value_exchange.hpp"
 
 namespace asperity {
 

@@ -3,14 +3,14 @@
 // What rank 0 does alone in a program that all ranks run: reading and writing
 // files, and decisions that follow from what only it knows.
 
+#include "ranks/rank_group.hpp"
+
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include "ranks/rank_group.hpp"
 
 namespace asperity {
 

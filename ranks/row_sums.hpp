@@ -3,11 +3,11 @@
 // Adds up the rows of a field in their order, while all ranks work at the same
 // time.
 
-#include <type_traits>
-#include <vector>
-
 #include "ranks/rank_sums.hpp"
 #include "ranks/shared_rows.hpp"
+
+#include <type_traits>
+#include <vector>
 
 namespace asperity {
 

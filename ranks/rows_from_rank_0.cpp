@@ -1,10 +1,10 @@
 #include "ranks/rows_from_rank_0.hpp"
 
+#include "ranks/rank_sums.hpp"
+
 #include <algorithm>
 #include <exception>
 #include <stdexcept>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 

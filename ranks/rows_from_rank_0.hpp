@@ -3,11 +3,11 @@
 // Divides a field that rank 0 has in pieces among the ranks, so that no rank
 // holds the whole one.
 
+#include "ranks/shared_rows.hpp"
+
 #include <functional>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity {
 

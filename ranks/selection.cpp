@@ -1,14 +1,13 @@
 #include "ranks/selection.hpp"
 
 #include "base/require.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <limits>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {

@@ -2,10 +2,10 @@
 
 // Selects numbers by their order from those of all ranks.
 
+#include "ranks/rank_group.hpp"
+
 #include <cstddef>
 #include <span>
-
-#include "ranks/rank_group.hpp"
 
 namespace asperity {
 

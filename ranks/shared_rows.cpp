@@ -1,13 +1,12 @@
 #include "ranks/shared_rows.hpp"
 
 #include "base/require.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <utility>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {

@@ -4,13 +4,12 @@
 // beside them, which other processes may hold.
 
 #include "base/grid.hpp"
+#include "ranks/rank_group.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
-
-#include "ranks/rank_group.hpp"
 
 namespace asperity {
 

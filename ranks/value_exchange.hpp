@@ -3,11 +3,11 @@
 // Values that go from the ranks that hold them to those that need them, and
 // back, always in the same way.
 
+#include "ranks/rank_group.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "ranks/rank_group.hpp"
 
 namespace asperity {
 

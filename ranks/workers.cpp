@@ -1,13 +1,12 @@
 #include "ranks/workers.hpp"
 
 #include "base/require.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <numeric>
 #include <string>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity {
 namespace {

@@ -4,12 +4,12 @@
 // and the ranks that share the rows. It divides the rows so that sums have the
 // same bits on any number of ranks.
 
+#include "ranks/node_chunks.hpp"
+#include "ranks/shared_rows.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "ranks/node_chunks.hpp"
-#include "ranks/shared_rows.hpp"
 
 namespace asperity {
 

@@ -1,10 +1,9 @@
 #include "md/engines.hpp"
+#include "robustness/kinds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

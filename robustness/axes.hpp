@@ -3,10 +3,10 @@
 // The axes by which problem instances are classified: their names and the bin
 // of each value. It owns the syntax of --only and the rows of the heat map.
 
+#include "robustness/instance.hpp"
+
 #include <string>
 #include <vector>
-
-#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 

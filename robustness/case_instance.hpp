@@ -4,7 +4,6 @@
 // robustness CASE` perturbs.
 
 #include "cases/types/case.hpp"
-
 #include "robustness/instance.hpp"
 
 namespace asperity::robustness {

@@ -2,14 +2,13 @@
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "robustness/kinds.hpp"
+#include "robustness/verify_observables.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "robustness/kinds.hpp"
-#include "robustness/verify_observables.hpp"
 
 namespace asperity::robustness {
 namespace {

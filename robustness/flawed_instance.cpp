@@ -1,9 +1,8 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/read_case.hpp"
 #include "contact/solvers/load_sequence.hpp"
-#include "surfaces/formats/text/map_file.hpp"
-
 #include "robustness/kinds.hpp"
+#include "surfaces/formats/text/map_file.hpp"
 
 namespace asperity::robustness {
 namespace {

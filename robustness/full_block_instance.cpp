@@ -1,4 +1,7 @@
 // Solves the load steps of full 3-D models and verifies them.
+#include "robustness/kinds.hpp"
+#include "robustness/verify_observables.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,9 +9,6 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
-
-#include "robustness/kinds.hpp"
-#include "robustness/verify_observables.hpp"
 
 namespace asperity::robustness {
 namespace {

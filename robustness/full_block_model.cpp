@@ -1,10 +1,10 @@
 // Builds the full 3-D model of an instance: its mesh, the moduli of its bodies
 // and its settings.
+#include "robustness/kinds.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

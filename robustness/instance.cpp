@@ -2,11 +2,10 @@
 #include "robustness/instance.hpp"
 
 #include "base/require.hpp"
+#include "robustness/draw.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "robustness/draw.hpp"
 
 namespace asperity::robustness {
 namespace {

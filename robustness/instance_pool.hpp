@@ -4,11 +4,11 @@
 // terminate does not affect the others. It owns the processes and the time
 // limit.
 
-#include <functional>
-#include <span>
-
 #include "robustness/instance.hpp"
 #include "robustness/instance_report.hpp"
+
+#include <functional>
+#include <span>
 
 namespace asperity::robustness {
 

@@ -1,8 +1,8 @@
 // Restricts an instance to what its family accepts and solves within seconds.
+#include "robustness/instance.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 namespace {

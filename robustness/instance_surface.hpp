@@ -3,10 +3,9 @@
 // Generates the heights of an instance, for smooth and for irregular shapes. It
 // owns the scaling of each shape to the prescribed slope.
 
+#include "robustness/instance.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
-
-#include "robustness/instance.hpp"
 
 namespace asperity::robustness {
 

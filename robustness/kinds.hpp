@@ -4,13 +4,12 @@
 // share. It is internal to the module.
 
 #include "fem/plugin.hpp"
-
-#include <filesystem>
-#include <vector>
-
 #include "robustness/instance_report.hpp"
 #include "robustness/instance_surface.hpp"
 #include "robustness/verify.hpp"
+
+#include <filesystem>
+#include <vector>
 
 namespace asperity::robustness {
 

@@ -1,9 +1,9 @@
 #include "robustness/locking.hpp"
 
+#include "robustness/kinds.hpp"
+
 #include <cmath>
 #include <numbers>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

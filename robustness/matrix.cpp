@@ -1,9 +1,9 @@
 #include "robustness/matrix.hpp"
 
+#include "robustness/axes.hpp"
+
 #include <algorithm>
 #include <numeric>
-
-#include "robustness/axes.hpp"
 
 namespace asperity::robustness {
 namespace {

@@ -3,13 +3,13 @@
 // Holds the outcome matrix: the number of instances in the bins of each axis by
 // outcome.
 
+#include "robustness/instance.hpp"
+#include "robustness/instance_report.hpp"
+
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "robustness/instance.hpp"
-#include "robustness/instance_report.hpp"
 
 namespace asperity::robustness {
 

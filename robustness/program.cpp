@@ -1,9 +1,9 @@
+#include "robustness/kinds.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

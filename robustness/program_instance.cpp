@@ -2,6 +2,9 @@
 #include "base/child_process.hpp"
 #include "base/temporary_folder.hpp"
 #include "results/result_reader.hpp"
+#include "robustness/kinds.hpp"
+#include "robustness/verify_observables.hpp"
+#include "robustness/written_case.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +13,6 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-
-#include "robustness/kinds.hpp"
-#include "robustness/verify_observables.hpp"
-#include "robustness/written_case.hpp"
 
 namespace asperity::robustness {
 namespace {

@@ -1,12 +1,11 @@
 #include "robustness/run_instance.hpp"
 
 #include "input/input_error.hpp"
+#include "robustness/kinds.hpp"
 
 #include <ctime>
 #include <exception>
 #include <stdexcept>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

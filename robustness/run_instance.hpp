@@ -2,10 +2,10 @@
 
 // Runs a problem instance from its parameters to its outcome.
 
-#include <filesystem>
-
 #include "robustness/instance.hpp"
 #include "robustness/instance_report.hpp"
+
+#include <filesystem>
 
 namespace asperity::robustness {
 

@@ -1,11 +1,10 @@
+#include "robustness/kinds.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

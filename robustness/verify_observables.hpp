@@ -7,7 +7,6 @@
 #include "base/grid.hpp"
 #include "contact/solvers/solver.hpp"
 #include "results/types/result.hpp"
-
 #include "robustness/verify.hpp"
 
 namespace asperity::robustness {

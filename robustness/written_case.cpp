@@ -1,13 +1,12 @@
 #include "robustness/written_case.hpp"
 
 #include "base/special_numbers.hpp"
+#include "robustness/kinds.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <vector>
-
-#include "robustness/kinds.hpp"
 
 namespace asperity::robustness {
 namespace {

@@ -3,9 +3,9 @@
 // Writes an instance as the files that a user would write: a height map and a
 // case.
 
-#include <string>
-
 #include "robustness/instance.hpp"
+
+#include <string>
 
 namespace asperity::robustness {
 

@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "input/input_error.hpp"
+#include "ranks/one_rank.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
@@ -20,8 +21,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <utility>
-
-#include "ranks/one_rank.hpp"
 
 namespace asperity::surfaces {
 namespace {

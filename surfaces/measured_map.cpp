@@ -3,6 +3,9 @@
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/limits.hpp"
+#include "ranks/chunked_sum.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/row_sums.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
@@ -19,10 +22,6 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include "ranks/chunked_sum.hpp"
-#include "ranks/rank_sums.hpp"
-#include "ranks/row_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -1,14 +1,13 @@
 #include "surfaces/missing_values.hpp"
 
 #include "input/input_error.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

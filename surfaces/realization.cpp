@@ -1,6 +1,9 @@
 #include "surfaces/realization.hpp"
 
 #include "base/require.hpp"
+#include "ranks/convolution.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +13,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "ranks/convolution.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -3,12 +3,12 @@
 // Computes means over the nodes for the certificate, whose roundoff does not
 // grow with the number of nodes.
 
+#include "ranks/chunked_sum.hpp"
+#include "ranks/node_weights.hpp"
+
 #include <array>
 #include <cstddef>
 #include <span>
-
-#include "ranks/chunked_sum.hpp"
-#include "ranks/node_weights.hpp"
 
 namespace asperity::contact {
 

@@ -2,12 +2,11 @@
 
 #include "base/fourier.hpp"
 #include "base/parallel_rows.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <complex>
 #include <limits>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -4,14 +4,13 @@
 // ranks by columns.
 
 #include "base/grid.hpp"
+#include "ranks/convolution.hpp"
+#include "ranks/rank_group.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
-
-#include "ranks/convolution.hpp"
-#include "ranks/rank_group.hpp"
 
 namespace asperity::contact {
 

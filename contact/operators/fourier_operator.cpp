@@ -1,13 +1,12 @@
 #include "contact/operators/fourier_operator.hpp"
 
 #include "base/require.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <mutex>
 #include <utility>
-
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::contact {
 namespace {

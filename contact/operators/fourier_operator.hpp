@@ -6,11 +6,10 @@
 #include "contact/operators/even_symbol.hpp"
 #include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
+#include "ranks/convolution.hpp"
 
 #include <memory>
 #include <vector>
-
-#include "ranks/convolution.hpp"
 
 namespace asperity::contact {
 

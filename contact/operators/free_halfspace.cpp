@@ -1,6 +1,7 @@
 #include "contact/operators/free_halfspace.hpp"
 
 #include "base/require.hpp"
+#include "ranks/one_rank.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +10,6 @@
 #include <numbers>
 #include <utility>
 #include <vector>
-
-#include "ranks/one_rank.hpp"
 
 namespace asperity::contact {
 namespace {

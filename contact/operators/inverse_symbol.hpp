@@ -3,7 +3,6 @@
 // The symbol of the inverse of a convolution and a local compliance.
 
 #include "base/require.hpp"
-
 #include "ranks/convolution.hpp"
 
 namespace asperity::contact {

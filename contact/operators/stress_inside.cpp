@@ -2,6 +2,8 @@
 
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <boost/math/tools/minima.hpp>
@@ -10,9 +12,6 @@
 #include <array>
 #include <cmath>
 #include <utility>
-
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::contact {
 namespace {

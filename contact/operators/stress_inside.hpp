@@ -6,14 +6,13 @@
 
 #include "base/grid.hpp"
 #include "contact/operators/layered_compliance.hpp"
+#include "ranks/convolution.hpp"
+#include "ranks/shared_rows.hpp"
 
 #include <complex>
 #include <memory>
 #include <span>
 #include <vector>
-
-#include "ranks/convolution.hpp"
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::contact {
 

@@ -5,13 +5,12 @@
 // half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
+#include "ranks/workers.hpp"
 
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "ranks/workers.hpp"
 
 namespace asperity::contact {
 

@@ -4,6 +4,7 @@
 #include "contact/operators/gathered_operator.hpp"
 #include "contact/solvers/active_system.hpp"
 #include "contact/solvers/contact_state.hpp"
+#include "ranks/chunked_sum.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-
-#include "ranks/chunked_sum.hpp"
 
 namespace asperity::contact {
 namespace {

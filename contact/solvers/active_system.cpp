@@ -2,6 +2,7 @@
 
 #include "base/maximum.hpp"
 #include "contact/solvers/active_set.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

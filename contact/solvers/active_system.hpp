@@ -5,12 +5,11 @@
 
 #include "contact/operators/columns.hpp"
 #include "contact/operators/surface_operator.hpp"
+#include "ranks/node_weights.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
-
-#include "ranks/node_weights.hpp"
 
 namespace asperity::contact {
 

@@ -1,11 +1,10 @@
 #include "base/require.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -7,12 +7,11 @@
 #include "contact/solvers/extension_levels.hpp"
 #include "contact/solvers/extension_rows.hpp"
 #include "contact/solvers/node_blocks.hpp"
+#include "ranks/workers.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "ranks/workers.hpp"
 
 namespace asperity::contact {
 

@@ -2,11 +2,11 @@
 
 // The levels of cells of the extension of a residual over the contact boundary.
 
+#include "ranks/shared_rows.hpp"
+
 #include <cstddef>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::contact {
 

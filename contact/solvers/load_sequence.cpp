@@ -1,13 +1,12 @@
 #include "contact/solvers/load_sequence.hpp"
 
 #include "base/require.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -4,13 +4,13 @@
 // far from the contact cost nothing. Their sums are bitwise the same on any
 // number of threads and ranks.
 
+#include "ranks/chunked_sum.hpp"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "ranks/chunked_sum.hpp"
 
 namespace asperity::contact {
 

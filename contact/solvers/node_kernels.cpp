@@ -1,13 +1,12 @@
 #include "contact/solvers/node_kernels.hpp"
 
 #include "base/simd_pack.hpp"
+#include "ranks/node_weights.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
-
-#include "ranks/node_weights.hpp"
 
 // The loops are plain ones that the compiler turns into vectors of any width:
 // conditions are masks, and what has another width than the other fields, the

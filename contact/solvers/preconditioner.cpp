@@ -1,11 +1,10 @@
 #include "contact/solvers/preconditioner.hpp"
 
 #include "base/parallel_rows.hpp"
+#include "ranks/moved_rows.hpp"
 
 #include <algorithm>
 #include <cstddef>
-
-#include "ranks/moved_rows.hpp"
 
 namespace asperity::contact {
 namespace {

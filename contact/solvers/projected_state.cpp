@@ -1,7 +1,6 @@
 #include "contact/solvers/projected_state.hpp"
 
 #include "contact/solvers/starting_pressure.hpp"
-
 #include "ranks/node_sums.hpp"
 
 namespace asperity::contact {

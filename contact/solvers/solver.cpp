@@ -3,6 +3,7 @@
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/preconditioner.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +11,6 @@
 #include <span>
 #include <string>
 #include <utility>
-
-#include "ranks/node_sums.hpp"
 
 // A tour: solve_contact_from() below is the loop. ContactState holds the fields
 // p, C p - h and the residual r and finds the active nodes (contact_state.hpp);

@@ -1,6 +1,7 @@
 #include "contact/solvers/starting_pressure.hpp"
 
 #include "base/require.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +9,6 @@
 #include <limits>
 #include <string>
 #include <utility>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::contact {
 namespace {

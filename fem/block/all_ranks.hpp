@@ -4,11 +4,10 @@
 
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <span>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 

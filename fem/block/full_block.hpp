@@ -51,7 +51,8 @@ struct BlockContact {
   double local_compliance() const {
     return mechanics::ContactInterface{law, penalty}.local_compliance();
   }
-  BlockWatch watch = {};     ///< may be empty
+
+  BlockWatch watch = {}; ///< may be empty
 };
 
 /// The solution of one load step, with fields in the grid's order. The gap is

@@ -1,12 +1,11 @@
 #include "fem/hexahedra/hexahedron_operator.hpp"
 
 #include "fem/hexahedra/hexahedron_diagonal.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 

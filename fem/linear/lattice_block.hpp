@@ -73,8 +73,8 @@ private:
   LatticeExchange exchange_;
   std::vector<Pin> pins_; ///< the same on all ranks
   bool has_contact_ = false;
-  std::vector<Pin> loose_; ///< pins that hold a rigid motion only
-  std::vector<std::size_t> held_pins_;     ///< places of the others
+  std::vector<Pin> loose_;             ///< pins that hold a rigid motion only
+  std::vector<std::size_t> held_pins_; ///< places of the others
   std::vector<std::vector<double>> modes_; ///< as many rigid motions
   std::vector<double> at_loose_;           ///< each motion at each of these
   mutable std::vector<double> from_, to_;

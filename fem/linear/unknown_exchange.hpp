@@ -4,6 +4,8 @@
 // to the rank that has their node of a lattice, and back.
 // Include this header in .cpp files of fem/ only.
 
+#include "ranks/value_exchange.hpp"
+
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <cstddef>
@@ -12,8 +14,6 @@
 #include <optional>
 #include <span>
 #include <vector>
-
-#include "ranks/value_exchange.hpp"
 
 namespace asperity::fem {
 

@@ -3,14 +3,14 @@
 // The smoother of the multigrid cycles: Chebyshev's polynomial of the fourth
 // kind with the diagonal of the matrix.
 
+#include "ranks/rank_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <random>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 

@@ -3,12 +3,12 @@
 // Conjugate gradients in double precision around a multigrid cycle in single
 // precision.
 
+#include "ranks/rank_sums.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 

@@ -4,12 +4,11 @@
 // of variables in which such springs are a diagonal.
 
 #include "fem/multigrid/sparse_rows.hpp"
+#include "ranks/ghost_values.hpp"
 
 #include <cstddef>
 #include <memory>
 #include <vector>
-
-#include "ranks/ghost_values.hpp"
 
 namespace asperity::fem {
 

@@ -6,12 +6,11 @@
 #include "fem/multigrid/axis_weights.hpp"
 #include "fem/multigrid/box_lattice.hpp"
 #include "fem/multigrid/unknown_layout.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/shared_rows.hpp"
 
 #include <cstddef>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::fem {
 

@@ -1,8 +1,8 @@
 #include "fem/multigrid/level_transfer.hpp"
 
-#include <algorithm>
-
 #include "ranks/rank_sums.hpp"
+
+#include <algorithm>
 
 namespace asperity::fem {
 

@@ -1,10 +1,10 @@
 #include "fem/multigrid/mesh_contact.hpp"
 
+#include "ranks/rank_sums.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 

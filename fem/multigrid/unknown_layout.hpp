@@ -4,11 +4,10 @@
 // those that are no unknowns of a linear system.
 
 #include "fem/multigrid/unknown_constraints.hpp"
+#include "ranks/ghost_values.hpp"
 
 #include <cstddef>
 #include <memory>
-
-#include "ranks/ghost_values.hpp"
 
 namespace asperity::fem {
 

@@ -186,6 +186,7 @@ void follow_rank_0(
   }
 
 } catch (...) {
+
   end_all_ranks(std::current_exception());
 }
 

@@ -1,12 +1,12 @@
 #include "fem/refined/box_operator.hpp"
 
+#include "ranks/rank_sums.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <map>
 #include <type_traits>
 #include <utility>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 namespace {

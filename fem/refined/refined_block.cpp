@@ -2,13 +2,12 @@
 
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
-
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 namespace {

@@ -5,10 +5,9 @@
 // time.
 
 #include "fem/waves/elastic_layers.hpp"
+#include "ranks/convolution.hpp"
 
 #include <vector>
-
-#include "ranks/convolution.hpp"
 
 namespace asperity::fem {
 

@@ -4,13 +4,12 @@
 // blocks, on rows that ranks may share.
 
 #include "fem/waves/condensed_q2.hpp"
+#include "ranks/convolution.hpp"
 
 #include <array>
 #include <complex>
 #include <span>
 #include <vector>
-
-#include "ranks/convolution.hpp"
 
 namespace asperity::fem {
 

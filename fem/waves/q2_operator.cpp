@@ -4,6 +4,8 @@
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/waves/cell_stiffness.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -12,9 +14,6 @@
 #include <iterator>
 #include <limits>
 #include <utility>
-
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::fem {
 namespace {

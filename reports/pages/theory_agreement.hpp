@@ -1,7 +1,7 @@
 #pragma once
 
-// The part at the top of a report that describes where the theory does not agree
-// with the results of the other methods.
+// The part at the top of a report that describes where the theory does not
+// agree with the results of the other methods.
 
 #include "reports/figures/series.hpp"
 

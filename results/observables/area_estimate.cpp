@@ -1,6 +1,8 @@
 #include "results/observables/area_estimate.hpp"
 
 #include "base/require.hpp"
+#include "ranks/chunked_sum.hpp"
+#include "ranks/rank_sums.hpp"
 #include "results/types/map_size.hpp"
 
 #include <fmt/format.h>
@@ -11,9 +13,6 @@
 #include <cstddef>
 #include <numeric>
 #include <vector>
-
-#include "ranks/chunked_sum.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::results {
 namespace {

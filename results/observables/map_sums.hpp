@@ -3,6 +3,7 @@
 // This internal header of results/ adds over the nodes of a map that may be in
 // a file.
 
+#include "ranks/chunked_sum.hpp"
 #include "results/types/map_view.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@
 #include <numeric>
 #include <span>
 #include <vector>
-
-#include "ranks/chunked_sum.hpp"
 
 namespace asperity::results {
 

@@ -1,14 +1,13 @@
 #include "results/observables/observables.hpp"
 
 #include "base/require.hpp"
+#include "ranks/node_sums.hpp"
 #include "results/types/map_size.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::results {
 namespace {

@@ -4,13 +4,12 @@
 // definitions apply to all methods.
 
 #include "base/grid.hpp"
+#include "ranks/workers.hpp"
 
 #include <limits>
 #include <span>
 #include <string>
 #include <utility>
-
-#include "ranks/workers.hpp"
 
 namespace asperity::results {
 

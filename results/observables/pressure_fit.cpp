@@ -1,6 +1,7 @@
 #include "results/observables/pressure_fit.hpp"
 
 #include "base/require.hpp"
+#include "ranks/node_sums.hpp"
 #include "results/observables/map_sums.hpp"
 #include "results/observables/observables.hpp"
 #include "theory/persson/pressure_distribution.hpp"
@@ -15,8 +16,6 @@
 #include <numbers>
 #include <utility>
 #include <vector>
-
-#include "ranks/node_sums.hpp"
 
 namespace asperity::results {
 namespace {

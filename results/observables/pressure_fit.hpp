@@ -5,13 +5,12 @@
 // needs no criterion for the onset of contact. It is therefore also defined for
 // atoms, whose pressure never vanishes exactly.
 
+#include "ranks/workers.hpp"
 #include "results/types/map_view.hpp"
 
 #include <limits>
 #include <span>
 #include <string>
-
-#include "ranks/workers.hpp"
 
 namespace asperity::results {
 

@@ -1,6 +1,10 @@
 #include "surfaces/maps/corrections.hpp"
 
 #include "base/require.hpp"
+#include "ranks/in_order.hpp"
+#include "ranks/rank_sums.hpp"
+#include "ranks/selection.hpp"
+#include "ranks/workers.hpp"
 
 #include <fmt/format.h>
 
@@ -12,11 +16,6 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
-
-#include "ranks/in_order.hpp"
-#include "ranks/rank_sums.hpp"
-#include "ranks/selection.hpp"
-#include "ranks/workers.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -1,5 +1,7 @@
 #include "surfaces/maps/edges.hpp"
 
+#include "ranks/in_order.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +9,6 @@
 #include <span>
 #include <utility>
 #include <vector>
-
-#include "ranks/in_order.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -4,12 +4,11 @@
 // grid and values.
 
 #include "base/grid.hpp"
+#include "ranks/shared_rows.hpp"
 
 #include <functional>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 

@@ -1,11 +1,10 @@
 #include "surfaces/maps/levelling.hpp"
 
+#include "ranks/in_order.hpp"
 #include "surfaces/maps/round_form.hpp"
 
 #include <numeric>
 #include <vector>
-
-#include "ranks/in_order.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -1,5 +1,8 @@
 #include "surfaces/maps/missing_points.hpp"
 
+#include "ranks/rank_sums.hpp"
+#include "ranks/workers.hpp"
+
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
@@ -8,9 +11,6 @@
 #include <unordered_map>
 #include <utility>
 #include <vector>
-
-#include "ranks/rank_sums.hpp"
-#include "ranks/workers.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -3,11 +3,10 @@
 #include "base/fourier.hpp"
 #include "base/pair_transforms.hpp"
 #include "base/parallel_rows.hpp"
+#include "ranks/convolution.hpp"
 
 #include <algorithm>
 #include <memory>
-
-#include "ranks/convolution.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -3,6 +3,7 @@
 // Computes the power of the Fourier modes of a map. It defines the
 // normalisation on a grid and the treatment of Nyquist modes.
 
+#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <cmath>
@@ -11,8 +12,6 @@
 #include <functional>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 

@@ -1,5 +1,8 @@
 #include "surfaces/maps/round_form.hpp"
 
+#include "ranks/chunked_sum.hpp"
+#include "ranks/row_sums.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -8,9 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include "ranks/chunked_sum.hpp"
-#include "ranks/row_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

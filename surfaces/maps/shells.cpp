@@ -1,6 +1,9 @@
 #include "surfaces/maps/shells.hpp"
 
 #include "base/require.hpp"
+#include "ranks/in_order.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
@@ -9,10 +12,6 @@
 #include <cstddef>
 #include <numbers>
 #include <utility>
-
-#include "ranks/in_order.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -3,13 +3,12 @@
 // Computes the isotropic spectrum of a given map, its power in shells of |q|.
 // Both the theory and the plotted C(q) use this grouping.
 
+#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 

@@ -1,14 +1,13 @@
 #include "surfaces/maps/statistics.hpp"
 
 #include "base/require.hpp"
+#include "ranks/in_order.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rank_sums.hpp"
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "ranks/in_order.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 namespace asperity::surfaces {
 namespace {

@@ -3,12 +3,11 @@
 // The statistics of a height map: moments of the heights, spectral slope and
 // curvature, height distribution.
 
+#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <span>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::surfaces {
 

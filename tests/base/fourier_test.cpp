@@ -1,13 +1,12 @@
 // Tests of base/fourier.hpp: sign, normalisation and storage order.
 #include "base/fourier.hpp"
+#include "tests/base/fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "tests/base/fields.hpp"
 
 namespace asperity::fourier_test {
 

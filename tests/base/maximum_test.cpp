@@ -2,13 +2,12 @@
 // is never overlooked, wherever it is.
 #include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
+#include "tests/base/fields.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
-
-#include "tests/base/fields.hpp"
 
 namespace asperity::maximum_test {
 

@@ -1,13 +1,12 @@
 // Tests of base/require.hpp: the message names argument, value and range.
 #include "base/require.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::require_test {
 

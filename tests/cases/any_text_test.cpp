@@ -1,14 +1,13 @@
 // Verifies that the reader accepts any value of a key or refuses it by an
 // input::InputError that names a place, and that it never throws anything else.
 #include "cases/reader/vocabulary.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::any_text_test {
 

@@ -3,14 +3,13 @@
 // A contact case with further keys of its block, or the messages about them.
 
 #include "cases/reader/read_case.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases {
 

@@ -2,12 +2,11 @@
 // files, of a counter-body and adaptive ones, and the messages about invalid
 // ones.
 #include "cases/text/toml_text.hpp"
+#include "tests/cases/block_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/cases/block_samples.hpp"
 
 namespace asperity::cases::block_test {
 

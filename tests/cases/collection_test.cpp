@@ -1,14 +1,13 @@
 // Tests of cases/reader/collection.hpp: the order of the parts and their
 // figures, and every mistake with its line.
 #include "cases/reader/collection.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <unistd.h>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::cases::collection_test {
 

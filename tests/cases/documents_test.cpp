@@ -4,6 +4,7 @@
 #include "cases/reader/documents.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/reader/vocabulary.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,8 +14,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::documents_test {
 

@@ -2,10 +2,9 @@
 // messages about invalid values.
 #include "base/physical_constants.hpp"
 #include "cases/reader/vocabulary.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::md_case_test {
 

@@ -1,11 +1,11 @@
 // Tests of the exact messages about invalid cases.
+#include "tests/cases/case_samples.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 #include <utility>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::mistakes_test {
 

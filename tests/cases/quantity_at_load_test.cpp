@@ -3,6 +3,7 @@
 #include "cases/reader/case_schema.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/types/quantity_at_load.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,8 +12,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::quantity_at_load_test {
 

@@ -1,14 +1,13 @@
 // Tests of cases/reader/read_case.hpp with valid cases.
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::read_case_test {
 

@@ -2,14 +2,13 @@
 // invalid values.
 #include "cases/types/quantity_at_load.hpp"
 #include "cases/types/reference.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::studies_test {
 

@@ -1,11 +1,10 @@
 // Tests of [surface]: the required and the refused keys of each kind.
 #include "cases/reader/vocabulary.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::surface_kinds_test {
 

@@ -4,6 +4,7 @@
 #include "cases/reader/read_case.hpp"
 #include "cases/sweeps/sweep.hpp"
 #include "input/input_error.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,6 @@
 #include <string>
 
 #include "case_samples.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::cases::sweep_test {
 

@@ -5,14 +5,13 @@
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
+#include "tests/cases/case_samples.hpp"
+#include "tests/message_of.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::cases::toml_limits_test {
 

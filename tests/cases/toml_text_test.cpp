@@ -2,12 +2,11 @@
 // errors, and overrides of a file.
 #include "cases/reader/case_text.hpp"
 #include "cases/text/toml_text.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::cases::toml_text_test {
 

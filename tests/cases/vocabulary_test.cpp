@@ -3,12 +3,11 @@
 #include "cases/reader/bound_key.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_text.hpp"
+#include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/cases/case_samples.hpp"
 
 namespace asperity::cases::vocabulary_test {
 

@@ -2,6 +2,7 @@
 // the other solvers, from few nodes in contact to nearly all of them, and
 // converges for thin slabs for which both other solvers stagnate.
 #include "contact/solvers/active_set.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::active_set_test {
 

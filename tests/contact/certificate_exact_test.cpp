@@ -3,6 +3,7 @@
 // of its pressure.
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
+#include "tests/contact/problems.hpp"
 #include "theory/exact/westergaard.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@
 #include <memory>
 #include <numbers>
 #include <vector>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::certificate_exact_test {
 

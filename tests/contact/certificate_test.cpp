@@ -1,6 +1,7 @@
 // Tests of contact/certificate/certificate.hpp: the bounds hold for exact and
 // for perturbed solutions, and they are sharp.
 #include "contact/certificate/certificate.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::certificate_test {
 

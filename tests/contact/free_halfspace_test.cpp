@@ -4,6 +4,7 @@
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/solver.hpp"
+#include "tests/contact/problems.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +15,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::free_halfspace_test {
 

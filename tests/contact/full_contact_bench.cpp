@@ -3,6 +3,7 @@
 // error: iterations and processor time. Argument: points per side (1024). It
 // takes some minutes and is not part of the tests.
 #include "contact/solvers/solver.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <limits>
-
-#include "tests/contact/problems.hpp"
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include "base/special_numbers.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,6 @@
 #include <map>
 #include <random>
 #include <stdexcept>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::hostile_instances_test {
 

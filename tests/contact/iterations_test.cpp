@@ -4,13 +4,12 @@
 #include "base/special_numbers.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "tests/contact/problems.hpp"
+#include "tests/narrower_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
-#include "tests/contact/problems.hpp"
-#include "tests/narrower_vectors.hpp"
 
 namespace asperity::contact::iterations_test {
 

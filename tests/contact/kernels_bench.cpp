@@ -6,12 +6,11 @@
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 #include "contact/solvers/contact_state.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <limits>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact {
 namespace {

@@ -2,14 +2,13 @@
 // number of iterations and not the solution, and each contact law has its
 // documented meaning.
 #include "contact/solvers/load_sequence.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::load_sequence_test {
 

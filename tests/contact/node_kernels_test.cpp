@@ -1,6 +1,7 @@
 // Tests of contact/solvers/node_kernels.hpp: each loop against the formula of
 // its declaration, one node after another.
 #include "contact/solvers/node_kernels.hpp"
+#include "tests/narrower_vectors.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <limits>
 #include <random>
 #include <vector>
-
-#include "tests/narrower_vectors.hpp"
 
 namespace asperity::contact::node_kernels_test {
 

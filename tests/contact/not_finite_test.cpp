@@ -6,15 +6,14 @@
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/projected_state.hpp"
+#include "tests/contact/faulty_operator.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <stdexcept>
-
-#include "tests/contact/faulty_operator.hpp"
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::not_finite_test {
 

@@ -2,6 +2,7 @@
 // kernels, roughness, penalty and load. Each solution must be complementary and
 // in balance by a check that is independent of the solver.
 #include "contact/solvers/solver.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::random_problems_test {
 

@@ -5,6 +5,9 @@
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "tests/contact/problems.hpp"
+#include "tests/contact/solved.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +18,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/contact/problems.hpp"
-#include "tests/contact/solved.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::contact::shared_free_test {
 

@@ -2,6 +2,10 @@
 // ranks gives the bits of one process. The ranks are threads.
 #include "contact/certificate/certificate.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "ranks/chunked_sum.hpp"
+#include "tests/contact/problems.hpp"
+#include "tests/contact/solved.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +14,6 @@
 #include <numeric>
 #include <string>
 #include <vector>
-
-#include "ranks/chunked_sum.hpp"
-#include "tests/contact/problems.hpp"
-#include "tests/contact/solved.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::contact::shared_rows_test {
 

@@ -1,6 +1,7 @@
 // Tests of the stress inside a block whose surface rows several ranks share: it
 // has the bits of one process. Tolerance: none.
 #include "contact/operators/stress_inside.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <limits>
 #include <span>
 #include <vector>
-
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::contact::shared_stress_test {
 

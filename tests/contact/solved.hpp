@@ -5,13 +5,12 @@
 
 #include "contact/certificate/certificate.hpp"
 #include "contact/solvers/solver.hpp"
+#include "ranks/shared_rows.hpp"
 
 #include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
-
-#include "ranks/shared_rows.hpp"
 
 namespace asperity::contact {
 

@@ -2,6 +2,7 @@
 // independently.
 #include "base/special_numbers.hpp"
 #include "contact/solvers/solver.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/contact/problems.hpp"
 
 namespace asperity::contact::solver_test {
 

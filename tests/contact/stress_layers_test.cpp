@@ -5,6 +5,7 @@
 #include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/operators/stress_inside.hpp"
+#include "tests/base/fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-
-#include "tests/base/fields.hpp"
 
 namespace asperity::contact::stress_layers_test {
 

@@ -1,15 +1,15 @@
 // Tests of exchange/mistakes.hpp: each of 31 faults that are introduced into a
 // correct answer is named, and a correct answer has none.
+#include "exchange/mistakes.hpp"
 #include "input/input_error.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 
-#include "exchange/mistakes.hpp"
 #include "problems.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::exchange::mistakes_test {
 

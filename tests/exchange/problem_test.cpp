@@ -2,7 +2,11 @@
 // written is read back, and damaged files are refused by name.
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
+#include "exchange/pressure_file.hpp"
+#include "exchange/problem.hpp"
+#include "exchange/problem_folder.hpp"
 #include "input/input_error.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "exchange/pressure_file.hpp"
-#include "exchange/problem.hpp"
-#include "exchange/problem_folder.hpp"
 #include "problems.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::exchange::problem_test {
 

@@ -5,14 +5,13 @@
 
 #include "base/field_sums.hpp"
 #include "contact/solvers/solver.hpp"
+#include "exchange/problem.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "exchange/problem.hpp"
-#include "tests/contact/problems.hpp"
 
 namespace asperity::exchange::problems {
 

@@ -1,7 +1,9 @@
 // Tests of exchange/submission.hpp and exchange/pressure_file.hpp: each key is
 // read, and each mistake is named with its line.
+#include "exchange/submission.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "exchange/submission.hpp"
 #include "problems.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::exchange::submission_test {
 

@@ -1,5 +1,7 @@
 // Tests of fem/adaptive/adaptive_block.hpp: the mesh follows the contact, and
 // the result stays close to that of uniform blocks and of Hertz.
+#include "tests/fem/adaptive_blocks.hpp"
+#include "tests/message_of.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <deal.II/base/multithread_info.h>
@@ -11,9 +13,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/fem/adaptive_blocks.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::adaptive_block_test {
 

@@ -5,15 +5,14 @@
 
 #include "fem/adaptive/adaptive_block.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+#include "tests/fem/rough_surface.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/fem/rough_surface.hpp"
 
 namespace asperity::fem {
 

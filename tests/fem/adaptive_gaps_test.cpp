@@ -1,11 +1,11 @@
 // Tests of the mean gap of blocks whose mesh follows the contact: it can be
 // prescribed, and it is that of all heights.
+#include "tests/fem/adaptive_blocks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
-
-#include "tests/fem/adaptive_blocks.hpp"
 
 namespace asperity::fem::adaptive_gaps_test {
 

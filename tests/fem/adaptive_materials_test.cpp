@@ -4,16 +4,15 @@
 #include "fem/adaptive/adaptive_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layers/halvable_layers.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+#include "tests/fem/rough_surface.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/fem/rough_surface.hpp"
 
 namespace asperity::fem::adaptive_materials_test {
 

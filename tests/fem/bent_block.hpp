@@ -5,15 +5,14 @@
 
 #include "fem/solution/block_stress.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem {
 

@@ -1,10 +1,9 @@
 // Tests of fem/solution/block_section.hpp: the section of a block whose stress
 // is known, at points that are not vertices, on any number of ranks.
 #include "fem/solution/block_section.hpp"
+#include "tests/fem/bent_block.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/fem/bent_block.hpp"
 
 namespace asperity::fem::block_section_test {
 

@@ -7,12 +7,11 @@
 #include "contact/solvers/solver.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q1.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::block_springs_test {
 

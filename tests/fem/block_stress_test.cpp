@@ -1,10 +1,9 @@
 // Tests of the stress inside the full model: fem/solution/block_stress.hpp and
 // FullBlock::strongest_stress.
 #include "fem/solution/block_stress.hpp"
+#include "tests/fem/bent_block.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/fem/bent_block.hpp"
 
 namespace asperity::fem::block_stress_test {
 

@@ -3,10 +3,9 @@
 // Vectors of all unknowns of a block for the tests of its linear solvers.
 
 #include "fem/block/block_system.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem {
 

@@ -3,6 +3,9 @@
 // its inverse by multigrid with elastic levels.
 #include "fem/linear/hexahedron_block.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/block_vectors.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -10,10 +13,6 @@
 
 #include <cmath>
 #include <random>
-
-#include "tests/fem/block_vectors.hpp"
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::cell_tangents_test {
 

@@ -6,11 +6,10 @@
 #include "fem/block/block_triangulation.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/bent_block.hpp"
 
 #include <functional>
 #include <memory>
-
-#include "tests/fem/bent_block.hpp"
 
 namespace asperity::fem {
 

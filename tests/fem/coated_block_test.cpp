@@ -5,13 +5,12 @@
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q2.hpp"
 #include "fem/waves/q2_operator.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::coated_block_test {
 

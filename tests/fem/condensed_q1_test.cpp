@@ -3,6 +3,8 @@
 #include "base/fourier.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q1.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/layer_solution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +14,6 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/layer_solution.hpp"
 
 namespace asperity::fem::condensed_q1_test {
 

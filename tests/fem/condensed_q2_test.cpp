@@ -5,6 +5,8 @@
 #include "fem/waves/condensed_q2.hpp"
 #include "fem/waves/lattice_factors.hpp"
 #include "fem/waves/q2_operator.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/layer_solution.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +15,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <tuple>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/layer_solution.hpp"
 
 namespace asperity::fem::condensed_q2_test {
 

@@ -3,6 +3,8 @@
 #include "fem/block/block_problem.hpp"
 #include "fem/block/full_block.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -10,9 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::contact_stiffness_test {
 

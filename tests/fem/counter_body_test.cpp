@@ -2,6 +2,9 @@
 // test, the balance of forces, and points beside the body.
 #include "fem/newton/contact_newton.hpp"
 #include "meshes/counter_body.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+#include "tests/message_of.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <gtest/gtest.h>
@@ -10,10 +13,6 @@
 #include <numbers>
 #include <string>
 #include <utility>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::counter_body_test {
 

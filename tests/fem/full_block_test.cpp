@@ -6,14 +6,13 @@
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::full_block_test {
 

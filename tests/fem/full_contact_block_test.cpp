@@ -3,13 +3,12 @@
 // all points are in contact, the mean gap is minus the nominal pressure over
 // the penalty.
 #include "fem/block/full_block.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::full_contact_block_test {
 

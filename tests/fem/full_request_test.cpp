@@ -1,5 +1,6 @@
 // Tests of fem/full_request.hpp: what the description of a block becomes.
 #include "fem/full_request.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::full_request_test {
 

@@ -4,6 +4,7 @@
 #include "contact/solvers/solver.hpp"
 #include "fem/waves/elastic_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
+#include "tests/fem/adaptive_blocks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <memory>
 #include <numbers>
 #include <vector>
-
-#include "tests/fem/adaptive_blocks.hpp"
 
 namespace asperity::fem::gap_error_test {
 

@@ -2,14 +2,13 @@
 // converges to Hertz's at the measured order.
 #include "contact/operators/stress_inside.hpp"
 #include "fem/block/full_block.hpp"
+#include "tests/fem/blocks.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::hertz_inside_test {
 

@@ -6,6 +6,7 @@
 
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/lattice_solver.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/sparse_matrix.h>
@@ -14,8 +15,6 @@
 
 #include <algorithm>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem {
 

@@ -1,12 +1,11 @@
 // Tests of fem/waves/lattice_solver.hpp as a preconditioner of heterogeneous
 // blocks: the number of iterations of conjugate gradients.
 #include "fem/waves/lattice_solver.hpp"
+#include "tests/fem/heterogeneous_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <tuple>
-
-#include "tests/fem/heterogeneous_block.hpp"
 
 namespace asperity::fem::heterogeneous_block_test {
 

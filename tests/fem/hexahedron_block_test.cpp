@@ -5,15 +5,14 @@
 #include "fem/linear/hexahedron_block.hpp"
 #include "meshes/counter_body.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/block_vectors.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
-
-#include "tests/fem/block_vectors.hpp"
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::hexahedron_block_test {
 

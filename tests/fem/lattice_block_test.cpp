@@ -3,12 +3,11 @@
 // solver. The tests also run on two and three ranks, which share the rows.
 #include "fem/linear/block_solver.hpp"
 #include "fem/linear/lattice_block.hpp"
-
-#include <gtest/gtest.h>
-
 #include "tests/fem/block_vectors.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
+
+#include <gtest/gtest.h>
 
 namespace asperity::fem::lattice_block_test {
 

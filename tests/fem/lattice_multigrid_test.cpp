@@ -4,14 +4,13 @@
 #include "fem/multigrid/chebyshev.hpp"
 #include "fem/multigrid/lattice_levels.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::lattice_multigrid_test {
 

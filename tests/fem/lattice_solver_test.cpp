@@ -2,6 +2,8 @@
 // matrix with a direct solver.
 #include "base/special_numbers.hpp"
 #include "fem/waves/lattice_solver.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/uniform_block.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -10,9 +12,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/uniform_block.hpp"
 
 namespace asperity::fem::lattice_solver_test {
 

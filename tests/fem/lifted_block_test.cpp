@@ -1,10 +1,9 @@
 // Tests of the full block without contact after contact (full_block.hpp). The
 // reference is the undeformed surface.
 #include "fem/block/full_block.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::lifted_block_test {
 

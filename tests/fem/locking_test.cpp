@@ -6,12 +6,11 @@
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/condensed_q2.hpp"
 #include "fem/waves/q2_operator.hpp"
+#include "tests/fem/blocks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::locking_test {
 

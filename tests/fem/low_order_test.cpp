@@ -4,6 +4,8 @@
 // relative to the other.
 #include "fem/block/block_assembly.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/solver_cg.h>
@@ -12,9 +14,6 @@
 
 #include <cmath>
 #include <numbers>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::low_order_test {
 

@@ -7,6 +7,7 @@
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/halvable_layers.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::material_marks_test {
 

@@ -3,6 +3,7 @@
 // ranks.
 #include "fem/adaptive/mesh_change.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "tests/fem/changing_mesh.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <gtest/gtest.h>
@@ -12,8 +13,6 @@
 #include <cstdint>
 #include <set>
 #include <utility>
-
-#include "tests/fem/changing_mesh.hpp"
 
 namespace asperity::fem::mesh_change_test {
 

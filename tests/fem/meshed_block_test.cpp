@@ -4,13 +4,12 @@
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::meshed_block_test {
 

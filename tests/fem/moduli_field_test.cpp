@@ -1,5 +1,6 @@
 // Tests of fem/waves/moduli_field.hpp.
 #include "fem/waves/moduli_field.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::moduli_field_test {
 

@@ -2,12 +2,11 @@
 // rank owns.
 #include "fem/refined/box_levels.hpp"
 #include "fem/refined/node_interpolation.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
-
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::fem::node_interpolation_test {
 

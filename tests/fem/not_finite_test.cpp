@@ -4,15 +4,14 @@
 #include "base/special_numbers.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/newton/contact_newton.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::fem::not_finite_test {
 

@@ -2,12 +2,11 @@
 // homogeneous block under uniform pressure has uniform strain, which linear and
 // quadratic shape functions represent exactly on any cells.
 #include "fem/newton/contact_newton.hpp"
-
-#include <gtest/gtest.h>
-
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 #include "tests/message_of.hpp"
+
+#include <gtest/gtest.h>
 
 namespace asperity::fem::patch_test {
 

@@ -4,6 +4,7 @@
 #include "fem/block/block_problem.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
+#include "tests/fem/blocks.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +12,6 @@
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "tests/fem/blocks.hpp"
 
 namespace asperity::fem::punch_test {
 

@@ -8,13 +8,12 @@
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/counter_body.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace {
 

@@ -5,16 +5,15 @@
 #include "fem/parallel/mpi_session.hpp"
 #include "fem/refined/refined_block.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/block_vectors.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
 #include <string>
-
-#include "tests/fem/block_vectors.hpp"
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
 
 namespace asperity::fem::refined_block_test {
 

@@ -3,15 +3,14 @@
 // ranks are threads.
 #include "fem/multigrid/lattice_multigrid.hpp"
 #include "fem/multigrid/rigid_modes.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <mutex>
 #include <numbers>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::fem::shared_lattice_test {
 

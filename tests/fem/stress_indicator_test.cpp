@@ -1,6 +1,7 @@
 // Tests of fem/solution/stress_indicator.hpp: an exact stress has no error, and
 // cells of different materials are compared where their moduli differ little.
 #include "fem/solution/stress_indicator.hpp"
+#include "tests/fem/changing_mesh.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <functional>
 #include <utility>
 #include <vector>
-
-#include "tests/fem/changing_mesh.hpp"
 
 namespace asperity::fem::stress_indicator_test {
 

@@ -4,6 +4,9 @@
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
+#include "tests/fem/blocks.hpp"
+#include "tests/fem/meshes.hpp"
+#include "tests/fem/vtu_reader.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <fmt/format.h>
@@ -13,10 +16,6 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
-
-#include "tests/fem/blocks.hpp"
-#include "tests/fem/meshes.hpp"
-#include "tests/fem/vtu_reader.hpp"
 
 namespace asperity::fem::surface_output_test {
 

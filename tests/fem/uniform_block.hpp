@@ -5,6 +5,7 @@
 // lattice solver.
 
 #include "fem/waves/lattice_solver.hpp"
+#include "tests/fem/plain_block.hpp"
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -14,8 +15,6 @@
 #include <cmath>
 #include <map>
 #include <vector>
-
-#include "tests/fem/plain_block.hpp"
 
 namespace asperity::fem {
 

@@ -5,11 +5,10 @@
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <algorithm>
 #include <string>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 namespace {

@@ -1,8 +1,8 @@
 // The entry point of libFuzzer.
+#include "tests/fuzz/fuzz_target.hpp"
+
 #include <cstddef>
 #include <cstdint>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {

@@ -2,11 +2,10 @@
 // on a grid, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/text/map_file.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 namespace {

@@ -2,10 +2,9 @@
 // source, or an InputError.
 #include "cases/types/reference.hpp"
 #include "input/input_error.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <cmath>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 

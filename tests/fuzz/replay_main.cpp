@@ -1,11 +1,10 @@
 // Passes every file of a folder, the corpus, to a fuzz target: bytes that once
 // made a reader fail must not do so again. Needs no fuzzer.
 #include "base/read_file.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <cstdio>
 #include <filesystem>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 int main(int, char** arguments) {
   int files = 0;

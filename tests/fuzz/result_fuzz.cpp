@@ -3,10 +3,9 @@
 #include "base/atomic_file.hpp"
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <filesystem>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 namespace {

@@ -3,6 +3,7 @@
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/scan_formats.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +12,6 @@
 #include <fstream>
 #include <optional>
 #include <unistd.h>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 namespace {

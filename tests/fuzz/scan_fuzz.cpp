@@ -2,11 +2,10 @@
 // result is heights on a grid, finite or missing, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {
 namespace {

@@ -2,7 +2,6 @@
 // evaluated, or an InputError.
 #include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
-
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace asperity::fuzz {

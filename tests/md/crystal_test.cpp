@@ -1,14 +1,13 @@
 // Tests of md/lattice/crystal.hpp: one cell has the energy of the continuum in
 // homogeneous strain, and none under rigid motion.
 #include "md/lattice/crystal.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::md::crystal_test {
 

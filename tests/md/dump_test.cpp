@@ -1,4 +1,5 @@
 #include "md/contact/dump.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <string>
 #include <unistd.h>
 #include <vector>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::dump_test {
 

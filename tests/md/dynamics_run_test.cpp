@@ -3,6 +3,7 @@
 // finite temperature.
 #include "md/dynamics/checkpoint.hpp"
 #include "md/dynamics/dynamics_run.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,6 @@
 #include <string>
 #include <unistd.h>
 #include <vector>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::dynamics_run_test {
 

@@ -3,6 +3,7 @@
 #include "base/physical_constants.hpp"
 #include "md/dynamics/dynamics.hpp"
 #include "md/dynamics/thermal_noise.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::dynamics_test {
 

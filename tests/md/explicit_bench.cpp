@@ -2,12 +2,11 @@
 // solve per free atom, and its set-up. Arguments: atoms per side, levels of six
 // layers.
 #include "md/lattice/block_solver.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <optional>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md {
 namespace {

@@ -5,6 +5,7 @@
 #include "md/engines.hpp"
 #include "md/lattice/effective_modulus.hpp"
 #include "md/lattice/slab_symbol.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,6 @@
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::explicit_contact_test {
 

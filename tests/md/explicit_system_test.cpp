@@ -3,6 +3,7 @@
 #include "md/contact/explicit_system.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/minimise/relaxation.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::explicit_system_test {
 

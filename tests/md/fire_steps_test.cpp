@@ -1,5 +1,6 @@
 // Tests of the single steps of md/minimise/fire.hpp, with one unknown each.
 #include "md/minimise/fire.hpp"
+#include "tests/md/separate_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <vector>
-
-#include "tests/md/separate_system.hpp"
 
 namespace asperity::md::fire_steps_test {
 

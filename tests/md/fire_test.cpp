@@ -2,15 +2,14 @@
 // converge to one state.
 #include "md/dynamics/dynamics_run.hpp"
 #include "md/minimise/fire.hpp"
+#include "tests/base/fields.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
-
-#include "tests/base/fields.hpp"
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::fire_test {
 

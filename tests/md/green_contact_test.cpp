@@ -8,6 +8,7 @@
 #include "md/contact/step_reading.hpp"
 #include "md/engines.hpp"
 #include "surfaces/build.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::green_contact_test {
 

@@ -1,5 +1,7 @@
 // Tests of md/interface/interaction.hpp.
 #include "md/interface/interaction.hpp"
+#include "tests/md/small_interface.hpp"
+#include "tests/message_of.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
@@ -9,9 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::md::interaction_test {
 

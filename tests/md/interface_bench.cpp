@@ -4,14 +4,13 @@
 #include "md/interface/interface.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <numbers>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md {
 namespace {

@@ -3,6 +3,7 @@
 #include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
 #include "md/interface/interface_curvature.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::interface_curvature_test {
 

@@ -2,6 +2,8 @@
 // arguments.
 #include "base/special_numbers.hpp"
 #include "md/interface/interface.hpp"
+#include "tests/md/small_interface.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +13,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::md::interface_inspection_test {
 

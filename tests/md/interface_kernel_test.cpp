@@ -1,15 +1,14 @@
 // Tests of md/interface/interface_kernel.hpp and md/interface/substrate.hpp.
 #include "md/interface/interface_kernel.hpp"
 #include "md/interface/substrate.hpp"
+#include "tests/md/small_interface.hpp"
+#include "tests/narrower_vectors.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
-#include "tests/narrower_vectors.hpp"
 
 namespace asperity::md::interface_kernel_test {
 

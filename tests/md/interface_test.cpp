@@ -2,6 +2,8 @@
 // over all pairs.
 #include "base/maximum.hpp"
 #include "md/interface/interface.hpp"
+#include "tests/base/fields.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +14,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/base/fields.hpp"
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::interface_test {
 

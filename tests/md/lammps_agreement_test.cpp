@@ -7,14 +7,13 @@
 #include "md/lammps/lammps_block.hpp"
 #include "md/lammps/lammps_contact.hpp"
 #include "md/minimise/relaxation.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-
-#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md::lammps_agreement_test {
 

@@ -3,13 +3,12 @@
 #include "md/lammps/lammps_answer.hpp"
 #include "md/lammps/lammps_input.hpp"
 #include "md/lammps/lammps_units.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <stdexcept>
-
-#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md::lammps_answer_test {
 

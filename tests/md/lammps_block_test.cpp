@@ -5,6 +5,8 @@
 #include "input/input_error.hpp"
 #include "md/lammps/lammps_block.hpp"
 #include "md/lammps/lammps_units.hpp"
+#include "tests/md/lammps_requests.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +15,6 @@
 #include <map>
 #include <random>
 #include <sstream>
-
-#include "tests/md/lammps_requests.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::md::lammps_block_test {
 

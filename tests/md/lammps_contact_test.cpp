@@ -5,13 +5,12 @@
 #include "base/child_process.hpp"
 #include "md/engines.hpp"
 #include "md/lammps/lammps_contact.hpp"
+#include "tests/md/lammps_requests.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
-
-#include "tests/md/lammps_requests.hpp"
 
 namespace asperity::md::lammps_contact_test {
 

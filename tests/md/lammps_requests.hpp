@@ -4,6 +4,7 @@
 // wavelengths.
 
 #include "md/contact/atomic_contact.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -11,8 +12,6 @@
 #include <string>
 #include <unistd.h>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::problems {
 

@@ -4,6 +4,7 @@
 #include "base/child_process.hpp"
 #include "input/input_error.hpp"
 #include "md/lammps/lammps_run.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <unistd.h>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::md::lammps_run_test {
 

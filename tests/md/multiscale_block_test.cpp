@@ -1,5 +1,6 @@
 #include "base/maximum.hpp"
 #include "md/lattice/multiscale_block.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::md::multiscale_block_test {
 

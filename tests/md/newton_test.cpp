@@ -5,13 +5,12 @@
 #include "base/special_numbers.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/minimise/newton.hpp"
+#include "tests/md/rough_contact.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
-
-#include "tests/md/rough_contact.hpp"
 
 namespace asperity::md::newton_test {
 

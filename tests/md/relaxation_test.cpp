@@ -2,6 +2,7 @@
 // closed form: it is found, within the allowed step, and non-convergence is
 // reported.
 #include "md/minimise/relaxation.hpp"
+#include "tests/md/separate_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-
-#include "tests/md/separate_system.hpp"
 
 namespace asperity::md::relaxation_test {
 

@@ -4,13 +4,12 @@
 // under a block of the paper's atoms.
 
 #include "md/contact/explicit_system.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::problems {
 

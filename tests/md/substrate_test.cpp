@@ -2,14 +2,13 @@
 // the reach, for any ratio of reach and spacing. The squares of some ratios
 // round to the other side of an integer when they are computed in another way.
 #include "md/interface/substrate.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 #include <vector>
-
-#include "tests/md/small_interface.hpp"
 
 namespace asperity::md::substrate_test {
 

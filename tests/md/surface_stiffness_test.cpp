@@ -1,6 +1,7 @@
 // Tests of md/lattice/surface_stiffness.hpp: the symbol of every wavevector is
 // stored where the transforms expect it, and K and its inverse are consistent.
 #include "md/lattice/surface_stiffness.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::md::surface_stiffness_test {
 

@@ -1,13 +1,12 @@
 // Tests of mechanics/contact_law.hpp, which hold for every law of its list.
 #include "mechanics/contact_law.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::mechanics {
 namespace {

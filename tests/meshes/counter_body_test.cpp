@@ -2,6 +2,7 @@
 #include "meshes/counter_body.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/mesh_quality.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::counter_body_test {
 

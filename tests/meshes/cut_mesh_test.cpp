@@ -3,14 +3,13 @@
 #include "meshes/facets.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::cut_mesh_test {
 

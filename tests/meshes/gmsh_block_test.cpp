@@ -3,6 +3,7 @@
 #include "meshes/gmsh_block.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -11,8 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::gmsh_block_test {
 

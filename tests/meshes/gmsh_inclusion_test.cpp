@@ -1,12 +1,11 @@
 // Tests of the spherical inclusion of meshes/gmsh_block.hpp.
 #include "meshes/gmsh_block.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <set>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::gmsh_inclusion_test {
 

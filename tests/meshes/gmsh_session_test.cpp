@@ -1,5 +1,6 @@
 // Tests of meshes/gmsh_session.hpp.
 #include "meshes/gmsh_session.hpp"
+#include "tests/message_of.hpp"
 
 #include <gmsh.h>
 #include <gtest/gtest.h>
@@ -7,8 +8,6 @@
 #include <csignal>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::gmsh_session_test {
 

@@ -1,5 +1,6 @@
 // Tests of meshes/layers/graded_layers.hpp.
 #include "meshes/layers/graded_layers.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::graded_layers_test {
 

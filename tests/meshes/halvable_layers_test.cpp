@@ -1,6 +1,7 @@
 // Tests of meshes/layers/halvable_layers.hpp: every interface is a plane of
 // cells, and the cells are nearly cubes where that is possible.
 #include "meshes/layers/halvable_layers.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::halvable_layers_test {
 

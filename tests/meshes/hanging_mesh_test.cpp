@@ -1,5 +1,6 @@
 // Tests of meshes/hanging_mesh.hpp.
 #include "meshes/hanging_mesh.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -7,8 +8,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::hanging_mesh_test {
 

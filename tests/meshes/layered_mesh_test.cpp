@@ -1,6 +1,8 @@
 // Tests of meshes/layered_mesh.hpp.
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
+#include "tests/meshes/mesh_measures.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,9 +10,6 @@
 #include <map>
 #include <stdexcept>
 #include <string>
-
-#include "tests/meshes/mesh_measures.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::layered_mesh_test {
 

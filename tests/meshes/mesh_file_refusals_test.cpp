@@ -1,5 +1,7 @@
 // Tests of meshes/mesh_file.hpp: each invalid file is refused with its mistake.
 #include "meshes/mesh_file.hpp"
+#include "tests/meshes/block_of_file.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +10,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-
-#include "tests/meshes/block_of_file.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::mesh_file_refusals_test {
 

@@ -6,6 +6,9 @@
 #include "meshes/gmsh_session.hpp"
 #include "meshes/mesh_bytes.hpp"
 #include "meshes/mesh_file.hpp"
+#include "tests/meshes/block_of_file.hpp"
+#include "tests/meshes/mesh_measures.hpp"
+#include "tests/message_of.hpp"
 
 #include <gmsh.h>
 #include <gtest/gtest.h>
@@ -16,10 +19,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-
-#include "tests/meshes/block_of_file.hpp"
-#include "tests/meshes/mesh_measures.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::mesh_file_test {
 

@@ -2,13 +2,12 @@
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/mesh_quality.hpp"
+#include "tests/meshes/mesh_measures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <stdexcept>
-
-#include "tests/meshes/mesh_measures.hpp"
 
 namespace asperity::meshes::mesh_quality_test {
 

@@ -4,14 +4,13 @@
 #include "meshes/layered_mesh.hpp"
 #include "meshes/matching_sides.hpp"
 #include "meshes/valid_mesh.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::meshes::valid_mesh_test {
 

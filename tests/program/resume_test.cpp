@@ -107,7 +107,7 @@ TEST_F(Resume, ALostStateIsComputedAgain) {
             std::string::npos)
       << done.output;
   tests::expect_same_bits(results::read_result(folder / "whole"),
-                   results::read_result(folder / "second"));
+                          results::read_result(folder / "second"));
 }
 
 } // namespace asperity::program::resume_test

@@ -65,7 +65,7 @@ TEST_F(SlurmScripts, ComputeAndMergeTheParts) {
             "--parsable parts.sh\n--parsable --dependency=afterok:17 "
             "--kill-on-invalid-dep=yes merge.sh\n");
   tests::expect_same_bits(results::read_result(home),
-                   results::read_result(folder / "whole"));
+                          results::read_result(folder / "whole"));
   EXPECT_TRUE(fs::exists(home / "report.html"));
 
   const Ended again = submit("its/a run");

@@ -75,7 +75,7 @@ TEST_F(SweepRuns, HasTheNumbersOfEachPointAlone) {
             0);
 
   tests::expect_same_bits(results::read_result(point(2)),
-                   results::read_result(folder / "alone"));
+                          results::read_result(folder / "alone"));
   EXPECT_EQ(run("report " + point(2)).exit_code, 0);
   EXPECT_EQ(run("check " + point(2)).exit_code, 0);
 }

@@ -2,6 +2,10 @@
 // equals the transform pair of RealFourier for any size, and any number of
 // ranks and threads gives the bits of one process.
 #include "base/fourier.hpp"
+#include "ranks/convolution.hpp"
+#include "ranks/one_rank.hpp"
+#include "ranks/rows_from_rank_0.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +14,6 @@
 #include <complex>
 #include <numeric>
 #include <vector>
-
-#include "ranks/convolution.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rows_from_rank_0.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::convolution_test {
 

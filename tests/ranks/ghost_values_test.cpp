@@ -1,14 +1,14 @@
 // Tests of ranks/ghost_values.hpp and rank_sums.hpp: the values of other ranks,
 // by threads in place of processes.
+#include "ranks/ghost_values.hpp"
+#include "ranks/rank_sums.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <vector>
-
-#include "ranks/ghost_values.hpp"
-#include "ranks/rank_sums.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::ghost_values_test {
 

@@ -1,11 +1,11 @@
 // Tests of the division of nodes into chunks. Tolerance: none.
+#include "ranks/node_chunks.hpp"
+#include "ranks/workers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <vector>
-
-#include "ranks/node_chunks.hpp"
-#include "ranks/workers.hpp"
 
 namespace asperity::node_chunks_test {
 

@@ -1,13 +1,13 @@
 // Claims: what rank 0 does alone, and what it finds, is done and known once for
 // all ranks; its failures are failures of all ranks, none of which waits.
+#include "ranks/root_work.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "ranks/root_work.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::root_work_test {
 

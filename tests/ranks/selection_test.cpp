@@ -1,4 +1,8 @@
 // Tests of ranks/selection.hpp against sorting. Tolerance: none.
+#include "ranks/selection.hpp"
+#include "ranks/shared_rows.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,10 +13,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "ranks/selection.hpp"
-#include "ranks/shared_rows.hpp"
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::selection_test {
 

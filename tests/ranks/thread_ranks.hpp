@@ -3,6 +3,8 @@
 // Ranks that are threads of one process, so that the code for shared rows can
 // be tested without MPI.
 
+#include "ranks/root_work.hpp"
+
 #include <gtest/gtest.h>
 
 #include <condition_variable>
@@ -13,8 +15,6 @@
 #include <stdexcept>
 #include <thread>
 #include <vector>
-
-#include "ranks/root_work.hpp"
 
 namespace asperity::tests {
 

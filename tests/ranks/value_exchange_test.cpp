@@ -1,8 +1,8 @@
 // Tests of ranks/value_exchange.hpp on ranks that are threads.
-#include <gtest/gtest.h>
-
 #include "ranks/value_exchange.hpp"
 #include "tests/ranks/thread_ranks.hpp"
+
+#include <gtest/gtest.h>
 
 namespace asperity::value_exchange_test {
 

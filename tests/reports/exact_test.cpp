@@ -4,6 +4,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
+#include "tests/reports/exact_samples.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "tests/reports/exact_samples.hpp"
 
 namespace asperity::reports::exact_test {
 

@@ -4,6 +4,7 @@
 #include "reports/figures/gnuplot.hpp"
 #include "reports/figures/gnuplot_script.hpp"
 #include "reports/figures/journal_figures.hpp"
+#include "tests/message_of.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -12,8 +13,6 @@
 #include <filesystem>
 #include <limits>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::reports::gnuplot_test {
 

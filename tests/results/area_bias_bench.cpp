@@ -11,6 +11,7 @@
 // `loads`. The limit is the half-space at the finest r, by (A.5).
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "tests/results/area_bias.hpp"
 
 #include <fmt/format.h>
 
@@ -18,8 +19,6 @@
 #include <ctime>
 #include <numbers>
 #include <utility>
-
-#include "tests/results/area_bias.hpp"
 
 namespace {
 

@@ -4,10 +4,9 @@
 #include "meshes/layers/graded_layers.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
+#include "tests/results/area_bias.hpp"
 
 #include <fmt/format.h>
-
-#include "tests/results/area_bias.hpp"
 
 namespace asperity::area_bias {
 namespace {

@@ -1,11 +1,11 @@
+#include "tests/results/area_bias.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
-
-#include "tests/results/area_bias.hpp"
 
 namespace asperity::area_bias {
 namespace {

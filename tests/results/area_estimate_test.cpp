@@ -3,6 +3,7 @@
 // is known by counting.
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/observables.hpp"
+#include "tests/results/shapes.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/results/shapes.hpp"
 
 namespace asperity::results::area_estimate_test {
 

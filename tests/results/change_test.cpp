@@ -2,14 +2,13 @@
 // the cache.
 #include "input/input_error.hpp"
 #include "results/storage/change.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::change_test {
 

@@ -1,5 +1,6 @@
 // Tests of results/csv.hpp: the exact bytes, and numbers that are read back.
 #include "results/csv.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <sstream>
 #include <string>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::csv_test {
 

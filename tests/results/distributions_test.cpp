@@ -2,6 +2,7 @@
 // known.
 #include "results/observables/distributions.hpp"
 #include "results/observables/observables.hpp"
+#include "tests/results/shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/results/shapes.hpp"
 
 namespace asperity::results::distributions_test {
 

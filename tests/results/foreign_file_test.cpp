@@ -4,14 +4,13 @@
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::foreign_file_test {
 

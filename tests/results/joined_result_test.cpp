@@ -5,12 +5,11 @@
 #include "results/joined_result.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <map>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::joined_result_test {
 

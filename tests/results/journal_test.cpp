@@ -8,6 +8,7 @@
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/storage/journal.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,8 +25,6 @@
 #include <thread>
 #include <unistd.h>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::journal_test {
 

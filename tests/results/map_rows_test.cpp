@@ -3,6 +3,7 @@
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,6 @@
 #include <filesystem>
 #include <string>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::map_rows_test {
 

@@ -6,6 +6,7 @@
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,6 @@
 #include <string>
 #include <unistd.h>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::map_view_test {
 

@@ -1,6 +1,7 @@
 // Tests of results/observables/observables.hpp with shapes whose area,
 // perimeter and energy are known by geometry or by an integral.
 #include "results/observables/observables.hpp"
+#include "tests/results/shapes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/results/shapes.hpp"
 
 namespace asperity::results::observables_test {
 

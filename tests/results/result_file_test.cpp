@@ -4,6 +4,7 @@
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +14,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::result_file_test {
 

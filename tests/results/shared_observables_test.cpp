@@ -4,6 +4,7 @@
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <limits>
 #include <random>
 #include <vector>
-
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::results::shared_observables_test {
 

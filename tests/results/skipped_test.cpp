@@ -2,14 +2,13 @@
 // is replaced as a unit.
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::skipped_test {
 

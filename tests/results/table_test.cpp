@@ -5,14 +5,13 @@
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::table_test {
 

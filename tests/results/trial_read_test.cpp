@@ -3,12 +3,11 @@
 #include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/trial_read.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::trial_read_test {
 

@@ -6,6 +6,7 @@
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/curve_columns.hpp"
+#include "tests/results/sample_result.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,8 +17,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "tests/results/sample_result.hpp"
 
 namespace asperity::results::validity_test {
 

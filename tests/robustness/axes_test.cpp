@@ -1,13 +1,13 @@
 // Tests of robustness/axes.hpp and robustness/matrix.hpp: every label is a bin
 // of its axis, a filter selects what it names, and the counts sum to the total.
+#include "robustness/axes.hpp"
+#include "robustness/matrix.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-
-#include "robustness/axes.hpp"
-#include "robustness/matrix.hpp"
 
 namespace asperity::robustness::axes_test {
 

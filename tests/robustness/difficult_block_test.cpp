@@ -1,11 +1,11 @@
 // Random full blocks that were once left without an answer: light loads on
 // heterogeneous blocks, mean gaps without contact, and flat cells beside large
 // contrasts of the moduli.
+#include "robustness/run_instance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
-
-#include "robustness/run_instance.hpp"
 
 namespace asperity::robustness::difficult_block_test {
 

@@ -1,10 +1,10 @@
 // Tests of what follows in hard contact where the active set does not become
 // stationary: the augmented Lagrangian method (fem/newton/contact_active_set).
+#include "robustness/run_instance.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "robustness/run_instance.hpp"
 
 namespace asperity::robustness::hard_contact_test {
 

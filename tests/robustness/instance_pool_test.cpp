@@ -1,5 +1,7 @@
 // Tests of robustness/instance_pool.hpp and of the line with which a report is
 // sent: every instance is reported once, whatever happens to the processes.
+#include "robustness/instance_pool.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,8 +9,6 @@
 #include <map>
 #include <stdexcept>
 #include <vector>
-
-#include "robustness/instance_pool.hpp"
 
 namespace asperity::robustness::instance_pool_test {
 

@@ -1,11 +1,11 @@
 // Tests of robustness/instance_report.hpp: how a step without a solution
 // counts.
+#include "robustness/instance_report.hpp"
+
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <string>
-
-#include "robustness/instance_report.hpp"
 
 namespace asperity::robustness::instance_report_test {
 

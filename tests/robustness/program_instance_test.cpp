@@ -1,10 +1,10 @@
 // Tests of robustness/program_instance.cpp and robustness/written_case.hpp: an
 // instance runs through the program itself, and errors of the program are
 // detected.
-#include <gtest/gtest.h>
-
 #include "robustness/kinds.hpp"
 #include "robustness/run_instance.hpp"
+
+#include <gtest/gtest.h>
 
 namespace asperity::robustness::program_instance_test {
 

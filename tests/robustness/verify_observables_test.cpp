@@ -1,14 +1,13 @@
 // Tests of robustness/verify_observables.hpp: a correct solution passes, and
 // each number that is not finite or out of its range is named.
 #include "base/special_numbers.hpp"
+#include "robustness/verify_observables.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <vector>
-
-#include "robustness/verify_observables.hpp"
 
 namespace asperity::robustness::verify_observables_test {
 

@@ -2,14 +2,13 @@
 // fails by its own name on a solution with exactly that error.
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "robustness/verify.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "robustness/verify.hpp"
 
 namespace asperity::robustness::verify_test {
 

@@ -5,8 +5,8 @@
 #include "methods/cache/case_keys.hpp"
 #include "run/run_case.hpp"
 #include "tests/folder.hpp"
-#include "tests/same_bits.hpp"
 #include "tests/rough_case.hpp"
+#include "tests/same_bits.hpp"
 
 #include <fmt/format.h>
 

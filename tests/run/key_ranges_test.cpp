@@ -235,9 +235,8 @@ TEST_F(KeyRanges, AreThoseThatAPlanEnforces) {
         const auto entry = [&](double value) {
           return path + "=" + text_of(key, value);
         };
-        const std::string refused =
-            answer(path, table.name, entry(end.outside), end.outside,
-                   surface_of(key));
+        const std::string refused = answer(path, table.name, entry(end.outside),
+                                           end.outside, surface_of(key));
         EXPECT_NE(refused.find(path + " = "), std::string::npos)
             << entry(end.outside) << " is not refused: " << refused;
         EXPECT_NE(refused.find("must "), std::string::npos)

@@ -2,6 +2,10 @@
 // process, and mistakes its messages. Tolerance: none.
 #include "input/input_error.hpp"
 #include "surfaces/measured_rows.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/measured_files.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,11 +19,6 @@
 #include <numeric>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/measured_files.hpp"
-#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::binary_rows_test {
 

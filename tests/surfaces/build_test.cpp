@@ -5,6 +5,8 @@
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
+#include "tests/base/fields.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +19,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-
-#include "tests/base/fields.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::build_test {
 

@@ -1,5 +1,6 @@
 // Tests of surfaces/maps/exact_shapes.hpp: position and height of the shapes.
 #include "surfaces/maps/exact_shapes.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +9,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::exact_shapes_test {
 

@@ -2,6 +2,9 @@
 // a channel, and damaged files. The tests write the files themselves.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +13,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::gwy_scan_test {
 

@@ -5,6 +5,7 @@
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::line_scan_test {
 

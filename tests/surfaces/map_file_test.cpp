@@ -2,6 +2,7 @@
 // messages about an invalid file.
 #include "input/input_error.hpp"
 #include "surfaces/formats/text/map_file.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -11,8 +12,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::map_file_test {
 

@@ -5,6 +5,7 @@
 
 #include "surfaces/build.hpp"
 #include "surfaces/formats/npy.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +17,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::surfaces::tests_of_rows {
 

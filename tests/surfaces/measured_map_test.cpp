@@ -2,13 +2,12 @@
 // of missing points, and the messages about them.
 #include "input/input_error.hpp"
 #include "surfaces/measured_map.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::measured_map_test {
 

@@ -6,6 +6,8 @@
 #include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/measured_rows.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/measured_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,9 +21,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/measured_files.hpp"
 
 namespace asperity::surfaces::measured_rows_test {
 

@@ -2,6 +2,7 @@
 // numpy.lib.format describes them.
 #include "input/input_error.hpp"
 #include "surfaces/formats/npy.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <limits>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::npy_test {
 

@@ -4,6 +4,8 @@
 #include "base/fourier.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
+#include "tests/base/fields.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +16,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/base/fields.hpp"
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::realization_test {
 

@@ -3,6 +3,7 @@
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/realization.hpp"
+#include "tests/base/fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,6 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/base/fields.hpp"
 
 namespace asperity::surfaces::resample_test {
 

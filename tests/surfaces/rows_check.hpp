@@ -5,6 +5,7 @@
 
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,8 +16,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::tests_of_rows {
 

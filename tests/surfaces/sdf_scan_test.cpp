@@ -2,6 +2,9 @@
 // according to the standard.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,10 +14,6 @@
 #include <limits>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::sdf_scan_test {
 

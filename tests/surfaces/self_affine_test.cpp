@@ -1,5 +1,6 @@
 // Tests of surfaces/maps/self_affine.hpp: amplitude, ends and moments.
 #include "surfaces/maps/self_affine.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,8 +9,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::self_affine_test {
 

@@ -3,14 +3,13 @@
 #include "surfaces/build.hpp"
 #include "surfaces/maps/shells.hpp"
 #include "surfaces/maps/statistics.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
-
-#include "tests/ranks/thread_ranks.hpp"
 
 namespace asperity::surfaces::shared_rows_test {
 

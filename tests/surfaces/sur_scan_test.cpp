@@ -1,13 +1,12 @@
 // Digital Surf files, built byte by byte from the published layout of their
 // header.
 #include "base/child_process.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::sur_scan_test {
 

@@ -3,6 +3,7 @@
 #include "input/input_error.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::surfaces::tabulated_spectrum_test {
 

@@ -2,6 +2,8 @@
 // missing points, lists x y z, and lists that must not be read as a matrix.
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/missing_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +11,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/missing_of.hpp"
 
 namespace asperity::surfaces::text_scan_test {
 

@@ -1,10 +1,9 @@
 // WSxM files: a header of lines, then numbers.
 #include "base/child_process.hpp"
-
-#include <cmath>
-
 #include "tests/surfaces/instrument_bytes.hpp"
 #include "tests/surfaces/rows_check.hpp"
+
+#include <cmath>
 
 namespace asperity::surfaces::wsxm_scan_test {
 

@@ -5,6 +5,10 @@
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/zip_archive.hpp"
+#include "tests/message_of.hpp"
+#include "tests/surfaces/instrument_bytes.hpp"
+#include "tests/surfaces/missing_of.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,11 +18,6 @@
 #include <map>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
-#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::x3p_scan_test {
 

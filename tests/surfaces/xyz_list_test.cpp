@@ -1,6 +1,8 @@
 // Tests of lists x y z, whose points may be in any order, and of narrow
 // matrices that are none. Tolerance: none.
 #include "surfaces/formats/npy.hpp"
+#include "tests/surfaces/missing_of.hpp"
+#include "tests/surfaces/rows_check.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,9 +10,6 @@
 #include <limits>
 #include <numeric>
 #include <random>
-
-#include "tests/surfaces/missing_of.hpp"
-#include "tests/surfaces/rows_check.hpp"
 
 namespace asperity::surfaces::xyz_list_test {
 

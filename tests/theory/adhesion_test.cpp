@@ -1,5 +1,6 @@
 // Tests of theory/persson/adhesion.hpp: the numbers of the surface in Sec. 9,
 // the order of the discretisation, similarity, and the limits of both branches.
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/adhesion.hpp"
 
 #include <boost/math/quadrature/exp_sinh.hpp>
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::adhesion_test {
 

@@ -1,5 +1,6 @@
 // Tests of theory/exact/adhesive_sphere.hpp: energy balance, the pressure of
 // each solution, pull-off forces, and the limits between the three.
+#include "tests/theory/axisymmetric.hpp"
 #include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/hertz.hpp"
 
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "tests/theory/axisymmetric.hpp"
 
 namespace asperity::theory::adhesive_sphere_test {
 

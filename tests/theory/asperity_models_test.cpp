@@ -1,5 +1,6 @@
 // Tests of theory/exact/asperity_models.hpp: the statistics of summits by their
 // own integrals, printed numbers, and the limits that the paper states.
+#include "tests/theory/spectra.hpp"
 #include "theory/exact/asperity_models.hpp"
 #include "theory/persson/persson.hpp"
 
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::asperity_models_test {
 

@@ -1,5 +1,6 @@
 // Tests of theory/persson/gap_distribution.hpp, and of the monotone decrease of
 // u(zeta) and u_1(zeta) that makes it a distribution.
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/gap_distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::gap_distribution_test {
 

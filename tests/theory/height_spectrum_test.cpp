@@ -1,4 +1,6 @@
 // Tests of theory/persson/height_spectrum.hpp: moments, nodes, cuts, refusals.
+#include "tests/message_of.hpp"
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -11,9 +13,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::height_spectrum_test {
 

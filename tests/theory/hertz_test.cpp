@@ -1,6 +1,8 @@
 // Tests of theory/exact/hertz.hpp: the closed forms against elasticity itself,
 // the stress on the axis against Boussinesq's point loads, and the square array
 // against lattice sums.
+#include "tests/message_of.hpp"
+#include "tests/theory/plain_contact.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -14,9 +16,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "tests/message_of.hpp"
-#include "tests/theory/plain_contact.hpp"
 
 namespace asperity::theory::hertz_test {
 

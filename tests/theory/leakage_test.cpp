@@ -1,5 +1,6 @@
 // Tests of theory/persson/leakage.hpp: the critical constriction is where the
 // area percolates, the flow is Poiseuille's, and a tight seal does not leak.
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/leakage.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +9,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::leakage_test {
 

@@ -1,6 +1,7 @@
 // Tests of theory/persson/magnification.hpp: the unresolved roughness obeys the
 // same theory, volume is conserved as the surfaces separate, and invalid
 // arguments are refused.
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/magnification.hpp"
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
@@ -10,8 +11,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::magnification_test {
 

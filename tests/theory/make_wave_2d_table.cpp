@@ -5,6 +5,7 @@
 //
 // With the argument "check" it solves between the rows instead and prints the
 // difference of Wave2dContact from these solutions.
+#include "tests/theory/wave_2d_solution.hpp"
 #include "theory/exact/wave_2d.hpp"
 #include "theory/exact/wave_2d_table.hpp"
 
@@ -12,8 +13,6 @@
 #include <cmath>
 #include <cstdio>
 #include <string_view>
-
-#include "tests/theory/wave_2d_solution.hpp"
 
 namespace asperity::theory {
 namespace {

@@ -1,12 +1,11 @@
 // The computing time of a curve of Persson's theory.
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory {
 namespace {

@@ -1,6 +1,8 @@
 // Tests of theory/persson/persson.hpp against numbers that were computed by
 // another program and with 25-digit arithmetic, against the limits, and by
 // exact identities for random spectra, loads and gammas.
+#include "tests/message_of.hpp"
+#include "tests/theory/spectra.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -12,9 +14,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::persson_test {
 

@@ -1,5 +1,6 @@
 // Tests of theory/persson/pressure_distribution.hpp: closed forms against
 // integrals.
+#include "tests/message_of.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -12,8 +13,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-
-#include "tests/message_of.hpp"
 
 namespace asperity::theory::pressure_distribution_test {
 

@@ -1,5 +1,6 @@
 // Tests of theory/exact/punches.hpp: the stated pressure causes the stated
 // displacement, inside and outside, and carries the stated load.
+#include "tests/theory/axisymmetric.hpp"
 #include "theory/exact/punches.hpp"
 
 #include <gtest/gtest.h>
@@ -7,8 +8,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-
-#include "tests/theory/axisymmetric.hpp"
 
 namespace asperity::theory::punches_test {
 

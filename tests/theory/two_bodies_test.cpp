@@ -1,5 +1,6 @@
 // Tests of theory/exact/two_bodies.hpp: compliances add, and so do the mean
 // squares of heights and slopes.
+#include "tests/theory/spectra.hpp"
 #include "theory/exact/two_bodies.hpp"
 #include "theory/persson/persson.hpp"
 
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/spectra.hpp"
 
 namespace asperity::theory::two_bodies_test {
 

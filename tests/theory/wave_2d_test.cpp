@@ -2,6 +2,9 @@
 // the simplest solver, within the range that its header states; the members
 // that hold at every load against a different method and against the closed
 // forms.
+#include "tests/theory/plain_contact.hpp"
+#include "tests/theory/wave_2d_elements.hpp"
+#include "tests/theory/wave_2d_solution.hpp"
 #include "theory/exact/wave_2d.hpp"
 #include "theory/exact/wave_2d_table.hpp"
 
@@ -12,10 +15,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <vector>
-
-#include "tests/theory/plain_contact.hpp"
-#include "tests/theory/wave_2d_elements.hpp"
-#include "tests/theory/wave_2d_solution.hpp"
 
 namespace asperity::theory::wave_2d_test {
 
