@@ -245,8 +245,11 @@ void TableReader::refuse_unknown(const std::vector<std::string>& also_known) {
       what = candidate.node.is_table()
                  ? "is not a table of a case file; "
                  : "is not a key at the top of a case file; ";
-    what += home.empty() ? "nearest: " + input::nearest(candidate.key, known)
-                         : "it belongs to " + home;
+    if (candidate.key == "gamma_theory" && node_.path == "expect")
+      what += "since version 0.2 it is gamma_curve";
+    else
+      what += home.empty() ? "nearest: " + input::nearest(candidate.key, known)
+                           : "it belongs to " + home;
     complain(candidate.node, what);
   }
 }

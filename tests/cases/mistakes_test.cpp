@@ -179,6 +179,10 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
 
 TEST(Mistakes, NameTheMistakeOfAnExpectation) {
   const std::vector<std::pair<std::string, std::string>> answers = {
+      {"expect.gamma_theory={ below = 1 }",
+       "expect.gamma_theory is not a key of this table; since version 0.2 it "
+       "is "
+       "gamma_curve"},
       {"expect.gama_slope={ below = 1 }",
        "expect.gama_slope is not a key of this table; nearest: gamma_slope"},
       {"expect.kappa=2", "expect.kappa = 2, but must be { value, within } or "
