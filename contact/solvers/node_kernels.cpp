@@ -100,6 +100,10 @@ SeveralSums<n_sums> sum_products(const NodeFields& f, const NodeRange& range,
   });
 }
 
+double lowest(const Lanes<double>& lanes) {
+  return folded(lanes, [](double a, double b) { return b < a ? b : a; });
+}
+
 /// raw_gap = next(node, raw_gap). A block has either sums over its contact or a
 /// lowest gap: one loop with both waits for registers.
 template <class Next>
@@ -119,10 +123,8 @@ TwoSums change(const NodeFields& f, const NodeRange& range, const Next& next) {
           least[lane] = gap < least[lane] ? gap : least[lane];
           sum[lane] += gap;
         });
-        const double lowest =
-            folded(least, [](double a, double b) { return b < a ? b : a; });
         f.lowest[first / block_nodes] =
-            std::isfinite(total(sum)) ? lowest : -infinity;
+            std::isfinite(total(sum)) ? lowest(least) : -infinity;
         return;
       }
       each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
