@@ -19,6 +19,7 @@ template <class Sums, class OfRow>
 Sums sum_over_rows(const SharedRows& rows, const OfRow& of_row) {
   static_assert(std::is_trivially_copyable_v<Sums>);
   std::vector<Sums> own;
+  own.reserve(static_cast<std::size_t>(rows.count()));
   for (int row = 0; row < rows.count(); ++row)
     own.push_back(of_row(row));
   Sums total{};

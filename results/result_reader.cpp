@@ -260,10 +260,12 @@ FileContent read_file_and_journal(const std::filesystem::path& path,
 
 } // namespace
 
+std::filesystem::path file_of_result(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? path / layout::file_name : path;
+}
+
 Result read_result(const std::filesystem::path& path, MapsInFile left) {
-  const bool is_folder = std::filesystem::is_directory(path);
-  const std::filesystem::path file_path =
-      is_folder ? path / layout::file_name : path;
+  const std::filesystem::path file_path = file_of_result(path);
   if (!std::filesystem::exists(file_path))
     throw input::InputError(file_path.string() + ": there is no such file");
   Result result = std::move(read_file_and_journal(file_path, left).result);

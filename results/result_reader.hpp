@@ -13,6 +13,10 @@
 
 namespace asperity::results {
 
+/// Returns the file of a result.
+/// @param path  the file, or the folder that contains result.h5
+std::filesystem::path file_of_result(const std::filesystem::path& path);
+
 /// Reads and validates a result.
 /// @param path  the file, or the folder that contains result.h5
 /// @return  the complete contents. A missing number is NaN (counts: 0), a

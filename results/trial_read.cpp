@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <system_error>
 
 namespace asperity::results {
@@ -18,9 +19,13 @@ constexpr double time_per_byte = 1e-6; // [s]
 
 } // namespace
 
-double read_time_limit(std::uintmax_t file_bytes) {
-  return std::clamp(time_per_byte * static_cast<double>(file_bytes), least_time,
-                    longest_time);
+double read_time_limit(const std::filesystem::path& path) {
+  std::error_code none; // a file that is missing is reported by its reader
+  const std::uintmax_t bytes =
+      std::filesystem::file_size(file_of_result(path), none);
+  return none ? least_time
+              : std::clamp(time_per_byte * static_cast<double>(bytes),
+                           least_time, longest_time);
 }
 
 void require_readable(const std::filesystem::path& path) {
@@ -29,8 +34,6 @@ void require_readable(const std::filesystem::path& path) {
 
 void require_readable(const std::filesystem::path& path,
                       const std::function<void()>& read) {
-  std::error_code none; // a file that is missing is reported by `read`
-  const std::uintmax_t bytes = std::filesystem::file_size(path, none);
   ChildProcess child = ChildProcess::forked(
       [&](int) {
         try {
@@ -39,7 +42,7 @@ void require_readable(const std::filesystem::path& path,
           // The caller reads the file again and reports the error.
         }
       },
-      {.cpu_time = read_time_limit(none ? 0 : bytes)});
+      {.cpu_time = read_time_limit(path)});
   const ChildEnd& end = child.wait();
   if (!end.failure.empty())
     throw input::InputError(

@@ -3,16 +3,16 @@
 // Reads a result from an untrusted source in a child process first, because the
 // packaged HDF5 library has memory errors that a damaged file can trigger.
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 
 namespace asperity::results {
 
-/// Returns the CPU time that the reading of a file may take [s]: in proportion
-/// to its size [B], within limits, and a hundred times what a good file takes.
-/// The library can loop for ever on a damaged one.
-double read_time_limit(std::uintmax_t file_bytes);
+/// Returns the CPU time that the reading of a result may take [s]: in
+/// proportion to the size of its file, within limits, and a hundred times what a
+/// good file takes. The library can loop for ever on a damaged one.
+/// @param path  the file, or the folder that contains result.h5
+double read_time_limit(const std::filesystem::path& path);
 
 /// Returns if read_result() of `path` terminates normally, with a result or
 /// with an exception. No other thread of this process may be running.

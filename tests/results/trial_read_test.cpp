@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <filesystem>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 namespace asperity::results::trial_read_test {
 
@@ -28,9 +32,17 @@ TEST_F(TrialRead, RefusesWhatCrashesTheLibrary) {
 }
 
 TEST_F(TrialRead, MayTakeLongerForALargerFile) {
-  EXPECT_EQ(read_time_limit(0), 20.0);
-  EXPECT_DOUBLE_EQ(read_time_limit(46'000'000), 46.0);
-  EXPECT_EQ(read_time_limit(1'000'000'000'000'000), 600.0);
+  EXPECT_EQ(read_time_limit("no/such/file.h5"), 20.0);
+  std::filesystem::create_directories(folder_);
+  const std::filesystem::path file = folder_ / "result.h5";
+  const std::vector<std::pair<std::uintmax_t, double>> limits = {
+      {0, 20.0}, {46'000'000, 46.0}, {1'000'000'000'000, 600.0}};
+  for (const auto& [bytes, seconds] : limits) {
+    std::ofstream(file).close();
+    std::filesystem::resize_file(file, bytes); // without blocks on the disk
+    EXPECT_DOUBLE_EQ(read_time_limit(file), seconds);
+    EXPECT_DOUBLE_EQ(read_time_limit(folder_), seconds); // of its result.h5
+  }
 }
 
 // A good file and one with a mistake are left to the reader.
