@@ -197,6 +197,17 @@ theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
   return highest ? spectrum.between(0.0, *highest) : spectrum;
 }
 
+theory::HeightSpectrum spread_spectrum_of(const SurfaceOfCase& surface) {
+  const surfaces::Shell& first = surface.shells.front();
+  const double mode_area =
+      first.mean_square_height /
+      (first.modes * surface.record.spectrum.front().spectrum);
+  const surfaces::IsotropicSpectrum spread =
+      surfaces::spread_spectrum(surface.shells, mode_area);
+  return theory::HeightSpectrum(
+      theory::SpectrumFormula{spread.density, spread.kinks});
+}
+
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface) {
   std::vector<theory::SpectrumShell> shells;
   for (const surfaces::Shell& shell : surface.shells)

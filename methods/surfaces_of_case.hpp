@@ -128,10 +128,12 @@ private:
 };
 
 /// Return the height spectrum for a theory: the formula up to the magnification
-/// of the method, or the measured spectrum of a surface.
+/// of the method, or the measured spectrum of a surface, as lines or as a
+/// density (surfaces::spread_spectrum).
 theory::HeightSpectrum formula_of_case(const cases::Case& contact_case,
                                        const cases::MethodSpec& method);
 theory::HeightSpectrum spectrum_of(const SurfaceOfCase& surface);
+theory::HeightSpectrum spread_spectrum_of(const SurfaceOfCase& surface);
 
 /// Returns the scales of a case that builds no surface. The rms height follows
 /// from the formula; the spacing is 0 if the case does not give the number of

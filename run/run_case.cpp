@@ -321,7 +321,7 @@ void Run::run_jobs() {
       else
         jobs.push_back(job_of_rank_0(method, r));
     }
-  if (const MethodSpec* studied = cases::study_theory(methods_);
+  if (const MethodSpec* studied = cases::study_theory(case_.surface, methods_);
       studied != nullptr && has_realization(0))
     jobs.push_back([this, studied] {
       const Progress::Activity studies(progress_, "tables of the studies");

@@ -134,8 +134,11 @@ void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
   const cases::Case& contact_case = context.contact_case;
   if (!contact_case.magnification_study && !contact_case.adhesion_study)
     return;
+  const bool is_measured =
+      contact_case.surface.kind == mechanics::SurfaceKind::measured;
   const theory::PerssonContact contact(
-      methods::formula_of_case(contact_case, theory),
+      is_measured ? methods::spread_spectrum_of(context.surfaces.of(theory, 0))
+                  : methods::formula_of_case(contact_case, theory),
       contact_case.material.contact_modulus,
       std::get<mechanics::TheorySettings>(theory.settings).gamma);
   StudyTables tables(context, theory);

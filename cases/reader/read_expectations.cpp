@@ -33,7 +33,8 @@ bool is_theory(const MethodSpec& method) {
 bool answers(const MethodSpec& method, const ExpectationName& quantity,
              const ReadSoFar& read_so_far) {
   if (quantity.study != Study::none)
-    return &method == study_theory(read_so_far.methods);
+    return &method ==
+           study_theory(read_so_far.read.surface, read_so_far.methods);
   const bool is_variant = method.name.find('.') != std::string::npos;
   return (is_theory(method) ? quantity.theory_answers
                             : !quantity.theory_only) &&

@@ -6,9 +6,9 @@ namespace asperity::cases {
 namespace {
 
 void check_theory(TableReader& table, const Case& read) {
-  if (!study_theory(read.methods))
+  if (!study_theory(read.surface, read.methods))
     table.complain(table.node(), "needs a [theory] whose spectrum is "
-                                 "\"formula\"");
+                                 "\"formula\", or a measured surface");
 }
 
 void check_ends(TableReader& table, double from, double to) {

@@ -9,7 +9,8 @@ using Adhesion = AdhesionStudy;
 using Leak = LeakStudy;
 
 constexpr const char* for_theory =
-    "Optional; needs a [theory] whose spectrum is the formula.";
+    "Optional; needs a [theory] whose spectrum is the formula, or a measured "
+    "map.";
 
 Table magnification_table() {
   return {

@@ -2,11 +2,14 @@
 
 namespace asperity::cases {
 
-const MethodSpec* study_theory(const std::vector<MethodSpec>& methods) {
+const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
+                               const std::vector<MethodSpec>& methods) {
+  const bool is_measured = surface.kind == mechanics::SurfaceKind::measured;
   for (const MethodSpec& method : methods)
     if (const auto* theory =
             std::get_if<mechanics::TheorySettings>(&method.settings);
-        theory && theory->spectrum == mechanics::TheorySpectrum::formula)
+        theory &&
+        (is_measured || theory->spectrum == mechanics::TheorySpectrum::formula))
       return &method;
   return nullptr;
 }

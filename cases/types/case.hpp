@@ -61,7 +61,9 @@ struct Case {
 };
 
 /// Returns the theory that evaluates the studies: the first one that uses the
-/// formula of the spectrum; null if there is none.
-const MethodSpec* study_theory(const std::vector<MethodSpec>& methods);
+/// formula of the spectrum, or the first one if the surface is measured; null
+/// if there is none.
+const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
+                               const std::vector<MethodSpec>& methods);
 
 } // namespace asperity::cases

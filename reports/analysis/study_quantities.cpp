@@ -140,7 +140,8 @@ void add_study_quantities(const Result& result, const cases::Case& contact_case,
         theory != nullptr && spec.name == method.name)
       quantities["epsilon"] =
           number(theory::persson_epsilon(theory->gamma), "");
-  const cases::MethodSpec* studied = cases::study_theory(contact_case.methods);
+  const cases::MethodSpec* studied =
+      cases::study_theory(contact_case.surface, contact_case.methods);
   if (studied == nullptr || studied->name != method.name)
     return;
   if (contact_case.magnification_study) {

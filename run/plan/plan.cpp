@@ -205,7 +205,8 @@ double time_on_first_surface(const cases::Case& contact_case,
                              const Grid& grid, const methods::CaseKeys& keys,
                              const methods::Cache& cache, MachineRates& rates) {
   double time = 0.0;
-  if (const MethodSpec* theory = cases::study_theory(methods);
+  if (const MethodSpec* theory =
+          cases::study_theory(contact_case.surface, methods);
       theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
     time += study_time(contact_case, rates);
   if (contact_case.report.stress_inside)

@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -250,6 +251,73 @@ double shell_density(const Shell& shell, const Grid& grid) {
   const double two_pi = 2.0 * std::numbers::pi;
   return shell.mean_square_height * grid.area() /
          (two_pi * two_pi * shell.modes);
+}
+
+namespace {
+
+/// Joins shells whose q differ by at most this factor from 1.
+std::vector<Shell> joined_shells(std::span<const Shell> shells,
+                                 double relative_width) {
+  std::vector<Shell> joined;
+  joined.reserve(shells.size());
+  double first = 0.0; // q of the first of the shells that are being joined
+  for (const Shell& shell : shells) {
+    if (shell.wavevector > (1.0 + relative_width) * first) {
+      first = shell.wavevector;
+      joined.push_back(shell);
+      continue;
+    }
+    Shell& last = joined.back();
+    const double power = last.mean_square_height + shell.mean_square_height;
+    last.wavevector =
+        std::sqrt((last.mean_square_height * std::pow(last.wavevector, 2) +
+                   shell.mean_square_height * std::pow(shell.wavevector, 2)) /
+                  power);
+    last.mean_square_height = power;
+    last.modes += shell.modes;
+  }
+  return joined;
+}
+
+} // namespace
+
+IsotropicSpectrum spread_spectrum(std::span<const Shell> shells,
+                                  double mode_area) {
+  constexpr double least_inner = 0.05;   // of q^2
+  constexpr double relative_width = 0.1; // the theory takes time for each kink
+  // Changes of C at the squares of the radii of all annuli.
+  std::map<double, double> changes;
+  IsotropicSpectrum spectrum;
+  for (const Shell& shell : joined_shells(shells, relative_width)) {
+    const double square = shell.wavevector * shell.wavevector;
+    const double half_width =
+        std::min(0.5 * shell.modes * mode_area / std::numbers::pi,
+                 (1.0 - least_inner) * square);
+    const double density =
+        shell.mean_square_height / (2.0 * std::numbers::pi * half_width);
+    changes[square - half_width] += density;
+    changes[square + half_width] -= density;
+    spectrum.mean_square_height += shell.mean_square_height;
+    spectrum.mean_square_slope += square * shell.mean_square_height;
+  }
+
+  std::vector<double> densities;
+  densities.reserve(changes.size());
+  spectrum.kinks.reserve(changes.size());
+  double density = 0.0;
+  for (const auto& [square, change] : changes) {
+    density += change;
+    spectrum.kinks.push_back(std::sqrt(square));
+    densities.push_back(std::max(density, 0.0)); // roundoff between annuli
+  }
+  spectrum.density = [ends = spectrum.kinks,
+                      densities = std::move(densities)](double q) {
+    if (!is_in_band(q, ends.front(), ends.back()))
+      return 0.0;
+    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, q);
+    return densities[static_cast<std::size_t>(after - ends.begin() - 1)];
+  };
+  return spectrum;
 }
 
 } // namespace asperity::surfaces

@@ -5,6 +5,7 @@
 
 #include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
+#include "surfaces/maps/isotropic_spectrum.hpp"
 
 #include <cstdint>
 #include <span>
@@ -73,5 +74,14 @@ std::vector<Shell> spectral_shells(const Grid& grid, const HeightRows& heights,
 ///
 ///     C = mean_square_height * L_x L_y / ((2 pi)^2 modes)
 double shell_density(const Shell& shell, const Grid& grid);
+
+/// C(q) of a map as a density: the power of each shell is spread evenly over an
+/// annulus of the plane of wavevectors that has the area of its modes and the
+/// mean q^2 of the shell, so that <h^2> and <|grad h|^2> are those of the map.
+/// Where annuli overlap, their densities are added.
+/// @param shells     of a map, at least one
+/// @param mode_area  (2 pi)^2/(L_x L_y) [rad^2/m^2] > 0
+IsotropicSpectrum spread_spectrum(std::span<const Shell> shells,
+                                  double mode_area);
 
 } // namespace asperity::surfaces

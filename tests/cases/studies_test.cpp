@@ -114,7 +114,7 @@ TEST(Studies, NeedATheoryByTheFormula) {
   EXPECT_EQ(mistakes_in({"theory.spectrum=surface", "surface.points=256",
                          "surface.seed=1", "adhesion="}),
             "  case.toml:16: magnification needs a [theory] whose spectrum is "
-            "\"formula\"\n"
+            "\"formula\", or a measured surface\n"
             "  case.toml:27: expect.adhesion_flip needs the table [adhesion]\n"
             "  case.toml:27: expect.adhesion_flip is computed by none of the "
             "case's methods\n");
@@ -140,13 +140,29 @@ TEST(Studies, NameTheMistakeInTheirValues) {
       "  --set: magnification = 4, but must be a table: [magnification]\n");
 }
 
+// A map has no formula, and its theory evaluates the lines of its spectrum.
+TEST(Studies, AreThoseOfTheMapOfAMeasuredSurface) {
+  const Case measured = read(
+      {"surface.kind=measured", "surface.file=map.txt", "surface.level=plane",
+       "surface.length=10 um", "surface.height_unit=1 nm",
+       "surface.rms_height=", "surface.hurst=", "surface.wavelength_long=",
+       "surface.wavelength_roll_off=", "surface.wavelength_short=",
+       "magnification.reference_wavelength=10 um"});
+
+  EXPECT_EQ(study_theory(measured.surface, measured.methods),
+            &measured.methods[0]);
+  EXPECT_DOUBLE_EQ(measured.magnification_study->reference_wavevector,
+                   two_pi / 1e-5);
+}
+
 TEST(Studies, AnswerTheirQuantitiesByTheTheoryAlone) {
   const Case study_case = read();
 
   ASSERT_EQ(study_case.expectations.size(), 1U);
   EXPECT_EQ(study_case.expectations[0].methods,
             std::vector<std::string>{"theory"});
-  EXPECT_EQ(study_theory(study_case.methods), &study_case.methods[0]);
+  EXPECT_EQ(study_theory(study_case.surface, study_case.methods),
+            &study_case.methods[0]);
 }
 
 TEST(QuantityAtMagnification, IsReadWithItsLoad) {

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -117,6 +118,38 @@ TEST(Shells, PreserveHeightAndSlopeOfTheMap) {
     }
     RC_ASSERT(std::abs(std::sqrt(height) / found.rms_height - 1.0) < 1e-12);
     RC_ASSERT(std::abs(std::sqrt(slope) / found.rms_slope - 1.0) < 1e-12);
+  });
+  EXPECT_TRUE(holds);
+}
+
+// Spread over annuli, too, the shells have the map's <h^2>, and its <|grad
+// h|^2> unless the lowest annulus would contain q = 0 (a side above three
+// others).
+TEST(Shells, SpreadKeepHeightAndSlopeOfTheMap) {
+  const bool holds = rc::check([] {
+    const Grid grid{*rc::gen::inRange(2, 40), *rc::gen::inRange(2, 40), 1.0,
+                    *rc::gen::inRange(4, 30) / 10.0};
+    const HeightMap map = noise(grid, *rc::gen::inRange(0, 1000));
+    const double mode_area =
+        wavevector(1, grid.length_x) * wavevector(1, grid.length_y);
+    const IsotropicSpectrum spread =
+        spread_spectrum(spectral_shells(map), mode_area);
+    double height = 0.0;
+    double slope = 0.0;
+    for (std::size_t i = 0; i + 1 < spread.kinks.size(); ++i) {
+      const double low = spread.kinks[i];
+      const double high = spread.kinks[i + 1];
+      RC_ASSERT(low > 0.0 && high > low);
+      const double density = spread.density(std::midpoint(low, high));
+      RC_ASSERT(density >= 0.0);
+      height += std::numbers::pi * density * (high * high - low * low);
+      slope += 0.5 * std::numbers::pi * density *
+               (std::pow(high, 4) - std::pow(low, 4));
+    }
+    const Statistics found = statistics(map);
+    RC_ASSERT(std::abs(std::sqrt(height) / found.rms_height - 1.0) < 1e-9);
+    RC_ASSERT(std::abs(std::sqrt(slope) / found.rms_slope - 1.0) < 1e-9);
+    RC_ASSERT(std::abs(spread.mean_square_slope / slope - 1.0) < 1e-9);
   });
   EXPECT_TRUE(holds);
 }
