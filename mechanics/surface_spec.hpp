@@ -88,6 +88,10 @@ struct SurfaceSpec {
   std::optional<double> spikes;     ///< threshold in robust standard deviations
   Filling fill = Filling::harmonic; ///< of missing points
   double max_missing = 0.05;        ///< largest fraction that is filled
+  std::optional<double> cut_off;    ///< shortest wavelength of a map that is
+                                    ///< kept > 0
+  bool has_images = true; ///< a map that is not periodic is continued by its
+                          ///< mirror images; false: it is used alone
 
   /// R of the paraboloid r^2/(2 R) that a rough surface lies on > 0; empty: the
   /// surface is nominally flat.

@@ -38,7 +38,7 @@ SurfaceOfCase single_map(const cases::Case& contact_case,
                          const SurfaceOfCase& continued,
                          const BuildSurface& build) {
   mechanics::SurfaceSpec alone = contact_case.surface;
-  alone.edges = mechanics::Edges::periodic; // the map as it is
+  alone.has_images = false;
   SurfaceOfCase built = build({alone, 0});
   SurfaceOfCase surface = continued;
   surface.record.grid = built.record.grid;

@@ -50,6 +50,10 @@ provenance_at_start(const cases::Case& contact_case, int threads,
     return facts;
   facts.emplace_back("map",
                      surfaces::description_of(description(surface, found)));
+  if (surface.cut_off)
+    facts.emplace_back("cut-off",
+                       fmt::format("waves shorter than {:.6g} nm removed",
+                                   *surface.cut_off * 1e9));
   if (surface.edges == mechanics::Edges::window)
     facts.emplace_back("window",
                        words_of(found && found->effect

@@ -208,7 +208,7 @@ std::vector<double> random_rows_on(const SurfaceSpec& surface, int realization,
 }
 
 HeightMap measured_surface(const SurfaceSpec& surface) {
-  return with_edges(levelled_map(surface), surface.edges);
+  return with_edges(levelled_map(surface), continuation_of(surface));
 }
 
 HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,

@@ -11,6 +11,7 @@
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/levelling.hpp"
 #include "surfaces/maps/missing_points.hpp"
+#include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/missing_values.hpp"
 
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -118,7 +120,28 @@ void level_form(const SurfaceSpec& surface, const SharedRows& rows,
   require_relief(surface, before, largest_magnitude(rows, heights));
 }
 
+/// Removes the waves that are shorter than surface.cut_off.
+void remove_short_waves(const SurfaceSpec& surface, HeightMap& map) {
+  const double longest = std::max(map.grid.length_x, map.grid.length_y);
+  if (*surface.cut_off > longest)
+    throw input::InputError(
+        fmt::format("{}: surface.cut_off = {:.6g} m, but must be at most the "
+                    "longer side of the map, {:.6g} m",
+                    surface.file, *surface.cut_off, longest));
+  const Grid grid = map.grid;
+  const bool is_periodic = surface.edges == mechanics::Edges::periodic;
+  if (!is_periodic)
+    map = with_edges(std::move(map), mechanics::Edges::mirror);
+  map = low_passed(map, 2.0 * std::numbers::pi / *surface.cut_off);
+  if (!is_periodic)
+    crop(map, {0, 0, grid});
+}
+
 } // namespace
+
+mechanics::Edges continuation_of(const SurfaceSpec& surface) {
+  return surface.has_images ? surface.edges : mechanics::Edges::periodic;
+}
 
 ScanRequest request_of_map(const SurfaceSpec& surface) {
   return {surface.format,
@@ -185,6 +208,8 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
     crop(scan.map, window_of_map(surface, scan.map.grid));
   const MapFacts facts = prepare_rows(surface, SharedRows(scan.map.grid),
                                       scan.map.heights, scan.numbers);
+  if (surface.cut_off)
+    remove_short_waves(surface, scan.map);
   return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
           facts.spikes};
 }
@@ -217,7 +242,7 @@ HeightMap levelled_map(const SurfaceSpec& surface) {
 
 EdgeEffect edge_effect(const SurfaceSpec& surface) {
   const HeightMap before = levelled_map(surface);
-  const HeightMap after = with_edges(before, surface.edges);
+  const HeightMap after = with_edges(before, continuation_of(surface));
   return {roughness_of(SharedRows(before.grid), before.heights),
           roughness_of(SharedRows(after.grid), after.heights)};
 }

@@ -23,9 +23,14 @@ struct MeasuredMap {
   std::size_t spikes = 0;  ///< points that were removed as spikes
 };
 
+/// How a measured map is continued beyond its border.
+mechanics::Edges continuation_of(const mechanics::SurfaceSpec& surface);
+
 /// Reads the map of the case and prepares it, in this order: cropping,
-/// alignment of scan lines, removal of spikes, filling of missing points, and
-/// levelling ([surface] crop_x ..., align_lines, remove_spikes, fill, level).
+/// alignment of scan lines, removal of spikes, filling of missing points,
+/// levelling, and removal of short waves ([surface] crop_x ..., align_lines,
+/// remove_spikes, fill, level, cut_off). Short waves are modes of the map if
+/// its edges are periodic, else of the map with its mirror images.
 /// @throws input::InputError  the file is not a map, the window is not inside
 ///                            it, more points are missing than max_missing, a
 ///                            number marks missing points (missing_values.hpp),

@@ -66,6 +66,8 @@ SharedRows rows_of_map(const Grid& grid, const SharedRows& rows) {
 } // namespace
 
 std::string reason_for_whole_map(const SurfaceSpec& surface) {
+  if (surface.cut_off)
+    return "short wavelengths are removed from it";
   constexpr const char* reason = "the format of the map cannot be read by rows";
   if (!may_read_rows(surface.file, surface.format))
     return reason;
@@ -80,7 +82,7 @@ std::string reason_for_whole_map(const SurfaceSpec& surface) {
 }
 
 Grid measured_grid(const SurfaceSpec& surface) {
-  return grid_with_edges(MapWindow(surface).grid(), surface.edges);
+  return grid_with_edges(MapWindow(surface).grid(), continuation_of(surface));
 }
 
 MeasuredMap described_map(const SurfaceSpec& surface) {
@@ -106,7 +108,8 @@ std::vector<double> measured_rows(const SurfaceSpec& surface,
       facts != nullptr && surface.edges == mechanics::Edges::window;
   if (has_effect)
     found.effect = {roughness_of(map_rows, heights), {}};
-  heights = with_edges(map_rows, std::move(heights), surface.edges, rows);
+  heights =
+      with_edges(map_rows, std::move(heights), continuation_of(surface), rows);
   if (has_effect)
     found.effect->pressed = roughness_of(rows, heights);
   if (facts != nullptr)

@@ -124,6 +124,12 @@ std::vector<Key> correction_keys() {
       key<&Surface::max_missing>("max_missing", Range{0.0, 1.0, true, false},
                                  "Largest fraction of missing points that is "
                                  "filled; a map with more is refused."),
+      key<&Surface::cut_off>(
+          "cut_off", Dimension::length,
+          "Removes all waves of the levelled map that are shorter than this "
+          "wavelength: the noise of the instrument, or roughness that is too "
+          "small to matter; default: none are removed.",
+          eg("600 nm")),
   };
 }
 

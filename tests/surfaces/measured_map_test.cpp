@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <string>
+#include <vector>
 
 namespace asperity::surfaces::measured_map_test {
 
@@ -71,6 +74,68 @@ TEST(MeasuredMap, HeightsAndSidesHaveTheLimitsOfLengths) {
   mechanics::SurfaceSpec low = surface_of("low", "1", "0");
   low.height_unit = 1e-40;
   EXPECT_NE(refusal_of(low).find("heights of at most"), std::string::npos);
+}
+
+/// The heights of a map of 24 x 16 points of 1 um: waves of these numbers of
+/// halves in a side, as its mirror images or its period continues them.
+HeightMap waves(bool is_periodic, const std::vector<int>& halves) {
+  HeightMap map{{24, 16, 24e-6, 16e-6}, {}};
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 24; ++ix) {
+      double height = 0.0;
+      for (const int k : halves) {
+        const double at = (ix + (is_periodic ? 0.0 : 0.5)) / 24.0;
+        height += 1e-8 * std::cos(std::numbers::pi * k * at);
+      }
+      map.heights.push_back(height);
+    }
+  return map;
+}
+
+mechanics::SurfaceSpec written(const HeightMap& map, mechanics::Edges edges) {
+  mechanics::SurfaceSpec surface = surface_of("waves");
+  surface.length = map.grid.length_x;
+  surface.height_unit = 1.0;
+  surface.edges = edges;
+  std::ofstream file(surface.file);
+  file.precision(17);
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    file << map.heights[i] << ((i + 1) % 24 == 0 ? '\n' : ' ');
+  return surface;
+}
+
+// Waves of a map that is not periodic are those of its mirror images, where a
+// half wave fits in a side: 6 halves of 24 um are 8 um long, 7 are shorter.
+// Tolerance: roundoff of two transforms.
+TEST(MeasuredMap, LosesTheWavesBelowItsCutOff) {
+  for (const bool is_periodic : {true, false}) {
+    const std::vector<int> kept =
+        is_periodic ? std::vector{2, 6} : std::vector{1, 6};
+    std::vector<int> all = kept;
+    all.push_back(is_periodic ? 8 : 7);
+    const HeightMap expected = waves(is_periodic, kept);
+    for (const bool has_images : {true, false}) {
+      mechanics::SurfaceSpec surface = written(
+          waves(is_periodic, all),
+          is_periodic ? mechanics::Edges::periodic : mechanics::Edges::free);
+      surface.cut_off = 8e-6;
+      surface.has_images = has_images;
+
+      const HeightMap found = levelled_map(surface);
+
+      ASSERT_EQ(found.heights.size(), expected.heights.size());
+      for (std::size_t i = 0; i < found.heights.size(); ++i)
+        ASSERT_NEAR(found.heights[i], expected.heights[i], 1e-20) << i;
+    }
+  }
+}
+
+TEST(MeasuredMap, RefusesACutOffAboveItsSides) {
+  mechanics::SurfaceSpec surface = surface_of("cut");
+  surface.cut_off = 21e-6;
+  EXPECT_EQ(refusal_of(surface),
+            surface.file + ": surface.cut_off = 2.1e-05 m, but must be at most "
+                           "the longer side of the map, 2e-05 m");
 }
 
 /// A message about a number that marks missing points.
