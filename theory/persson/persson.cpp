@@ -21,6 +21,20 @@ double log_epsilon(double gamma) {
          cubic_energy_constant() * (1.0 - gamma) / gamma; // Eq. (16)
 }
 
+/// Sum over the nodes of a spectrum, of their weight in 2 dm/q times a function
+/// of x = p/(E* sqrt(pi) m) and of m.
+template <class Term>
+double node_sum(const HeightSpectrum& spectrum, double pressure_ratio,
+                const Term& term) {
+  double sum = 0.0;
+  for (const RoughnessNode& node : spectrum.nodes())
+    sum +=
+        node.weight *
+        term(pressure_ratio / (std::sqrt(std::numbers::pi) * node.root_moment),
+             node.root_moment);
+  return sum;
+}
+
 } // namespace
 
 double persson_epsilon(double gamma) {
@@ -45,6 +59,20 @@ PerssonContact PerssonContact::with_gamma(double gamma) const {
   return other;
 }
 
+PerssonContact PerssonContact::with_law(LossLaw law) const {
+  PerssonContact other = *this;
+  other.law_ = std::move(law);
+  return other;
+}
+
+double PerssonContact::stress_variance(double nominal_pressure) const {
+  const double full = stress_variance();
+  if (!law_ || !(nominal_pressure > 0.0))
+    return full;
+  return full /
+         law_->variance_reduction(0.5 * nominal_pressure / std::sqrt(full));
+}
+
 double PerssonContact::stress_variance() const {
   return theory::stress_variance(contact_modulus_, spectrum_.rms_slope());
 }
@@ -52,16 +80,18 @@ double PerssonContact::stress_variance() const {
 double PerssonContact::pressure_density(double contact_pressure,
                                         double nominal_pressure) const {
   return theory::pressure_density(contact_pressure, nominal_pressure,
-                                  stress_variance());
+                                  stress_variance(nominal_pressure));
 }
 
 double PerssonContact::area_fraction(double nominal_pressure) const {
-  return theory::area_fraction(nominal_pressure, stress_variance());
+  return theory::area_fraction(nominal_pressure,
+                               stress_variance(nominal_pressure));
 }
 
 PressureMoments
 PerssonContact::pressure_moments(double nominal_pressure) const {
-  return theory::pressure_moments(nominal_pressure, stress_variance());
+  return theory::pressure_moments(nominal_pressure,
+                                  stress_variance(nominal_pressure));
 }
 
 double PerssonContact::pressure_ratio(double nominal_pressure) const {
@@ -70,7 +100,14 @@ double PerssonContact::pressure_ratio(double nominal_pressure) const {
 }
 
 double PerssonContact::elastic_energy(double nominal_pressure) const {
-  return elastic_energy_parts(nominal_pressure).at(gamma_);
+  if (!law_ || nominal_pressure == 0.0)
+    return elastic_energy_parts(nominal_pressure).at(gamma_);
+  return contact_modulus_ *
+         node_sum(spectrum_, pressure_ratio(nominal_pressure),
+                  [&](double x, double root_moment) { // Eq. (9)
+                    return 0.5 * std::numbers::pi * root_moment *
+                           law_->energy(x);
+                  });
 }
 
 GammaParts PerssonContact::elastic_energy_parts(double nominal_pressure) const {
@@ -86,7 +123,10 @@ double PerssonContact::full_contact_energy() const {
 }
 
 double PerssonContact::mean_gap(double nominal_pressure) const {
-  return mean_gap_parts(nominal_pressure).at(gamma_); // Eq. (14)
+  if (!law_)
+    return mean_gap_parts(nominal_pressure).at(gamma_); // Eq. (14)
+  return node_sum(spectrum_, pressure_ratio(nominal_pressure),
+                  [&](double x, double) { return law_->gap_kernel(x); });
 }
 
 GammaParts PerssonContact::mean_gap_parts(double nominal_pressure) const {
@@ -94,7 +134,10 @@ GammaParts PerssonContact::mean_gap_parts(double nominal_pressure) const {
 }
 
 double PerssonContact::mean_gap_slope(double nominal_pressure) const {
-  return sums_->mean_gap_slope(pressure_ratio(nominal_pressure)).at(gamma_);
+  if (!law_)
+    return sums_->mean_gap_slope(pressure_ratio(nominal_pressure)).at(gamma_);
+  return node_sum(spectrum_, pressure_ratio(nominal_pressure),
+                  [&](double x, double) { return law_->gap_kernel_slope(x); });
 }
 
 double PerssonContact::contact_stiffness(double nominal_pressure) const {
@@ -102,18 +145,23 @@ double PerssonContact::contact_stiffness(double nominal_pressure) const {
 }
 
 double PerssonContact::gap_decay_length() const {
-  return gamma_ * sums_->weight_sum(); // Eq. (18)
+  return (law_ ? law_->decay_factor() : gamma_) *
+         sums_->weight_sum(); // Eq. (18)
+}
+
+double PerssonContact::log_prefactor() const {
+  return (law_ ? law_->log_epsilon() : log_epsilon(gamma_)) -
+         sums_->mean_log_factor(); // Eq. (19)
 }
 
 double PerssonContact::pressure_prefactor() const {
-  return std::exp(log_epsilon(gamma_) - sums_->mean_log_factor()); // Eq. (19)
+  return std::exp(log_prefactor());
 }
 
 double PerssonContact::asymptotic_pressure(double mean_gap) const {
   require_not_negative("mean_gap", mean_gap, "m");
   return contact_modulus_ *
-         std::exp(log_epsilon(gamma_) - sums_->mean_log_factor() -
-                  mean_gap / gap_decay_length()); // Eq. (17)
+         std::exp(log_prefactor() - mean_gap / gap_decay_length()); // Eq. (17)
 }
 
 // Newton's iteration for ln u as a function of ln p, confined to a bracket. ln
@@ -133,9 +181,9 @@ double PerssonContact::nominal_pressure(double mean_gap) const {
   const int most_steps = 200; // bisection alone would take 60
   for (int step = 0; step < most_steps; ++step) {
     const double ratio = std::exp(log_ratio);
-    const double gap = sums_->mean_gap(ratio).at(gamma_);
+    const double gap = this->mean_gap(contact_modulus_ * ratio);
     (gap > mean_gap ? low : high) = log_ratio;
-    const double slope = sums_->mean_gap_slope(ratio).at(gamma_);
+    const double slope = mean_gap_slope(contact_modulus_ * ratio);
     double next = log_ratio + std::log(gap / mean_gap) * gap / slope;
     if (!(next > low && next < high))
       next = 0.5 * (low + high);

@@ -7,9 +7,11 @@
 
 #include "theory/persson/gap_kernel.hpp"
 #include "theory/persson/height_spectrum.hpp"
+#include "theory/persson/loss_law.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace asperity::theory {
@@ -51,14 +53,23 @@ public:
   /// The same surface and modulus with another gamma; shares all prepared data.
   PerssonContact with_gamma(double gamma) const;
 
+  /// The same surface and modulus with another law than Eq. (10): area, energy,
+  /// separation and the low-pressure limit then follow from it. The parts by
+  /// gamma and the theories of magnification and adhesion remain those of Eq.
+  /// (10).
+  PerssonContact with_law(LossLaw law) const;
+
   const HeightSpectrum& spectrum() const { return spectrum_; }
 
   double contact_modulus() const { return contact_modulus_; }
 
   double gamma() const { return gamma_; }
 
-  /// G of the whole spectrum, Eq. (2) [Pa^2].
+  /// G of the whole spectrum in full contact, Eq. (2) [Pa^2].
   double stress_variance() const;
+
+  /// G at a load [Pa^2], by Eq. (10) that of full contact.
+  double stress_variance(double nominal_pressure) const;
 
   /// P(sigma) of Eq. (1) at the full magnification [1/Pa].
   double pressure_density(double contact_pressure,
@@ -127,10 +138,12 @@ public:
 
 private:
   double pressure_ratio(double nominal_pressure) const;
+  double log_prefactor() const;
 
   HeightSpectrum spectrum_;
   double contact_modulus_;
   double gamma_;
+  std::optional<LossLaw> law_; ///< none: Eq. (10)
   std::shared_ptr<const GapSums> sums_;
 };
 
