@@ -64,17 +64,22 @@ public:
 
   /// Reads the cases among the targets.
   void read() {
-    bool has_case = false;
+    std::vector<std::string> words;
+    std::vector<run::NamedCases> read;
     for (const std::string& target : command_.targets) {
       target_ = target;
-      if (run::is_result(target) || is_sweep_folder(target))
-        continue;
-      has_case = true;
-      to_run_.emplace(target,
-                      run::read_named_cases_or_sweep(target, command_.overrides,
-                                                     command_.is_quick));
+      if (run::is_result(target))
+        results::require_readable(target);
+      else if (!is_sweep_folder(target)) {
+        words.push_back(target);
+        read.push_back(run::read_named_cases_or_sweep(
+            target, command_.overrides, command_.is_quick));
+      }
     }
-    if (!has_case)
+    run::name_apart(read, words);
+    for (std::size_t i = 0; i < words.size(); ++i)
+      to_run_.emplace(words[i], std::move(read[i]));
+    if (words.empty())
       require_a_case(command_);
   }
 

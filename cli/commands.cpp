@@ -141,7 +141,7 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
         folder_of(named.found.collection, command.out, n_targets);
     collection_lock.emplace(folder, "run " + named.found.collection,
                             run::report_outputs());
-    run::remove_report(folder); // belongs to the parts of the last run
+    run::put_last_run_aside(folder); // belongs to the parts of the last run
   }
   for (const run::ReadCase& read : named.cases) {
     const fs::path folder =
@@ -213,6 +213,7 @@ run::ExitCode run_cases(const RunCommand& command) {
   for (const std::string& word : command.cases)
     all.push_back(run::read_named_cases_or_sweep(
         word, command.overrides, command.is_quick, command.contact_modulus));
+  run::name_apart(all, command.cases);
   run::catch_interrupts();
   methods::Cache cache(methods::cache_folder(),
                        command.uses_cache ? methods::cache_size() : 0);

@@ -1,6 +1,7 @@
 #include "run/last_run.hpp"
 
 #include "input/input_error.hpp"
+#include "reports/figures/journal_figures.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
 #include "run/output_folder.hpp"
@@ -30,25 +31,31 @@ std::vector<fs::path> report_files(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const std::string& name : report_outputs())
-    if (name.ends_with('/'))
-      append_figures(folder / name.substr(0, name.size() - 1), files);
-    else if (fs::exists(fs::symlink_status(folder / name, error)))
-      files.push_back(folder / name);
+    if (name == "figures/")
+      append_figures(folder / "figures", files);
+    else if (const fs::path file = name == "journal/" ? "journal" : name;
+             fs::exists(fs::symlink_status(folder / file, error)))
+      files.push_back(folder / file);
   return files;
 }
 
 /// Removes the folders of figures that are empty.
 void remove_empty_folders(const fs::path& folder) {
   std::error_code error;
-  for (const char* name : {"figures", "journal"}) {
-    std::vector<fs::path> folders{folder / name};
-    for (const auto& entry :
-         fs::recursive_directory_iterator(folder / name, error))
-      if (entry.is_directory() && !entry.is_symlink())
-        folders.push_back(entry.path());
-    for (auto empty = folders.rbegin(); empty != folders.rend(); ++empty)
-      fs::remove(*empty, error); // fails if the folder is not empty
-  }
+  std::vector<fs::path> folders{folder / "figures"};
+  for (const auto& entry :
+       fs::recursive_directory_iterator(folders.front(), error))
+    if (entry.is_directory() && !entry.is_symlink())
+      folders.push_back(entry.path());
+  for (auto empty = folders.rbegin(); empty != folders.rend(); ++empty)
+    fs::remove(*empty, error); // fails if the folder is not empty
+}
+
+/// Removes what was moved out of the way of a run, except edited figures.
+void remove_held(const fs::path& folder) {
+  const fs::path held = folder / held_folder;
+  reports::keep_edited(held / "journal", folder);
+  fs::remove_all(held);
 }
 
 /// The folders of files that methods wrote beside the result, such as "fem-0".
@@ -103,7 +110,7 @@ LastRun::LastRun(fs::path folder, const std::vector<std::string>& new_folders)
       fmt::print("the previous result cannot be read: {}\n", error.what());
     }
   if (!files.empty() || has_result)
-    fs::remove_all(folder_ / held_folder); // of a run that was killed
+    remove_held(folder_); // of a run that was killed
   for (const fs::path& file : files)
     move_aside(file);
   remove_empty_folders(folder_);
@@ -130,7 +137,7 @@ void LastRun::move_aside(const fs::path& file) {
 
 void LastRun::end() {
   if (!moved_.empty())
-    fs::remove_all(folder_ / held_folder);
+    remove_held(folder_);
 }
 
 void LastRun::put_back(bool has_cache) {
@@ -161,12 +168,6 @@ void LastRun::put_back(bool has_cache) {
 
 void put_last_run_aside(const fs::path& folder) {
   LastRun(folder).end();
-}
-
-void remove_report(const fs::path& folder) {
-  for (const fs::path& file : report_files(folder))
-    fs::remove(file);
-  remove_empty_folders(folder);
 }
 
 } // namespace asperity::run

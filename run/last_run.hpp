@@ -18,7 +18,9 @@ std::string files_of_method(const std::string& method, int realization);
 /// run has not finished, so that runs that fail do not replace the last
 /// complete result, which contains all completed work. Tables, reports, figures
 /// and files of methods that could be mistaken for output of the new run are
-/// moved into the folder ".last-run". Nothing else in the folder is changed.
+/// moved into the folder ".last-run". Figures for a journal that were edited
+/// are kept for good in "journal.edited". Nothing else in the folder is
+/// changed.
 ///
 /// All functions throw std::system_error or results::Hdf5Error if a file
 /// operation fails.
@@ -54,8 +56,5 @@ private:
 ///
 /// @throws std::system_error, results::Hdf5Error  a file operation fails
 void put_last_run_aside(const std::filesystem::path& folder);
-
-/// Removes the report and the figures in a folder.
-void remove_report(const std::filesystem::path& folder);
 
 } // namespace asperity::run

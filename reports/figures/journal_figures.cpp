@@ -1,6 +1,7 @@
 #include "reports/figures/journal_figures.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
 #include "reports/figures/journal_layout.hpp"
@@ -85,7 +86,48 @@ double unit_of(const std::string& name, const std::string& width) {
                   printable(width)));
 }
 
+constexpr const char* drawn_record = ".drawn";
+
+/// The SHA-256 of all drawings, tables and scripts with their names.
+std::string hash_of_drawn(const std::filesystem::path& journal) {
+  constexpr std::uintmax_t most = 1U << 30U; // [B]
+  std::set<std::filesystem::path> files;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(journal))
+    if (entry.is_regular_file() && entry.path().filename() != drawn_record)
+      files.insert(entry.path());
+  ContentHash hash;
+  for (const std::filesystem::path& file : files) {
+    hash.add(file.lexically_relative(journal).string() + "\n");
+    hash.add(content_hash(read_file(file, most)));
+  }
+  return hash.text();
+}
+
 } // namespace
+
+void record_drawn(const std::filesystem::path& journal) {
+  if (std::filesystem::is_directory(journal))
+    write_file_atomically(journal / drawn_record,
+                          hash_of_drawn(journal) + "\n");
+}
+
+void keep_edited(const std::filesystem::path& journal,
+                 const std::filesystem::path& beside) {
+  namespace fs = std::filesystem;
+  if (!fs::is_directory(journal) || fs::is_empty(journal))
+    return;
+  const fs::path record = journal / drawn_record;
+  if (fs::exists(record) &&
+      read_file(record, 1024) == hash_of_drawn(journal) + "\n")
+    return;
+  fs::path kept = beside / "journal.edited";
+  for (int i = 2; fs::exists(kept); ++i)
+    kept = beside / fmt::format("journal.edited-{}", i);
+  fs::rename(journal, kept);
+  fmt::print("the edited figures for a journal are kept in {}\n",
+             kept.string());
+}
 
 JournalFormat journal_format(const std::vector<std::string>& endings,
                              const std::string& width) {

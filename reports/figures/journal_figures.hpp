@@ -34,4 +34,13 @@ std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
                              const std::filesystem::path& folder,
                              const std::string& program = "gnuplot");
 
+/// Records in the folder of journal figures what has been drawn there.
+void record_drawn(const std::filesystem::path& journal);
+
+/// Moves a folder of journal figures that somebody has edited since
+/// record_drawn() to "journal.edited", or "journal.edited-2" and so on, in the
+/// folder `beside`, and says so. One that nobody has edited stays.
+void keep_edited(const std::filesystem::path& journal,
+                 const std::filesystem::path& beside);
+
 } // namespace asperity::reports

@@ -201,8 +201,13 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   std::vector<DrawnGroup> own_groups;
   std::vector<DrawnGroup>& drawn_groups =
       extras.figures != nullptr ? *extras.figures : own_groups;
+  const bool has_journal = !extras.journal.endings.empty();
+  if (has_journal)
+    keep_edited(folder / "journal", folder);
   if (drawn_groups.empty())
     drawn_groups = draw_all(entries, folder, gnuplot, extras.journal, problems);
+  if (has_journal)
+    record_drawn(folder / "journal");
   if (entries.size() == 1)
     write_file_atomically(
         folder / "summary.json",

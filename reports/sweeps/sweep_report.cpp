@@ -215,11 +215,16 @@ SweepReport write_sweep_report(const SweepRecord& record,
     return drawn_group(heading, figures, {out, extras, gnuplot},
                        report.undrawn);
   };
+  const bool has_journal = !extras.journal.endings.empty();
+  if (has_journal)
+    keep_edited(out / "journal", out);
   std::vector<DrawnGroup> groups;
   groups.push_back(drawn("The curves", sweep_curve_figures(record, results)));
   groups.push_back(drawn("Quantities", sweep_trend_figures(record, results)));
   groups.push_back(
       drawn("Maps over both keys", sweep_heat_maps(record, results)));
+  if (has_journal)
+    record_drawn(out / "journal");
   std::erase_if(groups,
                 [](const DrawnGroup& group) { return group.figures.empty(); });
   write_file_atomically(out / "report.html",

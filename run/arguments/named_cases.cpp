@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 namespace asperity::run {
@@ -78,7 +80,63 @@ NamedSweep read_sweep_called(const FoundCase& found,
   return named;
 }
 
+/// The file that an argument stands for, however it is written.
+std::filesystem::path file_of(const NamedCases& named,
+                              const std::string& word) {
+  const std::filesystem::path& file = named.found.cases.front().file;
+  return std::filesystem::weakly_canonical(
+      file.empty() ? std::filesystem::path(word) : file);
+}
+
+/// The last two folders of a path that ends with the name of a case or map.
+std::string name_with_folder(std::filesystem::path file,
+                             const std::string& name) {
+  if (file.filename() == "case.toml")
+    file = file.parent_path();
+  return file.parent_path().filename().string() + "-" + name;
+}
+
+void rename_case(NamedCases& named, const std::string& name) {
+  named.found.cases.front().name = name;
+  if (named.sweep)
+    named.sweep->sweep.name = name;
+  for (ReadCase& read : named.cases)
+    read.found.name = read.contact_case.name = name;
+}
+
 } // namespace
+
+std::string output_name(const NamedCases& named) {
+  return !named.found.collection.empty() ? named.found.collection
+         : named.sweep                   ? named.sweep->sweep.name
+                                         : named.cases.front().found.name;
+}
+
+void name_apart(std::vector<NamedCases>& all,
+                const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  names.reserve(all.size());
+  for (const NamedCases& named : all)
+    names.push_back(output_name(named));
+  std::map<std::string, std::size_t> taken;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::filesystem::path file = file_of(all[i], words[i]);
+    const auto is_other = [&](std::size_t j) {
+      return names[j] == names[i] && file_of(all[j], words[j]) != file;
+    };
+    bool is_ambiguous = false;
+    for (std::size_t j = 0; j < all.size(); ++j)
+      is_ambiguous = is_ambiguous || is_other(j);
+    if (is_ambiguous && all[i].found.collection.empty())
+      rename_case(all[i], name_with_folder(file, names[i]));
+    const auto [first, is_new] = taken.emplace(output_name(all[i]), i);
+    if (!is_new && file_of(all[first->second], words[first->second]) != file)
+      throw input::InputError(fmt::format(
+          "{} and {} would be written into one folder, {}; please run them one "
+          "by one, with --out",
+          words[first->second], words[i], first->first));
+  }
+}
 
 NamedCases read_named_cases_or_sweep(const std::string& word,
                                      const std::vector<std::string>& overrides,

@@ -55,4 +55,15 @@ NamedCases read_named_cases_or_sweep(
     const std::string& word, const std::vector<std::string>& overrides = {},
     bool is_quick = false, const std::string& contact_modulus = "");
 
+/// The name of the folder into which an argument is written below out/.
+std::string output_name(const NamedCases& named);
+
+/// Lets no two arguments of a command write into one folder: cases or maps of
+/// one name in different folders get the name of their folder, too, as in
+/// s1-heights and s2-heights.
+/// @param words  the arguments of which `all` were read
+/// @throws input::InputError  two of them still have one name
+void name_apart(std::vector<NamedCases>& all,
+                const std::vector<std::string>& words);
+
 } // namespace asperity::run

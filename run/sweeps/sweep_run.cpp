@@ -220,7 +220,6 @@ void put_points_aside(const fs::path& folder) {
 
 void write_record(const reports::SweepRecord& record, const fs::path& folder) {
   put_last_run_aside(folder); // of one case
-  remove_report(folder);
   write_file_atomically(folder / reports::sweep_file,
                         text_of_json(reports::record_json(record), 2) + "\n");
 }

@@ -380,4 +380,56 @@ TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
   EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
 }
 
+// Two maps of one name in different folders.
+TEST_F(FolderUse, MapsOfOneNameHaveFoldersOfTheirOwn) {
+  std::string map = "# Channel: Height\n# Width: 8 um\n# Height: 8 um\n"
+                    "# Value units: m\n";
+  for (int i = 0; i < 16; ++i)
+    for (int j = 0; j < 16; ++j)
+      map += std::to_string((i * 7 + j * 3) % 5) + (j < 15 ? "e-9 " : "e-9\n");
+  for (const char* name : {"s1", "s2", "a/s1"}) {
+    fs::create_directories(folder / name);
+    write(name + std::string("/heights.txt"), map);
+  }
+  const std::string modulus = " --contact-modulus '2 GPa' --no-report";
+
+  const Ended ended = run("run s1/heights.txt s2/heights.txt" + modulus);
+
+  EXPECT_EQ(ended.exit_code, 0) << ended.output;
+  EXPECT_EQ(result("out/s1-heights").case_name, "s1-heights");
+  EXPECT_EQ(result("out/s2-heights").case_name, "s2-heights");
+
+  const Ended refused = run("run s1/heights.txt a/s1/heights.txt" + modulus);
+  EXPECT_EQ(refused.exit_code, 2) << refused.output;
+  EXPECT_NE(refused.output.find("s1/heights.txt and a/s1/heights.txt would be "
+                                "written into one folder, s1-heights"),
+            std::string::npos)
+      << refused.output;
+}
+
+// Figures for a journal that somebody has edited outlive a new run; others
+// do not.
+TEST_F(FolderUse, ARunKeepsEditedFigures) {
+  const std::string run_small = "run small.toml --methods theory --out one";
+  const fs::path journal = folder / "one/journal";
+  const fs::path kept = folder / "one/journal.edited";
+  ASSERT_EQ(run(run_small).exit_code, 0);
+  ASSERT_EQ(run("report one --figures svg").exit_code, 0);
+  ASSERT_EQ(run(run_small + " --set theory.gamma=0.5").exit_code, 0);
+  EXPECT_FALSE(fs::exists(journal) || fs::exists(kept));
+
+  ASSERT_EQ(run("report one --figures svg").exit_code, 0);
+  write("one/journal/pressure-gap.gp", "set title 'mine'\n");
+  ASSERT_EQ(run(run_small + " --set theory.gamma=0.6").exit_code, 0);
+  EXPECT_FALSE(fs::exists(journal));
+  EXPECT_EQ(text_of(kept / "pressure-gap.gp"), "set title 'mine'\n");
+
+  ASSERT_EQ(run("report one --figures svg").exit_code, 0);
+  write("one/journal/pressure-gap.gp", "set title 'again'\n");
+  ASSERT_EQ(run("report one --figures svg").exit_code, 0);
+  EXPECT_TRUE(fs::exists(journal / "pressure-gap.svg"));
+  EXPECT_EQ(text_of(folder / "one/journal.edited-2/pressure-gap.gp"),
+            "set title 'again'\n");
+}
+
 } // namespace asperity::program::folder_use_test
