@@ -86,6 +86,33 @@ run::ExitCode run_to_target(const run::ReadCase& read,
                                          options.folder));
 }
 
+/// The maps that one command presses, if they are several: ranks and parts take
+/// each by itself.
+std::vector<fs::path> maps_of_sweep(const RunCommand& command) {
+  if (!command.part.empty() || run::n_mpi_ranks() > 1)
+    return {};
+  const bool is_folder =
+      command.cases.size() == 1 && !run::is_map_file(command.cases.front());
+  if (is_folder && command.contact_modulus.empty())
+    return {}; // a shipped case may have the name of a folder
+  std::vector<fs::path> maps = run::maps_among(command.cases);
+  if (maps.size() < 2 && !is_folder)
+    maps.clear();
+  return maps;
+}
+
+/// out/NAME with the name of the folder of the maps.
+fs::path folder_of_maps(const std::vector<fs::path>& maps,
+                        const std::string& out) {
+  const fs::path of_first = maps.front().parent_path();
+  const bool is_common = std::ranges::all_of(
+      maps, [&](const fs::path& map) { return map.parent_path() == of_first; });
+  return folder_of(is_common && !of_first.filename().empty()
+                       ? of_first.filename().string()
+                       : "maps",
+                   out, 1);
+}
+
 run::ExitCode print_plans(const std::vector<run::NamedCases>& all,
                           const RunCommand& command, methods::Cache& cache) {
   std::string json;
@@ -116,7 +143,10 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
                         methods::Cache& cache, run::JsonAnswer& answer) {
   if (named.sweep) {
     const fs::path folder =
-        folder_of(named.sweep->sweep.name, command.out, command.cases.size());
+        named.sweep->text.empty()
+            ? folder_of(named.sweep->sweep.name, command.out,
+                        command.cases.size())
+            : named.sweep->found.file.parent_path(); // of several maps
     const run::ExitCode ended =
         is_for_ranks(named, command)
             ? run_over_ranks(named, command, folder)
@@ -210,9 +240,15 @@ run::ExitCode run_cases(const RunCommand& command) {
   if (command.has_pdf)
     require_pdf_program();
   std::vector<run::NamedCases> all;
+  const std::vector<fs::path> maps = maps_of_sweep(command);
+  if (!maps.empty())
+    all.push_back(run::read_maps(maps, command.overrides,
+                                 command.contact_modulus,
+                                 folder_of_maps(maps, command.out)));
   for (const std::string& word : command.cases)
-    all.push_back(run::read_named_cases_or_sweep(
-        word, command.overrides, command.is_quick, command.contact_modulus));
+    if (maps.empty())
+      all.push_back(run::read_named_cases_or_sweep(
+          word, command.overrides, command.is_quick, command.contact_modulus));
   run::name_apart(all, command.cases);
   run::catch_interrupts();
   methods::Cache cache(methods::cache_folder(),

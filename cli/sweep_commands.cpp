@@ -1,5 +1,6 @@
 #include "cli/sweep_commands.hpp"
 
+#include "base/atomic_file.hpp"
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -61,11 +62,25 @@ run::ExitCode report_on_sweep(const reports::SweepRecord& record,
   return end;
 }
 
+/// The files that a sweep is read from.
+std::vector<fs::path> inputs_of(const run::NamedSweep& named) {
+  std::vector<fs::path> files;
+  if (named.text.empty())
+    files.emplace_back(named.sweep.path);
+  for (const cases::SweptPoint& point : named.sweep.points)
+    if (!point.contact_case.surface.file.empty())
+      files.emplace_back(point.contact_case.surface.file);
+  return files;
+}
+
 run::SweepOutcome run_to(const run::NamedSweep& named,
                          const RunCommand& command, const fs::path& folder) {
   run::SweepRunOptions options{
       named.found.file, named.overrides, command.methods, command.is_exact,
       folder,           command.resume,  command.threads, command.uses_cache};
+  options.has_reports = named.has_point_reports && !command.no_report;
+  if (!named.text.empty())
+    write_file_atomically(named.found.file, named.text);
   fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);
   return run::run_sweep(named.sweep, options);
 }
@@ -120,7 +135,7 @@ run::ExitCode run_named_sweep(const run::NamedSweep& named,
                             " is a sweep, but a target error is met for one "
                             "case; --set sweep= removes the sweep");
   const run::OutputFolder lock(folder, "run " + named.sweep.name,
-                               run::sweep_outputs(), {named.sweep.path});
+                               run::sweep_outputs(), inputs_of(named));
   const run::SweepOutcome outcome = run_to(named, command, folder);
   run::ExitCode end = outcome.worst;
   if (!command.no_report)

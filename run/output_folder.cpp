@@ -151,8 +151,8 @@ OutputNames run_outputs(const cases::Case& contact_case) {
 
 OutputNames sweep_outputs() {
   OutputNames names = result_outputs();
-  names.insert(names.end(),
-               {reports::sweep_file, "points/", "points.previous/"});
+  names.insert(names.end(), {reports::sweep_file, reports::maps_file, "points/",
+                             "points.previous/"});
   return names;
 }
 

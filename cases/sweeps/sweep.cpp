@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace asperity::cases {
 namespace {
 
-StackedText stacked_with(const std::string& path,
+StackedText stacked_with(StackedText stacked,
                          const std::vector<std::string>& overrides) {
-  StackedText stacked = read_stacked(path);
   for (const std::string& entry : overrides)
     stacked.overrides.push_back({entry, {"--set", 0}});
   return stacked;
@@ -131,12 +131,19 @@ std::string point_content(const std::string& text) {
 
 bool is_sweep(const std::string& path,
               const std::vector<std::string>& overrides) {
-  return parsed(stacked_with(path, overrides)).find("sweep") != nullptr;
+  return parsed(stacked_with(read_stacked(path), overrides)).find("sweep") !=
+         nullptr;
 }
 
 CaseSweep read_sweep(const std::string& path,
                      const std::vector<std::string>& overrides) {
-  const StackedText stacked = stacked_with(path, overrides);
+  return read_sweep(read_stacked(path), overrides);
+}
+
+CaseSweep read_sweep(StackedText file_text,
+                     const std::vector<std::string>& overrides) {
+  const StackedText stacked = stacked_with(std::move(file_text), overrides);
+  const std::string& path = stacked.path;
   const Node file = parsed(stacked);
   const Node* const table = file.find("sweep");
   if (table == nullptr)

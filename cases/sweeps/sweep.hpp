@@ -12,6 +12,8 @@
 
 namespace asperity::cases {
 
+struct StackedText;
+
 /// Largest number of points of a sweep.
 inline constexpr std::size_t most_sweep_points = 1000;
 
@@ -74,6 +76,8 @@ bool is_sweep(const std::string& path,
 ///                            a valid case, whose values are named with its
 ///                            mistakes
 CaseSweep read_sweep(const std::string& path,
+                     const std::vector<std::string>& overrides = {});
+CaseSweep read_sweep(StackedText file_text,
                      const std::vector<std::string>& overrides = {});
 
 } // namespace asperity::cases

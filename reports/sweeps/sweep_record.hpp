@@ -40,6 +40,9 @@ std::filesystem::path point_folder(std::size_t point);
 
 inline constexpr const char* sweep_file = "sweep.json";
 
+/// The case file of a sweep over several maps, in the folder of their results.
+inline constexpr const char* maps_file = "maps.toml";
+
 /// Returns the record as the first part of sweep.json; `points` has one object
 /// per point, to which others may be added.
 nlohmann::ordered_json record_json(const SweepRecord& record);

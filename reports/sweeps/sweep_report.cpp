@@ -1,13 +1,16 @@
 #include "reports/sweeps/sweep_report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/read_file.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/explore/packed.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
+#include "reports/sweeps/sweep_scatter.hpp"
 
 #include <fmt/format.h>
 
@@ -50,8 +53,10 @@ std::string verdict_words(const SweptResult& result) {
 }
 
 /// One row per point and method.
+/// @param out  of the page, from which a point's own report is linked
 List point_rows(const SweepRecord& record, const Results& results,
-                const std::vector<std::string>& quantities) {
+                const std::vector<std::string>& quantities,
+                const std::filesystem::path& out) {
   List rows;
   for (const auto& result : results) {
     std::vector<std::string> values;
@@ -62,6 +67,9 @@ List point_rows(const SweepRecord& record, const Results& results,
       Value row;
       row.set("point", std::to_string(result->point));
       row.set("folder", point_folder(result->point).string());
+      row.set("has_report",
+              std::filesystem::exists(out / point_folder(result->point) /
+                                      "report.html"));
       row.set("values", text_cells(values));
       row.set("method", method);
       row.set("cells", cells);
@@ -86,6 +94,78 @@ List point_rows(const SweepRecord& record, const Results& results,
       add("–", text_cells(std::vector<std::string>(quantities.size(), "–")));
   }
   return rows;
+}
+
+/// The value of the only swept key at a point.
+std::string sample_name(const SweepRecord& record, std::size_t point) {
+  return value_label(
+      record.keys.front().values[record.points[point].choice.front()]);
+}
+
+/// One row per method and quantity over all samples, of the quantities that
+/// the figures show first and of the roughness.
+List scatter_rows(const SweepRecord& record, const Results& results) {
+  constexpr std::size_t most_rows = 8; // of a method
+  List rows;
+  std::vector<std::string> quantities = swept_quantities(results);
+  quantities.resize(std::min(quantities.size(), most_rows));
+  quantities.emplace_back("rms_height");
+  for (const Scatter& scatter : scatter_of(results, quantities)) {
+    const auto named = [&](std::size_t point) {
+      const Estimate* const estimate =
+          swept_estimate(*results[point], scatter.method, scatter.quantity);
+      return fmt::format("{:.4g}, {}", estimate->value,
+                         sample_name(record, point));
+    };
+    std::string outliers;
+    for (const std::size_t point : scatter.outliers)
+      outliers += (outliers.empty() ? "" : "; ") + named(point);
+    Value row;
+    row.set("method", scatter.method);
+    row.set("quantity", scatter.quantity);
+    row.set("count", std::to_string(scatter.count));
+    row.set("mean", fmt::format("{:.4g}", scatter.mean));
+    row.set("deviation", fmt::format("{:.2g}", scatter.deviation));
+    row.set("lowest", named(scatter.lowest));
+    row.set("highest", named(scatter.highest));
+    row.set("outliers", outliers.empty() ? "–" : outliers);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// The surfaces of the points that have a report of their own.
+List gallery(const SweepRecord& record, const std::filesystem::path& out) {
+  constexpr std::size_t most_pictures = 24; // some 200 KB each
+  constexpr std::uintmax_t largest_picture = 4 << 20;
+  List pictures;
+  for (std::size_t point = 0; point < record.points.size(); ++point) {
+    const std::filesystem::path folder = point_folder(point);
+    const std::filesystem::path file = out / folder / "figures" / "surface.svg";
+    if (pictures.size() == most_pictures || !std::filesystem::exists(file))
+      continue;
+    Value picture;
+    try {
+      picture.set("picture", base64(read_file(file, largest_picture)));
+    } catch (const FileError&) {
+      continue; // its report shows it
+    }
+    picture.set("folder", folder.string());
+    picture.set("name", sample_name(record, point));
+    pictures.push_back(picture);
+  }
+  return pictures;
+}
+
+void set_samples(Value& page, const SweepRecord& record, const Results& results,
+                 const std::filesystem::path& out) {
+  const List rows =
+      has_samples(record) ? scatter_rows(record, results) : List{};
+  page.set("has_scatter", !rows.empty());
+  page.set("scatter", rows);
+  const List pictures = has_samples(record) ? gallery(record, out) : List{};
+  page.set("has_gallery", !pictures.empty());
+  page.set("gallery", pictures);
 }
 
 /// Lists the expectations that a point does not meet.
@@ -172,18 +252,19 @@ DrawnGroup drawn_group(const std::string& heading,
 
 std::string page_text(const SweepRecord& record, const Results& results,
                       const std::vector<DrawnGroup>& groups,
-                      bool is_for_print) {
+                      const std::filesystem::path& out, bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
   Value page;
   page.set("title", record.title);
   page.set("page_title", "Sweep: " + record.title);
   page.set("lead",
-           fmt::format("Case {}: {} points, {}.", record.case_name,
+           fmt::format("Case {}: {} points{}.", record.case_name,
                        record.points.size(),
-                       record.combine == cases::Combine::zip
-                           ? "the lists of values side by side"
-                           : "every value of each key with every value of the "
-                             "others"));
+                       record.keys.size() < 2 ? ""
+                       : record.combine == cases::Combine::zip
+                           ? ", the lists of values side by side"
+                           : ", every value of each key with every value of "
+                             "the others"));
   set_banner(page, results);
   page.set("keys", key_rows(record));
   std::vector<std::string> heads;
@@ -191,7 +272,8 @@ std::string page_text(const SweepRecord& record, const Results& results,
     heads.push_back(key.key);
   page.set("value_heads", text_cells(heads));
   page.set("quantity_heads", text_cells(quantities));
-  page.set("rows", point_rows(record, results, quantities));
+  page.set("rows", point_rows(record, results, quantities, out));
+  set_samples(page, record, results, out);
   const List failed = failed_rows(record, results);
   page.set("has_failed", !failed.empty());
   page.set("failed", failed);
@@ -228,10 +310,10 @@ SweepReport write_sweep_report(const SweepRecord& record,
   std::erase_if(groups,
                 [](const DrawnGroup& group) { return group.figures.empty(); });
   write_file_atomically(out / "report.html",
-                        page_text(record, results, groups, false));
+                        page_text(record, results, groups, out, false));
   if (extras.has_pdf)
     if (const std::string problem =
-            print_report(page_text(record, results, groups, true), out);
+            print_report(page_text(record, results, groups, out, true), out);
         !problem.empty())
       report.undrawn.push_back(problem);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));

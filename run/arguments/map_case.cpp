@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace asperity::run {
 namespace {
@@ -53,15 +55,7 @@ std::string quoted(const std::string& text) {
   return cases::toml_value(node);
 }
 
-} // namespace
-
-bool is_map_file(const std::string& word) {
-  std::error_code unreadable;
-  return fs::is_regular_file(word, unreadable) &&
-         fs::path(word).extension() != ".toml";
-}
-
-std::string map_case_text(const MapOfCase& map) {
+std::string titled_case_text(const MapOfCase& map, const std::string& title) {
   if (map.contact_modulus.empty())
     throw input::InputError(fmt::format(
         "{} is not a case file (.toml); to press it as a measured map, please "
@@ -71,11 +65,59 @@ std::string map_case_text(const MapOfCase& map) {
   (void)positive_quantity("--contact-modulus", map.contact_modulus,
                           cases::Dimension::pressure);
   return fmt::format(
-      fmt::runtime(text_of_case),
-      fmt::arg("title", quoted(fs::path(map.file).filename().string())),
+      fmt::runtime(text_of_case), fmt::arg("title", quoted(title)),
       fmt::arg("file",
                quoted(fs::absolute(map.file).lexically_normal().string())),
       fmt::arg("modulus", quoted(map.contact_modulus)));
+}
+
+} // namespace
+
+bool is_map_file(const std::string& word) {
+  std::error_code unreadable;
+  return fs::is_regular_file(word, unreadable) &&
+         fs::path(word).extension() != ".toml";
+}
+
+std::string map_case_text(const MapOfCase& map) {
+  return titled_case_text(map, fs::path(map.file).filename().string());
+}
+
+std::vector<fs::path> maps_among(const std::vector<std::string>& words) {
+  std::vector<fs::path> files;
+  for (const std::string& word : words) {
+    std::error_code unreadable;
+    if (is_map_file(word)) {
+      files.push_back(fs::absolute(word).lexically_normal());
+      continue;
+    }
+    if (!fs::is_directory(word, unreadable))
+      return {};
+    std::vector<fs::path> inside;
+    for (const fs::directory_entry& entry : fs::directory_iterator(word)) {
+      const fs::path& path = entry.path();
+      if (path.extension() == ".toml")
+        return {}; // the folder of a case
+      if (is_map_file(path.string()) &&
+          !path.filename().string().starts_with('.'))
+        inside.push_back(fs::absolute(path).lexically_normal());
+    }
+    std::ranges::sort(inside);
+    files.insert(files.end(), inside.begin(), inside.end());
+  }
+  return files;
+}
+
+std::string maps_sweep_text(const std::vector<fs::path>& files,
+                            const std::string& contact_modulus) {
+  std::string text =
+      titled_case_text({files.front().string(), contact_modulus},
+                       fmt::format("{} measured maps", files.size())) +
+      "\n# Each map is a point: docs/reference/sweeps.md.\n[sweep]\n"
+      "\"surface.file\" = [\n";
+  for (const fs::path& file : files)
+    text += "  " + quoted(file.string()) + ",\n";
+  return text + "]\n";
 }
 
 } // namespace asperity::run

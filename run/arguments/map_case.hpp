@@ -3,7 +3,9 @@
 // The case of a measured map that a user names instead of a case file: its
 // text, with the settings that suit any map.
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace asperity::run {
 
@@ -21,5 +23,16 @@ bool is_map_file(const std::string& word);
 /// Persson's theory. It names the map by its absolute path.
 /// @throws input::InputError  there is no valid contact modulus
 std::string map_case_text(const MapOfCase& map);
+
+/// Returns the files of the maps that a command names, by themselves or as all
+/// files of a folder that has no case; empty unless all words are such.
+std::vector<std::filesystem::path>
+maps_among(const std::vector<std::string>& words);
+
+/// Returns the text of a sweep over the files of several maps, each as by
+/// map_case_text().
+/// @throws input::InputError  there is no valid contact modulus
+std::string maps_sweep_text(const std::vector<std::filesystem::path>& files,
+                            const std::string& contact_modulus);
 
 } // namespace asperity::run

@@ -1,10 +1,12 @@
 #include "run/arguments/named_cases.hpp"
 
+#include "cases/reader/base_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "reports/pages/paper_report.hpp"
+#include "reports/sweeps/sweep_record.hpp"
 #include "run/arguments/map_case.hpp"
 
 #include <fmt/format.h>
@@ -105,6 +107,23 @@ void rename_case(NamedCases& named, const std::string& name) {
 }
 
 } // namespace
+
+NamedCases read_maps(const std::vector<std::filesystem::path>& files,
+                     const std::vector<std::string>& overrides,
+                     const std::string& contact_modulus,
+                     const std::filesystem::path& folder) {
+  NamedSweep named{
+      {folder / reports::maps_file, folder.filename().string()}, {}, overrides};
+  named.text = maps_sweep_text(files, contact_modulus);
+  named.has_point_reports = true;
+  named.sweep =
+      cases::read_sweep({named.text, named.found.file.string(), {}}, overrides);
+  named.sweep.name = named.found.name;
+  NamedCases maps;
+  maps.found.cases.push_back(named.found);
+  maps.sweep = std::move(named);
+  return maps;
+}
 
 std::string output_name(const NamedCases& named) {
   return !named.found.collection.empty() ? named.found.collection

@@ -7,6 +7,7 @@
 #include "cases/types/case.hpp"
 #include "run/arguments/case_library.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ struct NamedSweep {
   FoundCase found;
   cases::CaseSweep sweep;
   std::vector<std::string> overrides; ///< including those of quick.set
+  std::string text = {}; ///< of a case file that is written when it runs
+  bool has_point_reports = false;
 };
 
 /// The cases that one argument of the command line refers to.
@@ -54,6 +57,16 @@ NamedCases read_named_cases(const std::string& word,
 NamedCases read_named_cases_or_sweep(
     const std::string& word, const std::vector<std::string>& overrides = {},
     bool is_quick = false, const std::string& contact_modulus = "");
+
+/// Reads several maps as one sweep over their files.
+///
+/// @param files   at least two
+/// @param folder  of the sweep, into which its case file will be written
+/// @throws input::InputError  as read_named_cases()
+NamedCases read_maps(const std::vector<std::filesystem::path>& files,
+                     const std::vector<std::string>& overrides,
+                     const std::string& contact_modulus,
+                     const std::filesystem::path& folder);
 
 /// The name of the folder into which an argument is written below out/.
 std::string output_name(const NamedCases& named);

@@ -123,13 +123,9 @@ private:
   std::vector<std::string> words_of(std::size_t place, RunState state) const {
     const std::size_t i = chosen_[place];
     std::vector<std::string> words{
-        "run",
-        options_.case_file.string(),
-        "--no-report",
-        "--out",
-        (options_.folder / reports::point_folder(i)).string(),
-        "--threads",
-        std::to_string(threads_of(place))};
+        "run",       options_.case_file.string(),
+        "--out",     (options_.folder / reports::point_folder(i)).string(),
+        "--threads", std::to_string(threads_of(place))};
     const auto add = [&](const std::vector<std::string>& more) {
       words.insert(words.end(), more.begin(), more.end());
     };
@@ -141,6 +137,8 @@ private:
       add({"--methods", method});
     if (options_.is_exact)
       add({"--exactly"});
+    if (!options_.has_reports)
+      add({"--no-report"});
     if (!options_.uses_cache)
       add({"--no-cache"});
     if (state == RunState::to_resume)
@@ -194,11 +192,27 @@ private:
   Clock::time_point start_;
 };
 
+/// Leaves out the folder that all paths begin with, up to its last '/'.
+void leave_out_common_folder(std::vector<std::string>& paths) {
+  std::string common = paths.front();
+  for (const std::string& path : paths)
+    common.resize(static_cast<std::size_t>(
+        std::ranges::mismatch(common, path).in1 - common.begin()));
+  const std::size_t slash = common.rfind('/');
+  if (slash == std::string::npos || common.front() != '"')
+    return;
+  for (std::string& path : paths)
+    path.erase(1, slash); // after the quote
+}
+
 } // namespace
 
 reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
   reports::SweepRecord record{
       sweep.name, sweep.title, sweep.combine, sweep.keys, {}};
+  for (cases::SweptKey& key : record.keys)
+    if (key.key == "surface.file")
+      leave_out_common_folder(key.values);
   for (const cases::SweptPoint& point : sweep.points)
     record.points.push_back(
         {point.choice, cases::case_hash(point.contact_case)});

@@ -23,8 +23,9 @@ struct SweepRunOptions {
   bool resume = false;
   int threads = 0; ///< 0: all hardware threads
   bool uses_cache = true;
-  bool is_part = false; ///< runs only `points`, resumes them, and leaves
-                        ///< sweep.json and the report as they are
+  bool has_reports = false; ///< of each point
+  bool is_part = false;     ///< runs only `points`, resumes them, and leaves
+                            ///< sweep.json and the report as they are
   std::vector<std::size_t> points = {}; ///< indices, of a part
 };
 

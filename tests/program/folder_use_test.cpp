@@ -380,29 +380,68 @@ TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
   EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
 }
 
-// Two maps of one name in different folders.
-TEST_F(FolderUse, MapsOfOneNameHaveFoldersOfTheirOwn) {
-  std::string map = "# Channel: Height\n# Width: 8 um\n# Height: 8 um\n"
-                    "# Value units: m\n";
-  for (int i = 0; i < 16; ++i)
-    for (int j = 0; j < 16; ++j)
-      map += std::to_string((i * 7 + j * 3) % 5) + (j < 15 ? "e-9 " : "e-9\n");
-  for (const char* name : {"s1", "s2", "a/s1"}) {
-    fs::create_directories(folder / name);
-    write(name + std::string("/heights.txt"), map);
+// Maps of a command or of a folder are the points of one sweep, each with a
+// report of its own; two of one name keep their results.
+TEST_F(FolderUse, SeveralMapsHaveOneReportAndTheirOwn) {
+  for (const char* name :
+       {"s1/heights.txt", "s2/heights.txt", "s2/other.txt"}) {
+    fs::create_directories((folder / name).parent_path());
+    std::string map = "# Channel: Height\n# Width: 8 um\n# Height: 8 um\n"
+                      "# Value units: m\n";
+    for (int i = 0; i < 16; ++i)
+      for (int j = 0; j < 16; ++j)
+        map += std::to_string((i * i * (name[1] + name[3]) + j * 3) % 5) +
+               (j < 15 ? "e-9 " : "e-9\n");
+    write(name, map);
   }
-  const std::string modulus = " --contact-modulus '2 GPa' --no-report";
+  const std::string modulus = " --contact-modulus '2 GPa' ";
 
-  const Ended ended = run("run s1/heights.txt s2/heights.txt" + modulus);
+  const Ended ended =
+      run("run s1/heights.txt s2/heights.txt --no-report" + modulus);
 
   EXPECT_EQ(ended.exit_code, 0) << ended.output;
-  EXPECT_EQ(result("out/s1-heights").case_name, "s1-heights");
-  EXPECT_EQ(result("out/s2-heights").case_name, "s2-heights");
+  EXPECT_NE(ended.output.find("surface.file = \"s1/heights.txt\""),
+            std::string::npos)
+      << ended.output;
+  EXPECT_NE(result("out/maps/points/000").surfaces.front().heights,
+            result("out/maps/points/001").surfaces.front().heights);
+  EXPECT_FALSE(fs::exists(folder / "out/maps/points/000/report.html"));
 
-  const Ended refused = run("run s1/heights.txt a/s1/heights.txt" + modulus);
+  ASSERT_EQ(run("run s2" + modulus).exit_code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/s2/points/001/report.html"));
+  const std::string page = text_of(folder / "out/s2/report.html");
+  for (const char* words :
+       {"Over the samples", "heights.txt", "other.txt", "data:image/svg+xml",
+        "<a href=\"points/001/report.html\">"})
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+
+  // The case file of the sweep runs by itself, and again over its own output.
+  EXPECT_EQ(run("run out/s2/maps.toml --no-report --out again").exit_code, 0);
+  EXPECT_EQ(run("run s2 --no-report" + modulus).exit_code, 0);
+  fs::create_directories(folder / "out/mine");
+  write("out/mine/maps.toml", "# not ours\n");
+  EXPECT_EQ(run("run s2 --out out/mine" + modulus).exit_code, 2);
+  EXPECT_EQ(text_of(folder / "out/mine/maps.toml"), "# not ours\n");
+}
+
+// Two cases of one name in different folders.
+TEST_F(FolderUse, CasesOfOneNameHaveFoldersOfTheirOwn) {
+  for (const char* name : {"s1", "s2", "a/s1"}) {
+    fs::create_directories(folder / name);
+    fs::copy_file(folder / "small.toml", folder / name / "small.toml");
+  }
+
+  const Ended ended =
+      run("run s1/small.toml s2/small.toml --methods theory --no-report");
+
+  EXPECT_EQ(ended.exit_code, 0) << ended.output;
+  EXPECT_EQ(result("out/s1-small").case_name, "s1-small");
+  EXPECT_EQ(result("out/s2-small").case_name, "s2-small");
+
+  const Ended refused = run("run s1/small.toml a/s1/small.toml --no-report");
   EXPECT_EQ(refused.exit_code, 2) << refused.output;
-  EXPECT_NE(refused.output.find("s1/heights.txt and a/s1/heights.txt would be "
-                                "written into one folder, s1-heights"),
+  EXPECT_NE(refused.output.find("s1/small.toml and a/s1/small.toml would be "
+                                "written into one folder, s1-small"),
             std::string::npos)
       << refused.output;
 }
