@@ -35,6 +35,7 @@ def options(problem, tolerance):
     body = json.loads((problem.folder / "problem.json").read_text(encoding="utf-8"))["body"]
     material = {name: value for name, value in body.items() if value not in (None, [])}
     method = {"contact": "hard", "tolerance": tolerance}
+    method |= {} if problem.is_periodic else {"boundaries": "free"}
     method |= {"element": ELEMENT.upper()} if ELEMENT else {}
     if "thickness [m]" in material:
         method["depth" if ELEMENT else "thickness"] = material.pop("thickness [m]")
@@ -76,4 +77,5 @@ def prepare(problem):
 
 if __name__ == "__main__":
     submission.run(prepare, "Asperity", METHODS[GIVEN.method], {"default": 1e-8, "best": 1e-12},
-                   any_body=True, parents=[OPTIONS], claimed_error=0.01 if ELEMENT else 0.001)
+                   any_body=True, free=not ELEMENT, parents=[OPTIONS],
+                   claimed_error=0.01 if ELEMENT else 0.001)

@@ -4,9 +4,11 @@
     numpy_polonsky_keer.py PROBLEM_DIR SUBMISSION_DIR [--tolerance 1e-8]
 
 The conjugate gradients of I. A. Polonsky and L. M. Keer, Wear 231, 206 (1999),
-with the periodic half-space in Fourier space. The pressure p >= 0 of given mean
+with the half-space in Fourier space: periodic, or by a convolution without
+periodic images on the doubled grid. The pressure p >= 0 of given mean
 minimises mean(p w)/2 - mean(p h). The gradient is w - h, which the constraint of
-the mean fixes up to a constant: this constant is the mean gap.
+the mean fixes up to a constant: this constant is the separation, and on a
+periodic surface the mean gap.
 
 A template: replace `prepare` by a call of your code and keep the rest.
 """
@@ -16,21 +18,32 @@ import submission
 
 
 def compliance(problem):
-    """w(q) / p(q) = 2 / (E* |q|) for the wave vectors of numpy's rfft2, w(0) = 0."""
+    """The compliance C of wave vectors for numpy's rfft2, and the grid of this transform.
+
+    Periodic: C = 2 / (E* |q|), C(0) = 0. Free boundaries: the transform of the displacement
+    around a uniformly pressed cell, on a grid doubled in both directions.
+    """
     points_y, points_x = problem.heights.shape
-    q_y = 2 * np.pi * np.fft.fftfreq(points_y, problem.length_y / points_y)[:, np.newaxis]
-    q_x = 2 * np.pi * np.fft.rfftfreq(points_x, problem.length_x / points_x)
-    wavevector = np.hypot(q_x, q_y)
-    wavevector[0, 0] = np.inf
-    return 2 / (problem.contact_modulus * wavevector)
+    spacing_y, spacing_x = problem.length_y / points_y, problem.length_x / points_x
+    if problem.is_periodic:
+        q_y = 2 * np.pi * np.fft.fftfreq(points_y, spacing_y)[:, np.newaxis]
+        wavevector = np.hypot(2 * np.pi * np.fft.rfftfreq(points_x, spacing_x), q_y)
+        wavevector[0, 0] = np.inf
+        return 2 / (problem.contact_modulus * wavevector), (points_y, points_x)
+    y = spacing_y * (np.arange(-points_y, points_y + 1)[:, np.newaxis] - 0.5)
+    x = spacing_x * (np.arange(-points_x, points_x + 1) - 0.5)
+    at_corners = x * np.arcsinh(y / np.abs(x)) + y * np.arcsinh(x / np.abs(y))
+    around = np.diff(np.diff(at_corners, axis=0)) / (np.pi * problem.contact_modulus)
+    return np.fft.rfft2(np.fft.ifftshift(around)), around.shape
 
 
 def prepare(problem):
     heights = problem.heights
-    kernel = compliance(problem)
+    kernel, grid = compliance(problem)
 
     def displacement(pressure):
-        return np.fft.irfft2(kernel * np.fft.rfft2(pressure), s=heights.shape)
+        wide = np.fft.irfft2(kernel * np.fft.rfft2(pressure, s=grid), s=grid)
+        return wide[:heights.shape[0], :heights.shape[1]]
 
     def solve(nominal_pressure, tolerance, most_iterations=5000):
         """Ends when no gap in contact and no penetration exceeds tolerance * h_rms."""
@@ -39,8 +52,7 @@ def prepare(problem):
         for iterations in range(most_iterations + 1):
             contact = pressure > 0
             residual = displacement(pressure) - heights
-            mean_gap = -residual[contact].mean()
-            gap = residual + mean_gap
+            gap = residual - residual[contact].mean()
             error = max(np.abs(gap[contact]).max(), -gap.min()) / heights.std()
             if error <= tolerance or iterations == most_iterations:
                 break
@@ -53,7 +65,8 @@ def prepare(problem):
             change = displacement(direction)
             change -= change[contact].mean()
             curvature = (change * direction).sum()
-            step = (gap * direction).sum() / curvature if curvature > 0 else 1 / kernel.max()
+            least = 1 / np.abs(kernel).max()
+            step = (gap * direction).sum() / curvature if curvature > 0 else least
             pressure = np.maximum(pressure - step * direction, 0.0)
             # Nodes without pressure that penetrate come into contact, which ends conjugacy.
             penetrates = (pressure == 0) & (gap < 0)
@@ -61,7 +74,7 @@ def prepare(problem):
             conjugate = not penetrates.any()
             pressure *= nominal_pressure / pressure.mean()
         energy = (pressure * displacement(pressure)).mean() / 2
-        claims = {"mean_gap": float(mean_gap), "contact_area_fraction": float(contact.mean()),
+        claims = {"mean_gap": float(gap.mean()), "contact_area_fraction": float(contact.mean()),
                   "elastic_energy": float(energy), "iterations": iterations}
         return pressure, error <= tolerance, claims
 
@@ -70,4 +83,4 @@ def prepare(problem):
 
 if __name__ == "__main__":
     submission.run(prepare, "numpy_polonsky_keer", "FFT boundary elements, conjugate gradients",
-                   tolerances={"default": 1e-8, "best": 1e-12})
+                   tolerances={"default": 1e-8, "best": 1e-12}, free=True)

@@ -22,22 +22,24 @@ class Problem:
     length_y: float         # [m]
     contact_modulus: float  # E* = E / (1 - nu^2) [Pa]
     loads: list             # nominal pressures [Pa]
+    is_periodic: bool       # else free boundaries
     folder: pathlib.Path    # that of the problem
 
 
-def read_problem(folder, any_body):
+def read_problem(folder, any_body, free):
     """The problem in `folder`; a body that the code does not take is a ValueError."""
     text = json.loads((folder / "problem.json").read_text(encoding="utf-8"))
     if (text.get("format"), text.get("format_version")) != ("asperity-problem", 1):
         raise ValueError("problem.json is not an asperity-problem of format version 1")
     grid, body = text["grid"], text["body"]
     is_half_space = body["thickness [m]"] is None and not body.get("layers")
-    if not grid["is_periodic"] or not (is_half_space or any_body):
+    if not (is_half_space or any_body) or not (grid["is_periodic"] or free):
         raise ValueError("the body is layered, of finite thickness or not periodic, but this code "
-                         "solves the homogeneous periodic half-space only")
+                         f"solves the homogeneous {'' if free else 'periodic '}half-space only")
     return Problem(text["name"], np.load(folder / "heights.npy"), grid["length_x [m]"],
                    grid["length_y [m]"], body["contact_modulus [Pa]"],
-                   [load["nominal_pressure [Pa]"] for load in text["loads"]], folder)
+                   [load["nominal_pressure [Pa]"] for load in text["loads"]],
+                   grid["is_periodic"], folder)
 
 
 def toml(**entries):
@@ -46,7 +48,7 @@ def toml(**entries):
                    for key, value in entries.items())
 
 
-def run(prepare, code, method, tolerances, any_body=False, parents=(), **head):
+def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(), **head):
     """Solves every load. Exit codes: 0 solved, 2 invalid problem, 3 a load did not converge."""
     parser = argparse.ArgumentParser(description=f"Solve a problem by {code}.", parents=parents)
     parser.add_argument("problem", metavar="PROBLEM_DIR", type=pathlib.Path)
@@ -56,7 +58,7 @@ def run(prepare, code, method, tolerances, any_body=False, parents=(), **head):
     parser.add_argument("--author", action="append", help="may be repeated")
     given = parser.parse_args()
     try:
-        problem = read_problem(given.problem, any_body)
+        problem = read_problem(given.problem, any_body, free)
     except (ValueError, OSError) as mistake:
         print(f"{code}: {given.problem}: {mistake}", file=sys.stderr)
         sys.exit(2)

@@ -166,6 +166,9 @@ Meant best_orientation(const Problem& problem, const Field& heights,
   return *best;
 }
 
+/// A field is another one's answer if its duality gap is that much smaller.
+constexpr double far_better = 0.1;
+
 double gap_of(contact::SurfaceOperator& elasticity, const Field& heights,
               double load, const Field& field) {
   return contact::check_field(elasticity, {heights, 0.0, load, field})
@@ -186,7 +189,7 @@ words_of_orientation(contact::SurfaceOperator& elasticity,
     const Field turned =
         shifted(oriented(field, problem.grid, meant.orientation), problem.grid,
                 meant.rows_down, meant.columns_right);
-    if (gap_of(elasticity, heights, load, turned) > 0.1 * as_submitted)
+    if (gap_of(elasticity, heights, load, turned) > far_better * as_submitted)
       continue;
     std::vector<std::string> words;
     if (is_inverted)
@@ -201,6 +204,28 @@ words_of_orientation(contact::SurfaceOperator& elasticity,
                        fmt::join(words, ", "));
   }
   return std::nullopt;
+}
+
+/// Recognises the answer with periodic instead of free boundaries, or the
+/// reverse.
+std::optional<std::string>
+words_of_boundaries(contact::SurfaceOperator& elasticity,
+                    const Problem& problem, double load, const Field& field) {
+  const double as_submitted = gap_of(elasticity, problem.heights, load, field);
+  // The other operator is not set up for answers that are nearly right.
+  if (as_submitted < 1e-3 * load * problem.rms_height ||
+      std::isfinite(problem.body.thickness) || !problem.body.layers.empty())
+    return std::nullopt;
+  Problem other;
+  other.body = problem.body;
+  other.is_periodic = !problem.is_periodic;
+  if (gap_of(*surface_operator(other, problem.grid), problem.heights, load,
+             field) > far_better * as_submitted)
+    return std::nullopt;
+  return fmt::format("the field is that of {} boundaries, but those of this "
+                     "problem are {}",
+                     other.is_periodic ? "periodic" : "free",
+                     problem.is_periodic ? "periodic" : "free");
 }
 
 /// Names another modulus or height unit: in the contact, h and C p then differ
@@ -285,7 +310,10 @@ recognised_mistakes(contact::SurfaceOperator& elasticity,
     found.push_back(fmt::format(
         "the largest tension is {:.3g} times the load, but p must be >= 0",
         tension));
-  if (auto words = words_of_orientation(elasticity, problem, nominal, field))
+  if (auto other = words_of_boundaries(elasticity, problem, nominal, field))
+    found.push_back(*other);
+  else if (auto words =
+               words_of_orientation(elasticity, problem, nominal, field))
     found.push_back(*words);
   else if (auto scaled = words_of_scale(elasticity, problem, field))
     found.push_back(*scaled);

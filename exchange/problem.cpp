@@ -4,6 +4,7 @@
 #include "base/field_sums.hpp"
 #include "base/json.hpp"
 #include "base/plain_text.hpp"
+#include "contact/operators/free_halfspace.hpp"
 #include "exchange/checksums.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -46,20 +47,26 @@ Json body_json(const mechanics::ElasticBlock& body) {
   return json;
 }
 
-const Json& conventions() {
-  static const Json texts = {
+Json conventions(bool is_periodic) {
+  return {
       {"units", "SI; the unit of a number is in the brackets of its name"},
-      {"axes", "row i of a field is y = i length_y/points_y, column j is "
-               "x = j length_x/points_x; both directions are periodic"},
+      {"axes", std::string("row i of a field is y = i length_y/points_y, "
+                           "column j is x = j length_x/points_x; ") +
+                   (is_periodic ? "both directions are periodic"
+                                : "there is no pressure beyond the border, "
+                                  "half a cell outside the outermost nodes")},
       {"heights", "positive towards the elastic block: the largest value "
                   "touches first; their mean is 0"},
       {"pressure", "p >= 0 in compression, a pressure and not a force, one "
                    "value per node"},
-      {"mean_gap", "u in g = u + C p - h, where C p has mean 0: the mean of "
-                   "the gap over all nodes, contact included"},
+      {"mean_gap",
+       is_periodic
+           ? "u in g = u + C p - h, where C p has mean 0: the mean of "
+             "the gap over all nodes, contact included"
+           : "the mean of g = d + C p - h over all nodes, contact included, "
+             "where C p vanishes at infinity: d plus the mean of C p"},
       {"contact_area_fraction", "share of the nodes with p > 0"},
       {"elastic_energy", "mean of p C p, divided by 2"}};
-  return texts;
 }
 
 /// The members of problem.json, whose messages name the file and the member.
@@ -230,6 +237,15 @@ void read_heights(const std::filesystem::path& folder,
 
 } // namespace
 
+std::unique_ptr<contact::SurfaceOperator>
+surface_operator(const Problem& problem, const Grid& grid) {
+  if (!problem.is_periodic)
+    return std::make_unique<contact::FreeHalfspace>(
+        grid, problem.body.contact_modulus);
+  return std::make_unique<contact::FourierOperator>(
+      contact::halfspace_operator(grid, problem.body));
+}
+
 std::string
 problem_json(const Problem& problem, const ProblemAnswer& example,
              std::span<const std::pair<std::string, std::string>> hashes) {
@@ -249,7 +265,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                        {"points_y", grid.points_y},
                        {"length_x [m]", grid.length_x},
                        {"length_y [m]", grid.length_y},
-                       {"is_periodic", true}}},
+                       {"is_periodic", problem.is_periodic}}},
                      {"heights",
                       {{"files", files},
                        {"rms_height [m]", problem.rms_height},
@@ -261,7 +277,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                      {"requested",
                       {"pressure field", "mean_gap", "contact_area_fraction",
                        "elastic_energy"}},
-                     {"conventions", conventions()},
+                     {"conventions", conventions(problem.is_periodic)},
                      {"example",
                       {{"nominal_pressure [Pa]", example.nominal_pressure},
                        {"mean_gap [m]", example.mean_gap},
@@ -291,9 +307,15 @@ Problem read_problem(const std::filesystem::path& folder) {
                   members.count("/grid/points_y"),
                   members.number("/grid/length_x [m]", 0.0),
                   members.number("/grid/length_y [m]", 0.0)};
-  if (members.at("/grid/is_periodic", "true") != true)
-    members.refuse("/grid/is_periodic", "true");
+  const Json& periodic = members.at("/grid/is_periodic", "true or false");
+  if (!periodic.is_boolean())
+    members.refuse("/grid/is_periodic", "true or false");
+  problem.is_periodic = periodic.get<bool>();
   problem.body = read_body(members);
+  if (!problem.is_periodic && std::isfinite(problem.body.thickness))
+    members.refuse("/body/thickness [m]", "null without periodic boundaries");
+  if (!problem.is_periodic && !problem.body.layers.empty())
+    members.refuse("/body/layers", "empty without periodic boundaries");
   for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
     problem.loads.push_back(
         members.number(fmt::format("/loads/{}/nominal_pressure [Pa]", i), 0.0));

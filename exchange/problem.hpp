@@ -8,6 +8,7 @@
 #include "contact/operators/halfspace.hpp"
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,13 +16,15 @@
 namespace asperity::exchange {
 
 /// A rigid rough surface that is pressed on an elastic block in frictionless,
-/// non-adhesive, hard contact on one periodic cell.
+/// non-adhesive, hard contact, on one periodic cell or once, on a rectangle of
+/// an infinite half-space.
 struct Problem {
   std::string name;  ///< is_good_name(), not beginning with '.'
   std::string title; ///< one line of at most longest_line bytes
   Grid grid;
   std::vector<double> heights; ///< [m], positive towards the block, mean 0
   mechanics::ElasticBlock body;
+  bool is_periodic = true;   ///< false: free boundaries, a uniform half-space
   std::vector<double> loads; ///< nominal pressures p_0 [Pa] > 0, ascending
   double rms_height = 0.0;   ///< of the heights [m] > 0
   double rms_slope = 0.0;    ///< of the heights, both directions [1]
@@ -46,6 +49,11 @@ struct ContinuumAnswer {
   double area_fraction_error = not_a_number; ///< likewise [1]
   std::string source; ///< "Westergaard (1939)", "Richardson, 256 to 1024"
 };
+
+/// The operator of the body with the boundaries of the problem on `grid`, which
+/// may be finer than that of the problem.
+std::unique_ptr<contact::SurfaceOperator>
+surface_operator(const Problem& problem, const Grid& grid);
 
 /// Returns the text of problem.json.
 /// @param example  answer at one load, by which units can be verified

@@ -121,7 +121,10 @@ std::string reference_json(const Problem& problem,
   return text_of_json(json, 2) + "\n";
 }
 
-std::string body_text(const mechanics::ElasticBlock& body) {
+std::string body_text(const Problem& problem) {
+  const mechanics::ElasticBlock& body = problem.body;
+  if (!problem.is_periodic)
+    return free_half_space_text;
   if (std::isinf(body.thickness) && body.layers.empty())
     return half_space_text;
   std::string text =
@@ -189,14 +192,18 @@ void write_problem(const Problem& problem,
   write("problem.schema.json", std::string(problem_schema));
   if (!case_text.empty())
     write("case.toml", case_text);
-  write("README.md",
-        fmt::format(fmt::runtime(readme_text), fmt::arg("name", problem.name),
-                    fmt::arg("title", problem.title),
-                    fmt::arg("points_x", grid.points_x),
-                    fmt::arg("points_y", grid.points_y),
-                    fmt::arg("loads", problem.loads.size()),
-                    fmt::arg("first_load", problem.loads.front()),
-                    fmt::arg("body", body_text(problem.body))));
+  write(
+      "README.md",
+      fmt::format(fmt::runtime(readme_text), fmt::arg("name", problem.name),
+                  fmt::arg("title", problem.title),
+                  fmt::arg("cell", problem.is_periodic ? "a periodic cell"
+                                                       : "a rectangle"),
+                  fmt::arg("means", problem.is_periodic ? ", mean(w) = 0" : ""),
+                  fmt::arg("points_x", grid.points_x),
+                  fmt::arg("points_y", grid.points_y),
+                  fmt::arg("loads", problem.loads.size()),
+                  fmt::arg("first_load", problem.loads.front()),
+                  fmt::arg("body", body_text(problem))));
   write("problem.json", json);
 }
 

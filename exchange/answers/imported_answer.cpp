@@ -67,9 +67,13 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
   solution.iterations = load.iterations;
   solution.converged = true;
   solution.gap.reserve(load.pressure.size());
+  // The displacement of a periodic surface has no mean.
+  const double separation =
+      solution.mean_gap -
+      (problem.is_periodic ? 0.0 : mean(solution.displacement));
   for (std::size_t i = 0; i < load.pressure.size(); ++i) {
     const double gap =
-        solution.mean_gap + solution.displacement[i] - problem.heights[i];
+        separation + solution.displacement[i] - problem.heights[i];
     solution.gap.push_back(gap);
     const double violation = solution.pressure[i] > 0.0 ? std::abs(gap) : -gap;
     solution.gap_error = std::max(solution.gap_error, violation);
@@ -78,7 +82,8 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
       std::move(solution),
       {{},
        0.0,
-       results::halfspace_area_coefficients,
+       problem.is_periodic ? results::halfspace_area_coefficients
+                           : results::free_area_coefficients,
        methods::boundary_modulus(problem.body, problem.grid.spacing_x())},
       surface);
   answer.row.step = static_cast<int>(load.load);
@@ -135,13 +140,13 @@ ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
   ImportedAnswer answer;
   answer.submission = exchange::read_submission(folder, problem);
   answer.method = method_name(answer.submission);
-  contact::FourierOperator elasticity =
-      contact::halfspace_operator(problem.grid, problem.body);
+  const std::unique_ptr<contact::SurfaceOperator> elasticity =
+      surface_operator(problem, problem.grid);
   for (const SubmittedLoad& load : answer.submission.loads)
     require_grid(problem, load);
   for (SubmittedLoad& load : answer.submission.loads) {
     answer.loads.push_back(
-        imported(elasticity, problem, surface, answer.submission, load));
+        imported(*elasticity, problem, surface, answer.submission, load));
     free_memory(load.pressure);
   }
   std::ranges::sort(answer.loads, {},

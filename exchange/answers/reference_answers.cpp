@@ -57,13 +57,15 @@ const cases::MethodSpec& method_of_problem(const cases::Case& contact_case,
 /// The solutions of all load steps on one grid.
 class ReferenceSolver {
 public:
-  ReferenceSolver(const Grid& grid, const std::vector<double>& heights,
-                  const mechanics::ElasticBlock& body, double rms_height)
+  /// @param grid     that of the problem or a finer one
+  /// @param heights  of this grid
+  ReferenceSolver(const Problem& problem, const Grid& grid,
+                  const std::vector<double>& heights)
       : heights_(heights),
-        elasticity_(contact::halfspace_operator(grid, body)),
-        sequence_(elasticity_.clone(), heights, {},
-                  reference_tolerance * rms_height, most_reference_iterations) {
-  }
+        elasticity_(surface_operator(problem, grid)),
+        sequence_(elasticity_->clone(), heights, {},
+                  reference_tolerance * problem.rms_height,
+                  most_reference_iterations) {}
 
   ProblemAnswer answer(const mechanics::LoadTarget& target) {
     contact::ContactSolution solution = sequence_.solve(target);
@@ -86,14 +88,14 @@ public:
   /// A bound of the error of the last answer's mean gap [m].
   double certified_error(const ProblemAnswer& last) {
     return contact::bound_separation(
-               elasticity_,
+               *elasticity_,
                {heights_, 0.0, last.nominal_pressure, pressure_, last.mean_gap})
         .error;
   }
 
 private:
   const std::vector<double>& heights_;
-  contact::FourierOperator elasticity_;
+  std::unique_ptr<contact::SurfaceOperator> elasticity_;
   contact::LoadSequence sequence_;
   std::vector<double> pressure_;
 };
@@ -142,8 +144,7 @@ Refined refined_answers(const cases::Case& contact_case,
       break;
     const surfaces::HeightMap map =
         surfaces::build_surface_on(contact_case.surface, 0, fine);
-    ReferenceSolver solver(fine, map.heights, answered.problem.body,
-                           answered.problem.rms_height);
+    ReferenceSolver solver(answered.problem, fine, map.heights);
     std::vector<ProblemAnswer> answers;
     for (const ProblemAnswer& coarse : answered.answers)
       answers.push_back(
@@ -173,22 +174,34 @@ std::pair<double, double> limit_of(const Refined& refined, std::size_t load,
   return {limit.values[0], limit.uncertainty * scale};
 }
 
-bool has_exact_shape(const cases::Case& contact_case, const Problem& problem) {
-  return std::isinf(problem.body.thickness) && problem.body.layers.empty() &&
-         (contact_case.surface.kind == mechanics::SurfaceKind::wave_1d);
+/// The source of the exact solution of a shape; empty: there is none, or it is
+/// a table or an approximation.
+std::string exact_source(const cases::Case& contact_case,
+                         const Problem& problem) {
+  using enum mechanics::SurfaceKind;
+  if (std::isfinite(problem.body.thickness) || !problem.body.layers.empty())
+    return "";
+  const mechanics::SurfaceKind kind = contact_case.surface.kind;
+  if (problem.is_periodic)
+    return kind == wave_1d ? "Westergaard (1939)" : "";
+  return kind == sphere  ? "Hertz (1881), mean over the nodes"
+         : kind == punch ? "Johnson (1985), Sec. 3.8, mean over the nodes"
+                         : "";
 }
 
 std::vector<ContinuumAnswer>
 continuum_answers(const cases::Case& contact_case,
                   const AnsweredProblem& answered) {
   std::vector<ContinuumAnswer> continuum;
-  if (has_exact_shape(contact_case, answered.problem)) {
+  if (const std::string exact_by = exact_source(contact_case, answered.problem);
+      !exact_by.empty()) {
     for (const ProblemAnswer& answer : answered.answers) {
       const reports::ExactPoint exact = reports::exact_point(
           contact_case.surface, answered.problem.body.contact_modulus,
-          answer.nominal_pressure, 0.0, false);
+          answer.nominal_pressure, std::ranges::max(answered.problem.heights),
+          !answered.problem.is_periodic);
       continuum.push_back({answer.nominal_pressure, exact.mean_gap, 0.0,
-                           exact.area_fraction, 0.0, "Westergaard (1939)"});
+                           exact.area_fraction, 0.0, exact_by});
     }
     return continuum;
   }
@@ -221,11 +234,6 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
                     contact_case.path));
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  if (half != nullptr && half->has_free_boundaries)
-    throw input::InputError(
-        fmt::format("{}: {} has free boundaries, but a problem is periodic: "
-                    "{}.boundaries = \"periodic\" is allowed",
-                    contact_case.path, method.name, method.name));
   const methods::CaseSurfaces surfaces(contact_case, {method});
   const methods::SurfaceOfCase& surface = surfaces.of(method, 0);
   AnsweredProblem answered;
@@ -244,8 +252,8 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   problem.rms_slope = surface.record.rms_slope;
   problem.body =
       methods::continuum_of(method, contact_case.material, surface.scales);
-  ReferenceSolver solver(problem.grid, problem.heights, problem.body,
-                         problem.rms_height);
+  problem.is_periodic = half == nullptr || !half->has_free_boundaries;
+  ReferenceSolver solver(problem, problem.grid, problem.heights);
   for (const mechanics::LoadTarget& target :
        targets_of(contact_case, surface.scales)) {
     ProblemAnswer answer = solver.answer(target);

@@ -29,7 +29,8 @@ struct AnsweredProblem {
 /// one method in hard contact. Loads given as mean gaps become the pressures of
 /// the answers. The continuum is estimated from this grid and up to two finer
 /// ones of at most 1024 points per side, or is the exact solution of the shape
-/// on a half-space; a measured map is refined by interpolation.
+/// on a half-space (a wave, or a single shape with free boundaries); a measured
+/// map is refined by interpolation.
 /// @param method_name  of a half-space or condensed finite-element method;
 ///                     empty: the first one
 /// @throws input::InputError   no such method, or a block that is not layered

@@ -43,10 +43,12 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   page.title = problem.problem.title;
   page.lead = fmt::format(
       "{}: {} by {} nodes, {} load(s), {}; frictionless, non-adhesive, hard "
-      "contact on a periodic cell.",
+      "contact {}.",
       problem.problem.name, problem.problem.grid.points_x,
       problem.problem.grid.points_y, problem.problem.loads.size(),
-      body_words(problem.problem.body));
+      body_words(problem.problem.body),
+      problem.problem.is_periodic ? "on a periodic cell"
+                                  : "with free boundaries");
   page.home = "index.html";
   BoardSection ranked{
       "Certified answers",

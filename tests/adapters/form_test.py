@@ -13,7 +13,7 @@ import numpy as np
 
 from problem_folder import start, write_problem
 
-MOST_LINES = 79
+MOST_LINES = 86
 LAYER = {"thickness [m]": 1e-6, "youngs_modulus [Pa]": 1e9, "poisson_ratio": 0.3}
 
 
@@ -38,17 +38,20 @@ def main():
     for source in sources:
         check_source(source)
     flat, side = np.zeros((4, 6)), (3e-6, 2e-6)
-    no_half_space = "the homogeneous periodic half-space only"
+    no_half_space = "the homogeneous half-space only"
     refused = (
         (write_problem(WORK / "layered", flat, *side, [1e6], layers=[LAYER]), no_half_space),
         (write_problem(WORK / "finite", flat, *side, [1e6], thickness=1e-6), no_half_space),
         (write_problem(WORK / "future", flat, *side, [1e6], version=2), "format version 1"),
         (WORK / "missing", "No such file"))
+    free = write_problem(WORK / "free", flat, *side, [1e6], is_periodic=False)
     for problem, message in refused:
         check_refused(FOLDER / "numpy_polonsky_keer.py", problem, message)
     for adapter in adapters:
-        is_asperity = adapter.name == "asperity_adapter.py"
-        check_refused(adapter, *refused[2 if is_asperity else 0])
+        if adapter.stem in ("asperity_adapter", "numpy_polonsky_keer", "slippy_adapter"):
+            check_refused(adapter, *refused[2])
+        else:
+            check_refused(adapter, free, "the homogeneous periodic half-space only")
 
 
 FOLDER, WORK = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])

@@ -9,7 +9,8 @@ import numpy as np
 MODULUS = 2e9  # E* [Pa]
 
 
-def write_problem(folder, heights, length_x, length_y, loads, thickness=None, layers=(), version=1):
+def write_problem(folder, heights, length_x, length_y, loads, thickness=None, layers=(), version=1,
+                  is_periodic=True):
     """Writes the parts of a problem folder that a solver needs: heights [m], lengths [m], loads [Pa]."""
     folder.mkdir(parents=True)
     np.save(folder / "heights.npy", heights)
@@ -17,7 +18,7 @@ def write_problem(folder, heights, length_x, length_y, loads, thickness=None, la
     problem = {
         "format": "asperity-problem", "format_version": version, "name": folder.name,
         "grid": {"points_x": points_x, "points_y": points_y, "length_x [m]": length_x,
-                 "length_y [m]": length_y, "is_periodic": True},
+                 "length_y [m]": length_y, "is_periodic": is_periodic},
         "body": {"contact_modulus [Pa]": MODULUS, "poisson_ratio": 0.3,
                  "thickness [m]": thickness, "layers": list(layers)},
         "loads": [{"load": number, "nominal_pressure [Pa]": float(load)}

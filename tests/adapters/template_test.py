@@ -77,6 +77,24 @@ class HalfSpace:
         return self.multiplied(self.stiffness, displacement)
 
 
+class FreeHalfSpace:
+    """The sum over the pressed cells of the displacement at the other nodes."""
+
+    def __init__(self, points_x, points_y, length_x, length_y):
+        a, b = length_x / points_x / 2, length_y / points_y / 2
+        x, y = (np.subtract.outer(of, of) for of in np.meshgrid(
+            2 * a * np.arange(points_x), 2 * b * np.arange(points_y)))
+        x, y = (of.reshape(points_x * points_y, -1) for of in (x, y))
+        self.matrix = sum(
+            sign * (u * np.log((v + np.hypot(u, v)) / np.abs(u))
+                    + v * np.log((u + np.hypot(u, v)) / np.abs(v)))
+            for u, v, sign in ((x + a, y + b, 1), (x - a, y + b, -1), (x + a, y - b, -1),
+                               (x - a, y - b, 1))) / (math.pi * MODULUS)
+
+    def displacement(self, pressure):
+        return (self.matrix @ pressure.ravel()).reshape(pressure.shape)
+
+
 def rough_surface(points, rms_height):
     """White noise, filtered to a self-affine spectrum with a roll-off at 3 wavelengths."""
     noise = np.fft.fft2(np.random.default_rng(7).standard_normal((points, points)))
@@ -97,7 +115,7 @@ def check_conditions(body, heights, loads, answers, tolerance):
     for load, answer in zip(loads, answers, strict=True):
         pressure = answer["field"]
         displacement = body.displacement(pressure)
-        gap = answer["mean_gap"] + displacement - heights
+        gap = answer["mean_gap"] + displacement - displacement.mean() - heights
         energy = (pressure * displacement).mean() / 2
 
         assert answer["nominal_pressure"] == load, answer
@@ -127,6 +145,17 @@ def check_rough_surface():
         check_conditions(body, heights, loads, answers, tolerance)
 
 
+def check_free_boundaries():
+    """The conditions of contact hold with the sum over pressed cells, which are no squares."""
+    points_x, points_y, length_x, length_y = 20, 16, 1e-6, 1.5e-6
+    heights = rough_surface(points_x, 3e-9)[:points_y]
+    heights -= heights.mean()
+    loads = [1e4, 1e6, 1e8]
+    problem = write_problem(WORK / "free", heights, length_x, length_y, loads, is_periodic=False)
+    body = FreeHalfSpace(points_x, points_y, length_x, length_y)
+    check_conditions(body, heights, loads, solved(problem), 1e-8)
+
+
 def check_pin():
     """Solves a problem in which the iteration arrives at one node in contact, whose gap is zero
     however far others penetrate: one high node of a plane, at a load that this node and the
@@ -150,5 +179,6 @@ WORK = pathlib.Path(sys.argv[2]).resolve()
 shutil.rmtree(WORK, ignore_errors=True)
 check_westergaard()
 check_rough_surface()
+check_free_boundaries()
 check_pin()
 check_no_convergence()

@@ -44,6 +44,9 @@ const std::set<std::string> parts_of_paper = {"adhesion",
                                               "surface-polymer"};
 
 const std::set<std::string> parts_of_board = {"challenge",
+                                              "free-punch",
+                                              "free-rough",
+                                              "free-sphere",
                                               "hertz",
                                               "layered",
                                               "near-full-contact",

@@ -1,4 +1,4 @@
-// Tests of exchange/mistakes.hpp: each of 31 faults that are introduced into a
+// Tests of exchange/mistakes.hpp: each of 32 faults that are introduced into a
 // correct answer is named, and a correct answer has none.
 #include "exchange/mistakes.hpp"
 #include "input/input_error.hpp"
@@ -167,6 +167,11 @@ std::vector<Fault> faults_of_scale() {
                 problem.heights = scaled(problem.heights, 1.5);
               },
               "or of heights 0.6667 times"),
+          another(
+              "free boundaries",
+              [](Problem& problem) { problem.is_periodic = false; },
+              "that of free boundaries, but those of this problem are "
+              "periodic"),
           {"tension",
            [](const Problem& problem) {
              Field field = right(problem);
@@ -192,11 +197,11 @@ protected:
     submitted.file = "p.npy";
     submitted.rows = submitted.columns = side;
     submitted.pressure = field;
-    return recognised_mistakes(elasticity, problem, submitted);
+    return recognised_mistakes(*problems::operator_of(problem), problem,
+                               submitted);
   }
 
   Problem problem = problems::rough_problem();
-  contact::FourierOperator elasticity = problems::operator_of(problem);
 };
 
 TEST_F(Mistakes, AreNamed) {
@@ -211,7 +216,7 @@ TEST_F(Mistakes, AreNamed) {
       EXPECT_NE(all.find(fault.sentence), std::string::npos)
           << fault.name << ": " << all;
     }
-  EXPECT_EQ(planted, 31U);
+  EXPECT_EQ(planted, 32U);
 }
 
 // Answers with the errors of a solver have no mistake: tolerances from 1e-3 to
@@ -228,6 +233,17 @@ TEST_F(Mistakes, AreNoneInAnAnswer) {
     sum += noisy[i] *= 1.0 + 0.01 * std::sin(1e3 * static_cast<double>(i));
   noisy = scaled(noisy, problem.loads[1] * 4096.0 / sum);
   EXPECT_EQ(found(noisy), std::vector<std::string>{});
+}
+
+// With free boundaries, the answer on a periodic cell is one.
+TEST_F(Mistakes, AreThoseOfTheBoundariesOfTheProblem) {
+  const Field periodic = right(problem);
+  problem.is_periodic = false;
+  EXPECT_EQ(found(right(problem)), std::vector<std::string>{});
+  EXPECT_EQ(found(periodic),
+            std::vector<std::string>{
+                "the field is that of periodic boundaries, but those of this "
+                "problem are free"});
 }
 
 // Symmetric problems have no orientation, and none is reported as missing.

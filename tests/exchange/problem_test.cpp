@@ -91,6 +91,19 @@ TEST_F(ProblemFolder, IsReadAsWritten) {
   EXPECT_TRUE(half_space.grid == problem.grid);
 }
 
+// With free boundaries the body is a half-space, and the README states its
+// kernel.
+TEST_F(ProblemFolder, HasFreeBoundaries) {
+  EXPECT_TRUE(read_problem(folder).is_periodic);
+  problem = problems::rough_problem();
+  problem.is_periodic = false;
+  write();
+  EXPECT_FALSE(read_problem(folder).is_periodic);
+  const std::string readme = text_of(folder / "README.md");
+  EXPECT_NE(readme.find("On a rectangle of 64"), std::string::npos);
+  EXPECT_NE(readme.find("w vanishes at infinity"), std::string::npos);
+}
+
 // All height files hold the same numbers, bit for bit, including the text file.
 TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
   for (const char* name : {"heights.npy", "heights.h5", "heights.txt"}) {
@@ -159,8 +172,10 @@ TEST_F(ProblemFolder, RefusesAWrongMember) {
          "has 64 rows and 64 columns, but problem.json states 32 and 64");
   expect("\"length_x [m]\": 6.4e-05", "\"length_x [m]\": -1",
          "/grid/length_x [m] is -1, but must be a number > 0");
+  expect("\"is_periodic\": true", "\"is_periodic\": 1",
+         "/grid/is_periodic is 1, but must be true or false");
   expect("\"is_periodic\": true", "\"is_periodic\": false",
-         "/grid/is_periodic is false, but must be true");
+         "/body/thickness [m] is 3e-05, but must be null without periodic");
   expect("1000000000.0", "\"1 GPa\"",
          "/body/contact_modulus [Pa] is \"1 GPa\", but must be a number > 0");
   expect("\"poisson_ratio [1]\": 0.3", "\"poisson_ratio [1]\": 0.6",

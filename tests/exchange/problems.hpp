@@ -35,16 +35,16 @@ inline Problem rough_problem() {
   return problem;
 }
 
-inline contact::FourierOperator operator_of(const Problem& problem) {
-  return contact::halfspace_operator(problem.grid, problem.body);
+inline std::unique_ptr<contact::SurfaceOperator>
+operator_of(const Problem& problem) {
+  return surface_operator(problem, problem.grid);
 }
 
 /// The pressure at a load, on given heights or with another modulus.
 inline std::vector<double> solved(const Problem& problem, double load,
                                   double tolerance = 1e-9) {
-  contact::FourierOperator elasticity = operator_of(problem);
   return contact::solve_contact(
-             elasticity,
+             *operator_of(problem),
              {problem.heights, 0.0, tolerance * problem.rms_height, 2000},
              {mechanics::Control::nominal_pressure, load})
       .pressure;

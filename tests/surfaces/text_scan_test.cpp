@@ -312,6 +312,22 @@ TEST(FourierScan, HasTheWavesOfItsCoefficients) {
     }
 }
 
+// A half spectrum has all coefficients on one axis, whichever that is: the
+// other index of FFTW runs to N/2.
+TEST(FourierScan, HasAHalfSpectrumAlongEitherAxis) {
+  for (const std::string text : {"1 0 1 0\n15 0 1 0\n14 1 0 -1.5\n",
+                                 "0 1 1 0\n0 15 1 0\n1 14 0 -1.5\n"}) {
+    const Scan scan = text_scan(text, {1e-4, 1e-6});
+    ASSERT_EQ(scan.map.grid.points_x, 8) << text;
+    const bool is_along_x = text[0] == '1';
+    const int ix = is_along_x ? 1 : 4, iy = is_along_x ? 4 : 1;
+    // 2 cos(pi/4) + 3 sin(-2 pi/4 + pi)
+    EXPECT_NEAR(scan.map.heights[scan.map.grid.index(ix, iy)],
+                1e-6 * (std::numbers::sqrt2 + 3.0), 1e-20)
+        << text;
+  }
+}
+
 // A table of four columns without such pairs is a matrix, as is any with the
 // format plain.
 TEST(FourierScan, IsNoOtherTable) {

@@ -48,40 +48,38 @@ bool are_conjugate(const std::complex<double>& one,
   return std::abs(one - std::conj(other)) <= printed * std::abs(one);
 }
 
-/// Number of points N of a transform whose indices are 0 to N - 1: the lines
-/// with qY = 0 are then pairs k, N - k of conjugates. Empty if they are not.
-std::optional<int> points_of_transform(const Coefficients& coefficients) {
-  int least = 0, largest = 0;
+/// Number of points N of a transform whose indices are 0 to N - 1: the
+/// coefficients on one axis, of which a half spectrum has all, are then pairs
+/// k, N - k of conjugates. 0 if they are not.
+int points_along(const Coefficients& coefficients, bool is_x) {
+  std::map<int, std::complex<double>> on_axis;
   for (const auto& [index, coefficient] : coefficients) {
     if (index.first < 0 || index.second < 0)
-      return std::nullopt;
-    if (index.second != 0 || index.first == 0)
-      continue;
-    least = least == 0 ? index.first : std::min(least, index.first);
-    largest = std::max(largest, index.first);
+      return 0;
+    const int place = is_x ? index.first : index.second;
+    if (place != 0 && place == index.first + index.second)
+      on_axis.insert({place, coefficient});
   }
-  const int points = least + largest;
-  bool has_pair = false;
-  for (const auto& [index, coefficient] : coefficients) {
-    if (index.second != 0 || index.first == 0)
-      continue;
-    const auto other = coefficients.find({points - index.first, 0});
-    if (other == coefficients.end() ||
-        !are_conjugate(coefficient, other->second))
-      return std::nullopt;
-    has_pair = has_pair || 2 * index.first != points;
+  if (on_axis.size() < 2)
+    return 0;
+  const int points = on_axis.begin()->first + on_axis.rbegin()->first;
+  for (const auto& [place, coefficient] : on_axis) {
+    const auto other = on_axis.find(points - place);
+    if (other == on_axis.end() || !are_conjugate(coefficient, other->second))
+      return 0;
   }
-  return has_pair ? std::optional(points) : std::nullopt;
+  return points;
 }
 
 /// The coefficients with indices of either sign; empty if they are none.
 Coefficients with_signs(const NumberTable& table) {
   const Coefficients stored = coefficients_of(table);
-  const std::optional<int> points = points_of_transform(stored);
+  const int points =
+      std::max(points_along(stored, true), points_along(stored, false));
   Coefficients found;
   for (const auto& [index, coefficient] : stored) {
     const auto folded = [&](int one) {
-      return points && 2 * one > *points ? one - *points : one;
+      return points > 0 && 2 * one > points ? one - points : one;
     };
     found.insert({{folded(index.first), folded(index.second)}, coefficient});
   }
