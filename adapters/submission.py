@@ -2,7 +2,8 @@
 
 A code provides prepare(problem), which returns its version and solve(nominal_pressure,
 tolerance). This returns the pressure [Pa], shaped as the heights, whether it converged, and any
-of mean_gap [m], contact_area_fraction [1], elastic_energy [J/m^2], iterations, cpu_time [s].
+of mean_gap [m], contact_area_fraction [1], elastic_energy [J/m^2], iterations, cpu_time [s],
+peak_memory [bytes], or raises NoAnswer.
 """
 import argparse
 import dataclasses
@@ -12,6 +13,10 @@ import sys
 import time
 
 import numpy as np
+
+
+class NoAnswer(Exception):
+    """A load that the code could not solve; the others are submitted."""
 
 
 @dataclasses.dataclass
@@ -59,10 +64,10 @@ def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(
     given = parser.parse_args()
     try:
         problem = read_problem(given.problem, any_body, free)
+        version, solve = prepare(problem)
     except (ValueError, OSError) as mistake:
         print(f"{code}: {given.problem}: {mistake}", file=sys.stderr)
         sys.exit(2)
-    version, solve = prepare(problem)
     tolerance = tolerances[given.accuracy] if given.tolerance is None else given.tolerance
     text = toml(problem=problem.name, code=code, version=version, method=method, **head,
                 accuracy=given.accuracy, authors=given.author or ["anonymous"], licence="CC0-1.0")
@@ -70,12 +75,18 @@ def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(
     exit_code = 0
     for number, nominal_pressure in enumerate(problem.loads, start=1):
         start, name = time.process_time(), f"pressure-{number}.npy"
-        pressure, converged, claims = solve(nominal_pressure, tolerance)
+        try:
+            pressure, converged, claims = solve(nominal_pressure, tolerance)
+        except NoAnswer as reason:
+            print(f"{code}: load {number}: {reason}", file=sys.stderr)
+            exit_code = 3
+            continue
         text += "\n[[load]]\n" + toml(nominal_pressure=nominal_pressure, pressure=name,
                                       **{"cpu_time": time.process_time() - start} | claims)
         np.save(given.submission / name, np.ascontiguousarray(pressure))
         if not converged:
             print(f"{code}: load {number} did not converge", file=sys.stderr)
             exit_code = 3
-    (given.submission / "submission.toml").write_text(text, encoding="utf-8")
+    if "[[load]]" in text:
+        (given.submission / "submission.toml").write_text(text, encoding="utf-8")
     sys.exit(exit_code)

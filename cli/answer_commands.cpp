@@ -33,6 +33,9 @@ void add_problem(CLI::App& program, ProblemCommand& problem,
   command->add_option("--method", problem.method,
                       "half-space or condensed finite-element method\n"
                       "whose block is pressed (default: the first)");
+  command->add_flag("--mesh", problem.has_mesh,
+                    "write the block as hexahedra, too, for\n"
+                    "gmsh (mesh.msh) and Abaqus (mesh.inp)");
   add_quiet(command, output);
   add_example(command, "problem wave-1d --out wave-1d-problem");
   command->callback(

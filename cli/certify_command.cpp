@@ -40,6 +40,9 @@ struct Place {
   std::string method;
   int realization = 0;
   double rms_height = 0.0; ///< of its surface [m]
+  /// Whether mean gap and energy of the curve are those of the model. Those of
+  /// an import follow from the continuum.
+  bool has_numbers = true;
 };
 
 /// The contact law of a method whose answer is that of one surface operator.
@@ -97,8 +100,15 @@ private:
     const std::optional<Model> model = model_of(method, on);
     if (!model)
       return;
+    const cases::MethodSpec* const known = method_of(method);
+    const bool is_on_elements =
+        method.kind == "submission" && known != nullptr &&
+        std::holds_alternative<mechanics::FemSettings>(known->settings);
+    if (is_on_elements && realization == 0)
+      notes_.push_back(fmt::format("{:<16} against the elements of {}",
+                                   method.name, known->name));
     const Place place{method.name, static_cast<int>(realization),
-                      surface->rms_height};
+                      surface->rms_height, !is_on_elements};
     const std::vector<double> heights = surface->height_map().whole();
     for (const results::Fields& fields : curve.fields)
       try {
@@ -167,7 +177,7 @@ private:
         *model.elasticity,
         {heights, model.local_compliance,
          has_row ? row->nominal_pressure : fields.nominal_pressure, pressure,
-         has_row ? row->mean_gap : not_a_number},
+         has_row && place.has_numbers ? row->mean_gap : not_a_number},
         place.rms_height, claimed_error);
     field.method = place.method;
     field.realization = place.realization;
@@ -175,7 +185,9 @@ private:
     field.contact_modulus = result_.contact_modulus;
     exchange::add_load_claim(field);
     if (has_row)
-      exchange::add_claims(row->area_fraction, row->elastic_energy, field);
+      exchange::add_claims(
+          row->area_fraction,
+          place.has_numbers ? row->elastic_energy : not_a_number, field);
     fields_.push_back(std::move(field));
   }
 

@@ -67,12 +67,21 @@ run::ExitCode write_problem_of(const ProblemCommand& command) {
     fmt::print(stderr, "{}: {}\n", read.contact_case.path, error.what());
     return run::exit_not_converged;
   }
+  std::optional<exchange::ProblemMesh> mesh;
+  if (command.has_mesh)
+    mesh = exchange::problem_mesh(answered->problem, answered->block);
   // A map or spectrum that the case names is not part of the problem.
   const bool is_complete = read.contact_case.surface.file.empty();
   exchange::write_problem(answered->problem, answered->answers,
                           answered->continuum,
-                          is_complete ? read.contact_case.text : "", folder);
+                          is_complete ? read.contact_case.text : "", folder,
+                          mesh ? &*mesh : nullptr);
   print_answers(*answered);
+  if (mesh)
+    fmt::print("mesh: {} by {} by {} cells for {}, {} nodes\n", mesh->cells_x,
+               mesh->cells_y, mesh->layers.size(),
+               mesh->element == mechanics::Element::q1 ? "Q1" : "Q2",
+               mesh->mesh.vertices.size());
   fmt::print("problem: {}\n", folder.string());
   return run::exit_good;
 }

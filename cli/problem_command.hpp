@@ -15,6 +15,7 @@ struct ProblemCommand {
   std::vector<std::string> overrides;
   std::string method; ///< whose block is pressed; empty: the first suitable one
   std::string out;    ///< folder; empty: out/<case>/problem
+  bool has_mesh = false; ///< whether the block is handed out as cells, too
 };
 
 /// Writes the folder that exchange/problem_folder.hpp describes.

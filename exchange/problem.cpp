@@ -197,11 +197,12 @@ void read_heights(const std::filesystem::path& folder,
   input::require_own_file(folder, file);
   const std::string bytes =
       input::read_input_file(file, input::largest_number_file);
-  if (content_hash(bytes) != members.text("/heights/files/heights.npy"))
+  problem.heights_hash = content_hash(bytes);
+  if (problem.heights_hash != members.text("/heights/files/heights.npy"))
     throw input::InputError(
         fmt::format("{}: its SHA-256 is {}, but problem.json states {}: it is "
                     "not the surface of this problem",
-                    file.string(), content_hash(bytes),
+                    file.string(), problem.heights_hash,
                     members.text("/heights/files/heights.npy")));
   surfaces::Matrix matrix = surfaces::read_npy_text(bytes, file.string());
   const Grid& grid = problem.grid;
@@ -248,7 +249,8 @@ surface_operator(const Problem& problem, const Grid& grid) {
 
 std::string
 problem_json(const Problem& problem, const ProblemAnswer& example,
-             std::span<const std::pair<std::string, std::string>> hashes) {
+             std::span<const std::pair<std::string, std::string>> hashes,
+             const Json& mesh) {
   Json files = Json::object();
   for (const auto& [file, hash] : hashes)
     files[file] = hash;
@@ -256,34 +258,36 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
   for (const double load : problem.loads)
     loads.push_back({{"nominal_pressure [Pa]", load}});
   const Grid& grid = problem.grid;
-  const Json json = {{"format", "asperity-problem"},
-                     {"format_version", 1},
-                     {"name", problem.name},
-                     {"title", problem.title},
-                     {"grid",
-                      {{"points_x", grid.points_x},
-                       {"points_y", grid.points_y},
-                       {"length_x [m]", grid.length_x},
-                       {"length_y [m]", grid.length_y},
-                       {"is_periodic", problem.is_periodic}}},
-                     {"heights",
-                      {{"files", files},
-                       {"rms_height [m]", problem.rms_height},
-                       {"rms_slope [1]", problem.rms_slope},
-                       {"highest [m]", std::ranges::max(problem.heights)}}},
-                     {"body", body_json(problem.body)},
-                     {"contact", "frictionless, non-adhesive, hard"},
-                     {"loads", loads},
-                     {"requested",
-                      {"pressure field", "mean_gap", "contact_area_fraction",
-                       "elastic_energy"}},
-                     {"conventions", conventions(problem.is_periodic)},
-                     {"example",
-                      {{"nominal_pressure [Pa]", example.nominal_pressure},
-                       {"mean_gap [m]", example.mean_gap},
-                       {"contact_area_fraction [1]", example.area_fraction},
-                       {"elastic_energy [J/m^2]", example.elastic_energy},
-                       {"largest_pressure [Pa]", example.largest_pressure}}}};
+  Json json = {{"format", "asperity-problem"},
+               {"format_version", 1},
+               {"name", problem.name},
+               {"title", problem.title},
+               {"grid",
+                {{"points_x", grid.points_x},
+                 {"points_y", grid.points_y},
+                 {"length_x [m]", grid.length_x},
+                 {"length_y [m]", grid.length_y},
+                 {"is_periodic", problem.is_periodic}}},
+               {"heights",
+                {{"files", files},
+                 {"rms_height [m]", problem.rms_height},
+                 {"rms_slope [1]", problem.rms_slope},
+                 {"highest [m]", std::ranges::max(problem.heights)}}},
+               {"body", body_json(problem.body)},
+               {"contact", "frictionless, non-adhesive, hard"},
+               {"loads", loads},
+               {"requested",
+                {"pressure field", "mean_gap", "contact_area_fraction",
+                 "elastic_energy"}},
+               {"conventions", conventions(problem.is_periodic)},
+               {"example",
+                {{"nominal_pressure [Pa]", example.nominal_pressure},
+                 {"mean_gap [m]", example.mean_gap},
+                 {"contact_area_fraction [1]", example.area_fraction},
+                 {"elastic_energy [J/m^2]", example.elastic_energy},
+                 {"largest_pressure [Pa]", example.largest_pressure}}}};
+  if (!mesh.is_null())
+    json["mesh"] = mesh;
   return text_of_json(json, 2) + "\n";
 }
 

@@ -7,6 +7,8 @@
 #include "base/special_numbers.hpp"
 #include "contact/operators/halfspace.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -28,6 +30,7 @@ struct Problem {
   std::vector<double> loads; ///< nominal pressures p_0 [Pa] > 0, ascending
   double rms_height = 0.0;   ///< of the heights [m] > 0
   double rms_slope = 0.0;    ///< of the heights, both directions [1]
+  std::string heights_hash;  ///< SHA-256 of heights.npy, if read from a folder
 };
 
 /// The solution of the discrete problem at one load.
@@ -58,9 +61,11 @@ surface_operator(const Problem& problem, const Grid& grid);
 /// Returns the text of problem.json.
 /// @param example  answer at one load, by which units can be verified
 /// @param hashes   pairs of file name and SHA-256 of the height files
+/// @param mesh     the member `mesh`, or null: the problem has none
 std::string
 problem_json(const Problem& problem, const ProblemAnswer& example,
-             std::span<const std::pair<std::string, std::string>> hashes);
+             std::span<const std::pair<std::string, std::string>> hashes,
+             const nlohmann::ordered_json& mesh);
 
 /// Reads problem.json and heights.npy of a folder, and verifies all files of
 /// its SHA256SUMS.

@@ -80,9 +80,9 @@ std::map<std::string, std::string> sums_in(const fs::path& folder) {
 std::vector<fs::path> problem_files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const char* name :
-       {"heights.npy", "heights.h5", "heights.txt", "heights.gwy",
-        "reference.json", "problem.schema.json", "case.toml", "README.md",
-        "problem.json", checksum_file})
+       {"heights.npy", "heights.h5", "heights.txt", "heights.gwy", "mesh.msh",
+        "mesh.inp", "reference.json", "problem.schema.json", "case.toml",
+        "README.md", "problem.json", checksum_file})
     if (fs::exists(fs::symlink_status(folder / name)))
       files.push_back(folder / name);
   return files;
@@ -164,7 +164,8 @@ void require_own_problem(const fs::path& folder) {
 void write_problem(const Problem& problem,
                    std::span<const ProblemAnswer> answers,
                    std::span<const ContinuumAnswer> continuum,
-                   const std::string& case_text, const fs::path& folder) {
+                   const std::string& case_text, const fs::path& folder,
+                   const ProblemMesh* mesh) {
   require_own_problem(folder);
   fs::create_directories(folder);
   for (const fs::path& file : problem_files_in(folder))
@@ -187,7 +188,13 @@ void write_problem(const Problem& problem,
   write("heights.txt", text_matrix(problem));
   write("heights.gwy",
         surfaces::gwyddion_bytes({grid, problem.heights}, problem.name));
-  const std::string json = problem_json(problem, answers.front(), hashes);
+  const std::string json =
+      problem_json(problem, answers.front(), hashes,
+                   mesh == nullptr ? Json() : mesh_json(*mesh));
+  if (mesh != nullptr) {
+    write("mesh.msh", gmsh_text(*mesh));
+    write("mesh.inp", abaqus_text(*mesh));
+  }
   write("reference.json", reference_json(problem, answers, continuum));
   write("problem.schema.json", std::string(problem_schema));
   if (!case_text.empty())

@@ -4,7 +4,7 @@
 // heights in four formats, checksums, reference answers and a README with the
 // equations.
 
-#include "exchange/problem.hpp"
+#include "exchange/problem_mesh.hpp"
 
 #include <filesystem>
 #include <span>
@@ -23,12 +23,14 @@ void require_own_problem(const std::filesystem::path& folder);
 ///                   given as the example
 /// @param continuum  one per load, or none
 /// @param case_text  the same problem as a case of this program, or empty
+/// @param mesh       of the block, handed out with the heights, or null
 /// @throws std::system_error  naming the path
 void write_problem(const Problem& problem,
                    std::span<const ProblemAnswer> answers,
                    std::span<const ContinuumAnswer> continuum,
                    const std::string& case_text,
-                   const std::filesystem::path& folder);
+                   const std::filesystem::path& folder,
+                   const ProblemMesh* mesh = nullptr);
 
 /// The content of reference.json.
 struct References {

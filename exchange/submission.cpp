@@ -92,6 +92,14 @@ public:
     return found;
   }
 
+  /// At least `lowest`, which is returned for a mistake.
+  int count(const std::string& key, int lowest) {
+    const double found = number(key, lowest, 1e6, true);
+    if (std::isfinite(found) && found != std::floor(found))
+      refuse(*table_.find(key), "must be a whole number");
+    return std::isfinite(found) ? static_cast<int>(found) : lowest;
+  }
+
   void refuse(const Node& node, const std::string& rule) {
     mistakes_.add(node.place,
                   fmt::format("{} = {}, but {}", node.path,
@@ -128,9 +136,10 @@ void read_load(const Node& node, const Problem& problem,
                const std::filesystem::path& folder, Submission& submission,
                Mistakes& mistakes) {
   SubmissionTable table(node,
-                        {"nominal_pressure", "pressure", "mean_gap",
-                         "contact_area_fraction", "elastic_energy", "cpu_time",
-                         "iterations"},
+                        {"nominal_pressure", "pressure", "nodal_force",
+                         "mean_gap", "contact_area_fraction", "elastic_energy",
+                         "cpu_time", "cpu_time_low", "cpu_time_high",
+                         "peak_memory", "iterations"},
                         mistakes);
   SubmittedLoad load;
   const double pressure = table.number("nominal_pressure", 0.0, infinity, true);
@@ -144,19 +153,42 @@ void read_load(const Node& node, const Problem& problem,
       submission.loads.end())
     mistakes.add(node.place, fmt::format("{} is the second one at the load {}",
                                          node.path, pressure));
-  load.file = folder / table.file("pressure");
+  load.is_force = node.find("nodal_force") != nullptr;
+  if (load.is_force && node.find("pressure") != nullptr)
+    mistakes.add(
+        node.place,
+        fmt::format("{} has a pressure and a nodal_force, but must have one "
+                    "of them",
+                    node.path));
+  load.file = folder / table.file(load.is_force ? "nodal_force" : "pressure");
   load.mean_gap = table.number("mean_gap", -infinity, infinity);
   load.area_fraction = table.number("contact_area_fraction", 0.0, 1.0);
   load.elastic_energy = table.number("elastic_energy", 0.0, infinity);
   load.cpu_time = table.number("cpu_time", 0.0, infinity);
-  if (node.find("iterations") != nullptr) {
-    const double found = table.number("iterations", 0.0, 1e9);
-    if (found != std::floor(found))
-      table.refuse(*node.find("iterations"), "must be a whole number");
-    else
-      load.iterations = static_cast<int>(found);
-  }
+  load.cpu_time_low = table.number("cpu_time_low", 0.0, infinity);
+  load.cpu_time_high = table.number("cpu_time_high", 0.0, infinity);
+  if (!std::isnan(load.cpu_time_low + load.cpu_time_high) &&
+      !(load.cpu_time_low <= load.cpu_time &&
+        load.cpu_time <= load.cpu_time_high))
+    table.refuse(*node.find("cpu_time_low"),
+                 "cpu_time must be between it and cpu_time_high");
+  load.peak_memory = table.number("peak_memory", 0.0, infinity);
+  if (node.find("iterations") != nullptr)
+    load.iterations = table.count("iterations", 0);
   submission.loads.push_back(std::move(load));
+}
+
+Timing read_timing(const Node& node, const Problem& problem,
+                   Mistakes& mistakes) {
+  SubmissionTable table(node, {"run", "pairs", "threads", "heights"}, mistakes);
+  Timing timing{table.text("run"), table.count("pairs", 2),
+                table.count("threads", 1), table.text("heights")};
+  if (!timing.heights.empty() && timing.heights != problem.heights_hash)
+    table.refuse(*node.find("heights"),
+                 fmt::format("heights.npy of the problem has the SHA-256 {}: "
+                             "the times are of another surface",
+                             problem.heights_hash));
+  return timing;
 }
 
 /// Reads "nominal_pressure [Pa],mean_gap [m],area_fraction [1]" and its rows.
@@ -225,7 +257,7 @@ Submission read_submission(const std::filesystem::path& folder,
   SubmissionTable table(root,
                         {"problem", "code", "version", "method", "accuracy",
                          "authors", "licence", "machine", "claimed_error",
-                         "load", "curve"},
+                         "timing", "load", "curve"},
                         mistakes);
   Submission submission;
   read_head(table, problem, submission);
@@ -233,6 +265,8 @@ Submission read_submission(const std::filesystem::path& folder,
   if (const Node* const loads = root.find("load"))
     for (const Node& load : loads->list)
       read_load(load, problem, folder, submission, mistakes);
+  if (const Node* const timing = root.find("timing"))
+    submission.timing = read_timing(*timing, problem, mistakes);
   if (const Node* const curve = root.find("curve"))
     curve_file = SubmissionTable(*curve, {"file"}, mistakes).file("file");
   if (submission.loads.empty() && root.find("curve") == nullptr)
@@ -245,6 +279,9 @@ Submission read_submission(const std::filesystem::path& folder,
     load.rows = matrix.rows;
     load.columns = matrix.columns;
     load.pressure = std::move(matrix.numbers);
+    if (load.is_force)
+      for (double& value : load.pressure)
+        value /= problem.grid.spacing_x() * problem.grid.spacing_y();
   }
   if (!curve_file.empty()) {
     input::require_own_file(folder, folder / curve_file);

@@ -17,14 +17,30 @@ namespace asperity::exchange {
 struct SubmittedLoad {
   std::size_t load = 0; ///< index in Problem::loads
   std::filesystem::path file;
+  bool is_force = false; ///< whether the file has forces of nodes [N]
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::vector<double> pressure;   ///< as submitted [Pa], rows * columns values
+  /// As submitted, or the force over the area of a node [Pa]; rows * columns
+  /// values.
+  std::vector<double> pressure;
   double mean_gap = not_a_number; ///< [m]
   double area_fraction = not_a_number;  ///< [1]
   double elastic_energy = not_a_number; ///< [J/m^2]
-  double cpu_time = not_a_number;       ///< [s]
+  double cpu_time = not_a_number;       ///< the median of Timing [s]
+  double cpu_time_low = not_a_number;   ///< interval of cpu_time [s]
+  double cpu_time_high = not_a_number;  ///< likewise
+  double peak_memory = not_a_number;    ///< of the process [bytes]
   int iterations = 0;
+};
+
+/// How the times of all loads were measured, so that others can be compared
+/// with them: the answers that state one run were computed in alternation on
+/// one machine, as a pair (ABBA) or as more codes in turn.
+struct Timing {
+  std::string run; ///< its name; the answers of one run share it
+  int pairs = 0;   ///< of there and back, each code once in both; >= 2
+  int threads = 1;
+  std::string heights; ///< SHA-256 of the problem's heights.npy
 };
 
 /// One row of a curve without fields.
@@ -46,6 +62,7 @@ struct Submission {
   std::string machine;
   /// Error of each mean gap that the authors claim not to exceed [h_rms].
   double claimed_error = 1e-3;
+  std::optional<Timing> timing;     ///< none: times are "as submitted"
   std::vector<SubmittedLoad> loads; ///< in the order of the file
   std::vector<SubmittedRow> curve;
 };

@@ -98,6 +98,9 @@ ImportedLoad imported(contact::SurfaceOperator& elasticity,
                       const Submission& submission, const SubmittedLoad& load) {
   ImportedLoad done;
   done.file = load.file.filename().string();
+  done.cpu_time_low = load.cpu_time_low;
+  done.cpu_time_high = load.cpu_time_high;
+  done.peak_memory = load.peak_memory;
   done.mistakes = recognised_mistakes(elasticity, problem, load);
   if (!(std::ranges::max(load.pressure) > 0.0))
     throw input::InputError(fmt::format(

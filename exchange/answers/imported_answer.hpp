@@ -20,6 +20,9 @@ namespace asperity::exchange {
 /// that were recognised.
 struct ImportedLoad {
   std::string file; ///< name of the submitted file
+  double cpu_time_low = not_a_number;  ///< as SubmittedLoad
+  double cpu_time_high = not_a_number; ///< likewise
+  double peak_memory = not_a_number;   ///< likewise
   CertifiedField field;
   methods::StepAnswer answer;
   std::vector<std::string> mistakes;

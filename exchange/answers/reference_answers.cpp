@@ -238,6 +238,10 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   const methods::SurfaceOfCase& surface = surfaces.of(method, 0);
   AnsweredProblem answered;
   answered.method = method.name;
+  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings))
+    answered.block = fem->block;
+  else
+    answered.block.element = mechanics::Element::q1;
   Problem& problem = answered.problem;
   problem.name = good_name(contact_case.name);
   if (problem.name.front() == '.')

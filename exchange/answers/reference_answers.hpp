@@ -5,6 +5,7 @@
 
 #include "cases/types/case.hpp"
 #include "exchange/problem.hpp"
+#include "mechanics/fem_settings.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,8 @@ struct NoAnswer : std::runtime_error {
 struct AnsweredProblem {
   exchange::Problem problem;
   std::string method; ///< of the case, whose block is that of the problem
+  /// How it is meshed: as the method does, a half-space by Q1 in the same way.
+  mechanics::BlockSettings block;
   std::vector<exchange::ProblemAnswer> answers;     ///< one per load
   std::vector<exchange::ContinuumAnswer> continuum; ///< one per load
 };

@@ -141,9 +141,14 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
   entry.pressure_error = largest_error(answer, [](const ImportedLoad& load) {
     return load.field.check.pressure_error;
   });
-  entry.cpu_time = 0.0;
+  entry.timing = answer.submission.timing;
+  entry.cpu_time = entry.cpu_time_low = entry.cpu_time_high = 0.0;
+  entry.peak_memory = 0.0;
   for (const ImportedLoad& load : answer.loads) {
     entry.cpu_time += load.answer.row.cpu_time;
+    entry.cpu_time_low += load.cpu_time_low;
+    entry.cpu_time_high += load.cpu_time_high;
+    entry.peak_memory = std::fmax(entry.peak_memory, load.peak_memory);
     entry.iterations += load.answer.row.iterations;
     for (const Claim& claim : load.field.claims)
       if (!claim.holds)
@@ -155,6 +160,8 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
   }
   if (!(entry.cpu_time > 0.0))
     entry.cpu_time = not_a_number;
+  if (!(entry.peak_memory > 0.0))
+    entry.peak_memory = not_a_number;
   entry.missing_loads = problem.loads.size() - entry.loads;
 }
 

@@ -6,8 +6,10 @@
 
 #include "exchange/answers/imported_answer.hpp"
 #include "exchange/problem.hpp"
+#include "exchange/submission.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,10 @@ struct BoardEntry {
                                     ///< fields: largest bound [h_rms]
   double pressure_error = not_a_number; ///< largest bound [1]
   double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
+  double cpu_time_low = not_a_number;   ///< sum of the loads' ends [s]
+  double cpu_time_high = not_a_number;  ///< likewise
+  double peak_memory = not_a_number;    ///< the largest of all loads [bytes]
+  std::optional<Timing> timing;         ///< none: the time is "as submitted"
   int iterations = 0;                   ///< of all loads; 0: not stated
 };
 

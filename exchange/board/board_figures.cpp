@@ -12,8 +12,9 @@ namespace asperity::exchange {
 namespace {
 
 bool has_point(const BoardEntry& entry) {
-  return entry.state == BoardEntry::State::certified &&
-         std::isfinite(entry.cpu_time) && entry.gap_error > 0.0;
+  return entry.state == BoardEntry::State::certified && entry.timing &&
+         entry.missing_loads == 0 && std::isfinite(entry.cpu_time) &&
+         entry.gap_error > 0.0;
 }
 
 std::vector<std::string> codes_of(const std::vector<BoardEntry>& entries) {
@@ -55,11 +56,14 @@ reports::Figure error_figure(const BoardProblem& problem) {
   figure.title = "Certified error against CPU time";
   figure.caption =
       "Largest bound of the error of the mean gap over all loads, against the "
-      "CPU time of all loads as its authors state it. Open: default accuracy, "
-      "filled: best. Times of different machines are not comparable.";
+      "CPU time of all loads (median). Open: default accuracy, filled: best. "
+      "Only answers to all loads whose times were measured in a named run; "
+      "times of different runs, of which the table has the names, do not "
+      "compare.";
   const std::vector<std::string> codes = codes_of(problem.entries);
   if (codes.empty())
-    figure.problem = "no certified answer states a CPU time";
+    figure.problem =
+        "no certified answer to all loads states how its CPU time was measured";
   reports::CsvTable table({"code", "index", "cpu_time [s]", "error [h_rms]"});
   reports::ChartPanel panel{
       .x = {.label = "CPU time [s]", .is_log = true, .has_powers = true},

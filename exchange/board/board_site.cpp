@@ -55,9 +55,12 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
       "Largest bounds over all loads, in ascending order; answers to a part of "
       "the loads stand last. They follow from the submitted pressure fields "
       "alone, as does the mean gap u. Differences between bounds below some "
-      "1e-6 h_rms say more about the bounds than about the answers. CPU times "
-      "and iterations are those that the authors state, summed over the "
-      "loads.",
+      "1e-6 h_rms say more about the bounds than about the answers. CPU times, "
+      "memory and iterations are those that the authors state; times and "
+      "iterations are summed over the loads. Times compare only within one "
+      "run, in which the codes were computed in alternation, and between "
+      "answers to the same loads; a time without a run is as submitted and in "
+      "no figure.",
       ranking(problem)};
   ranked.figures.push_back(reports::draw(error_figure(problem), figures));
   page.sections.push_back(std::move(ranked));
@@ -112,7 +115,7 @@ BoardPage code_page(const std::string& code,
                                                                : "failed"},
              error_cell(entry.gap_error),
              error_cell(entry.pressure_error),
-             time_cell(entry.cpu_time),
+             time_cell(entry),
              {entry.credit, "", "", entry.machine}});
   page.sections.push_back({"Answers", "", table});
   return page;
@@ -190,6 +193,10 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"gap_error [h_rms]", reports::json_number(entry.gap_error)},
            {"pressure_error [1]", reports::json_number(entry.pressure_error)},
            {"cpu_time [s]", reports::json_number(entry.cpu_time)},
+           {"cpu_time_low [s]", reports::json_number(entry.cpu_time_low)},
+           {"cpu_time_high [s]", reports::json_number(entry.cpu_time_high)},
+           {"timing_run", entry.timing ? Json(entry.timing->run) : Json()},
+           {"peak_memory [B]", reports::json_number(entry.peak_memory)},
            {"iterations", entry.iterations}});
   return text_of_json(list, 2) + "\n";
 }

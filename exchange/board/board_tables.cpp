@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::exchange {
 namespace {
@@ -77,8 +78,23 @@ BoardCell error_cell(double error) {
   return number_cell(error, "{:.1e}");
 }
 
-BoardCell time_cell(double seconds) {
-  return number_cell(seconds, "{:.3g}");
+BoardCell time_cell(const BoardEntry& entry) {
+  BoardCell cell = number_cell(entry.cpu_time, "{:.3g}");
+  if (!entry.timing)
+    cell.small = std::isnan(entry.cpu_time) ? "" : "as submitted";
+  else
+    cell.small = (std::isnan(entry.cpu_time_low + entry.cpu_time_high)
+                      ? std::string()
+                      : fmt::format("{:.3g} to {:.3g}; ", entry.cpu_time_low,
+                                    entry.cpu_time_high)) +
+                 fmt::format("run {}, {} pairs, {} thread{}", entry.timing->run,
+                             entry.timing->pairs, entry.timing->threads,
+                             entry.timing->threads == 1 ? "" : "s");
+  return cell;
+}
+
+BoardCell memory_cell(const BoardEntry& entry) {
+  return number_cell(1e-6 * entry.peak_memory, "{:.0f}");
 }
 
 std::string accuracy_word(const BoardEntry& entry) {
@@ -87,12 +103,17 @@ std::string accuracy_word(const BoardEntry& entry) {
 
 BoardTable ranking(const BoardProblem& problem) {
   BoardTable table;
-  table.heads = {
-      head("Code", "", false),     head("Default: |u-u*|", "bound [h_rms]"),
-      head("|p-p*|/|p|", "bound"), head("CPU time", "s"),
-      head("Iterations"),          head("Best: |u-u*|", "bound [h_rms]"),
-      head("|p-p*|/|p|", "bound"), head("CPU time", "s"),
-      head("Iterations")};
+  table.heads = {head("Code", "", false),
+                 head("Default: |u-u*|", "bound [h_rms]"),
+                 head("|p-p*|/|p|", "bound"),
+                 head("CPU time", "s"),
+                 head("Memory", "MB"),
+                 head("Iterations"),
+                 head("Best: |u-u*|", "bound [h_rms]"),
+                 head("|p-p*|/|p|", "bound"),
+                 head("CPU time", "s"),
+                 head("Memory", "MB"),
+                 head("Iterations")};
   const BoardEntry none;
   for (const RankedAnswers& answers : ranked_answers(problem)) {
     const BoardEntry& any = answers.any();
@@ -103,7 +124,8 @@ BoardTable ranking(const BoardProblem& problem) {
       const BoardEntry& entry = answer == nullptr ? none : *answer;
       row.push_back(error_cell(entry.gap_error));
       row.push_back(error_cell(entry.pressure_error));
-      row.push_back(time_cell(entry.cpu_time));
+      row.push_back(time_cell(entry));
+      row.push_back(memory_cell(entry));
       row.push_back(number_cell(
           entry.iterations > 0 ? entry.iterations : not_a_number, "{:.0f}"));
     }

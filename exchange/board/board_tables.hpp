@@ -18,7 +18,12 @@ BoardCell head(const std::string& text, const std::string& small = "",
                bool is_number = true);
 
 BoardCell error_cell(double error);
-BoardCell time_cell(double seconds);
+/// The CPU time of all loads with its interval and the run that it belongs to,
+/// or "as submitted" if nothing says how it was measured.
+BoardCell time_cell(const BoardEntry& entry);
+
+/// The peak memory in MB.
+BoardCell memory_cell(const BoardEntry& entry);
 
 /// The accuracy of an entry, or a dash.
 std::string accuracy_word(const BoardEntry& entry);

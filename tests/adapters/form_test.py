@@ -1,6 +1,6 @@
 """Every adapter is short, compiles, and refuses bodies other than a half-space, by exit
-code 2 and a message, before it needs the code that it calls. That of Asperity, which solves
-other bodies, refuses a problem of another format.
+code 2 and a message, before it needs the code that it calls. Those that solve other bodies
+refuse a problem of another format, and those of meshes one without a mesh.
 
 Arguments: the folder of the adapters, a folder for the problems.
 """
@@ -13,7 +13,10 @@ import numpy as np
 
 from problem_folder import start, write_problem
 
-MOST_LINES = 86
+MOST_LINES = 135  # with the deck of a finite-element code
+SHARED = ("submission.py", "meshed.py", "compare_times.py")
+OF_ANY_BODY = ("asperity_adapter.py", "calculix_adapter.py", "getfem_adapter.py")
+OF_FREE_BOUNDARIES = ("numpy_polonsky_keer.py", "slippy_adapter.py")
 LAYER = {"thickness [m]": 1e-6, "youngs_modulus [Pa]": 1e9, "poisson_ratio": 0.3}
 
 
@@ -33,8 +36,8 @@ def check_refused(adapter, problem, message):
 
 def main():
     sources = sorted(FOLDER.glob("*.py"))
-    adapters = [source for source in sources if source.name != "submission.py"]
-    assert len(adapters) == 5, sources
+    adapters = [source for source in sources if source.name not in SHARED]
+    assert len(adapters) == 7, sources
     for source in sources:
         check_source(source)
     flat, side = np.zeros((4, 6)), (3e-6, 2e-6)
@@ -48,10 +51,14 @@ def main():
     for problem, message in refused:
         check_refused(FOLDER / "numpy_polonsky_keer.py", problem, message)
     for adapter in adapters:
-        if adapter.stem in ("asperity_adapter", "numpy_polonsky_keer", "slippy_adapter"):
+        if adapter.name in OF_ANY_BODY:
             check_refused(adapter, *refused[2])
+        elif adapter.name in OF_FREE_BOUNDARIES:
+            check_refused(adapter, *refused[0])
         else:
             check_refused(adapter, free, "the homogeneous periodic half-space only")
+    for name in OF_ANY_BODY[1:]:
+        check_refused(FOLDER / name, refused[1][0], "there is no mesh, which 'asperity problem --mesh'")
 
 
 FOLDER, WORK = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])

@@ -1,18 +1,23 @@
 // Tests of exchange/problem.hpp and exchange/problem_folder.hpp: what is
 // written is read back, and damaged files are refused by name.
 #include "base/content_hash.hpp"
+#include "base/json.hpp"
 #include "base/read_file.hpp"
 #include "exchange/pressure_file.hpp"
 #include "exchange/problem.hpp"
 #include "exchange/problem_folder.hpp"
 #include "input/input_error.hpp"
+#include "meshes/mesh_file.hpp"
 #include "tests/message_of.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -63,6 +68,86 @@ protected:
   fs::path folder = fs::path(testing::TempDir()) / "asperity-problem-folder";
   Problem problem = problems::rough_problem();
 };
+
+TEST_F(ProblemFolder, HasTheMeshOfItsBlock) {
+  const mechanics::BlockSettings settings{.element = mechanics::Element::q1};
+  const ProblemMesh block = problem_mesh(problem, settings);
+  write_problem(problem,
+                std::vector<ProblemAnswer>{problems::example_of(problem)}, {},
+                "", folder, &block);
+  EXPECT_TRUE(read_problem(folder).grid == problem.grid);
+  const auto json = json_of_text(text_of(folder / "problem.json")).at("mesh");
+  EXPECT_EQ(json.at("cells_x"), 64);
+  EXPECT_EQ(json.at("element"), "Q1");
+  EXPECT_EQ(json.at("materials").size(), 2U);
+  EXPECT_EQ(json.at("materials")[0].at("youngs_modulus [Pa]"), 5e9);
+  EXPECT_NEAR(json.at("materials")[1].at("youngs_modulus [Pa]").get<double>(),
+              0.91e9, 1.0);
+  // What gmsh reads is the same mesh, with the same surfaces.
+  meshes::BlockMesh read =
+      meshes::read_mesh_file({(folder / "mesh.msh").string()}).mesh;
+  meshes::fit_sides(read, mechanics::BlockSides::periodic);
+  EXPECT_EQ(read.vertices.size(), block.mesh.vertices.size());
+  EXPECT_EQ(read.cells.size(), block.mesh.cells.size());
+  EXPECT_EQ(read.faces.size(), block.mesh.faces.size());
+  EXPECT_EQ(read.group_names, (std::vector<std::string>{"layer_1", "block"}));
+  EXPECT_EQ(std::ranges::count(read.cell_group, 0),
+            std::ranges::count(block.mesh.cell_group, 0));
+  EXPECT_NEAR(read.depth, 30e-6, 1e-17);
+  EXPECT_NEAR(read.length_x, 64e-6, 1e-17);
+}
+
+TEST_F(ProblemFolder, HasTheMeshAsAbaqusInput) {
+  const ProblemMesh block =
+      problem_mesh(problem, {.element = mechanics::Element::q2});
+  EXPECT_EQ(block.cells_x, 32);
+  const std::string text = abaqus_text(block);
+  std::istringstream lines(text);
+  std::map<std::string, std::size_t> counts;
+  std::string key;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.front() == '*')
+      key = line;
+    else
+      ++counts[key];
+    std::istringstream words(line);
+    for (std::string word; std::getline(words, word, ',');)
+      EXPECT_TRUE(line.front() == '*' || word.size() <= 20) << line;
+  }
+  EXPECT_EQ(counts["*NODE,NSET=all"], block.mesh.vertices.size());
+  EXPECT_EQ(counts["*ELEMENT,TYPE=C3D8,ELSET=layer_1"] +
+                counts["*ELEMENT,TYPE=C3D8,ELSET=block"],
+            block.mesh.cells.size());
+  EXPECT_EQ(counts["*SURFACE,NAME=contact,TYPE=ELEMENT"], 32U * 32U);
+  // The first cell, around its face of contact and then the one below.
+  const std::size_t a_plane = 33UL * 33UL;
+  EXPECT_NE(text.find(fmt::format("\n1,1,2,35,34,{},{},{},{}\n", 1 + a_plane,
+                                  2 + a_plane, 35 + a_plane, 34 + a_plane)),
+            std::string::npos);
+}
+
+TEST_F(ProblemFolder, MeshesAHalfSpaceToOneLength) {
+  Problem deep = problems::rough_problem();
+  deep.body.poisson_ratio = 0.0; // not known
+  const ProblemMesh block =
+      problem_mesh(deep, {.element = mechanics::Element::q1});
+  EXPECT_NEAR(block.mesh.depth, 64e-6, 1e-17);
+  EXPECT_EQ(block.moduli[0].poisson_ratio, 0.3);
+  EXPECT_NEAR(block.moduli[0].youngs_modulus, 0.91e9, 1.0);
+}
+
+TEST_F(ProblemFolder, RefusesMeshesThatNobodyCanUse) {
+  problem.grid.points_x = 63;
+  EXPECT_NE(tests::message_of<input::InputError>([&] {
+              problem_mesh(problem, {.element = mechanics::Element::q2});
+            }).find("63 by 64 points, but cells of Q2"),
+            std::string::npos);
+  problem.grid.points_x = problem.grid.points_y = 4096;
+  EXPECT_NE(tests::message_of<input::InputError>([&] {
+              problem_mesh(problem, {.element = mechanics::Element::q1});
+            }).find("but at most 2e+06 are written"),
+            std::string::npos);
+}
 
 TEST_F(ProblemFolder, IsReadAsWritten) {
   const Problem read = read_problem(folder);

@@ -96,6 +96,43 @@ pressure = "p.npy"
   EXPECT_TRUE(std::isnan(read_all.loads[1].mean_gap));
 }
 
+TEST_F(SubmissionFolder, TurnsForcesOfNodesIntoPressures) {
+  const std::string load =
+      "[[load]]\nnominal_pressure = 2e6\nnodal_force = \"p.npy\"\n";
+  const Submission found = read(head + load);
+  for (std::size_t i = 0; i < problem.heights.size(); ++i)
+    ASSERT_DOUBLE_EQ(found.loads[0].pressure[i],
+                     problem.heights[i] / (1e-6 * 1e-6));
+  expect(head + load + "pressure = \"p.npy\"\n",
+         "has a pressure and a nodal_force, but must have one of them");
+}
+
+TEST_F(SubmissionFolder, SaysHowTimesWereMeasured) {
+  problem.heights_hash = "abc";
+  const std::string load =
+      "[[load]]\nnominal_pressure = 2e6\npressure = \"p.npy\"\n";
+  const std::string timing =
+      "[timing]\nrun = \"a run\"\npairs = 3\nthreads = 1\n";
+  const Submission found =
+      read(head + timing + "heights = \"abc\"\n" + load +
+           "cpu_time = 2\ncpu_time_low = 1\ncpu_time_high = 3\n"
+           "peak_memory = 5e6\n");
+  ASSERT_TRUE(found.timing);
+  EXPECT_EQ(found.timing->run, "a run");
+  EXPECT_EQ(found.timing->pairs, 3);
+  EXPECT_EQ(found.timing->threads, 1);
+  EXPECT_EQ(found.loads[0].cpu_time_low, 1.0);
+  EXPECT_EQ(found.loads[0].cpu_time_high, 3.0);
+  EXPECT_EQ(found.loads[0].peak_memory, 5e6);
+  expect(head + timing + load, "timing.heights is missing");
+  expect(head + timing + "heights = \"ab\"\n" + load,
+         "the times are of another surface");
+  expect(head + "[timing]\npairs = 1\n" + load,
+         "timing.pairs = 1, but must be a number from 2");
+  expect(head + load + "cpu_time = 4\ncpu_time_low = 1\ncpu_time_high = 3\n",
+         "cpu_time must be between it and cpu_time_high");
+}
+
 TEST_F(SubmissionFolder, NamesEveryMistake) {
   const std::string load =
       "[[load]]\nnominal_pressure = 2e6\npressure = \"p.npy\"\n";

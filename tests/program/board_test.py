@@ -73,6 +73,10 @@ def submissions(root, problem, pressures):
         folder.parent.mkdir(parents=True, exist_ok=True)
         shutil.move(made, folder)
     change_head(root / "submissions/small/good/1.0-best", '"default"', '"best"')
+    hashes = json.loads((problem / "problem.json").read_text())["heights"]["files"]
+    path = root / "submissions/small/good/1.0/submission.toml"
+    path.write_text(path.read_text() + '[timing]\nrun = "r1"\npairs = 2\nthreads = 1\n'
+                    f'heights = "{hashes["heights.npy"]}"\n')
     change_head(root / "submissions/small/flipped/1", 'method = "copied"',
                 f'method = "{HOSTILE}"')
     change_head(root / "submissions/small/rough/2", 'code = "rough"', f'code = "{HOSTILE}"')
@@ -115,8 +119,11 @@ def check_pages(site):
     problem = Page(site / "problem-small.html")
     # Two settings share a row; the second answer at one of them has its own.
     leading, again = [row for row in problem.rows if row[0].startswith("good 1.0")]
-    assert again[1] == leading[1] and again[5] == "–", again
-    assert leading[1] == leading[5] and leading[3] == "3" and leading[4] == "14", leading
+    assert again[1] == leading[1] and again[6] == "–", again
+    assert leading[1] == leading[6] and leading[5] == "14", leading
+    # A time says in which run it was measured, or that nobody knows.
+    assert leading[3] == "3run r1, 2 pairs, 1 thread", leading
+    assert leading[8] == "3as submitted" and again[3] == "3as submitted", (leading, again)
     assert any(row[0].startswith("small/flipped/1") and "reverse order" in row[2]
                for row in problem.rows if len(row) == 3), problem.rows
     assert "data:image/svg" in problem.text and "could not be drawn" not in problem.text

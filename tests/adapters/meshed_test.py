@@ -1,0 +1,80 @@
+"""Finite-element codes answer as our own elements do on the same mesh: on one rectangular grid
+of a rough surface, at a partial and at full contact, through the deck that the adapter writes.
+
+Arguments: the adapter, a folder for the problems, asperity.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tomllib
+
+import numpy as np
+
+from problem_folder import start
+
+CASE = """schema = 1
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 8
+seed = 3
+rms_height = "3 nm"
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "0.5 length"
+wavelength_short = "4 h"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["0.01 E*", "0.2 E*"]
+[fem]
+element = "Q1"
+depth = "0.5 length"
+"""
+
+
+def loads_of(folder):
+    found = tomllib.loads((folder / "submission.toml").read_text(encoding="utf-8"))["load"]
+    return [load | {"field": np.load(folder / load["pressure"])} for load in found]
+
+
+def check(problem, options, tolerance):
+    """The difference is that of the springs, which the tolerance of the code bounds."""
+    ours, theirs = problem.parent / "ours", problem.parent / "theirs"
+    done = start(ADAPTER.parent / "asperity_adapter.py", problem, ours, "--program", PROGRAM,
+                 "--method", "fem.q1", "--accuracy", "best")
+    assert done.returncode == 0, done.stdout
+    done = start(ADAPTER, problem, theirs, *options)
+    assert done.returncode == 0, done.stdout
+    height = np.load(problem / "heights.npy").std()
+    for mine, other in zip(loads_of(ours), loads_of(theirs), strict=True):
+        field = mine["field"].astype(float)
+        error = np.abs(field - other["field"]).max() / field.max()
+        assert error < tolerance, (error, options)
+        assert np.abs(field - other["field"].T).max() / field.max() > 0.1
+        assert abs(mine["mean_gap"] - other["mean_gap"]) < tolerance * height, (mine, other)
+        assert abs(other["field"].mean() / other["nominal_pressure"] - 1) < 1e-6, other
+        assert other["iterations"] >= 1 and other["cpu_time"] > 0 and other["peak_memory"] > 1e6
+    assert 0 < loads_of(theirs)[0]["contact_area_fraction"] < 1
+    assert loads_of(theirs)[1]["contact_area_fraction"] == 1
+
+
+def check_limits(problem):
+    """A code that exceeds its time has no answer, which is said, and nothing is submitted."""
+    done = start(ADAPTER, problem, problem.parent / "late", "--seconds", "0.001")
+    assert done.returncode == 3 and "needs more than 0.001 s" in done.stdout, done.stdout
+    assert "Traceback" not in done.stdout, done.stdout
+    assert not (problem.parent / "late/submission.toml").exists()
+
+
+ADAPTER, WORK = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
+PROGRAM = sys.argv[3]
+shutil.rmtree(WORK, ignore_errors=True)
+WORK.mkdir(parents=True)
+(WORK / "case.toml").write_text(CASE, encoding="utf-8")
+subprocess.run([PROGRAM, "problem", WORK / "case.toml", "--mesh", "--out", WORK / "problem"],
+               check=True, timeout=300, stdout=subprocess.DEVNULL)
+check(WORK / "problem", ["--accuracy", "best"], 2e-5)
+check_limits(WORK / "problem")
