@@ -235,14 +235,12 @@ std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
 
 void FreeHalfspace::displacement(std::span<const double> pressure,
                                  std::span<double> displacement) {
-  // As in FourierOperator, ranks keep no memory for it.
-  if (shared_rows() != nullptr) {
-    convolution_.free_scratch();
-    wide_convolution_.free_scratch();
-  }
+  // A step needs it two or three times: its spectrum, of 16 bytes per node, and
+  // those in single precision are not kept at the same time.
+  convolution_.free_scratch();
+  wide_convolution_.free_scratch();
   exact_.apply(pressure, Shared::columns(shared_->compliance), displacement);
-  if (shared_rows() != nullptr)
-    exact_.free_scratch();
+  exact_.free_scratch();
 }
 
 void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
