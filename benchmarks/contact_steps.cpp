@@ -5,10 +5,14 @@
 // transforms, on all grids.
 //
 //     bench_contact_steps [points] [threads] [thickness] [steps]
+//     bench_contact_steps table [points] [threads] [steps] [waves ...]
 //
 // Points per side (512), threads (1), thickness of a slab with a free far
 // boundary in lengths (0: half-space; -1: half-space with free boundaries),
-// load steps of the path (16; 0: only steps without an initial guess).
+// load steps of the path (16; 0: only steps without an initial guess). The
+// table has the iterations on half-spaces from .1 to 99 % contact for H of .3
+// and .95, without and with a roll-off, and these numbers of points in the
+// shortest wave (2 4 8 16).
 #include "base/array_memory.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -22,6 +26,7 @@
 #include <ctime>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <sys/resource.h>
 
 namespace asperity::contact {
@@ -213,7 +218,51 @@ void run(int points, int threads, double thickness, int n_steps) {
   cold.print("cold");
   if (n_steps > 0)
     program.print("program");
-  std::printf("peak memory %.2f GB\n", peak_gigabytes());
+  std::printf("peak memory %.3f GB, %.0f bytes per node\n", peak_gigabytes(),
+              1e9 * peak_gigabytes() / static_cast<double>(grid.size()));
+}
+
+/// Iterations of one surface, cold and along a path.
+void print_row(const Grid& grid, const problems::Roughness& roughness,
+               int threads, int n_steps) {
+  RoughProblem problem{grid, problems::rough_heights(grid, roughness), 0.0,
+                       elastic_body(grid, 0.0, threads)};
+  problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
+  int most = 0, unconverged = 0;
+  const auto iterations = [&](LoadSequence& sequence, double pressure) {
+    const ContactSolution solution =
+        sequence.solve({mechanics::Control::nominal_pressure, pressure});
+    most = std::max(most, solution.iterations);
+    unconverged += solution.converged ? 0 : 1;
+    return solution.iterations;
+  };
+  constexpr double lightest = 5e-4, heaviest = 2.0; // in E* h'
+  std::printf("%4.2f %8.0f %6.0f ", roughness.hurst, roughness.roll_off,
+              roughness.shortest_wave);
+  for (const double pressure : {lightest, 5e-3, .025, .11, .35, .9, heaviest}) {
+    LoadSequence sequence = problem.sequence();
+    std::printf(" %3d", iterations(sequence, pressure));
+  }
+  std::printf("  |");
+  LoadSequence path = problem.sequence();
+  for (int step = 0; step < n_steps; ++step)
+    std::printf(" %2d",
+                iterations(path, lightest * std::pow(heaviest / lightest,
+                                                     step / (n_steps - 1.0))));
+  std::printf("  | %d%s\n", most, unconverged > 0 ? ", not all converged" : "");
+  std::fflush(stdout);
+}
+
+void print_table(int points, int threads, int n_steps,
+                 const std::vector<double>& waves) {
+  std::printf("%d^2: iterations by H, roll-off, points in the shortest wave; "
+              "cold at .1, 1, 5, 20, 50, 80 and 99 %% contact | path | most\n",
+              points);
+  for (const double hurst : {.3, .95})
+    for (const double roll_off : {1.0, 4.0})
+      for (const double wave : waves)
+        print_row({points, points, 1.0, 1.0}, {hurst, roll_off, wave}, threads,
+                  n_steps);
 }
 
 } // namespace
@@ -224,6 +273,16 @@ int main(int n_arguments, char** arguments) {
   const auto argument = [&](int i, double otherwise) {
     return n_arguments > i ? std::atof(arguments[i]) : otherwise;
   };
+  if (n_arguments > 1 && std::string_view(arguments[1]) == "table") {
+    std::vector<double> waves;
+    for (int i = 5; i < n_arguments; ++i)
+      waves.push_back(argument(i, 0.0));
+    asperity::contact::print_table(
+        static_cast<int>(argument(2, 512)), static_cast<int>(argument(3, 1)),
+        static_cast<int>(argument(4, 16)),
+        waves.empty() ? std::vector{2.0, 4.0, 8.0, 16.0} : waves);
+    return 0;
+  }
   asperity::contact::run(static_cast<int>(argument(1, 512)),
                          static_cast<int>(argument(2, 1)), argument(3, 0.0),
                          static_cast<int>(argument(4, 16)));

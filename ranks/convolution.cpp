@@ -75,16 +75,12 @@ template <class Real>
 auto Convolution<Real>::arranged(const EvenColumn& multipliers) const
     -> Symbol {
   const SpectrumColumns own = columns();
-  const std::size_t stride =
-      is_alone() ? transforms_->column_stride() : half_height();
+  const std::size_t height = half_height();
   Symbol symbol;
-  symbol.values_.resize((is_alone() ? transforms_->n_columns() : own.count) *
-                        stride);
+  symbol.values_.resize(own.count * height);
   parallel_rows(static_cast<int>(own.count), threads_, [&](int k) {
-    Real* const column = &symbol.values_[static_cast<std::size_t>(k) * stride];
-    take_column(static_cast<int>(own.first) + k, multipliers, column);
-    if (is_alone())
-      mirror(column);
+    take_column(static_cast<int>(own.first) + k, multipliers,
+                &symbol.values_[static_cast<std::size_t>(k) * height]);
   });
   return symbol;
 }
@@ -135,15 +131,10 @@ void Convolution<Real>::apply(std::span<const Real> field, const Symbol& symbol,
   const std::size_t height = half_height();
   transform(
       field,
-      [&](std::size_t first, std::size_t n, Real* memory) -> const Real* {
-        if (is_alone())
-          return &symbol.values_[first * stride];
-        for (std::size_t k = 0; k < n; ++k) {
+      [&](std::size_t first, std::size_t n, Real* memory) {
+        for (std::size_t k = 0; k < n; ++k)
           std::copy_n(&symbol.values_[(first + k) * height], height,
                       memory + k * stride);
-          mirror(memory + k * stride);
-        }
-        return memory;
       },
       answer);
 }
@@ -156,35 +147,34 @@ void Convolution<Real>::apply(std::span<const Real> field,
   const std::size_t first_own = columns().first;
   transform(
       field,
-      [&](std::size_t first, std::size_t n, Real* memory) -> const Real* {
-        for (std::size_t k = 0; k < n; ++k) {
+      [&](std::size_t first, std::size_t n, Real* memory) {
+        for (std::size_t k = 0; k < n; ++k)
           take_column(static_cast<int>(first_own + first + k), multipliers,
                       memory + k * stride);
-          mirror(memory + k * stride);
-        }
-        return memory;
       },
       answer);
 }
 
 template <class Real>
-template <class Multipliers>
+template <class PutMultipliers>
 void Convolution<Real>::transform(std::span<const Real> field,
-                                  const Multipliers& multipliers,
+                                  const PutMultipliers& put_multipliers,
                                   std::span<Real> answer) {
   assert(field.size() == rows_.size() && answer.size() == rows_.size());
   Complex* const spectrum = prepared(answer);
   const std::size_t block_size = block_width * transforms_->column_stride();
   scratch_.multipliers.resize(static_cast<std::size_t>(threads_) * block_size);
   transforms_->forward(field, threads_, scratch_.pairs.data(), spectrum);
-  each_own_block(
-      spectrum, {},
-      [&](std::size_t first, std::size_t n, Complex* columns,
-          std::size_t worker) {
-        transforms_->convolve(
-            columns,
-            multipliers(first, n, &scratch_.multipliers[worker * block_size]));
-      });
+  each_own_block(spectrum, {},
+                 [&](std::size_t first, std::size_t n, Complex* columns,
+                     std::size_t worker) {
+                   Real* const multipliers =
+                       &scratch_.multipliers[worker * block_size];
+                   put_multipliers(first, n, multipliers);
+                   for (std::size_t k = 0; k < n; ++k)
+                     mirror(multipliers + k * transforms_->column_stride());
+                   transforms_->convolve(columns, multipliers);
+                 });
   transforms_->backward(spectrum, threads_, scratch_.pairs.data(), answer);
 }
 

@@ -45,9 +45,8 @@ using EvenColumn = std::function<void(int jx, std::span<double> of_jy)>;
 template <class Real>
 class Convolution {
 public:
-  /// Multipliers of the columns of this process, in the order in which they are
-  /// used: all rows of each column if it has all columns, else jy =
-  /// 0..points_y/2.
+  /// Multipliers jy = 0..points_y/2 of the columns of this process, in the
+  /// order in which they are used.
   class Symbol {
     friend class Convolution;
     std::vector<Real> values_;
@@ -142,12 +141,12 @@ private:
   void mirror(Real* column) const;
   /// The multipliers of the column jx, divided by the number of nodes.
   void take_column(int jx, const EvenColumn& multipliers, Real* half) const;
-  /// @param multipliers  called with the first of some own columns, their
-  /// number
-  ///                     and memory for a block of multipliers, returns a block
-  template <class Multipliers>
-  void transform(std::span<const Real> field, const Multipliers& multipliers,
-                 std::span<Real> answer);
+  /// @param put_multipliers  called with the first of some own columns, their
+  ///                         number and memory for a block, puts multipliers
+  ///                         jy = 0..points_y/2 of each column there
+  template <class PutMultipliers>
+  void transform(std::span<const Real> field,
+                 const PutMultipliers& put_multipliers, std::span<Real> answer);
 
   /// What happens to the columns: they come from the rows, and their values are
   /// returned to the rows.

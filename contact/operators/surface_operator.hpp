@@ -94,7 +94,7 @@ public:
   virtual const SharedRows* wide_shared_rows() const { return shared_rows(); }
 
   /// As pressure_estimate(), on the surface of wide_grid(), whose C is about
-  /// the same between the nodes of grid().
+  /// the same between the nodes of grid(). The two fields may be one.
   virtual void wide_pressure_estimate(std::span<const float> gap,
                                       double local_compliance,
                                       std::span<float> pressure) {

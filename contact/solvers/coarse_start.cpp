@@ -1,5 +1,8 @@
 #include "base/parallel_rows.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/node_kernels.hpp"
+#include "ranks/node_sums.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,15 +75,15 @@ void set_ghosts(std::size_t n, bool is_periodic, const Value& value) {
   }
 }
 
-/// The positive part of a row at twice as many points.
+/// A row at twice as many points.
 /// @param coarse  n values after one and before two ghosts
 /// @param fine    2 n values
-void put_positive(std::span<const double> coarse, std::span<double> fine) {
+void widen(std::span<const double> coarse, std::span<double> fine) {
   const double* const c = coarse.data();
   double* const f = fine.data();
   for (std::size_t i = 0; i < coarse.size() - n_ghosts; ++i) {
-    f[2 * i] = std::max(0.0, c[i + 1]);
-    f[2 * i + 1] = std::max(0.0, between(c[i], c[i + 1], c[i + 2], c[i + 3]));
+    f[2 * i] = c[i + 1];
+    f[2 * i + 1] = between(c[i], c[i + 1], c[i + 2], c[i + 3]);
   }
 }
 
@@ -162,7 +165,7 @@ private:
   std::vector<double> ghosts_; ///< the row before and the two after
 };
 
-/// The positive part of the cubic interpolation of the coarse rows.
+/// The cubic interpolation of the coarse rows.
 std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
                                  const SharedRows& fine_rows,
                                  const SurfaceOperator& elasticity) {
@@ -180,7 +183,7 @@ std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
     const auto put = [&](std::span<double> to) {
       set_ghosts(width, elasticity.is_periodic(),
                  [&](std::size_t i) -> double& { return line[i]; });
-      put_positive(line, to);
+      widen(line, to);
     };
     std::copy_n(row, width, own);
     put(fine.first(2 * width));
@@ -247,6 +250,77 @@ void multiply_by_punch(const SharedRows& rows, bool divides, int threads,
   });
 }
 
+/// Adds the pressure that flattens the waves of the heights which the coarse
+/// grid does not hold, (C + c)^-1 of what the interpolation of its heights
+/// leaves.
+void add_short_waves(const SurfaceOperator& elasticity,
+                     const ContactProblem& problem,
+                     std::span<const double> interpolated_heights,
+                     std::span<double> field) {
+  std::vector<float> left(field.size()), flattening(field.size());
+  chunked(field.size(), elasticity.threads(),
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              left[i] = static_cast<float>(problem.heights[i] -
+                                           interpolated_heights[i]);
+          });
+  elasticity.clone()->pressure_estimate(left, problem.local_compliance,
+                                        flattening);
+  chunked(field.size(), elasticity.threads(),
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              if (std::isfinite(flattening[i])) // else beyond single precision
+                field[i] += static_cast<double>(flattening[i]);
+          });
+}
+
+/// The load of the positive part of field - level, and the number of its nodes.
+TwoSums load_above(const SurfaceOperator& elasticity,
+                   std::span<const double> field, double level) {
+  return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
+    return chunked_sum<TwoSums>(
+        field.size(), elasticity.workers(),
+        [=, f = field.data()](std::size_t begin, std::size_t end) {
+          return TwoSums{{sum_in_lanes(begin, end,
+                                       [=](std::size_t i) {
+                                         return weight[i] *
+                                                std::max(0.0, f[i] - level);
+                                       }),
+                          sum_in_lanes(begin, end, [=](std::size_t i) {
+                            return f[i] > level ? weight[i] : 0.0;
+                          })}};
+        });
+  });
+}
+
+/// The number to subtract from the field so that its positive part has the load
+/// that is prescribed, to 1e-3: the bodies are moved apart or together. By
+/// Newton's method, because that load is a convex function of the number.
+double level_of_load(const SurfaceOperator& elasticity,
+                     const mechanics::LoadTarget& target,
+                     std::span<const double> field) {
+  if (target.control != mechanics::Control::nominal_pressure)
+    return 0.0;
+  constexpr int most_steps = 8;
+  const Workers workers = elasticity.workers();
+  const double wanted =
+      target.amount * static_cast<double>(workers.all_nodes(field.size()));
+  double level = 0.0;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto [load, nodes] = load_above(elasticity, field, level).values;
+    if (std::abs(load - wanted) <= 1e-3 * wanted)
+      break;
+    if (nodes > 0.0)
+      level += (load - wanted) / nodes;
+    else // from here on some nodes carry at least the load
+      level =
+          rank_max(workers.rows != nullptr ? workers.rows->ranks() : nullptr,
+                   *std::ranges::max_element(field)) -
+          wanted;
+  }
+  return level;
+}
+
 } // namespace
 
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
@@ -276,13 +350,22 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   const std::span<double> own = own_rows(coarse_rows, field);
   const bool is_periodic = elasticity.is_periodic();
   const int threads = elasticity.threads();
+  const auto on_fine_rows = [&](std::span<const double> rows) {
+    return interpolated(RowsWithGhosts(coarse_rows, rows, is_periodic),
+                        coarse_rows.count(), fine_rows, elasticity);
+  };
   if (!is_periodic)
     multiply_by_punch(coarse_rows, true, threads, own);
-  std::vector<double> start =
-      interpolated(RowsWithGhosts(coarse_rows, own, is_periodic),
-                   coarse_rows.count(), fine_rows, elasticity);
+  std::vector<double> start = on_fine_rows(own);
   if (!is_periodic)
     multiply_by_punch(fine_rows, false, threads, start);
+  add_short_waves(elasticity, problem,
+                  on_fine_rows(own_rows(coarse_rows, heights)), start);
+  const double level = level_of_load(elasticity, target, start);
+  chunked(start.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      start[i] = std::max(0.0, start[i] - level);
+  });
   return start;
 }
 

@@ -15,6 +15,11 @@ namespace {
 /// smaller one saves no iteration on the fine grid.
 constexpr double coarse_accuracy = 1e-3;
 
+/// Largest over rms value of half the second difference of Gaussian heights.
+/// The former is about twice the residual of a coarse-to-fine guess, for
+/// shortest waves of 2 to 16 points: docs/numerics/solver-measurements.md.
+constexpr double largest_bend = 5.0;
+
 /// Longest extrapolation, in units of the last load increment.
 constexpr double longest_extrapolation = 2.5;
 
@@ -38,18 +43,12 @@ double extrapolation_reach(mechanics::Control control, double before,
 
 /// The pressure where there is one, otherwise minus the gap: both in one field,
 /// because one of them is 0 at every node.
-std::vector<double> signed_state(const ContactSolution& solution) {
-  const std::vector<double>& pressure = solution.pressure;
-  std::vector<double> state;
-  state.reserve(pressure.size());
-  while (state.size() < pressure.size()) { // in parts that stay in the cache
-    const std::size_t begin = state.size();
-    const std::size_t end = std::min(pressure.size(), begin + chunk_nodes);
-    state.insert(state.end(), &pressure[begin], pressure.data() + end);
-    for (std::size_t i = begin; i < end; ++i) {
-      const double open = -std::max(0.0, solution.gap[i]);
-      state[i] = state[i] > 0.0 ? state[i] : open;
-    }
+std::vector<float> signed_state(const ContactSolution& solution) {
+  std::vector<float> state(solution.pressure.size());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const double pressure = solution.pressure[i];
+    const double open = -std::max(0.0, solution.gap[i]);
+    state[i] = static_cast<float>(pressure > 0.0 ? pressure : open);
   }
   return state;
 }
@@ -90,6 +89,22 @@ double rms_height_of(std::span<const double> heights, const Workers& workers) {
                    nodes);
 }
 
+/// Rms of half the second differences of the heights along the rows [m].
+double rms_bend(std::span<const double> heights, int points_x,
+                const Workers& workers) {
+  const auto width = static_cast<std::size_t>(points_x);
+  const auto bend = [=, h = heights.data()](std::size_t i) {
+    const std::size_t x = i % width;
+    if (x == 0 || x + 1 == width)
+      return 0.0;
+    return h[i] - 0.5 * (h[i - 1] + h[i + 1]);
+  };
+  return std::sqrt(
+      weighted_sum({}, heights.size(), workers,
+                   [=](std::size_t i) { return bend(i) * bend(i); }) /
+      static_cast<double>(workers.all_nodes(heights.size())));
+}
+
 } // namespace
 
 LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
@@ -122,19 +137,27 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   if (target.control != control_)
     history_.clear();
   control_ = target.control;
-  std::vector<double> start = start_for(target);
   ContactProblem problem{heights_, local_compliance(),
                          reachable_tolerance(gap_tolerance_, target,
                                              local_compliance(),
                                              elasticity_->grid().size()),
                          max_iterations_};
+  std::vector<double> start = extrapolation_to(target);
+  OtherGuess other;
+  if (!start.empty())
+    other = {error_of_coarse_guess(), [&] { return coarse_guess(target); }};
+  else
+    start = coarse_guess(target);
+  if (start.empty() && !history_.empty())
+    for (const float value : history_.back().state)
+      start.push_back(std::max(0.0, static_cast<double>(value)));
   ContactSolution solution;
   if (solver_ == mechanics::SurfaceSolver::multipliers) {
     problem.local_compliance = 1.0 / interface_.penalty;
     solution = solve_augmented(*elasticity_, problem, target, start);
   } else {
-    solution =
-        solve_contact_from(std::move(start), *elasticity_, problem, target);
+    solution = solve_contact_from(std::move(start), *elasticity_, problem,
+                                  target, other);
   }
   remember(target, solution);
   return solution;
@@ -167,7 +190,10 @@ void LoadSequence::recall(std::span<const double> memory) {
         refuse_argument("a saved pressure or gap", value, "finite");
     if (!has_load(state))
       refuse_argument("a saved load", 0.0, "> 0 [Pa] at some node");
-    history.push_back({memory[at], {state.begin(), state.end()}});
+    history.push_back({memory[at], std::vector<float>(state.size())});
+    std::ranges::transform(
+        state, history.back().state.begin(),
+        [](double value) { return static_cast<float>(value); });
   }
   history_ = std::move(history);
   if (memory.empty())
@@ -184,37 +210,43 @@ double LoadSequence::rms_height() {
   return *rms_height_;
 }
 
+double LoadSequence::error_of_coarse_guess() {
+  if (!error_of_coarse_guess_)
+    error_of_coarse_guess_ =
+        largest_bend * rms_bend(heights_, elasticity_->grid().points_x,
+                                elasticity_->workers());
+  return *error_of_coarse_guess_;
+}
+
 std::vector<double>
-LoadSequence::start_for(const mechanics::LoadTarget& target) {
-  if (history_.size() == 2) {
-    const Step& before = history_[0];
-    const Step& last = history_[1];
-    const double reach = extrapolation_reach(control_, before.amount,
-                                             last.amount, target.amount);
-    if (std::abs(reach) <= longest_extrapolation) {
-      std::vector<double> start(heights_.size());
-      const double stiffness =
-          overlap_stiffness /
-          (elasticity_->short_wave_compliance() + local_compliance());
-      chunked(start.size(), elasticity_->threads(),
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i)
-                  start[i] = extrapolated(before.state[i], last.state[i], reach,
-                                          stiffness);
-              });
-      if (has_load(start))
-        return start;
-    }
-  }
+LoadSequence::extrapolation_to(const mechanics::LoadTarget& target) const {
+  if (history_.size() < 2)
+    return {};
+  const Step& before = history_[0];
+  const Step& last = history_[1];
+  const double reach =
+      extrapolation_reach(control_, before.amount, last.amount, target.amount);
+  if (!(std::abs(reach) <= longest_extrapolation))
+    return {};
+  std::vector<double> start(heights_.size());
+  const double stiffness =
+      overlap_stiffness /
+      (elasticity_->short_wave_compliance() + local_compliance());
+  chunked(start.size(), elasticity_->threads(),
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+              start[i] = extrapolated(before.state[i], last.state[i], reach,
+                                      stiffness);
+          });
+  return has_load(start) ? start : std::vector<double>();
+}
+
+std::vector<double>
+LoadSequence::coarse_guess(const mechanics::LoadTarget& target) {
   const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
                                max_iterations_};
-  std::vector<double> start =
-      coarse_start(*elasticity_, problem, target,
-                   std::max(gap_tolerance_, coarse_accuracy * rms_height()));
-  if (start.empty() && !history_.empty())
-    for (const double value : history_.back().state)
-      start.push_back(std::max(0.0, value));
-  return start;
+  return coarse_start(*elasticity_, problem, target,
+                      std::max(gap_tolerance_, coarse_accuracy * rms_height()));
 }
 
 void LoadSequence::remember(const mechanics::LoadTarget& target,

@@ -18,7 +18,9 @@ namespace asperity::contact {
 /// - after two earlier steps: their extrapolation to the new load, of the
 ///   pressures in contact and of the gaps elsewhere: where a gap closes, new
 ///   contact begins. It is linear in the logarithm of a prescribed pressure and
-///   in a prescribed mean gap;
+///   in a prescribed mean gap. If its residual is larger than five times the
+///   rms of half the second differences of the heights, the coarse-to-fine
+///   guess below is better and replaces it;
 /// - after one step, or for a load too far away: the coarse-to-fine guess
 ///   below, or the last step, scaled, if there is no coarse operator;
 /// - for the first step: the problem on every second node (recursively), solved
@@ -62,11 +64,17 @@ public:
 private:
   struct Step {
     double amount;
-    /// Pressure where > 0 [Pa], otherwise minus the gap [m].
-    std::vector<double> state;
+    /// Pressure where > 0 [Pa], otherwise minus the gap [m]. Single precision
+    /// is enough for an initial guess.
+    std::vector<float> state;
   };
 
-  std::vector<double> start_for(const mechanics::LoadTarget& target);
+  /// Empty if there is none.
+  std::vector<double>
+  extrapolation_to(const mechanics::LoadTarget& target) const;
+  std::vector<double> coarse_guess(const mechanics::LoadTarget& target);
+  /// The residual from which on it is better than another guess [m].
+  double error_of_coarse_guess();
   double rms_height();
   void remember(const mechanics::LoadTarget& target,
                 const ContactSolution& solution);
@@ -76,6 +84,7 @@ private:
   std::unique_ptr<SurfaceOperator> elasticity_;
   std::vector<double> heights_;
   std::optional<double> rms_height_; ///< [m], once it was needed
+  std::optional<double> error_of_coarse_guess_; ///< likewise
   mechanics::ContactInterface interface_;
   mechanics::SurfaceSolver solver_;
   double gap_tolerance_;

@@ -39,7 +39,6 @@ Preconditioner::Preconditioner(const SurfaceOperator& elasticity)
   wide_.blocks.resize(blocks_of(nodes));
   wide_.residual.resize(nodes);
   wide_.extended.resize(nodes);
-  wide_.estimate.resize(nodes);
 }
 
 Grid Preconditioner::held_part() const {
@@ -113,9 +112,11 @@ void Preconditioner::apply(SurfaceOperator& elasticity, double local_compliance,
   widen<float>(residual, wide_.extended, wide_.residual);
   extension_.extend(wide_active, wide_.residual, wide_.extended);
   elasticity.wide_pressure_estimate(wide_.extended, local_compliance,
-                                    wide_.estimate);
-  extension_.fold(wide_active, wide_.estimate);
-  narrow(wide_.estimate, wide_.extended, estimate);
+                                    wide_.extended);
+  extension_.fold(wide_active, wide_.extended);
+  narrow(wide_.extended, wide_.residual, estimate);
+  if (rows_.ranks() != nullptr) // the added nodes have no residual
+    std::ranges::fill(wide_.residual, 0.0F);
 }
 
 } // namespace asperity::contact

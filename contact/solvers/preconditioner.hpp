@@ -42,7 +42,8 @@ private:
   struct Wide {
     std::vector<std::uint8_t> freedom; ///< 0 at the added nodes
     BlockFlags blocks;
-    std::vector<float> residual, extended, estimate;
+    std::vector<float> residual;
+    std::vector<float> extended; ///< then the estimate
   };
 
   bool is_wide() const { return !wide_.freedom.empty(); }

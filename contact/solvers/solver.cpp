@@ -246,18 +246,25 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
 ContactSolution solve_contact_from(std::vector<double> initial_pressure,
                                    SurfaceOperator& elasticity,
                                    const ContactProblem& problem,
-                                   const mechanics::LoadTarget& target) {
+                                   const mechanics::LoadTarget& target,
+                                   const OtherGuess& other) {
   ContactState state(elasticity, problem, target, std::move(initial_pressure));
+  state.update_residual();
+  if (other.make && state.gap_error > other.above)
+    if (std::vector<double> guess = other.make(); !guess.empty()) {
+      state.set_pressure(std::move(guess));
+      state.update_residual();
+    }
   Directions directions(state);
   StagnationCriterion watch;
-  for (;; ++state.iterations) {
-    state.update_residual();
-    if (state.is_at_end())
-      return std::move(state).solution();
+  while (!state.is_at_end()) {
     if (watch.is_stalled(state.gap_error, state.iterations) ||
         !directions.step(state))
       return hand_over(std::move(state));
+    ++state.iterations;
+    state.update_residual();
   }
+  return std::move(state).solution();
 }
 
 } // namespace asperity::contact

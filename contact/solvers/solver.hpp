@@ -7,6 +7,7 @@
 #include "contact/operators/surface_operator.hpp"
 #include "mechanics/loading.hpp"
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -76,12 +77,19 @@ ContactSolution solve_contact(SurfaceOperator& elasticity,
                               const mechanics::LoadTarget& target,
                               std::span<const double> initial_pressure = {});
 
+/// Another initial guess, for the case that the first one is a poor one.
+struct OtherGuess {
+  double above = 0.0; ///< error of the first guess from which it is made [m]
+  std::function<std::vector<double>()> make = {}; ///< empty: there is none
+};
+
 /// The same, with the memory of the initial guess, which is used for the
 /// pressure.
 ContactSolution solve_contact_from(std::vector<double> initial_pressure,
                                    SurfaceOperator& elasticity,
                                    const ContactProblem& problem,
-                                   const mechanics::LoadTarget& target);
+                                   const mechanics::LoadTarget& target,
+                                   const OtherGuess& other = {});
 
 /// The reference solver: the conjugate gradients of Polonsky and Keer without a
 /// preconditioner. It has the arguments and the return value of solve_contact.

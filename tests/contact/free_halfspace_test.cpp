@@ -59,6 +59,37 @@ TEST(RectangleDisplacement, HasItsKnownValues) {
                std::domain_error);
 }
 
+/// The integral of 1/r over a rectangle by its corners in long double, which
+/// has eps r^2 of it at the distance r in sides.
+long double exact_integral(long double x, long double y, long double side_x,
+                           long double side_y) {
+  const auto corner = [](long double a, long double b) {
+    return a * std::asinh(b / std::abs(a)) + b * std::asinh(a / std::abs(b));
+  };
+  const long double a = x - side_x / 2, b = y - side_y / 2;
+  return corner(a + side_x, b + side_y) - corner(a, b + side_y) -
+         corner(a + side_x, b) + corner(a, b);
+}
+
+// Claim: no digit is lost far away, where the sum over corners in double
+// precision has an error of eps r^2. Tolerance: the documented 1e-12, and the
+// roundoff of the comparison.
+TEST(RectangleDisplacement, KeepsItsDigitsAtAnyDistance) {
+  for (const long double aspect : {1.0L, 0.25L})
+    for (const int r : {3, 20, 63, 65, 128, 1000, 4095})
+      for (const long double slope : {0.0L, 0.3L, 1.0L}) {
+        const long double x = r, y = slope * r;
+        const long double exact = exact_integral(x, y, 1.0L, aspect);
+        const double found = rectangle_displacement(
+            r, static_cast<double>(y), 1.0, static_cast<double>(aspect), 1.0);
+        const double lost = 1e-18 * r * r;
+        EXPECT_NEAR(static_cast<double>(
+                        found * std::numbers::pi_v<long double> / exact),
+                    1.0, 1e-12 + lost)
+            << r << " " << static_cast<double>(slope);
+      }
+}
+
 TEST(FreeHalfspaceOperator, IsTheSumOverPressedCells) {
   const Grid grid{9, 6, 1.8, 0.6}; // cells of 0.2 by 0.1
   FreeHalfspace elasticity(grid, modulus);

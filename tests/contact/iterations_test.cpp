@@ -58,6 +58,40 @@ TEST(Iterations, StayFewWithFreeBoundaries) {
     EXPECT_LE(most_iterations(points, Borders::free), 12) << points;
 }
 
+// The same with 2 points in the shortest wave, H = 0.3 and no roll-off, where
+// the next grid does not hold the shortest waves. Measured: 8, 9 and 9; without
+// the pressure of these waves in the start 9, 11 and 11.
+TEST(Iterations, StayFewWithWavesThatTheCoarseGridDoesNotHold) {
+  const Grid grid{256, 256, 1.0, 1.0};
+  const std::vector<double> heights =
+      problems::rough_heights(grid, {0.3, 1.0, 2.0});
+  for (const double pressure : {.025, .11, .35}) {
+    LoadSequence sequence(half_space(grid, Borders::periodic, 1), heights, {},
+                          1e-8 * problems::rms(heights), 2000);
+    const ContactSolution solution =
+        sequence.solve({mechanics::Control::nominal_pressure, pressure});
+    EXPECT_TRUE(solution.converged);
+    EXPECT_LE(solution.iterations, 10) << pressure;
+  }
+}
+
+// A step that is long for an extrapolation starts from the coarse grid: from the
+// extrapolation these took 9, 11 and 10 iterations, now 7 at most.
+TEST(Iterations, StayFewAlongAPathOfLongSteps) {
+  const Grid grid{256, 256, 1.0, 1.0};
+  const std::vector<double> heights = problems::rough_heights(grid, {});
+  LoadSequence path(half_space(grid, Borders::periodic, 1), heights, {},
+                    1e-8 * problems::rms(heights), 2000);
+  for (const double first : {5e-4, 2.63e-3})
+    path.solve({mechanics::Control::nominal_pressure, first});
+  for (const double pressure : {.0138, .0725, .3807}) {
+    const ContactSolution solution =
+        path.solve({mechanics::Control::nominal_pressure, pressure});
+    EXPECT_TRUE(solution.converged);
+    EXPECT_LE(solution.iterations, 8) << pressure;
+  }
+}
+
 // The partition of every sum is fixed, so that the number of threads changes no
 // bit.
 TEST(Iterations, ThreadsChangeNoBit) {
