@@ -100,4 +100,5 @@ def prepare(problem):
 
 if __name__ == "__main__":
     submission.run(prepare, "CalculiX", f"finite elements {GIVEN.element}, gap elements at the nodes",
-                   {"default": 0.02, "best": 1e-6}, True, [OPTIONS], claimed_error=0.1)
+                   {"default": 0.02, "best": 1e-6}, any_body=True,
+                   parents=[OPTIONS], claimed_error=0.1)

@@ -128,4 +128,5 @@ if __name__ == "__main__":
         solve_block(pathlib.Path(sys.argv[2]))
     else:
         submission.run(prepare, "GetFEM", "finite elements, augmented Lagrangian of nodal contact",
-                       {"default": 1e-6, "best": 1e-12}, True, [OPTIONS], claimed_error=0.1)
+                       {"default": 1e-6, "best": 1e-12}, any_body=True,
+                       parents=[OPTIONS], claimed_error=0.1)
