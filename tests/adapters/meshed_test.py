@@ -3,6 +3,7 @@ of a rough surface, at a partial and at full contact, through the deck that the 
 
 Arguments: the adapter, a folder for the problems, asperity.
 """
+import json
 import pathlib
 import shutil
 import subprocess
@@ -40,11 +41,19 @@ def loads_of(folder):
     return [load | {"field": np.load(folder / load["pressure"])} for load in found]
 
 
+def problem_of(element):
+    folder = WORK / element
+    subprocess.run([PROGRAM, "problem", WORK / "case.toml", f"--set=fem.element={element}",
+                    "--mesh", "--out", folder / "problem"],
+                   check=True, timeout=300, stdout=subprocess.DEVNULL)
+    return folder / "problem"
+
+
 def check(problem, options, tolerance):
     """The difference is that of the springs, which the tolerance of the code bounds."""
     ours, theirs = problem.parent / "ours", problem.parent / "theirs"
     done = start(ADAPTER.parent / "asperity_adapter.py", problem, ours, "--program", PROGRAM,
-                 "--method", "fem.q1", "--accuracy", "best")
+                 "--method", f"fem.{problem.parent.name.lower()}", "--accuracy", "best")
     assert done.returncode == 0, done.stdout
     done = start(ADAPTER, problem, theirs, *options)
     assert done.returncode == 0, done.stdout
@@ -61,6 +70,19 @@ def check(problem, options, tolerance):
     assert loads_of(theirs)[1]["contact_area_fraction"] == 1
 
 
+def check_certificate(problem):
+    """On the elements of the same mesh the answers are certified as nearly exact."""
+    folder = problem.parent / "theirs"
+    for arguments in (["import", folder, "--problem", problem, "--out", folder / "out", "--quiet"],
+                      ["certify", folder / "out", "--json"]):
+        done = subprocess.run([PROGRAM, *map(str, arguments)], text=True, timeout=300,
+                              stdout=subprocess.PIPE, check=False)
+        assert done.returncode in ((0, 1) if arguments[0] == "import" else (0,)), done
+    for field in json.loads(done.stdout):
+        scale = field["rms_height [m]"] * field["nominal_pressure [Pa]"]
+        assert field["duality_gap [J/m^2]"] < 1e-5 * scale, field
+
+
 def check_limits(problem):
     """A code that exceeds its time has no answer, which is said, and nothing is submitted."""
     done = start(ADAPTER, problem, problem.parent / "late", "--seconds", "0.001")
@@ -74,7 +96,12 @@ PROGRAM = sys.argv[3]
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 (WORK / "case.toml").write_text(CASE, encoding="utf-8")
-subprocess.run([PROGRAM, "problem", WORK / "case.toml", "--mesh", "--out", WORK / "problem"],
-               check=True, timeout=300, stdout=subprocess.DEVNULL)
-check(WORK / "problem", ["--accuracy", "best"], 2e-5)
-check_limits(WORK / "problem")
+linear = problem_of("Q1")
+check(linear, ["--accuracy", "best"], 2e-5)
+check_certificate(linear)
+check_limits(linear)
+if ADAPTER.name.startswith("getfem"):
+    check(problem_of("Q2"), ["--accuracy", "best"], 2e-5)
+else:
+    refused = start(ADAPTER, problem_of("Q2"), WORK / "refused")
+    assert refused.returncode == 2 and "the mesh is for Q2" in refused.stdout, refused.stdout
