@@ -18,6 +18,7 @@
 #include "results/trial_read.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/named_cases.hpp"
+#include "run/arguments/map_case.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
@@ -173,6 +174,22 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
 }
 
 /// Refuses a PDF before anything is computed.
+/// The overrides of a run, with those that --length and --height-unit give a
+/// map whose file does not state them.
+std::vector<std::string> overrides_of(const RunCommand& command) {
+  std::vector<std::string> overrides =
+      run::map_overrides(command.length, command.height_unit);
+  for (const std::string& word : command.cases)
+    if (!overrides.empty() && !run::is_map_file(word))
+      throw input::InputError(fmt::format(
+          "--length and --height-unit apply only to measured maps, but {} is a "
+          "case: please use --set {}",
+          word, overrides.front()));
+  overrides.insert(overrides.end(), command.overrides.begin(),
+                   command.overrides.end());
+  return overrides;
+}
+
 void require_pdf_program() {
   if (reports::pdf_program().empty())
     throw std::domain_error(reports::no_pdf_program);
@@ -212,7 +229,7 @@ run::ExitCode run_cases(const RunCommand& command) {
   std::vector<run::NamedCases> all;
   for (const std::string& word : command.cases)
     all.push_back(run::read_named_cases_or_sweep(
-        word, command.overrides, command.is_quick, command.contact_modulus));
+        word, overrides, command.is_quick, command.contact_modulus));
   run::name_apart(all, command.cases);
   run::catch_interrupts();
   methods::Cache cache(methods::cache_folder(),
@@ -236,6 +253,7 @@ run::ExitCode report_results(const ReportCommand& command) {
   const auto& [paths, out, has_pdf, formats, width] = command;
   const reports::ReportExtras extras{has_pdf,
                                      reports::journal_format(formats, width)};
+  const std::vector<std::string> overrides = overrides_of(command);
   if (has_pdf)
     require_pdf_program();
   for (const std::string& path : paths)

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <filesystem>
 
 namespace asperity::run {
@@ -46,6 +47,12 @@ gamma = 0.4
 # [fem]
 )";
 
+fs::path map_path(const MapOfCase& map) {
+  return map.folder.empty()
+             ? fs::absolute(map.file).lexically_normal()
+             : fs::relative(fs::absolute(map.file), fs::absolute(map.folder));
+}
+
 std::string quoted(const std::string& text) {
   cases::Node node;
   node.type = cases::NodeType::text;
@@ -61,6 +68,22 @@ bool is_map_file(const std::string& word) {
          fs::path(word).extension() != ".toml";
 }
 
+std::string with_number(const std::string& unit) {
+  const bool has_number =
+      unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) == 0;
+  return has_number ? unit : "1 " + unit;
+}
+
+std::vector<std::string> map_overrides(const std::string& length,
+                                       const std::string& height_unit) {
+  std::vector<std::string> overrides;
+  if (!length.empty())
+    overrides.push_back("surface.length=" + length);
+  if (!height_unit.empty())
+    overrides.push_back("surface.height_unit=" + with_number(height_unit));
+  return overrides;
+}
+
 std::string map_case_text(const MapOfCase& map) {
   if (map.contact_modulus.empty())
     throw input::InputError(fmt::format(
@@ -73,8 +96,7 @@ std::string map_case_text(const MapOfCase& map) {
   return fmt::format(
       fmt::runtime(text_of_case),
       fmt::arg("title", quoted(fs::path(map.file).filename().string())),
-      fmt::arg("file",
-               quoted(fs::absolute(map.file).lexically_normal().string())),
+      fmt::arg("file", quoted(map_path(map).string())),
       fmt::arg("modulus", quoted(map.contact_modulus)));
 }
 
