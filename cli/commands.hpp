@@ -46,6 +46,7 @@ struct ReportCommand {
   std::string out;      ///< empty: beside a single result, or out/comparison
   bool has_pdf = false; ///< also print the report
   std::vector<std::string> formats; ///< of figures for a journal
+  std::vector<std::string> labels;  ///< names of the results, in order
   std::string width = "86mm";       ///< of these
 };
 

@@ -153,8 +153,15 @@ void add_report(CLI::App& program, ReportCommand& report,
       "report", "Write the report of one or more results,\n"
                 "compared side by side.");
   command
-      ->add_option("result", report.paths, "result.h5 files or their folders")
+      ->add_option("result", report.paths,
+                   "result.h5 files or their folders; after the first\n"
+                   "one also tables of measured curves, mine.csv")
       ->required();
+  command
+      ->add_option("--label", report.labels,
+                   "name of a result in the report; given once for each\n"
+                   "result, in their order")
+      ->allow_extra_args(false);
   command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
@@ -249,13 +256,6 @@ void add_small_commands(CLI::App& program, run::OutputOptions& output,
   schema->callback([&] { action = print_schema; });
 }
 
-int run(int argc, char** argv) {
-  CLI::App program(
-      "Asperity: rough contact by finite elements, a half-space, atoms and "
-      "Persson's\ntheory, computed from one case file and compared in one "
-      "report.");
-  program.name("asperity");
-  program.require_subcommand(1);
 /// Returns a line with the nearest command or option for the first word of the
 /// command line that is neither; "" if there is none.
 std::string nearest_word(const CLI::App& program, int argc, char** argv) {
@@ -286,6 +286,13 @@ std::string nearest_word(const CLI::App& program, int argc, char** argv) {
   return "";
 }
 
+int run(int argc, char** argv) {
+  CLI::App program(
+      "Asperity: rough contact by finite elements, a half-space, atoms and "
+      "Persson's\ntheory, computed from one case file and compared in one "
+      "report.");
+  program.name("asperity");
+  program.require_subcommand(1);
   program.set_version_flag("--version", ASPERITY_VERSION);
   program.footer(
       "exit codes:\n  0 success, 1 an expectation is not met, 2 invalid "

@@ -1,6 +1,7 @@
 #include "reports/pages/methods_text.hpp"
 
 #include "cases/reader/resolved_keys.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
 
 #include <fmt/format.h>
@@ -45,9 +46,9 @@ constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
   author = {Yastrebov, V. A. and Anciaux, G. and Molinari, J.-F.},
   title = {On the accurate computation of the true contact-area in mechanical contact of random rough surfaces},
   journal = {Tribol. Int.}, volume = {114}, pages = {161--171}, year = {2017},
+  doi = {10.1016/j.triboint.2017.04.023},
   eprint = {1701.02727}, archiveprefix = {arXiv}
 })"},
-  doi = {10.1016/j.triboint.2017.04.023},
                              Source{"yang2006", R"(@article{yang2006,
   author = {Yang, C. and Tartaglino, U. and Persson, B. N. J.},
   title = {A multiscale molecular dynamics approach to contact mechanics},
@@ -112,8 +113,6 @@ std::string version(std::string text) {
   return text.empty() ? "" : " " + text;
 }
 
-std::string continuum_sentences(const ReportEntry& entry) {
-  const bool has_halfspace = has_kind(entry, "halfspace");
 /// "a finite slab and a half-space": what the methods of this kind press.
 std::string continuum_words(const ReportEntry& entry) {
   bool has_slab = false;
@@ -127,6 +126,8 @@ std::string continuum_words(const ReportEntry& entry) {
                         : "slab of finite thickness";
 }
 
+std::string continuum_sentences(const ReportEntry& entry) {
+  const bool has_halfspace = has_kind(entry, "halfspace");
   const bool has_fem = has_kind(entry, "fem");
   std::string text;
   if (has_halfspace)
@@ -206,6 +207,9 @@ std::string settings_of(const ReportEntry& entry) {
 }
 
 std::string paragraph_on(const ReportEntry& entry) {
+  if (has_kind(entry, measured_kind))
+    return entry.summary.case_name + ": " +
+           entry.result->methods.front().description + ".";
   const std::string program = fact(entry, "program");
   const std::string commit = fact(entry, "commit");
   std::string text =
@@ -218,12 +222,12 @@ std::string paragraph_on(const ReportEntry& entry) {
   if (has_kind(entry, "theory"))
     text += " Persson's theory [persson2001] was evaluated for contact area "
             "and interfacial separation as in [yang2008].";
+  text += method_sentences(entry);
   text += continuum_sentences(entry);
   if (has_kind(entry, "md"))
     text += " The atomistic block and its interaction with the substrate "
             "follow [yang2006] and [yang2008].";
   if (uses_lammps(entry))
-  text += method_sentences(entry);
     text += " Atoms were moved by LAMMPS [thompson2022].";
   if (has_kind(entry, "winkler"))
     text += " The Winkler foundation consists of independent springs "

@@ -234,26 +234,26 @@ TEST_F(Messages, AMapRunsWithoutACase) {
   ASSERT_EQ(ran.exit_code, 0) << ran.output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/map/report.html"));
   EXPECT_TRUE(says(ran, "24 steps: 24 computed")) << ran.output;
+  write("mine.csv", "pressure [MPa],area [%]\n10,3\n20,6\n");
+  const Ended compared =
+      run("report out/map mine.csv --label 'my map' --label 'my rig' --out c");
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+  EXPECT_NE(text_of(folder / "c/report.html")
+                .find("2 results compared: my map; my rig"),
+            std::string::npos);
+  EXPECT_EQ(run("report mine.csv out/map").exit_code, 2);
+  EXPECT_EQ(run("report out/map --label a --label b").exit_code, 2);
 
   const Ended made = run("new mine --map map.asc --contact-modulus '2 GPa'");
   ASSERT_EQ(made.exit_code, 0) << made.output;
   EXPECT_TRUE(says(made, "24 x 16 points, 2.4 x 1.6 um")) << made.output;
   EXPECT_TRUE(says(made, "run it with: asperity run mine")) << made.output;
+  EXPECT_TRUE(text_of(folder / "mine/case.toml").find("\"../map.asc\"") !=
+              std::string::npos);
   const Ended again = run("run mine --no-report");
   EXPECT_TRUE(says(again, "0 computed, 24 from the cache")) << again.output;
 }
 
-TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
-  write("map.asc", map_text());
-  write("small.toml", small_case);
-  const Ended without = run("run map.asc");
-  EXPECT_EQ(without.exit_code, 2);
-  EXPECT_TRUE(text_of(folder / "mine/case.toml").find("\"../map.asc\"") !=
-              std::string::npos);
-  EXPECT_TRUE(says(without, "map.asc is not a case file (.toml); to press it "
-                            "as a measured map, please add --contact-modulus"))
-      << without.output;
-  const Ended with_case = run("run small.toml --contact-modulus '2 GPa'");
 // The options by which `surface` reads a file without lengths and units.
 TEST_F(Messages, AMapWithoutUnitsGetsThemByOptions) {
   write("plain.asc", "1 2 3 1\n2 4 1 2\n5 2 2 1\n1 2 1 3\n");
@@ -288,6 +288,15 @@ TEST_F(Messages, OneNumberOfThreadsIsNoStudyOfScaling) {
       << ended.output;
 }
 
+TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
+  write("map.asc", map_text());
+  write("small.toml", small_case);
+  const Ended without = run("run map.asc");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_TRUE(says(without, "map.asc is not a case file (.toml); to press it "
+                            "as a measured map, please add --contact-modulus"))
+      << without.output;
+  const Ended with_case = run("run small.toml --contact-modulus '2 GPa'");
   EXPECT_EQ(with_case.exit_code, 2);
   EXPECT_TRUE(says(with_case, "--set material.contact_modulus=..."))
       << with_case.output;
