@@ -262,6 +262,10 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
+  page.set("answer", physical_sentence(entry));
+  const List physical = physical_rows(entry);
+  page.set("has_physical", !physical.empty());
+  page.set("physical", physical);
   set_notices(page, entry);
   page.set("banner_class", banner_class(summary));
   page.set("banner", banner_words(summary));

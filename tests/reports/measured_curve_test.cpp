@@ -4,6 +4,7 @@
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/entry_names.hpp"
+#include "reports/pages/html_report.hpp"
 
 #include <gtest/gtest.h>
 
@@ -128,6 +129,34 @@ TEST_F(MeasuredCurve, ResultsOfOneCaseHaveNamesThatDiffer) {
   EXPECT_EQ(names({}), "polymer (a); polymer (b)");
   finer.path = "a/";
   EXPECT_EQ(names({}), "polymer (result 1); polymer (result 2)");
+}
+
+TEST_F(MeasuredCurve, ReportsBeginInTheUnitsOfALaboratory) {
+  auto& points = result.methods[1].realizations[0].points;
+  points.resize(3);
+  const double rows[3][3] = {
+      {2e6, 0.0123, 50e-9}, {2e7, 0.1, 20e-9}, {1.5e9, 0.9, 1e-9}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    points[i].nominal_pressure = rows[i][0];
+    points[i].area_fraction_corrected = rows[i][1];
+    points[i].mean_gap = rows[i][2];
+  }
+
+  EXPECT_EQ(physical_sentence(entry_of(result, rough)),
+            "At 2 MPa, 1.23 % of the nominal area is in contact and the mean "
+            "gap is 50 nm; at 20 MPa, 10 % and 20 nm; at 1.5 GPa, 90 % and 1 "
+            "nm (fem).");
+  write(result, "no-such-gnuplot");
+  const Grid& grid = result.surfaces[0].grid;
+  EXPECT_NE(
+      text_of(folder / "report.html")
+          .find(fmt::format("<td class=\"number\">1.23</td><td "
+                            "class=\"number\">{:.4g}</td><td "
+                            "class=\"number\">50</td>",
+                            0.0123 * 1e12 * grid.length_x * grid.length_y)),
+      std::string::npos);
+  result.methods.resize(1); // the theory alone
+  EXPECT_EQ(physical_sentence(entry_of(result, rough)), "");
 }
 
 } // namespace asperity::reports::measured_curve_test
