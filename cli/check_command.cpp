@@ -68,9 +68,9 @@ public:
     std::vector<run::NamedCases> read;
     for (const std::string& target : command_.targets) {
       target_ = target;
-      if (run::is_result(target))
-        results::require_readable(target);
-      else if (!is_sweep_folder(target)) {
+      if (run::is_result(target) && !fs::exists(target))
+        throw input::InputError(target + ": there is no such file");
+      if (!run::is_result(target) && !is_sweep_folder(target)) {
         words.push_back(target);
         read.push_back(run::read_named_cases_or_sweep(
             target, command_.overrides, command_.is_quick));

@@ -11,12 +11,14 @@
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "methods/chosen.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/paper_report.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
@@ -202,10 +204,54 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
   return end;
 }
 
+/// The overrides of a run, with those that --length and --height-unit give a
+/// map whose file does not state them.
+/// @param has_maps_only  the words are maps, or folders of them
+std::vector<std::string> overrides_of(const RunCommand& command,
+                                      bool has_maps_only) {
+  std::vector<std::string> overrides =
+      run::map_overrides(command.length, command.height_unit);
+  for (const std::string& word : command.cases)
+    if (!overrides.empty() && !has_maps_only && !run::is_map_file(word))
+      throw input::InputError(fmt::format(
+          "--length and --height-unit apply only to measured maps, but {} is a "
+          "case: please use --set {}",
+          word, overrides.front()));
+  overrides.insert(overrides.end(), command.overrides.begin(),
+                   command.overrides.end());
+  return overrides;
+}
+
 /// Refuses a PDF before anything is computed.
 void require_pdf_program() {
   if (reports::pdf_program().empty())
     throw std::domain_error(reports::no_pdf_program);
+}
+
+/// A table of a measured curve, rather than a result.
+bool is_curve_file(const fs::path& path) {
+  return fs::is_regular_file(path) && path.extension() != ".h5";
+}
+
+/// Reads results and the curves that are shown beside the first of them.
+std::vector<results::Result>
+results_or_curves(const std::vector<std::string>& paths) {
+  if (is_curve_file(paths.front()))
+    throw input::InputError(paths.front() +
+                            ": is no result; the first argument must be a "
+                            "result, with which a curve is compared");
+  for (const std::string& path : paths)
+    if (!is_curve_file(path))
+      results::require_readable(path);
+  std::vector<results::Result> read;
+  read.reserve(paths.size());
+  for (const std::string& path : paths)
+    read.push_back(
+        is_curve_file(path)
+            ? reports::read_measured_curve(path, read.front(),
+                                           reports::case_of(read.front()))
+            : results::read_result(path, results::MapsInFile::large));
+  return read;
 }
 
 } // namespace
@@ -239,16 +285,17 @@ fs::path folder_of(const std::string& name, const std::string& out,
 run::ExitCode run_cases(const RunCommand& command) {
   if (command.has_pdf)
     require_pdf_program();
-  std::vector<run::NamedCases> all;
   const std::vector<fs::path> maps = maps_of_sweep(command);
+  const std::vector<std::string> overrides =
+      overrides_of(command, !maps.empty());
+  std::vector<run::NamedCases> all;
   if (!maps.empty())
-    all.push_back(run::read_maps(maps, command.overrides,
-                                 command.contact_modulus,
+    all.push_back(run::read_maps(maps, overrides, command.contact_modulus,
                                  folder_of_maps(maps, command.out)));
   for (const std::string& word : command.cases)
     if (maps.empty())
       all.push_back(run::read_named_cases_or_sweep(
-          word, command.overrides, command.is_quick, command.contact_modulus));
+          word, overrides, command.is_quick, command.contact_modulus));
   run::name_apart(all, command.cases);
   run::catch_interrupts();
   methods::Cache cache(methods::cache_folder(),
@@ -269,11 +316,17 @@ run::ExitCode run_cases(const RunCommand& command) {
 }
 
 run::ExitCode report_results(const ReportCommand& command) {
-  const auto& [paths, out, has_pdf, formats, width] = command;
-  const reports::ReportExtras extras{has_pdf,
-                                     reports::journal_format(formats, width)};
-  if (has_pdf)
+  const std::vector<std::string>& paths = command.paths;
+  const std::string& out = command.out;
+  const reports::ReportExtras extras{
+      command.has_pdf, reports::journal_format(command.formats, command.width),
+      command.labels};
+  if (command.has_pdf)
     require_pdf_program();
+  if (command.labels.size() > paths.size())
+    throw input::InputError(fmt::format(
+        "--label is given {} times for {} result{}", command.labels.size(),
+        paths.size(), paths.size() == 1 ? "" : "s"));
   for (const std::string& path : paths)
     if (is_sweep_folder(path)) {
       if (paths.size() > 1)
@@ -284,12 +337,7 @@ run::ExitCode report_results(const ReportCommand& command) {
                                 path + "/points/000");
       return report_sweep(path, out, extras);
     }
-  std::vector<results::Result> read;
-  read.reserve(paths.size());
-  for (const std::string& path : paths)
-    results::require_readable(path);
-  for (const std::string& path : paths)
-    read.push_back(results::read_result(path, results::MapsInFile::large));
+  const std::vector<results::Result> read = results_or_curves(paths);
   const fs::path first = paths.front();
   const fs::path folder = !out.empty()              ? fs::path(out)
                           : paths.size() > 1        ? fs::path("out/comparison")
@@ -303,11 +351,12 @@ run::ExitCode report_results(const ReportCommand& command) {
   fmt::print("report: {}\n", (folder / "report.html").string());
   run::JsonAnswer answer("asperity-report");
   for (const results::Result& result : read)
-    add_answer(answer, result.case_name,
-               fs::is_directory(result.path)
-                   ? fs::path(result.path)
-                   : fs::path(result.path).parent_path(),
-               run::exit_good);
+    if (!is_curve_file(result.path))
+      add_answer(answer, result.case_name,
+                 fs::is_directory(result.path)
+                     ? fs::path(result.path)
+                     : fs::path(result.path).parent_path(),
+                 run::exit_good);
   answer.print(run::exit_good);
   return run::exit_good;
 }

@@ -34,6 +34,8 @@ struct RunCommand {
   bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
   std::string contact_modulus = {}; ///< E* for map files, e.g. "2 GPa"
+  std::string length = {};          ///< of map files that state none, "20 um"
+  std::string height_unit = {};     ///< of such files, "nm"
   bool is_dry = false;              ///< print the plan without running anything
   bool has_pdf = false;             ///< also print the report
   std::string part = {}; ///< "3/8": only this share; empty: everything
@@ -44,6 +46,7 @@ struct ReportCommand {
   std::string out;      ///< empty: beside a single result, or out/comparison
   bool has_pdf = false; ///< also print the report
   std::vector<std::string> formats; ///< of figures for a journal
+  std::vector<std::string> labels;  ///< names of the results, in order
   std::string width = "86mm";       ///< of these
 };
 

@@ -2,6 +2,7 @@
 // exit codes.
 #include "base/array_memory.hpp"
 #include "base/folder_lock.hpp"
+#include "base/plain_text.hpp"
 #include "bench/runs/bench.hpp"
 #include "cli/answer_commands.hpp"
 #include "cli/check_command.hpp"
@@ -13,12 +14,14 @@
 #include "cli/robustness_command.hpp"
 #include "cli/surface_command.hpp"
 #include "input/input_error.hpp"
+#include "input/nearest.hpp"
 #include "run/arguments/installed_files.hpp"
 #include "run/mpi_world.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -46,6 +49,11 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
   add_methods(command, run.methods);
   command->add_option("--contact-modulus", run.contact_modulus,
                       "E* of the block under a map file, e.g. \"2 GPa\"");
+  command->add_option("--length", run.length,
+                      "side length in x of a map whose file states none,\n"
+                      "e.g. \"20 um\"");
+  command->add_option("--height-unit", run.height_unit,
+                      "unit of the heights of such a map, e.g. nm");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
@@ -145,8 +153,15 @@ void add_report(CLI::App& program, ReportCommand& report,
       "report", "Write the report of one or more results,\n"
                 "compared side by side.");
   command
-      ->add_option("result", report.paths, "result.h5 files or their folders")
+      ->add_option("result", report.paths,
+                   "result.h5 files or their folders; after the first\n"
+                   "one also tables of measured curves, mine.csv")
       ->required();
+  command
+      ->add_option("--label", report.labels,
+                   "name of a result in the report; given once for each\n"
+                   "result, in their order")
+      ->allow_extra_args(false);
   command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
@@ -241,6 +256,36 @@ void add_small_commands(CLI::App& program, run::OutputOptions& output,
   schema->callback([&] { action = print_schema; });
 }
 
+/// Returns a line with the nearest command or option for the first word of the
+/// command line that is neither; "" if there is none.
+std::string nearest_word(const CLI::App& program, int argc, char** argv) {
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const CLI::App* command = &program;
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    std::vector<std::string> known;
+    if (name.starts_with("--"))
+      for (const CLI::Option* option : command->get_options())
+        for (const std::string& option_name : option->get_lnames())
+          known.push_back("--" + option_name);
+    else if (command == &program && !name.starts_with('-'))
+      for (const CLI::App* one :
+           program.get_subcommands([](const CLI::App*) { return true; })) {
+        known.push_back(one->get_name());
+        for (const std::string& alias : one->get_aliases())
+          known.push_back(alias);
+      }
+    if (known.empty())
+      continue;
+    if (std::ranges::find(known, name) == known.end())
+      return fmt::format("{}: did you mean {}?\n", printable(name),
+                         input::nearest(name, known));
+    if (command == &program && !name.starts_with("--"))
+      command = program.get_subcommand(name);
+  }
+  return "";
+}
+
 int run(int argc, char** argv) {
   CLI::App program(
       "Asperity: rough contact by finite elements, a half-space, atoms and "
@@ -283,7 +328,12 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? run::exit_good : run::exit_bad_input;
+    if (program.exit(error) == 0)
+      return run::exit_good;
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+        dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+      fmt::print(stderr, "{}", nearest_word(program, argc, argv));
+    return run::exit_bad_input;
   }
   const run::OutputScope scope(output);
   return action();

@@ -82,11 +82,14 @@ run::ExitCode new_case(const NewCommand& made) {
   const bool has_map = !made.map.file.empty();
   if (!has_map && !made.map.contact_modulus.empty())
     throw input::InputError("--contact-modulus needs --map");
+  run::MapOfCase map = made.map;
+  map.folder = made.name;
   const std::string text = cases::text_with_overrides(
-      has_map ? run::map_case_text(made.map)
+      has_map ? run::map_case_text(map)
               : cases::case_template(fs::path(made.name).filename().string()),
       made.overrides);
-  const cases::Case read = cases::read_case_text(text, file.string());
+  cases::Case read = cases::read_case_text(text, file.string());
+  read.surface.file = made.map.file; // its folder does not exist yet
   if (has_map)
     print_map(read.surface);
   fs::create_directories(file.parent_path());

@@ -13,21 +13,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// "nm" is one of this unit.
-std::string with_number(const std::string& unit) {
-  const bool has_number =
-      unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) == 0;
-  return has_number ? unit : "1 " + unit;
-}
 
 /// A TOML string, whatever the text: a channel may be called 2.
 std::string as_text(const std::string& text) {
@@ -45,16 +38,14 @@ cases::Case case_of_file(const std::string& file,
     overrides.emplace_back("surface.edges=periodic");
   if (!command.channel.empty())
     overrides.push_back("surface.channel=" + as_text(command.channel));
-  if (!command.length.empty())
-    overrides.push_back("surface.length=" + command.length);
-  if (!command.height_unit.empty())
-    overrides.push_back("surface.height_unit=" +
-                        with_number(command.height_unit));
+  for (std::string& entry :
+       run::map_overrides(command.length, command.height_unit))
+    overrides.push_back(std::move(entry));
   if (!command.missing_value.empty())
     overrides.push_back("surface.missing_value=" + command.missing_value);
   if (!command.length_unit.empty())
     overrides.push_back("surface.length_unit=" +
-                        with_number(command.length_unit));
+                        run::with_number(command.length_unit));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return cases::read_case_text(run::map_case_text({file, "1 Pa"}), file,
@@ -107,10 +98,10 @@ SurfaceInput line_input(const std::string& file,
     scale.length = length_of("--length", command.length);
   if (!command.height_unit.empty())
     scale.height_unit =
-        length_of("--height-unit", with_number(command.height_unit));
+        length_of("--height-unit", run::with_number(command.height_unit));
   if (!command.length_unit.empty())
     scale.length_unit =
-        length_of("--length-unit", with_number(command.length_unit));
+        length_of("--length-unit", run::with_number(command.length_unit));
   surfaces::LineScan line = surfaces::read_line_scan(file, scale);
   for (const double height : line.heights)
     if (!(std::abs(height) <= mechanics::largest_length))

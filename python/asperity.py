@@ -16,8 +16,13 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-import h5py
-import numpy as np
+try:
+    import h5py
+    import numpy as np
+except ImportError as missing:
+    raise ImportError(f"asperity needs numpy and h5py, and {missing.name} is not installed: "
+                      "apt-get install python3-numpy python3-h5py, or pip install numpy h5py"
+                      ) from missing
 
 
 class Error(RuntimeError):

@@ -1,7 +1,7 @@
 #include "run/difference.hpp"
 
+#include "cases/reader/resolved_keys.hpp"
 #include "cases/text/toml_text.hpp"
-#include "methods/cache/resolved_keys.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ using Texts = std::map<std::string, std::string>;
 Texts keys_of(const ComparedSide& side, bool uses_surface) {
   Texts keys;
   if (side.contact_case)
-    for (const methods::ResolvedKey& key : methods::resolved_keys(
+    for (const cases::ResolvedKey& key : cases::resolved_keys(
              *side.contact_case, known_scales(side, uses_surface)))
       keys[key.path] = cases::toml_value(key.value) +
                        (key.unit.empty() ? "" : " " + key.unit);

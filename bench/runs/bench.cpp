@@ -10,6 +10,7 @@
 #include "bench/settings/scaling_settings.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
+#include "input/input_error.hpp"
 #include "methods/chosen.hpp"
 #include "results/provenance.hpp"
 #include "run/arguments/case_library.hpp"
@@ -167,6 +168,16 @@ std::vector<int> ascending(std::vector<int> workers) {
   return workers;
 }
 
+/// A study of scaling compares numbers of workers.
+void require_several(const char* option, const std::vector<int>& workers) {
+  if (workers.size() == 1)
+    throw input::InputError(fmt::format(
+        "{0} {1} asks for a study of scaling, which needs at least two "
+        "numbers, as in {0} 1,2; without {0}, each setting is timed on one "
+        "thread",
+        option, workers.front()));
+}
+
 } // namespace
 
 double read_target_error(const std::string& text) {
@@ -194,6 +205,8 @@ run::ExitCode bench_case(const BenchCommand& command) {
       methods::chosen_methods(contact_case, command.methods);
   run::require_computable(contact_case, methods,
                           run::grid_of_case(contact_case, methods));
+  require_several("--threads", command.threads);
+  require_several("--ranks", command.ranks);
   const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
   const BenchPlan plan =
       is_scaling

@@ -2,13 +2,13 @@
 
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
+#include "cases/reader/resolved_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "md/engines.hpp"
 #include "methods/cache/file_mesh.hpp"
-#include "methods/cache/resolved_keys.hpp"
 #include "results/provenance.hpp"
 
 #include <fmt/format.h>
@@ -85,7 +85,7 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
                    std::map<std::string, std::string> inputs)
     : case_(contact_case),
       program_(std::move(program)),
-      file_(parsed_case(contact_case)),
+      file_(cases::parsed_case(contact_case)),
       inputs_(std::move(inputs)),
       problem_text_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
                                 hash_in(inputs_, surface_file),

@@ -1,12 +1,12 @@
 #include "methods/cache/file_mesh.hpp"
 
+#include "cases/reader/resolved_keys.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/counter_body.hpp"
 #include "meshes/facets.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
-#include "methods/cache/resolved_keys.hpp"
 
 #include <fmt/format.h>
 
@@ -28,7 +28,7 @@ using meshes::BlockMesh;
 
 [[noreturn]] void refuse(const cases::Case& contact_case,
                          const std::string& what) {
-  const cases::Node file = parsed_case(contact_case);
+  const cases::Node file = cases::parsed_case(contact_case);
   const cases::Node* const mesh = file.find("mesh");
   const cases::Node* const key = mesh == nullptr ? nullptr : mesh->find("file");
   input::throw_mistake(key == nullptr ? input::Place{contact_case.path, 0}

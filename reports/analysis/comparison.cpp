@@ -82,6 +82,14 @@ Function falling_inverse(const std::vector<double>& x,
 
 } // namespace
 
+AreaColumn best_area(const results::MethodRecord& method) {
+  for (const results::Curve& curve : method.realizations)
+    for (const CurvePoint& point : curve.points)
+      if (point.area_fraction_corrected > 0.0)
+        return &CurvePoint::area_fraction_corrected;
+  return &CurvePoint::area_fraction;
+}
+
 CurveFunction::CurveFunction(std::span<const CurvePoint> points,
                              AreaColumn area) {
   std::vector<double> gap_pressure;

@@ -16,6 +16,9 @@ namespace asperity::reports {
 /// A column of CurvePoint that contains an area fraction [1].
 using AreaColumn = double results::CurvePoint::*;
 
+/// The corrected area if the method has one, else the counted area.
+AreaColumn best_area(const results::MethodRecord& method);
+
 /// A curve as a function of the nominal pressure. Between rows, a monotone
 /// cubic (PCHIP) in ln p interpolates the gap and ln(A/A_0); with fewer than
 /// four rows the interpolation is linear. At a row the value of the row is

@@ -3,6 +3,7 @@
 #include "cases/reader/locking.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/surface_theory.hpp"
+#include "reports/analysis/theory_agreement.hpp"
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
 
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -205,14 +207,13 @@ std::vector<Warning> warnings_of(const Result& result,
   add_window(result, warnings);
   add_moments(result, warnings);
   add_slope(result, warnings);
-  if (result.surfaces.empty())
-    return warnings;
-  const SurfaceRecord& first = result.surfaces.front();
-  if (!first.has_heights())
-    return warnings;
-  add_resolution(first, warnings);
-  if (is_measured)
-    add_lines(first, warnings);
+  if (!result.surfaces.empty() && result.surfaces.front().has_heights()) {
+    add_resolution(result.surfaces.front(), warnings);
+    if (is_measured)
+      add_lines(result.surfaces.front(), warnings);
+  }
+  for (Warning& warning : theory_disagreements(result, contact_case, warnings))
+    warnings.push_back(std::move(warning));
   return warnings;
 }
 
@@ -220,8 +221,8 @@ std::string warning_lines(const Result& result,
                           const cases::Case& contact_case) {
   std::string lines;
   for (const Warning& warning : warnings_of(result, contact_case))
-    lines +=
-        fmt::format("warning: {}: {}\n", result.case_name, warning.headline);
+    lines += fmt::format("warning: {}: {} {}\n", result.case_name,
+                         warning.headline, warning.consequence);
   return lines;
 }
 

@@ -17,8 +17,8 @@ namespace asperity::reports {
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
                            ///< scan_lines, windowed, locking,
-                           ///< oscillating_heights, recess_touches or
-                           ///< no_contact
+                           ///< oscillating_heights, recess_touches,
+                           ///< no_contact, theory_area or theory_gap
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
 };
@@ -35,15 +35,17 @@ struct WarningLimits {
 };
 
 /// Returns the warnings at the top of a report: finite elements of the result
-/// that lock (cases/reader/locking.hpp), curves without any contact, and
-/// assumptions about self-affine surfaces, surfaces given by a spectrum and
-/// measured ones (exact shapes need none). Moments and slopes are means over
-/// the realisations; quantities that need heights use realisation 0. A number
-/// that is not in the result causes no warning.
+/// that lock (cases/reader/locking.hpp), curves without any contact, loads at
+/// which the theory does not agree (theory_agreement.hpp), and assumptions
+/// about self-affine surfaces, surfaces given by a spectrum and measured ones
+/// (exact shapes need none). Moments and slopes are means over the
+/// realisations; quantities that need heights use realisation 0. A number that
+/// is not in the result causes no warning.
 std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);
 
-/// Returns the same for a terminal: "warning: case: headline", one line each.
+/// Returns the same for a terminal: "warning: case: headline consequence", one
+/// line each.
 std::string warning_lines(const results::Result& result,
                           const cases::Case& contact_case);
 

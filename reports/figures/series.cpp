@@ -1,8 +1,11 @@
 #include "reports/figures/series.hpp"
 
 #include "reports/analysis/comparison.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/figures/gnuplot.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -148,6 +151,40 @@ void join_variants(std::vector<Series>& all) {
   }
 }
 
+/// Adds to the legend of a measured curve how far it is from the first method
+/// of the first result, with the gap in h_rms and the area relative to that.
+void add_deviations(std::span<const ReportEntry> entries,
+                    std::vector<Series>& all) {
+  const auto reference = std::ranges::find_if(all, [](const Series& one) {
+    return !one.is_theory() && one.entry == 0 && !one.rows.empty();
+  });
+  if (reference == all.end())
+    return;
+  const results::Result& result = *entries.front().result;
+  const auto& record = *std::ranges::find(
+      result.methods, reference->method->name, &MethodRecord::name);
+  const CurveFunction function(record.realizations.front().points,
+                               best_area(record));
+  for (Series& series : all) {
+    if (series.kind != measured_kind)
+      continue;
+    const double height =
+        entries[series.entry].result->surfaces.front().rms_height;
+    double gap = not_a_number;
+    double area = not_a_number;
+    for (const SeriesRow& row : series.rows) {
+      const double pressure = row.pressure * result.contact_modulus;
+      gap = std::fmax(gap, std::abs(row.gap - function.gap(pressure) / height));
+      area = std::fmax(
+          area, std::abs(row.area / function.area_fraction(pressure) - 1.0));
+    }
+    if (std::isfinite(gap))
+      series.legend += fmt::format(", |Δu| ≤ {:.2g} h_rms", gap);
+    if (std::isfinite(area))
+      series.legend += fmt::format(", |ΔA|/A ≤ {:.3g} %", 100.0 * area);
+  }
+}
+
 } // namespace
 
 std::vector<Series> series_of(std::span<const ReportEntry> entries) {
@@ -159,9 +196,11 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
       const MethodRecord& record = entry.result->methods[m];
       Series series;
       series.kind = record.kind;
-      series.label = entries.size() > 1
-                         ? entry.summary.case_name + ": " + record.name
-                         : record.name;
+      const bool is_measured = record.kind == measured_kind;
+      series.label = entries.size() == 1 ? record.name
+                     : is_measured
+                         ? entry.summary.case_name
+                         : entry.summary.case_name + ": " + record.name;
       series.legend = series.label;
       series.entry = i;
       series.color = series.is_theory() ? i : colors++;
@@ -171,6 +210,7 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
     }
   }
   join_variants(all);
+  add_deviations(entries, all);
   std::stable_partition(all.begin(), all.end(),
                         [](const Series& s) { return s.is_theory(); });
   return all;

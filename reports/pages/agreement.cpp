@@ -2,6 +2,7 @@
 
 #include "base/json.hpp"
 #include "reports/analysis/comparison.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/numbers/fits.hpp"
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/published_json.hpp"
@@ -77,10 +78,16 @@ double difference_of_fields(const results::Curve& curve,
   return not_a_number;
 }
 
+/// @param area  of the reference, with which the counted or measured area of
+///              the curve is compared
 void add_rows(const results::Curve& curve, const results::Curve& reference,
-              int realization, double rms_height, Agreement& agreement) {
-  const CurveFunction function(reference.points);
-  for (const results::CurvePoint& point : loading_rows(curve.points)) {
+              AreaColumn area, int realization, double rms_height,
+              Agreement& agreement) {
+  const CurveFunction function(reference.points, area);
+  for (const results::CurvePoint& point : curve.points) {
+    if (point.status != results::StepStatus::converged || point.is_unloading ||
+        !(point.nominal_pressure > 0.0))
+      continue;
     AgreementRow row;
     row.realization = realization;
     row.nominal_pressure = point.nominal_pressure;
@@ -111,8 +118,10 @@ Agreement agreement_of(std::span<const ReportEntry> entries,
     const results::SurfaceRecord* const surface =
         surface_of(*entries[reference.entry].result, other, r);
     if (surface != nullptr)
-      add_rows(mine.realizations[r], other.realizations[r], static_cast<int>(r),
-               surface->rms_height, agreement);
+      add_rows(mine.realizations[r], other.realizations[r],
+               mine.kind == measured_kind ? best_area(other)
+                                          : &results::CurvePoint::area_fraction,
+               static_cast<int>(r), surface->rms_height, agreement);
   }
   if (agreement.rows.empty())
     agreement.problem = "no load lies within the loads of the reference";

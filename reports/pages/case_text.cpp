@@ -1,8 +1,10 @@
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace asperity::reports {
 namespace {
@@ -126,14 +128,43 @@ std::string with_parentheses(const std::string& words) {
              : words.substr(0, comma) + " (" + words.substr(comma + 2) + ")";
 }
 
+/// How a map was read and prepared.
+std::string map_words(const ReportEntry& entry) {
+  const mechanics::SurfaceSpec& surface = entry.contact_case->surface;
+  if (surface.kind != SurfaceKind::measured)
+    return "";
+  constexpr std::array<const char*, 5> removed{
+      "not levelled", "levelled by a plane", "levelled by a second-order form",
+      "levelled by a sphere", "levelled by a cylinder"};
+  std::string words = " (";
+  for (const auto& [key, fact] : entry.summary.provenance)
+    if (key == "map")
+      words += "read by: " + fact + "; ";
+  words += removed.at(static_cast<std::size_t>(surface.level));
+  if (surface.align_lines != mechanics::LineAlignment::none)
+    words += "; scan lines aligned by their medians";
+  if (surface.crop)
+    words += "; a part of the map";
+  if (surface.edges == mechanics::Edges::window)
+    words += "; multiplied by a window";
+  return words + ")";
+}
+
 std::string surface_sentence(const ReportEntry& entry) {
   const results::Result& result = *entry.result;
   const bool has_case = !result.case_text.empty();
+  const mechanics::MaterialSpec& material = entry.contact_case->material;
   std::string words = fmt::format(
-      "An elastic block with E* = {:.4g} GPa was pressed against a rigid {}",
+      "An elastic block with E* = {:.4g} GPa{} was pressed against a{} {}{}",
       result.contact_modulus * 1e-9,
+      material.layers.empty()
+          ? ""
+          : fmt::format(" under {} bonded layer{}", material.layers.size(),
+                        material.layers.size() == 1 ? "" : "s"),
+      material.counter ? "n elastic body, which E* includes, with a" : " rigid",
       has_case ? with_parentheses(surface_words(entry.contact_case->surface))
-               : "surface");
+               : "surface",
+      has_case ? map_words(entry) : "");
   if (has_case &&
       entry.contact_case->surface.edges == mechanics::Edges::mirror &&
       entry.contact_case->surface.kind == SurfaceKind::measured)
@@ -172,6 +203,11 @@ std::string setup_sentences(const ReportEntry& entry) {
 }
 
 std::string case_sentence(const ReportEntry& entry) {
+  const results::MethodRecord* const first =
+      entry.result->methods.empty() ? nullptr : &entry.result->methods.front();
+  if (first != nullptr && first->kind == measured_kind)
+    return fmt::format("A {}{}.", first->description,
+                       load_words(*entry.result));
   return fmt::format(
       "An elastic block, E* = {:.4g} GPa, pressed against a rigid {}{}{}.",
       entry.result->contact_modulus * 1e-9,

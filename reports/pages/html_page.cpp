@@ -161,13 +161,26 @@ List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
   return rows;
 }
 
+namespace {
+
+std::vector<std::string> names_of(std::span<const ReportEntry> entries) {
+  std::vector<std::string> names;
+  names.reserve(entries.size());
+  for (const ReportEntry& entry : entries)
+    names.push_back(entry.summary.case_name);
+  return names;
+}
+
+} // namespace
+
 std::string html_page(std::span<const ReportEntry> entries,
                       std::span<const DrawnGroup> groups, bool is_for_print) {
   const std::vector<Series> series = series_of(entries);
   const bool has_many = entries.size() > 1;
   Value page;
   page.set("page_title",
-           has_many ? fmt::format("{} results compared", entries.size())
+           has_many ? fmt::format("{} results compared: {}", entries.size(),
+                                  fmt::join(names_of(entries), "; "))
                     : entries.front().summary.case_title);
   List list;
   for (const ReportEntry& entry : entries)

@@ -2,7 +2,6 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/theory_agreement.hpp"
 
 #include <fmt/format.h>
 
@@ -193,8 +192,6 @@ List notices_of(const ReportEntry& entry) {
     value.set("text", text);
     notices.push_back(value);
   };
-  for (const Warning& warning : warnings_of(*entry.result, *entry.contact_case))
-    add(warning.headline + " " + warning.consequence);
   if (summary.status != "complete")
     add(fmt::format("The run is not complete (status: {}); the report shows "
                     "the completed part.",
@@ -219,12 +216,18 @@ List notices_of(const ReportEntry& entry) {
 /// Sets the notices. Of the disagreements with the theory, which can be many,
 /// the first is a notice and the others are folded.
 void set_notices(Value& page, const ReportEntry& entry) {
-  List notices = notices_of(entry);
+  List notices;
   List disagreements;
   bool is_first = true;
-  for (const std::string& sentence : theory_disagreements(entry))
-    (std::exchange(is_first, false) ? notices : disagreements)
-        .push_back(text_item(sentence));
+  for (const Warning& warning :
+       warnings_of(*entry.result, *entry.contact_case)) {
+    const bool is_folded =
+        warning.kind.starts_with("theory_") && !std::exchange(is_first, false);
+    (is_folded ? disagreements : notices)
+        .push_back(text_item(warning.headline + " " + warning.consequence));
+  }
+  for (auto& notice : notices_of(entry))
+    notices.push_back(notice);
   page.set("notices", notices);
   page.set("has_disagreements", !disagreements.empty());
   page.set("n_disagreements", std::to_string(disagreements.size()));
@@ -259,6 +262,10 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
+  page.set("answer", physical_sentence(entry));
+  const List physical = physical_rows(entry);
+  page.set("has_physical", !physical.empty());
+  page.set("physical", physical);
   set_notices(page, entry);
   page.set("banner_class", banner_class(summary));
   page.set("banner", banner_words(summary));

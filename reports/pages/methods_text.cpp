@@ -1,5 +1,7 @@
 #include "reports/pages/methods_text.hpp"
 
+#include "cases/reader/resolved_keys.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +21,8 @@ struct Source {
 constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
   author = {Yang, C. and Persson, B. N. J.},
   title = {Contact mechanics: contact area and interfacial separation from small contact to full contact},
-  journal = {J. Phys.: Condens. Matter}, volume = {20}, pages = {215214}, year = {2008}
+  journal = {J. Phys.: Condens. Matter}, volume = {20}, pages = {215214}, year = {2008},
+  doi = {10.1088/0953-8984/20/21/215214}
 })"},
                              Source{"persson2001", R"(@article{persson2001,
   author = {Persson, B. N. J.},
@@ -30,7 +33,8 @@ constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
                              Source{"persson2002", R"(@article{persson2002,
   author = {Persson, B. N. J.},
   title = {Adhesion between an elastic body and a randomly rough hard surface},
-  journal = {Eur. Phys. J. E}, volume = {8}, pages = {385--401}, year = {2002}
+  journal = {Eur. Phys. J. E}, volume = {8}, pages = {385--401}, year = {2002},
+  doi = {10.1140/epje/i2002-10025-1}
 })"},
                              Source{"polonsky1999", R"(@article{polonsky1999,
   author = {Polonsky, I. A. and Keer, L. M.},
@@ -42,6 +46,7 @@ constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
   author = {Yastrebov, V. A. and Anciaux, G. and Molinari, J.-F.},
   title = {On the accurate computation of the true contact-area in mechanical contact of random rough surfaces},
   journal = {Tribol. Int.}, volume = {114}, pages = {161--171}, year = {2017},
+  doi = {10.1016/j.triboint.2017.04.023},
   eprint = {1701.02727}, archiveprefix = {arXiv}
 })"},
                              Source{"yang2006", R"(@article{yang2006,
@@ -108,15 +113,28 @@ std::string version(std::string text) {
   return text.empty() ? "" : " " + text;
 }
 
+/// "a finite slab and a half-space": what the methods of this kind press.
+std::string continuum_words(const ReportEntry& entry) {
+  bool has_slab = false;
+  bool has_infinite = false;
+  for (const cases::MethodSpec& method : entry.contact_case->methods)
+    if (const auto* const halfspace =
+            std::get_if<mechanics::HalfspaceSettings>(&method.settings))
+      (halfspace->thickness ? has_slab : has_infinite) = true;
+  return !has_slab      ? "half-space"
+         : has_infinite ? "half-space, and a slab of finite thickness,"
+                        : "slab of finite thickness";
+}
+
 std::string continuum_sentences(const ReportEntry& entry) {
   const bool has_halfspace = has_kind(entry, "halfspace");
   const bool has_fem = has_kind(entry, "fem");
   std::string text;
   if (has_halfspace)
-    text += fmt::format(
-        " The continuum half-space was treated in Fourier space (FFTW{} "
-        "[frigo2005]).",
-        version(fact(entry, "FFTW")));
+    text +=
+        fmt::format(" The continuum {} was treated in Fourier space (FFTW{} "
+                    "[frigo2005]).",
+                    continuum_words(entry), version(fact(entry, "FFTW")));
   if (has_fem)
     text += fmt::format(
         " The finite-element block was discretised with deal.II{} "
@@ -126,12 +144,72 @@ std::string continuum_sentences(const ReportEntry& entry) {
   if (has_halfspace || has_fem)
     text +=
         " The contact problem was solved by a preconditioned variant of the "
-        "conjugate gradients of [polonsky1999]. The contact perimeter is "
-        "counted as in [yastrebov2017].";
+        "conjugate gradients of [polonsky1999]. Contact areas were corrected "
+        "for the grid by the place of the contact edge between the nodes, by "
+        "the contact perimeter, which is counted as in [yastrebov2017], and by "
+        "the number of contact patches and holes.";
+  return text;
+}
+
+/// What each method is, as its result describes it.
+std::string method_sentences(const ReportEntry& entry) {
+  std::string text;
+  for (const results::MethodRecord& method : entry.result->methods)
+    text += fmt::format("{} {}: {}", text.empty() ? " Methods:" : ";",
+                        method.name, method.description);
+  return text.empty() ? "" : text + ".";
+}
+
+std::string study_sentences(const cases::Case& contact_case) {
+  std::string text;
+  if (contact_case.magnification_study) {
+    text += fmt::format(" The contact was evaluated at magnifications from "
+                        "{:g} to {:g} by Eqs. (23) to (28) of [yang2008].",
+                        contact_case.magnification_study->from,
+                        contact_case.magnification_study->to);
+    if (const auto& leak = contact_case.magnification_study->leak)
+      text += fmt::format(
+          " The leakage of a fluid with the viscosity {:g} Pa s under a "
+          "pressure drop of {:g} Pa was estimated from the one pore at which "
+          "the open area percolates.",
+          leak->viscosity, leak->pressure_drop);
+  }
+  if (contact_case.adhesion_study)
+    text += " Adhesion follows [persson2002].";
+  return text;
+}
+
+/// Whether a key has an influence on what is computed.
+bool is_physical(const std::string& path) {
+  constexpr std::array<std::string_view, 4> others{"report.", "expect.",
+                                                   "sweep.", "schema"};
+  return path.find('.') != std::string::npos &&
+         std::ranges::none_of(others, [&](std::string_view other) {
+           return path.starts_with(other);
+         });
+}
+
+/// The keys that the case gives, as it writes them; of a file, its name.
+std::string settings_of(const ReportEntry& entry) {
+  std::string text;
+  for (const cases::ResolvedKey& key :
+       cases::resolved_keys(*entry.contact_case, {}))
+    if (!key.written.empty() && is_physical(key.path)) {
+      const std::size_t folder = key.path.ends_with("file")
+                                     ? key.written.rfind('/')
+                                     : std::string::npos;
+      text += fmt::format("{}{} = {}", text.empty() ? "" : "; ", key.path,
+                          folder == std::string::npos
+                              ? key.written
+                              : "\"" + key.written.substr(folder + 1));
+    }
   return text;
 }
 
 std::string paragraph_on(const ReportEntry& entry) {
+  if (has_kind(entry, measured_kind))
+    return entry.summary.case_name + ": " +
+           entry.result->methods.front().description + ".";
   const std::string program = fact(entry, "program");
   const std::string commit = fact(entry, "commit");
   std::string text =
@@ -144,6 +222,7 @@ std::string paragraph_on(const ReportEntry& entry) {
   if (has_kind(entry, "theory"))
     text += " Persson's theory [persson2001] was evaluated for contact area "
             "and interfacial separation as in [yang2008].";
+  text += method_sentences(entry);
   text += continuum_sentences(entry);
   if (has_kind(entry, "md"))
     text += " The atomistic block and its interaction with the substrate "
@@ -155,12 +234,13 @@ std::string paragraph_on(const ReportEntry& entry) {
             "[johnson1985].";
   if (is_exact_shape(*entry.contact_case))
     text += " The exact solutions are given in [johnson1985].";
-  if (entry.contact_case->adhesion_study)
-    text += " Adhesion follows [persson2002].";
-  if (!entry.result->case_text.empty())
-    text += fmt::format(" The case file has the hash {}.",
-                        entry.summary.case_hash.substr(0, 12));
-  return text;
+  text += study_sentences(*entry.contact_case);
+  if (entry.result->case_text.empty())
+    return text;
+  return text + fmt::format(" The case file has the hash {}. It sets {}; all "
+                            "other keys have their default values.",
+                            entry.summary.case_hash.substr(0, 12),
+                            settings_of(entry));
 }
 
 } // namespace

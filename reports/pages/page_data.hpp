@@ -59,6 +59,11 @@ kainjow::mustache::list boundary_rows(const ReportEntry& entry);
 /// more than 1e-6 of the side off the middle.
 kainjow::mustache::list stiffness_rows(const results::Result& result);
 
+/// Lists pressure, load, contact area and mean gap of the first method that is
+/// no theory in the units of a laboratory, with 95 % intervals over the
+/// realisations.
+kainjow::mustache::list physical_rows(const ReportEntry& entry);
+
 /// Lists the cost of each finite-element method and of the half-space method if
 /// one of them solved a full 3-D block; otherwise the list is empty.
 kainjow::mustache::list block_cost_rows(const results::Result& result);

@@ -82,6 +82,8 @@ kainjow::mustache::list contents_of(const Value& page) {
   const List& entries = page.get("entries")->list_value();
   const Value& first = entries.front();
   const std::string suffix = entries.size() > 1 ? "-1" : "";
+  if (first.get("has_physical")->is_true())
+    add_content(contents, "physical" + suffix, "Contact against load");
   if (first.get("has_verdicts")->is_true())
     add_content(contents, "expectations" + suffix, "Expectations");
   add_content(contents, "methods" + suffix, "Comparison and cost");

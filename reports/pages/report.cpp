@@ -9,6 +9,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/agreement.hpp"
+#include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/methods_text.hpp"
 #include "reports/pages/pdf_page.hpp"
@@ -119,6 +120,7 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
   std::vector<ReportEntry> entries;
   for (std::size_t i = 0; i < results.size(); ++i)
     entries.push_back(entry_of(results[i], contact_cases[i]));
+  name_entries(entries, extras.labels);
   return write_report(entries, folder, gnuplot, extras);
 }
 

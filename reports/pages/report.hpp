@@ -17,6 +17,8 @@ namespace asperity::reports {
 struct ReportExtras {
   bool has_pdf = false;       ///< report.pdf, printed by pdf_program()
   JournalFormat journal = {}; ///< figures for a journal, in journal/
+  std::vector<std::string> labels = {}; ///< names of the results, in order;
+                                        ///< empty: they follow from the results
   /// Figures of equal numbers, whose files are in the folder; if there are
   /// none, they are drawn and put here. Null: draw them.
   std::vector<DrawnGroup>* figures = nullptr;

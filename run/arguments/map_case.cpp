@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <system_error>
 
@@ -48,6 +49,12 @@ gamma = 0.4
 # [fem]
 )";
 
+fs::path map_path(const MapOfCase& map) {
+  return map.folder.empty()
+             ? fs::absolute(map.file).lexically_normal()
+             : fs::relative(fs::absolute(map.file), fs::absolute(map.folder));
+}
+
 std::string quoted(const std::string& text) {
   cases::Node node;
   node.type = cases::NodeType::text;
@@ -64,11 +71,10 @@ std::string titled_case_text(const MapOfCase& map, const std::string& title) {
         map.file));
   (void)positive_quantity("--contact-modulus", map.contact_modulus,
                           cases::Dimension::pressure);
-  return fmt::format(
-      fmt::runtime(text_of_case), fmt::arg("title", quoted(title)),
-      fmt::arg("file",
-               quoted(fs::absolute(map.file).lexically_normal().string())),
-      fmt::arg("modulus", quoted(map.contact_modulus)));
+  return fmt::format(fmt::runtime(text_of_case),
+                     fmt::arg("title", quoted(title)),
+                     fmt::arg("file", quoted(map_path(map).string())),
+                     fmt::arg("modulus", quoted(map.contact_modulus)));
 }
 
 } // namespace
@@ -77,6 +83,22 @@ bool is_map_file(const std::string& word) {
   std::error_code unreadable;
   return fs::is_regular_file(word, unreadable) &&
          fs::path(word).extension() != ".toml";
+}
+
+std::string with_number(const std::string& unit) {
+  const bool has_number =
+      unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) == 0;
+  return has_number ? unit : "1 " + unit;
+}
+
+std::vector<std::string> map_overrides(const std::string& length,
+                                       const std::string& height_unit) {
+  std::vector<std::string> overrides;
+  if (!length.empty())
+    overrides.push_back("surface.length=" + length);
+  if (!height_unit.empty())
+    overrides.push_back("surface.height_unit=" + with_number(height_unit));
+  return overrides;
 }
 
 std::string map_case_text(const MapOfCase& map) {

@@ -13,14 +13,27 @@ namespace asperity::run {
 struct MapOfCase {
   std::string file;            ///< path as the user gave it
   std::string contact_modulus; ///< E*, a quantity of a case file: "2 GPa"
+  /// Folder of the case file, from which it names the map; "": the map is named
+  /// by its absolute path.
+  std::string folder = {};
 };
+
+/// Returns the overrides of a case by which a map gets what its file does not
+/// state.
+/// @param length       side length in x, "20 um"; "": stated
+/// @param height_unit  unit of its numbers, "nm" or "2 nm"; "": stated
+std::vector<std::string> map_overrides(const std::string& length,
+                                       const std::string& height_unit);
+
+/// Returns "1 nm" for "nm", and a text that begins with a number as it is.
+std::string with_number(const std::string& unit);
 
 /// Returns true if the word names a regular file that is no case file: a map.
 bool is_map_file(const std::string& word);
 
 /// Returns the text of a case that presses the map on a half-space, in steps of
 /// equal ratios of the contact area from 1.6 % to 95 %, beside
-/// Persson's theory. It names the map by its absolute path.
+/// Persson's theory.
 /// @throws input::InputError  there is no valid contact modulus
 std::string map_case_text(const MapOfCase& map);
 

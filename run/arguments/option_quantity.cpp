@@ -11,10 +11,14 @@ double positive_quantity(const std::string& option, const std::string& text,
   const cases::QuantityReading read = cases::read_quantity(text, dimension, {});
   // The case reader's advice for a number without unit is on quotes, which a
   // shell has removed.
-  if (!read.quantity && read.mistake.starts_with("has no unit"))
+  if (!read.quantity && read.mistake.starts_with("has no unit")) {
+    std::string forms;
+    for (const std::string& unit : cases::unit_symbols(dimension, {}))
+      forms +=
+          fmt::format("{}\"{} {}\"", forms.empty() ? "" : " or ", text, unit);
     throw input::InputError(
-        fmt::format("{0} = \"{1}\" has no unit; write \"{1} {2}\"", option,
-                    text, cases::si_unit(dimension)));
+        fmt::format("{} = \"{}\" has no unit; write {}", option, text, forms));
+  }
   if (!read.quantity)
     throw input::InputError(
         fmt::format("{} = \"{}\" {}", option, text, read.mistake));

@@ -180,7 +180,7 @@ CaseDescription describe_case(const cases::Case& contact_case,
       methods::needs_surfaces(methods) && refusal_of(description.plan).empty()
           ? built_surface(contact_case, methods)
           : stated_surface(contact_case);
-  description.keys = methods::resolved_keys(contact_case, known.scales);
+  description.keys = cases::resolved_keys(contact_case, known.scales);
   add_surface(description.derived, known);
   add_wavevectors(description.derived, contact_case, known);
   add_material(description.derived, contact_case.material, known);

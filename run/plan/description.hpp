@@ -3,7 +3,7 @@
 // Describes a case before it is run: all of its keys in SI units, the numbers
 // that follow from them, and the predicted cost. Nothing is solved or written.
 
-#include "methods/cache/resolved_keys.hpp"
+#include "cases/reader/resolved_keys.hpp"
 #include "results/types/result.hpp"
 #include "run/plan/plan.hpp"
 
@@ -42,7 +42,7 @@ struct CaseDescription {
   std::string file;
   std::string hash;                          ///< as in the result file
   std::map<std::string, std::string> inputs; ///< SHA-256 of the files it names
-  std::vector<methods::ResolvedKey> keys;
+  std::vector<cases::ResolvedKey> keys;
   std::vector<DerivedNumber> derived;
   mechanics::Control control = mechanics::Control::nominal_pressure;
   std::vector<DescribedLoad> loads;

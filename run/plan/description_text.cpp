@@ -53,7 +53,7 @@ std::string shortened(const std::string& text) {
 }
 
 /// Writes a value on one line; of a list of loads, the ends and the number.
-std::string value_text(const methods::ResolvedKey& key) {
+std::string value_text(const cases::ResolvedKey& key) {
   const Node& value = key.value;
   const std::string unit = key.unit.empty() ? "" : " " + key.unit;
   if (value.type == NodeType::list && value.list.size() > 1 &&
@@ -66,9 +66,9 @@ std::string value_text(const methods::ResolvedKey& key) {
   return shortened(cases::toml_value(value) + unit);
 }
 
-std::string keys_text(const std::vector<methods::ResolvedKey>& keys) {
+std::string keys_text(const std::vector<cases::ResolvedKey>& keys) {
   std::string text;
-  for (const methods::ResolvedKey& key : keys) {
+  for (const cases::ResolvedKey& key : keys) {
     const std::string value = value_text(key);
     const bool is_converted = !key.written.empty() && !key.unit.empty() &&
                               key.value.type != NodeType::list;
@@ -171,7 +171,7 @@ std::string description_json(const CaseDescription& description,
                       : "mean_gap"},
       {"loads", OrderedJson::array()},
       {"methods", OrderedJson::array()}};
-  for (const methods::ResolvedKey& key : description.keys)
+  for (const cases::ResolvedKey& key : description.keys)
     answer["keys"][key.path] = {{"value", node_json(key.value)},
                                 {"unit", key.unit},
                                 {"written", key.written.empty()

@@ -3,6 +3,7 @@
 #include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "cases/reader/read_parts.hpp"
+#include "cases/reader/resolved_keys.hpp"
 #include "cases/text/node.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "fem/plugin.hpp"
@@ -12,7 +13,6 @@
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
 #include "methods/cache/file_mesh.hpp"
-#include "methods/cache/resolved_keys.hpp"
 #include "methods/chosen.hpp"
 #include "methods/continuum_block.hpp"
 #include "methods/surfaces_of_case.hpp"
@@ -78,7 +78,7 @@ class Preparation {
 public:
   Preparation(const cases::Case& contact_case, const Grid& grid)
       : case_(contact_case),
-        file_(methods::parsed_case(contact_case)),
+        file_(cases::parsed_case(contact_case)),
         grid_(grid) {}
 
   void examine(const MethodSpec& method) {

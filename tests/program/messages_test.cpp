@@ -234,13 +234,58 @@ TEST_F(Messages, AMapRunsWithoutACase) {
   ASSERT_EQ(ran.exit_code, 0) << ran.output;
   EXPECT_TRUE(std::filesystem::exists(folder / "out/map/report.html"));
   EXPECT_TRUE(says(ran, "24 steps: 24 computed")) << ran.output;
+  write("mine.csv", "pressure [MPa],area [%]\n10,3\n20,6\n");
+  const Ended compared =
+      run("report out/map mine.csv --label 'my map' --label 'my rig' --out c");
+  EXPECT_EQ(compared.exit_code, 0) << compared.output;
+  EXPECT_NE(text_of(folder / "c/report.html")
+                .find("2 results compared: my map; my rig"),
+            std::string::npos);
+  EXPECT_EQ(run("report mine.csv out/map").exit_code, 2);
+  EXPECT_EQ(run("report out/map --label a --label b").exit_code, 2);
 
   const Ended made = run("new mine --map map.asc --contact-modulus '2 GPa'");
   ASSERT_EQ(made.exit_code, 0) << made.output;
   EXPECT_TRUE(says(made, "24 x 16 points, 2.4 x 1.6 um")) << made.output;
   EXPECT_TRUE(says(made, "run it with: asperity run mine")) << made.output;
+  EXPECT_TRUE(text_of(folder / "mine/case.toml").find("\"../map.asc\"") !=
+              std::string::npos);
   const Ended again = run("run mine --no-report");
   EXPECT_TRUE(says(again, "0 computed, 24 from the cache")) << again.output;
+}
+
+// The options by which `surface` reads a file without lengths and units.
+TEST_F(Messages, AMapWithoutUnitsGetsThemByOptions) {
+  write("plain.asc", "1 2 3 1\n2 4 1 2\n5 2 2 1\n1 2 1 3\n");
+  const std::string modulus = "run plain.asc --contact-modulus '2 GPa' ";
+  EXPECT_EQ(run(modulus + "--dry-run").exit_code, 2);
+  const Ended ended =
+      run(modulus + "--length '4 um' --height-unit nm --no-report");
+  EXPECT_EQ(ended.exit_code, 0) << ended.output;
+  write("small.toml", small_case);
+  const Ended with_case = run("run small.toml --length '4 um'");
+  EXPECT_EQ(with_case.exit_code, 2);
+  EXPECT_TRUE(says(with_case, "small.toml is a case: please use --set "
+                              "surface.length=4 um"))
+      << with_case.output;
+}
+
+TEST_F(Messages, CheckFindsAMissingResultBeforeItRunsACase) {
+  write("small.toml", small_case);
+  const Ended ended = run("check small.toml missing.h5 --junit j.xml");
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_TRUE(says(ended, "missing.h5")) << ended.output;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  const std::string report = text_of(folder / "j.xml");
+  EXPECT_EQ(report.find("<testsuite "), report.rfind("<testsuite "));
+}
+
+TEST_F(Messages, OneNumberOfThreadsIsNoStudyOfScaling) {
+  write("small.toml", small_case);
+  const Ended ended = run("bench small.toml --threads 1");
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_TRUE(says(ended, "--threads 1 asks for a study of scaling"))
+      << ended.output;
 }
 
 TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
@@ -263,7 +308,8 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
   const Ended number = run("run map.asc --contact-modulus 2e9");
   EXPECT_EQ(number.exit_code, 2);
   EXPECT_TRUE(says(number, "--contact-modulus = \"2e9\" has no unit; write "
-                           "\"2e9 Pa\"\n"))
+                           "\"2e9 Pa\" or \"2e9 kPa\" or \"2e9 MPa\" or "
+                           "\"2e9 GPa\"\n"))
       << number.output;
   EXPECT_EQ(run("new plain --map plain.asc --contact-modulus 2e9").exit_code,
             2);
@@ -272,8 +318,16 @@ TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
 }
 
 TEST_F(Messages, UnknownCommandsAndOptionsAreBadInput) {
-  EXPECT_EQ(run("runn polymer").exit_code, 2);
-  EXPECT_EQ(run("run polymer --treads 2").exit_code, 2);
+  const Ended command = run("rnu polymer");
+  EXPECT_EQ(command.exit_code, 2);
+  EXPECT_TRUE(says(command, "rnu: did you mean run?")) << command.output;
+  const Ended option = run("run polymer --method=fem --quick");
+  EXPECT_EQ(option.exit_code, 2);
+  EXPECT_TRUE(says(option, "--method: did you mean --methods?"))
+      << option.output;
+  const Ended missing = run("run --set surface.points=64");
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_FALSE(says(missing, "did you mean")) << missing.output;
   EXPECT_EQ(run("").exit_code, 2);
   EXPECT_EQ(run("--help").exit_code, 0);
 }

@@ -97,6 +97,18 @@ def check_options_and_errors(asperity):
             raise AssertionError("a wrong case was run")
 
 
+def check_missing_package():
+    """Without h5py the module says what to install."""
+    sys.modules["h5py"] = None  # import then raises ImportError
+    try:
+        import asperity  # noqa: F401
+    except ImportError as error:
+        assert "h5py is not installed: apt-get install" in str(error), error
+    else:
+        raise AssertionError("the module needs h5py")
+    del sys.modules["h5py"]
+
+
 def main(program, source, scratch):
     folder = Path(scratch)
     shutil.rmtree(folder, ignore_errors=True)
@@ -105,6 +117,7 @@ def main(program, source, scratch):
     os.environ["ASPERITY_PROGRAM"] = program
     os.environ["ASPERITY_CACHE"] = str(folder / "cache")
     sys.path.insert(0, str(Path(source) / "python"))
+    check_missing_package()
     import asperity
     check_toml(asperity)
     check_run(asperity, folder)

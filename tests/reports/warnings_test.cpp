@@ -47,9 +47,9 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
             "The surface is not Gaussian: skewness -6 and kurtosis 59, but a "
             "Gaussian surface has 0 and 3 (limits: -1 to 1, 2 to 5).");
   EXPECT_EQ(warning_lines(result, rough),
-            "warning: " + rough.name + ": " + warnings[0].headline +
-                "\nwarning: " + rough.name + ": " + warnings[1].headline +
-                "\n");
+            "warning: " + rough.name + ": " + warnings[0].headline + " " +
+                warnings[0].consequence + "\nwarning: " + rough.name + ": " +
+                warnings[1].headline + " " + warnings[1].consequence + "\n");
   EXPECT_NE(warnings[0].consequence.find("does not describe this surface"),
             std::string::npos);
   EXPECT_EQ(warnings[1].headline, "The surface is too steep for small strain: "

@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-namespace asperity::methods {
+namespace asperity::cases {
 
 /// One key of a case.
 struct ResolvedKey {
   std::string path;    ///< "surface.length", "fem.hard.contact"
-  cases::Node value;   ///< number, word, list or table in SI units; a quantity
+  Node value;          ///< number, word, list or table in SI units; a quantity
                        ///< whose reference unit is unknown stays as written
   std::string unit;    ///< SI unit of the value; "" for words, counts, tables
   std::string written; ///< as TOML, as the case gives it; "" for a default
 };
 
 /// Returns the syntax tree of the text of a case with its overrides applied.
-cases::Node parsed_case(const cases::Case& read);
+Node parsed_case(const Case& read);
 
 /// Returns the keys of a case in the order of the reference of the case file.
 /// Tables that the case does not have are left out, except those whose keys all
@@ -29,7 +29,7 @@ cases::Node parsed_case(const cases::Case& read);
 ///
 /// @param scales  values of the reference units; one that is 0 or NaN is
 ///                unknown
-std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
+std::vector<ResolvedKey> resolved_keys(const Case& read,
                                        const mechanics::Scales& scales);
 
-} // namespace asperity::methods
+} // namespace asperity::cases

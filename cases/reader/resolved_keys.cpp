@@ -1,4 +1,4 @@
-#include "methods/cache/resolved_keys.hpp"
+#include "cases/reader/resolved_keys.hpp"
 
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
@@ -9,26 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace asperity::methods {
+namespace asperity::cases {
 namespace {
 
-using cases::Case;
-using cases::Dimension;
-using cases::find_key;
-using cases::Key;
-using cases::Node;
-using cases::NodeEntry;
-using cases::NodeType;
-using cases::parse_toml_value;
-using cases::QuantityReading;
-using cases::read_quantity;
-using cases::reference_symbol;
-using cases::si_unit;
-using cases::toml_key;
-using cases::toml_value;
-using cases::ValueType;
-using cases::vocabulary;
-using cases::vocabulary_table;
 using mechanics::Quantity;
 using mechanics::ReferenceUnit;
 using mechanics::Scales;
@@ -101,7 +84,7 @@ private:
   }
 
   Node layers(const Node& given) const {
-    const cases::Table& table = vocabulary_table("material.layer");
+    const Table& table = vocabulary_table("material.layer");
     Node list = given;
     for (Node& layer : list.list)
       for (NodeEntry& entry : layer.entries)
@@ -138,7 +121,7 @@ public:
   }
 
   std::vector<ResolvedKey> list() {
-    for (const cases::Table& table : vocabulary()) {
+    for (const Table& table : vocabulary()) {
       if (table.is_part)
         continue;
       const Node* const node = find(table.name);
@@ -169,7 +152,7 @@ private:
     keys_.push_back({path, std::move(value), unit, written});
   }
 
-  void add_table(const cases::Table& table, const Node& node,
+  void add_table(const Table& table, const Node& node,
                  const std::string& path) {
     const std::string prefix = path.empty() ? "" : path + ".";
     for (const Key& key : table.keys) {
@@ -190,7 +173,7 @@ private:
   }
 
   /// Adds the keys of each variant, [fem.hard], with those it inherits.
-  void add_variants(const cases::Table& table, const Node& base) {
+  void add_variants(const Table& table, const Node& base) {
     for (const NodeEntry& variant : base.entries) {
       if (!variant.node.is_table() ||
           find_key(table.name, variant.key) != nullptr)
@@ -213,17 +196,17 @@ private:
 
 } // namespace
 
-cases::Node parsed_case(const cases::Case& read) {
-  cases::Node file = cases::parse_toml(read.text, read.path);
+Node parsed_case(const Case& read) {
+  Node file = parse_toml(read.text, read.path);
   input::Mistakes none;
-  for (const std::string& entry : cases::overrides_in(read.text))
-    cases::apply_override(file, entry, none);
+  for (const std::string& entry : overrides_in(read.text))
+    apply_override(file, entry, none);
   return file;
 }
 
-std::vector<ResolvedKey> resolved_keys(const cases::Case& read,
+std::vector<ResolvedKey> resolved_keys(const Case& read,
                                        const mechanics::Scales& scales) {
   return KeyLister(read, scales).list();
 }
 
-} // namespace asperity::methods
+} // namespace asperity::cases

@@ -1,0 +1,43 @@
+#pragma once
+
+// A curve that the user has measured, or taken from elsewhere, as a result that
+// a report shows beside computed ones.
+
+#include "cases/types/case.hpp"
+#include "results/types/result.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace asperity::reports {
+
+/// The kind of a method whose curve is read from a table.
+inline constexpr const char* measured_kind = "measured";
+
+/// Reads a table whose first line names its columns with their units, as in
+///
+///     pressure [MPa],area [%],gap [nm]
+///
+/// "pressure" is the nominal pressure [Pa, kPa, MPa, GPa], or "load" the normal
+/// force [N] on the nominal area of `beside`; "area" is the contact area, as a
+/// share [1, %] of the nominal area or itself [m^2, mm^2, um^2, nm^2], and
+/// "gap" the mean gap [m, mm, um, nm]. One of area and gap may be missing, and
+/// is NaN then. The numbers are separated by commas, semicolons, blanks or
+/// tabs.
+///
+/// @param beside        the result that it is compared with; the curve gets its
+///                      modulus and the size, rms height and slope of its
+///                      surface
+/// @param contact_case  the case of that result
+/// @return        one method of the kind "measured", called as the file
+/// @throws input::InputError  file, line, what was found and what is allowed
+results::Result read_measured_curve(const std::filesystem::path& file,
+                                    const results::Result& beside,
+                                    const cases::Case& contact_case);
+
+/// The area of the surface of a case [m^2]: of a measured map that is pressed
+/// with its mirror images, a quarter of what is pressed.
+double nominal_area(const results::Result& result,
+                    const cases::Case& contact_case);
+
+} // namespace asperity::reports

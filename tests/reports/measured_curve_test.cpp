@@ -1,0 +1,162 @@
+// Tests of reports/analysis/measured_curve.hpp and of the names of several
+// results: a user's own curve, in the user's units, stands beside a result with
+// its deviations, and results of one case have names that differ.
+#include "reports/analysis/measured_curve.hpp"
+#include "reports/pages/agreement.hpp"
+#include "reports/pages/entry_names.hpp"
+#include "reports/pages/html_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fmt/format.h>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports::measured_curve_test {
+
+class MeasuredCurve : public ReportFolder {
+protected:
+  MeasuredCurve() { std::filesystem::create_directories(folder); }
+
+  results::Result read(const std::string& text) const {
+    std::ofstream(folder / "mine.csv") << text;
+    return read_measured_curve(folder / "mine.csv", result, rough);
+  }
+
+  std::string mistake(const std::string& text) const {
+    try {
+      (void)read(text);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  results::Result result = synthetic::rough_result(rough, 1);
+};
+
+TEST_F(MeasuredCurve, HasTheUnitsOfItsColumns) {
+  const auto rows = read("# area [%]; pressure [MPa]; gap [nm]\n"
+                         "1.5;2;30\n3;4;20\n")
+                        .methods[0]
+                        .realizations[0]
+                        .points;
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_DOUBLE_EQ(rows[0].area_fraction, 0.015);
+  EXPECT_DOUBLE_EQ(rows[0].nominal_pressure, 2e6);
+  EXPECT_DOUBLE_EQ(rows[1].mean_gap, 20e-9);
+
+  const Grid& grid = result.surfaces[0].grid;
+  const double nominal = grid.length_x * grid.length_y;
+  const auto loads =
+      read("load [N],area [um^2]\n1e-3,2\n").methods[0].realizations[0].points;
+  EXPECT_DOUBLE_EQ(loads[0].nominal_pressure, 1e-3 / nominal);
+  EXPECT_DOUBLE_EQ(loads[0].area_fraction, 2e-12 / nominal);
+  EXPECT_TRUE(std::isnan(loads[0].mean_gap));
+
+  rough.surface.kind = mechanics::SurfaceKind::measured;
+  rough.surface.edges = mechanics::Edges::mirror; // a quarter is the map
+  EXPECT_DOUBLE_EQ(
+      read("load [N],gap [nm]\n1e-3,2\n").methods[0].realizations[0].points[0]
+          .nominal_pressure,
+      4e-3 / nominal);
+}
+
+TEST_F(MeasuredCurve, AnswersMistakes) {
+  for (const auto& [text, part] :
+       {std::pair("presure [MPa],gap [nm]\n1,2\n",
+                  "mine.csv:1: the column \"presure [MPa]\" is unknown"),
+        std::pair("presure [MPa],gap [nm]\n1,2\n", "nearest: pressure"),
+        std::pair("pressure,gap [nm]\n1,2\n",
+                  "\"pressure\" has no known unit"),
+        std::pair("pressure [nm],gap [nm]\n1,2\n", "has no known unit"),
+        std::pair("pressure [Pa]\n1\n", "must name a pressure and an area"),
+        std::pair("pressure [Pa],load [N]\n1,1\n", "is there twice"),
+        std::pair("pressure [Pa],gap [m]\n1,1\n-2,1\n", "mine.csv:3: "),
+        std::pair("pressure [Pa],area [%]\n1,101\n", "mine.csv:2: "),
+        std::pair("pressure [Pa],gap [m]\n1,2,3\n", "mine.csv:2: "),
+        std::pair("pressure [Pa],gap [m]\n1,x\n", "mine.csv:2: "),
+        std::pair("", "mine.csv")})
+    EXPECT_NE(mistake(text).find(part), std::string::npos)
+        << text << mistake(text);
+}
+
+// A curve with twice the area, and no gap, of the first method.
+TEST_F(MeasuredCurve, IsComparedWithTheFirstMethod) {
+  std::string text = "pressure [Pa],area [1]\n";
+  for (const auto& row : result.methods[1].realizations[0].points)
+    if (row.area_fraction_corrected < 0.5)
+      text += fmt::format("{},{}\n", row.nominal_pressure,
+                          2.0 * row.area_fraction_corrected);
+  const results::Result mine = read(text);
+  const cases::Case without = case_of(mine);
+  std::vector<ReportEntry> entries{entry_of(result, rough),
+                                   entry_of(mine, without)};
+  name_entries(entries, {});
+
+  const std::vector<Series> series = series_of(entries);
+  const Agreement agreement = agreements_of(entries, series).front();
+
+  EXPECT_EQ(agreement.problem, "");
+  EXPECT_EQ(agreement.method, "mine");
+  EXPECT_NEAR(agreement.largest(&AgreementRow::area_difference), 1.0, 1e-9);
+  EXPECT_NE(series.back().legend.find("mine, |ΔA|/A ≤ 100 %"),
+            std::string::npos)
+      << series.back().legend;
+  EXPECT_TRUE(write_report(entries, folder, "no-such-gnuplot").size() > 0);
+  EXPECT_NE(text_of(folder / "comparison.csv").find("\"mine\""),
+            std::string::npos);
+}
+
+TEST_F(MeasuredCurve, ResultsOfOneCaseHaveNamesThatDiffer) {
+  result.path = "a/result.h5";
+  results::Result finer = result;
+  finer.path = "b";
+  cases::Case fine = rough;
+  rough.text = "[surface]\npoints = 64\nseed = 1\n";
+  fine.text = "[surface]\npoints = 128\nseed = 1\n";
+  const auto names = [&](const std::vector<std::string>& labels) {
+    std::vector<ReportEntry> entries{entry_of(result, rough),
+                                     entry_of(finer, fine)};
+    name_entries(entries, labels);
+    return entries[0].summary.case_name + "; " + entries[1].summary.case_name;
+  };
+  EXPECT_EQ(names({}), "polymer (surface.points = 64); polymer "
+                       "(surface.points = 128)");
+  EXPECT_EQ(names({"coarse", "fine"}), "coarse; fine");
+  fine.text = rough.text;
+  EXPECT_EQ(names({}), "polymer (a); polymer (b)");
+  finer.path = "a/";
+  EXPECT_EQ(names({}), "polymer (result 1); polymer (result 2)");
+}
+
+TEST_F(MeasuredCurve, ReportsBeginInTheUnitsOfALaboratory) {
+  auto& points = result.methods[1].realizations[0].points;
+  points.resize(3);
+  const double rows[3][3] = {
+      {2e6, 0.0123, 50e-9}, {2e7, 0.1, 20e-9}, {1.5e9, 0.9, 1e-9}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    points[i].nominal_pressure = rows[i][0];
+    points[i].area_fraction_corrected = rows[i][1];
+    points[i].mean_gap = rows[i][2];
+  }
+
+  EXPECT_EQ(physical_sentence(entry_of(result, rough)),
+            "At 2 MPa, 1.23 % of the nominal area is in contact and the mean "
+            "gap is 50 nm; at 20 MPa, 10 % and 20 nm; at 1.5 GPa, 90 % and 1 "
+            "nm (fem).");
+  write(result, "no-such-gnuplot");
+  const Grid& grid = result.surfaces[0].grid;
+  EXPECT_NE(
+      text_of(folder / "report.html")
+          .find(fmt::format("<td class=\"number\">1.23</td><td "
+                            "class=\"number\">{:.4g}</td><td "
+                            "class=\"number\">50</td>",
+                            0.0123 * 1e12 * grid.length_x * grid.length_y)),
+      std::string::npos);
+  result.methods.resize(1); // the theory alone
+  EXPECT_EQ(physical_sentence(entry_of(result, rough)), "");
+}
+
+} // namespace asperity::reports::measured_curve_test
