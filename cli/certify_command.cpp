@@ -5,6 +5,7 @@
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "exchange/answers/certified_field.hpp"
+#include "exchange/answers/imported_answer.hpp"
 #include "methods/cache/cache.hpp"
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
@@ -142,6 +143,13 @@ private:
                                 const methods::SurfaceOfCase& surface) {
     const cases::MethodSpec* const known = method_of(record);
     if (known == nullptr) {
+      for (const auto& [name, body] : result_.provenance)
+        if (name == exchange::imported_body) {
+          as_submitted(record, fmt::format("its body has {}, of which the file "
+                                           "has no case; import certifies it",
+                                           body));
+          return std::nullopt;
+        }
       notes_.push_back(fmt::format(
           "{:<16} against the half-space of E* in hard contact", record.name));
       return Model{std::make_unique<contact::FourierOperator>(

@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -57,8 +58,17 @@ std::string description_of(const Submission& submission) {
                      fmt::join(submission.authors, ", "), submission.licence);
 }
 
+/// What a result without its case does not say of the body; empty for the
+/// periodic half-space, which E* determines.
+std::string other_body(const Problem& problem) {
+  return !problem.is_periodic ? "free boundaries"
+         : std::isfinite(problem.body.thickness) || !problem.body.layers.empty()
+             ? "layers or a finite thickness"
+             : "";
+}
+
 void write_import(const fs::path& folder, const results::CaseInfo& info,
-                  const methods::SurfaceOfCase& surface,
+                  const Problem& problem, const methods::SurfaceOfCase& surface,
                   exchange::ImportedAnswer& answer) {
   const Submission& submission = answer.submission;
   const std::string& name = answer.method;
@@ -67,6 +77,8 @@ void write_import(const fs::path& folder, const results::CaseInfo& info,
                             {"imported version", submission.version},
                             {"imported accuracy", submission.accuracy},
                             {"imported machine", submission.machine}});
+  if (const std::string body = other_body(problem); !body.empty())
+    writer.record_provenance({{exchange::imported_body, body}});
   writer.record_surface(0, surface.record);
   writer.begin_method(name, "submission", description_of(submission));
   for (exchange::ImportedLoad& load : answer.loads) {
@@ -132,8 +144,8 @@ run::ExitCode import_submission(const ImportCommand& command) {
   const run::OutputFolder lock(folder, "import " + command.submission,
                                run::result_outputs(), inputs);
   run::put_last_run_aside(folder);
-  write_import(folder, case_info(problem, surface, command.problem), surface,
-               answer);
+  write_import(folder, case_info(problem, surface, command.problem), problem,
+               surface, answer);
   const std::string json =
       text_of_json(exchange::answer_json(answer), 2) + "\n";
   write_file_atomically(folder / "certificate.json", json);

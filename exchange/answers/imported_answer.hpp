@@ -39,6 +39,10 @@ struct ImportedAnswer {
   bool is_sound() const;
 };
 
+/// The name of the row of a result's provenance that says which body an import
+/// was certified against, unless it is the periodic half-space.
+inline constexpr const char* imported_body = "imported body";
+
 /// The surface of a problem, with the statistics that a result records.
 methods::SurfaceOfCase surface_of(const exchange::Problem& problem);
 

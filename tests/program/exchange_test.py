@@ -496,6 +496,25 @@ def check_layers():
     assert "of a modulus" in said or "does not hold" in said, said
 
 
+def check_free_boundaries():
+    """The problem is certified without periodic images, here and by `certify`, which takes
+    no other body for that of an import without its case."""
+    problem = problem_of("free", method='boundaries = "free"')
+    statement = json.loads((problem / "problem.json").read_text())
+    assert statement["grid"]["is_periodic"] is False, statement["grid"]
+    pressures = solved(problem)
+    _, certificate = imported(problem, submission(problem, pressures, "right"))
+    again = json.loads(asperity("certify", "--json", problem.parent / "right/out"))
+    for load in certificate["loads"] + again:
+        assert load["mean_gap_error [m]"] < 1e-6 * load["rms_height [m]"], load
+    (problem / "case.toml").unlink()
+    (problem / "SHA256SUMS").unlink()
+    answer = submission(problem, pressures, "no-case")
+    imported(problem, answer)
+    said = asperity("certify", answer / "out", expected=2)
+    assert "as submitted: its body has free boundaries" in said, said
+
+
 def check_refusals():
     theory = FOLDER / "theory.toml"
     theory.write_text(CASE.format(material="", load=LOADS, method="").replace(
@@ -528,6 +547,7 @@ def main():
     check_full_contact()
     check_names()
     check_layers()
+    check_free_boundaries()
     check_refusals()
 
 
