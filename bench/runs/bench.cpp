@@ -162,20 +162,17 @@ void print_scaling(const Bench& bench) {
                  row.has_same_bits ? "" : "; the numbers differ");
 }
 
-std::vector<int> ascending(std::vector<int> workers) {
+/// Numbers of workers in order, each once. A study of scaling compares several.
+std::vector<int> ascending(const char* option, std::vector<int> workers) {
   std::ranges::sort(workers);
   workers.erase(std::unique(workers.begin(), workers.end()), workers.end());
-  return workers;
-}
-
-/// A study of scaling compares numbers of workers.
-void require_several(const char* option, const std::vector<int>& workers) {
   if (workers.size() == 1)
     throw input::InputError(fmt::format(
         "{0} {1} asks for a study of scaling, which needs at least two "
         "numbers, as in {0} 1,2; without {0}, each setting is timed on one "
         "thread",
         option, workers.front()));
+  return workers;
 }
 
 } // namespace
@@ -205,14 +202,12 @@ run::ExitCode bench_case(const BenchCommand& command) {
       methods::chosen_methods(contact_case, command.methods);
   run::require_computable(contact_case, methods,
                           run::grid_of_case(contact_case, methods));
-  require_several("--threads", command.threads);
-  require_several("--ranks", command.ranks);
   const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
   const BenchPlan plan =
       is_scaling
-          ? scaling_of(contact_case,
-                       {command.methods, ascending(command.threads),
-                        ascending(command.ranks)})
+          ? scaling_of(contact_case, {command.methods,
+                                      ascending("--threads", command.threads),
+                                      ascending("--ranks", command.ranks)})
           : bench_plan_of(contact_case, {command.methods, command.is_quick,
                                          command.realizations});
   const fs::path folder = command.out.empty()
