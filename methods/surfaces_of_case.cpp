@@ -31,16 +31,25 @@ bool presses_single_map(const cases::Case& contact_case,
          contact_case.surface.kind == mechanics::SurfaceKind::measured;
 }
 
+/// Whether a method presses the heights of the surface of the case, of a
+/// measured map with its periodic continuation.
+bool presses_whole(const cases::Case& contact_case,
+                   const cases::MethodSpec& method) {
+  return method.needs_surface() &&
+         !std::holds_alternative<mechanics::TheorySettings>(method.settings) &&
+         !presses_single_map(contact_case, method);
+}
+
 /// Returns the measured map without its periodic continuation. Slope, curvature
 /// and spectrum are those of the continuation: a step at the border, which no
 /// method presses, would dominate them.
-SurfaceOfCase single_map(const cases::Case& contact_case,
-                         const SurfaceOfCase& continued,
+/// @param surface  with the continuation
+SurfaceOfCase single_map(const cases::Case& contact_case, SurfaceOfCase surface,
                          const BuildSurface& build) {
+  surface.record.heights = {};
   mechanics::SurfaceSpec alone = contact_case.surface;
   alone.has_images = false;
   SurfaceOfCase built = build({alone, 0});
-  SurfaceOfCase surface = continued;
   surface.record.grid = built.record.grid;
   surface.record.heights = std::move(built.record.heights);
   surface.rows = built.rows;
@@ -51,17 +60,27 @@ SurfaceOfCase single_map(const cases::Case& contact_case,
 
 } // namespace
 
-bool has_own_surface(const cases::Case& contact_case,
-                     const cases::MethodSpec& method) {
-  return method.magnification || presses_single_map(contact_case, method);
+bool presses_images(const cases::Case& contact_case,
+                    const std::vector<cases::MethodSpec>& methods) {
+  return std::ranges::none_of(methods,
+                              [&](const cases::MethodSpec& method) {
+                                return presses_single_map(contact_case, method);
+                              }) ||
+         std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
+           return method.magnification || presses_whole(contact_case, method);
+         });
 }
 
 Grid pressed_grid(const cases::Case& contact_case,
                   const cases::MethodSpec& method, const Grid& grid) {
+  return presses_single_map(contact_case, method)
+             ? grid_without_images(contact_case, grid)
+             : grid;
+}
+
+Grid grid_without_images(const cases::Case& contact_case, const Grid& grid) {
   const mechanics::Edges edges = contact_case.surface.edges;
-  const bool is_continued =
-      surfaces::grid_with_edges(grid, edges).points_x > grid.points_x;
-  if (!presses_single_map(contact_case, method) || !is_continued)
+  if (surfaces::grid_with_edges(grid, edges).points_x == grid.points_x)
     return grid;
   return {grid.points_x / 2, grid.points_y / 2, grid.length_x / 2.0,
           grid.length_y / 2.0};
@@ -138,9 +157,14 @@ CaseSurfaces::CaseSurfaces(const cases::Case& contact_case,
         is_built(r)
             ? as_taken(contact_case, build_one({contact_case.surface, r}))
             : SurfaceOfCase{});
-  if (std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
+  const bool has_single_map =
+      std::ranges::any_of(methods, [&](const cases::MethodSpec& method) {
         return presses_single_map(contact_case, method);
-      }))
+      });
+  if (!presses_images(contact_case, methods))
+    whole_.front() =
+        single_map(contact_case, std::move(whole_.front()), build_one);
+  else if (has_single_map)
     single_map_ = single_map(contact_case, whole_.front(), build_one);
   for (const cases::MethodSpec& method : methods) {
     if (!method.magnification || !method.needs_surface() ||
@@ -167,12 +191,17 @@ std::optional<surfaces::MapFacts> CaseSurfaces::map_facts() const {
   return whole_.empty() ? std::nullopt : whole_.front().map_facts;
 }
 
+bool CaseSurfaces::has_own(const cases::MethodSpec& method) const {
+  return method.magnification ||
+         (single_map_ && presses_single_map(case_, method));
+}
+
 const SurfaceOfCase& CaseSurfaces::of(const cases::MethodSpec& method,
                                       int realization) const {
   const auto r = static_cast<std::size_t>(realization);
   if (method.magnification)
     return magnified_.at(*method.magnification).at(r);
-  return presses_single_map(case_, method) ? single_map_.value() : whole_.at(r);
+  return has_own(method) ? single_map_.value() : whole_.at(r);
 }
 
 results::SurfaceRecord CaseSurfaces::record_of(const cases::MethodSpec& method,

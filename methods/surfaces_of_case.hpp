@@ -75,22 +75,26 @@ bool needs_surfaces(const std::vector<cases::MethodSpec>& methods);
 std::optional<double> highest_wavevector(const cases::Case& contact_case,
                                          const cases::MethodSpec& method);
 
-/// Returns true if the surface of the method is not that of the case: roughness
-/// above a magnification is left out, or a measured map is pressed once,
-/// without its periodic continuation.
-bool has_own_surface(const cases::Case& contact_case,
-                     const cases::MethodSpec& method);
+/// Returns true if a method needs the heights of the mirror images of a
+/// measured map, or if the map has none: not if half-spaces press it once and
+/// theories use its spectrum, which is that of the images.
+bool presses_images(const cases::Case& contact_case,
+                    const std::vector<cases::MethodSpec>& methods);
 
 /// Returns the grid of the surface that a method presses.
 /// @param grid  of the surface of the case
 Grid pressed_grid(const cases::Case& contact_case,
                   const cases::MethodSpec& method, const Grid& grid);
 
+/// Returns the grid of a measured map without its mirror images, if it has any.
+/// @param grid  with them
+Grid grid_without_images(const cases::Case& contact_case, const Grid& grid);
+
 using BuildSurface = std::function<SurfaceOfCase(const SurfaceSource& source)>;
 
 /// The surfaces of a case: one per realisation, one more per realisation for
 /// each magnification that a method uses, and the measured map itself if a
-/// half-space has free boundaries.
+/// half-space has free boundaries and another method presses its mirror images.
 class CaseSurfaces {
 public:
   /// Builds the surfaces that the methods need, possibly none. The case must
@@ -106,11 +110,17 @@ public:
                const std::vector<cases::MethodSpec>& methods,
                const std::set<int>& only = {}, const BuildSurface& build = {});
 
-  /// Returns the surfaces with full roughness, one per realisation.
+  /// Returns the surfaces with full roughness, one per realisation. A measured
+  /// map whose mirror images no method presses is without them.
   const std::vector<SurfaceOfCase>& whole() const;
 
   /// Returns what the ranks found of a map whose rows they have read.
   std::optional<surfaces::MapFacts> map_facts() const;
+
+  /// Returns true if the surface of the method is none of whole(): roughness
+  /// above a magnification is left out, or a measured map is pressed without
+  /// the mirror images that another method presses.
+  bool has_own(const cases::MethodSpec& method) const;
 
   const SurfaceOfCase& of(const cases::MethodSpec& method,
                           int realization) const;

@@ -31,7 +31,8 @@ FieldsChange change_of(const Grid& grid, const Fields& fields) {
           fields.nominal_pressure,
           grid,
           {rows_of_map(fields.pressure_map())},
-          {rows_of_map(fields.gap_map())}};
+          {rows_of_map(fields.gap_map())},
+          fields.has_double_pressure};
 }
 
 /// @param heights  empty: those of the surface, which must outlive the result

@@ -131,19 +131,14 @@ void check_follows(const Stated& stated, const NumberBounds& bounds,
 }
 
 /// Checks what follows from saved heights.
-/// @param is_own  whether it is the surface of a method, which may be a map
-/// with
-///                free edges: the record then has the slope of its mirror
-///                images
+/// The record of a map with free edges has the slope of its mirror images.
 void check_height_numbers(const std::string& place,
-                          const SurfaceRecord& surface, bool is_own,
-                          Findings& findings) {
+                          const SurfaceRecord& surface, Findings& findings) {
   if (!surface.has_heights() || !(surface.grid.length_x > 0.0) ||
       !(surface.grid.length_y > 0.0))
     return;
   HeightNumbers found = height_numbers(surface);
-  if (is_own &&
-      surface.rms_slope < (1.0 - single_precision) * found.rms_slope.low)
+  if (surface.rms_slope < (1.0 - single_precision) * found.rms_slope.low)
     found = height_numbers(surface, Continuation::mirrored);
   const auto check = [&](const char* name, double stated, NumberBounds bounds,
                          double size, const char* unit) {
@@ -244,7 +239,7 @@ void check_curve(const std::string& place, const MethodRecord& method,
 }
 
 void check_surface(const std::string& place, const SurfaceRecord& surface,
-                   bool is_own, Findings& findings) {
+                   Findings& findings) {
   const std::size_t before = findings.count();
   const auto check = [&](const char* name, double number,
                          const ColumnRange& range, const char* unit) {
@@ -261,7 +256,7 @@ void check_surface(const std::string& place, const SurfaceRecord& surface,
   check_map(place + "/heights", surface.height_map(), surface.grid, "m",
             findings);
   if (findings.count() == before)
-    check_height_numbers(place, surface, is_own, findings);
+    check_height_numbers(place, surface, findings);
   for (const SpectrumPoint& point : surface.spectrum) {
     check("spectrum/wavevector", point.wavevector, not_negative, "rad/m");
     check("spectrum/height_spectrum", point.spectrum, not_negative, "m^4");
@@ -288,15 +283,14 @@ void require_valid(const Result& result) {
                  fmt::format(" = {}, but must be finite and > 0 [Pa]",
                              result.contact_modulus));
   for (std::size_t r = 0; r < result.surfaces.size(); ++r)
-    check_surface(fmt::format("/surfaces/{}", r), result.surfaces[r], false,
-                  findings);
+    check_surface(fmt::format("/surfaces/{}", r), result.surfaces[r], findings);
   for (const MethodRecord& method : result.methods)
     for (std::size_t r = 0; r < method.realizations.size(); ++r) {
       const std::string place = fmt::format("/methods/{}/{}", method.name, r);
       check_curve(place, method, method.realizations[r], findings);
       if (method.realizations[r].own_surface)
         check_surface(place + "/surface", *method.realizations[r].own_surface,
-                      true, findings);
+                      findings);
     }
   for (const Table& table : result.tables)
     check_table(table, findings);

@@ -118,7 +118,7 @@ std::vector<std::size_t> MethodJob::take_kept() {
       continue;
     std::optional<results::Change> kept =
         chain_.read(step, needs_maps(step), needs_section(step));
-    if (!kept) {
+    if (!kept || (needs_maps(step) && has_less_precision(*kept))) {
       missing.push_back(step);
       continue;
     }
@@ -141,6 +141,13 @@ std::vector<std::size_t> MethodJob::take_kept() {
   return missing;
 }
 
+/// Whether the pressure of a cached step was kept in single precision, and the
+/// result is to have it in double.
+bool MethodJob::has_less_precision(const results::Change& kept) const {
+  return context_.contact_case.report.has_double_pressure &&
+         !kept.methods.front().fields.front().has_double_pressure;
+}
+
 /// Takes over a cached step, whose index was that of the run that computed it:
 /// with its fields it is written at once, without fields it is appended to
 /// `rows`.
@@ -150,8 +157,11 @@ void MethodJob::take(std::size_t step, results::Change kept,
   row.step = static_cast<int>(step);
   row.is_unloading = context_.contact_case.load.is_unloading[step];
   context_.tally.failed_steps += has_failed(row);
-  for (results::FieldsChange& fields : kept.methods.front().fields)
+  for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
+    fields.has_double_pressure =
+        context_.contact_case.report.has_double_pressure;
+  }
   if (needs_maps(step))
     record(std::move(kept));
   else
@@ -170,7 +180,8 @@ results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
                       row.nominal_pressure,
                       answer.grid,
                       {maps.pressure},
-                      {maps.gap}}};
+                      {maps.gap},
+                      context_.contact_case.report.has_double_pressure}};
   }
   results::Change change{.methods = {std::move(method)}};
   if (answer.section)

@@ -55,6 +55,7 @@ private:
   std::vector<std::size_t> take_kept();
   void take(std::size_t step, results::Change kept,
             std::vector<results::CurvePoint>& rows);
+  bool has_less_precision(const results::Change& kept) const;
   results::Change change_of(const methods::StepAnswer& answer) const;
   void record(results::Change change);
   void keep_and_record(methods::StepSolver& solver, methods::StepAnswer& answer,

@@ -25,6 +25,7 @@
 #include "run/provenance_of_run.hpp"
 #include "run/stress_tables.hpp"
 #include "run/studies.hpp"
+#include "surfaces/maps/edges.hpp"
 
 #include <fmt/format.h>
 
@@ -265,7 +266,7 @@ void Run::begin() {
           methods::describe(method, case_.material);
       writer_->begin_method(method.name, description.kind, description.text);
     });
-    if (methods::has_own_surface(case_, method))
+    if (surfaces_.has_own(method))
       for (const int r : realizations(method))
         record_own_surface(method, r);
   }
@@ -346,9 +347,10 @@ std::vector<results::Skipped> Run::skipped() const {
   MachineRates rates(rate_probe_points);
   const std::size_t first =
       only_.empty() ? 0U : static_cast<std::size_t>(*only_.begin());
-  const Grid grid = surfaces_.whole().empty()
-                        ? grid_of_case(case_, methods_)
-                        : surfaces_.whole()[first].record.grid;
+  Grid grid = surfaces_.whole().empty() ? grid_of_case(case_, methods_)
+                                        : surfaces_.whole()[first].record.grid;
+  if (!methods::presses_images(case_, methods_))
+    grid = surfaces::grid_with_edges(grid, case_.surface.edges);
   std::vector<results::Skipped> list =
       skipped_by_case({case_, methods_, grid}, rates);
   for (const auto& [thing, work] : tally_.kept())

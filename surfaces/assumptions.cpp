@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -35,7 +37,89 @@ std::size_t lines_within(double distance, double spacing) {
       std::max(1.0, std::round(distance / spacing)));
 }
 
+/// Calls take() with the size of the third differences along x.
+template <class Take>
+void each_third_difference(const Grid& grid, const HeightRows& heights,
+                           const Take& take) {
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  heights([&](std::span<const double> piece) {
+    for (std::size_t first = 0; first < piece.size(); first += width)
+      for (std::size_t i = first; i + 3 < first + width; ++i)
+        take(std::abs(piece[i + 3] - piece[i] -
+                      3.0 * (piece[i + 2] - piece[i + 1])));
+  });
+}
+
+/// Sums of heights and of their products with the place, in spacings from the
+/// middle.
+struct PlaneSums {
+  double one = 0.0, square = 0.0, along_x = 0.0, along_y = 0.0;
+};
+
+/// Mean square of the numbers 0..n-1 about their mean.
+double mean_square_place(double n) {
+  return (n * n - 1.0) / 12.0;
+}
+
 } // namespace
+
+double height_step(const Grid& grid, const HeightRows& heights,
+                   double rms_height) {
+  constexpr double smallest = 1e-5; // of the rms height; below it is roundoff
+  constexpr double most_steps = 100.0, rounding = 0.05, most_others = 1e-3;
+  double step = std::numeric_limits<double>::infinity();
+  each_third_difference(grid, heights, [&](double difference) {
+    if (difference > smallest * rms_height)
+      step = std::min(step, difference);
+  });
+  double few = 0.0, others = 0.0;
+  each_third_difference(grid, heights, [&](double difference) {
+    const double steps = difference / step;
+    if (!(steps < most_steps))
+      return;
+    few += 1.0;
+    others += std::abs(steps - std::round(steps)) > rounding ? 1.0 : 0.0;
+  });
+  return few > 0.0 && others <= most_others * few ? step : 0.0;
+}
+
+double rms_about_plane(const Grid& grid, const HeightRows& heights) {
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  bool is_mirrored = false;
+  std::size_t columns = 0, rows = 0, y = 0;
+  PlaneSums sums;
+  heights([&](std::span<const double> piece) {
+    if (y == 0) {
+      const auto row = piece.first(width);
+      is_mirrored = std::equal(row.begin(), row.end(), row.rbegin());
+      const std::size_t images = is_mirrored ? 2 : 1;
+      columns = width / images;
+      rows = static_cast<std::size_t>(grid.points_y) / images;
+    }
+    for (std::size_t first = 0; first < piece.size() && y < rows;
+         first += width, ++y)
+      for (std::size_t x = 0; x < columns; ++x) {
+        const double height = piece[first + x];
+        sums.one += height;
+        sums.square += height * height;
+        sums.along_x +=
+            height *
+            (static_cast<double>(2 * x + 1) - static_cast<double>(columns)) /
+            2.0;
+        sums.along_y +=
+            height *
+            (static_cast<double>(2 * y + 1) - static_cast<double>(rows)) / 2.0;
+      }
+  });
+  const auto nx = static_cast<double>(columns), ny = static_cast<double>(rows);
+  const double n = nx * ny;
+  const auto explained = [n](double sum, double points) {
+    return points > 1.0 ? sum * sum / (n * n * mean_square_place(points)) : 0.0;
+  };
+  const double rest = sums.square / n - sums.one * sums.one / (n * n) -
+                      explained(sums.along_x, nx) - explained(sums.along_y, ny);
+  return std::sqrt(std::max(0.0, rest));
+}
 
 double unresolved_slope_share(const HeightMap& map) {
   const double limit = resolved_wavevector(map.grid);

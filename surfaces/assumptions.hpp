@@ -39,4 +39,16 @@ double line_offset_ratio(const HeightMap& map);
 /// The same, with the same bits, of a map that is passed on by pieces.
 double line_offset_ratio(const Grid& grid, const HeightRows& heights);
 
+/// The step between two heights of a map that a file has in too few digits: the
+/// third differences along x, which are 0 for a tilt or a bow, are multiples of
+/// it. Only steps above 1e-5 of the rms height are found.
+/// @param rms_height  [m] > 0
+/// @return  [m]; 0 if the differences are not multiples of one step
+double height_step(const Grid& grid, const HeightRows& heights,
+                   double rms_height);
+
+/// The rms height of a map about its mean plane [m]; of a map that is continued
+/// by its mirror images, that of the map alone.
+double rms_about_plane(const Grid& grid, const HeightRows& heights);
+
 } // namespace asperity::surfaces

@@ -48,6 +48,13 @@ Table report_table() {
                       "Number of load steps, spread over the loading path, "
                       "whose pressure and gap fields are saved."))
                   .shown(),
+              key<&ReportSpec::has_double_pressure>(
+                  "precision", {"single", "double"},
+                  "Precision of the saved pressure fields. In single "
+                  "precision, `asperity certify` finds errors of some 1e-7 of "
+                  "the rms height in them, whatever the tolerance of the "
+                  "solver.",
+                  eg("double", "default: single")),
               key<&ReportSpec::stress_inside>(
                   "stress_inside", ValueType::boolean,
                   "Compute the subsurface stress under each saved pressure "

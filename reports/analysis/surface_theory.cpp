@@ -6,7 +6,10 @@
 #include "theory/persson/persson.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <numbers>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -23,8 +26,52 @@ constexpr double shell_width = 1e-6; // in ln q
 /// Whether the spectrum of the heights is found in memory, with those of the
 /// other realisations.
 bool is_in_memory(const SurfaceRecord& surface) {
-  return surface.has_heights() && !surface.height_map().is_stored();
+  return surface.has_heights() && !surface.height_map().is_stored() &&
+         !has_spectrum_of_images(surface);
 }
+
+/// The rows of a map with its mirror images to the right and below.
+class MirroredRows {
+public:
+  explicit MirroredRows(const SurfaceRecord& surface)
+      : surface_(&surface),
+        width_(static_cast<std::size_t>(surface.grid.points_x)),
+        height_(static_cast<std::size_t>(surface.grid.points_y)) {}
+
+  void operator()(
+      const std::function<void(std::span<const double> rows)>& take) const {
+    const std::size_t most =
+        2 * std::max(std::size_t{1},
+                     results::MapView::values_at_a_time / (2 * width_));
+    for (std::size_t row = 0; row < 2 * height_; row += most)
+      take(rows(row, std::min(2 * height_, row + most)));
+  }
+
+private:
+  std::size_t image(std::size_t row) const {
+    return std::min(row, 2 * height_ - 1 - row);
+  }
+
+  std::vector<double> rows(std::size_t begin, std::size_t end) const {
+    const std::size_t first = std::min(image(begin), image(end - 1));
+    const std::size_t last = begin < height_ && end > height_
+                                 ? height_ - 1
+                                 : std::max(image(begin), image(end - 1));
+    std::vector<double> read, twice;
+    const std::span<const double> held = surface_->height_map().values(
+        first * width_, (last - first + 1) * width_, read);
+    twice.reserve(2 * (end - begin) * width_);
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto own = held.subspan((image(row) - first) * width_, width_);
+      twice.insert(twice.end(), own.begin(), own.end());
+      twice.insert(twice.end(), own.rbegin(), own.rend());
+    }
+    return twice;
+  }
+
+  const SurfaceRecord* surface_;
+  std::size_t width_, height_;
+};
 
 SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
                        double contact_modulus) {
@@ -60,6 +107,21 @@ SurfaceTheory theory_on(const surfaces::ModeShells& shells,
 
 } // namespace
 
+bool has_spectrum_of_images(const SurfaceRecord& surface) {
+  const double longest = std::max(surface.grid.length_x, surface.grid.length_y);
+  return !surface.spectrum.empty() &&
+         surface.spectrum.front().wavevector * longest < 1.5 * std::numbers::pi;
+}
+
+SpectrumRows spectrum_rows(const SurfaceRecord& surface) {
+  const Grid& grid = surface.grid;
+  if (!has_spectrum_of_images(surface))
+    return {grid, height_rows(surface)};
+  return {{2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
+           2.0 * grid.length_y},
+          MirroredRows(surface)};
+}
+
 void SurfaceTheories::compute_realizations() {
   is_computed_ = true;
   const auto first = std::ranges::find_if(result_.surfaces, is_in_memory);
@@ -92,11 +154,13 @@ const SurfaceTheory& SurfaceTheories::of(const SurfaceRecord& surface) {
     return known->second;
   if (!surface.has_heights())
     return known_[&surface] = {};
-  if (surface.height_map().is_stored())
+  if (!is_in_memory(surface)) {
+    const SpectrumRows rows = spectrum_rows(surface);
     return known_[&surface] = theory_of(
-               surfaces::spectral_shells(surface.grid, height_rows(surface),
+               surfaces::spectral_shells(rows.grid, rows.heights,
                                          report_threads(), shell_width),
                result_.contact_modulus);
+  }
   return known_[&surface] =
              theory_on(surfaces::ModeShells(surface.grid, shell_width), surface,
                        result_.contact_modulus);

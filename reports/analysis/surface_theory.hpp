@@ -61,6 +61,20 @@ inline surfaces::HeightRows height_rows(const results::SurfaceRecord& surface) {
   };
 }
 
+/// Whether the slope and the spectrum of a record are those of its map with
+/// mirror images, as of a map with free edges that was pressed alone: the
+/// longest wave of the spectrum is then longer than the map.
+bool has_spectrum_of_images(const results::SurfaceRecord& surface);
+
+/// The heights whose spectrum a record has, on the grid of that spectrum. The
+/// record must outlive the result.
+struct SpectrumRows {
+  Grid grid;
+  surfaces::HeightRows heights;
+};
+
+SpectrumRows spectrum_rows(const results::SurfaceRecord& surface);
+
 /// Threads of a transform: all cores.
 inline int report_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -66,9 +66,10 @@ void add_slope(const Result& result, std::vector<Warning>& warnings) {
 
 void add_resolution(const SurfaceRecord& surface,
                     std::vector<Warning>& warnings) {
+  const SpectrumRows rows = spectrum_rows(surface);
   const double share =
-      surface.height_map().is_stored()
-          ? surfaces::unresolved_slope_share(surface.grid, height_rows(surface),
+      surface.height_map().is_stored() || has_spectrum_of_images(surface)
+          ? surfaces::unresolved_slope_share(rows.grid, rows.heights,
                                              report_threads())
           : surfaces::unresolved_slope_share({surface.grid, surface.heights});
   if (!(share > Limits::unresolved_slope))
@@ -98,6 +99,40 @@ void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
        "Artefacts of the scan are taken for roughness of the surface. "
        "Persson's theory assumes the same roughness in all directions and does "
        "not describe this map."});
+}
+
+void add_digits(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
+  const double step = surfaces::height_step(surface.grid, height_rows(surface),
+                                            surface.rms_height) /
+                      surface.rms_height;
+  if (!(step > Limits::height_step))
+    return;
+  warnings.push_back(
+      {"few_digits",
+       fmt::format("The file of the map has too few digits: its heights are "
+                   "multiples of {:.2g} h_rms (limit: {:g}).",
+                   step, Limits::height_step),
+       "Typical causes are single precision with a large offset and integers "
+       "that use a small part of their range. The steps are pressed as if they "
+       "were roughness: gaps and light contact are uncertain by about one "
+       "step. "
+       "Export the heights about their mean, or in double precision."});
+}
+
+void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
+  const double roughness =
+      surfaces::rms_about_plane(surface.grid, height_rows(surface));
+  if (!(surface.rms_height > Limits::tilt * roughness))
+    return;
+  warnings.push_back(
+      {"tilted",
+       fmt::format("The map is tilted: its rms height of {:.3g} nm is {:.3g} "
+                   "times the {:.3g} nm about its mean plane (limit: {:g}).",
+                   surface.rms_height * 1e9, surface.rms_height / roughness,
+                   roughness * 1e9, Limits::tilt),
+       "Everything in units of h_rms refers to the tilted map: relative to the "
+       "roughness, the tolerance of the solvers is larger by this factor. Use "
+       "level = \"plane\", or a tolerance that is smaller by it."});
 }
 
 void add_window(const Result& result, std::vector<Warning>& warnings) {
@@ -208,9 +243,13 @@ std::vector<Warning> warnings_of(const Result& result,
   add_moments(result, warnings);
   add_slope(result, warnings);
   if (!result.surfaces.empty() && result.surfaces.front().has_heights()) {
-    add_resolution(result.surfaces.front(), warnings);
-    if (is_measured)
-      add_lines(result.surfaces.front(), warnings);
+    const SurfaceRecord& first = result.surfaces.front();
+    add_resolution(first, warnings);
+    if (is_measured) {
+      add_lines(first, warnings);
+      add_digits(first, warnings);
+      add_tilt(first, warnings);
+    }
   }
   for (Warning& warning : theory_disagreements(result, contact_case, warnings))
     warnings.push_back(std::move(warning));

@@ -16,8 +16,8 @@ namespace asperity::reports {
 /// One assumption that a surface or a method violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
-                           ///< scan_lines, windowed, locking,
-                           ///< oscillating_heights, recess_touches,
+                           ///< scan_lines, few_digits, tilted, windowed,
+                           ///< locking, oscillating_heights, recess_touches,
                            ///< no_contact, theory_area or theory_gap
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
@@ -32,6 +32,8 @@ struct WarningLimits {
   static constexpr double unresolved_slope = 0.6; ///< share of <|grad h|^2>
   static constexpr double rms_slope = 0.5;        ///< [1]
   static constexpr double line_offset = 3.0;      ///< ratio or its inverse [1]
+  static constexpr double height_step = 1e-3;     ///< over the rms height [1]
+  static constexpr double tilt = 10.0; ///< rms height over that about a plane
 };
 
 /// Returns the warnings at the top of a report: finite elements of the result

@@ -37,6 +37,7 @@ struct FieldsChange {
   Grid grid = {};
   ChangeMap pressure = {};
   ChangeMap gap = {};
+  bool has_double_pressure = false; ///< else in single precision
 };
 
 /// Changes of one method or, with a realisation, of one curve.

@@ -246,7 +246,11 @@ private:
     stream_.number(fields.step);
     stream_.number(fields.nominal_pressure);
     pass(fields.grid);
-    stream_.template map<float>(fields.pressure, fields.grid);
+    stream_.flag(fields.has_double_pressure);
+    if (fields.has_double_pressure)
+      stream_.template map<double>(fields.pressure, fields.grid);
+    else
+      stream_.template map<float>(fields.pressure, fields.grid);
     stream_.template map<float>(fields.gap, fields.grid);
   }
 

@@ -281,6 +281,12 @@ std::vector<double> Hdf5Group::column(const std::string& name) const {
   return numbers(name);
 }
 
+std::size_t Hdf5Group::value_bytes(const std::string& name) const {
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
+  const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  return H5Tget_size(type.id());
+}
+
 std::vector<std::string> Hdf5Group::texts(const std::string& name) const {
   const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
   const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose);

@@ -135,6 +135,8 @@ public:
   /// Returns the values of a one-dimensional dataset.
   std::vector<double> column(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
+  /// Returns the size of one value of a dataset [B].
+  std::size_t value_bytes(const std::string& name) const;
 
   /// Returns "file.h5: /methods/fem/name" for messages.
   std::string place(const std::string& name = "") const;

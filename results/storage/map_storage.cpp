@@ -225,7 +225,9 @@ void write_fields(Hdf5Group& group, const FieldsChange& fields) {
   set_with_unit(maps, "length_x", grid.length_x, "m");
   set_with_unit(maps, "length_y", grid.length_y, "m");
   maps.write_map("pressure", fields.pressure.rows, shape_of(grid),
-                 Hdf5Number::float32_packed, "Pa");
+                 fields.has_double_pressure ? Hdf5Number::float64
+                                            : Hdf5Number::float32_packed,
+                 "Pa");
   maps.write_map("gap", fields.gap.rows, shape_of(grid),
                  Hdf5Number::float32_packed, "m");
 }
@@ -244,6 +246,8 @@ std::vector<Fields> read_fields(const Hdf5Group& group,
       fields.grid = grid_of_map(maps);
       read_map(maps, "pressure", path, left, fields.pressure,
                fields.stored_pressure);
+      fields.has_double_pressure =
+          maps.value_bytes("pressure") >= sizeof(double);
       read_map(maps, "gap", path, left, fields.gap, fields.stored_gap);
       all.push_back(std::move(fields));
     }

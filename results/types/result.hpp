@@ -76,6 +76,7 @@ struct Fields {
   Grid grid = {};
   StoredMap stored_pressure = {};
   StoredMap stored_gap = {};
+  bool has_double_pressure = false; ///< in the file; else in single precision
 
   /// The maps, wherever they are; the fields must outlive the views.
   MapView pressure_map() const { return view_of(pressure, stored_pressure); }

@@ -126,14 +126,20 @@ MethodCost cost_of_settings(const mechanics::TheorySettings&,
 
 MethodCost cost_of_settings(const mechanics::HalfspaceSettings& settings,
                             const CostInput& input) {
-  if (!settings.has_free_boundaries ||
-      input.contact_case.surface.kind == mechanics::SurfaceKind::measured)
-    return cost_on_face(settings.contact, input); // mirrored: twice the points
-  Grid padded = input.grid;
+  if (!settings.has_free_boundaries)
+    return cost_on_face(settings.contact, input);
+  const Grid pressed =
+      methods::pressed_grid(input.contact_case, input.method, input.grid);
+  Grid padded = pressed;
   padded.points_x *= 2;
   padded.points_y *= 2;
-  return cost_on_face(settings.contact,
-                      {input.contact_case, input.method, padded, input.rates});
+  MethodCost cost =
+      cost_on_face(settings.contact,
+                   {input.contact_case, input.method, padded, input.rates});
+  cost.unknowns = nodes(pressed);
+  cost.memory =
+      (arrays_per_job + more_arrays_of_free) * sizeof(double) * nodes(pressed);
+  return cost;
 }
 
 /// A sort of the heights, no transform.

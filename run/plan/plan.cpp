@@ -287,12 +287,15 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   add_up_times(plan);
   const double program =
       base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
+  const Grid kept = methods::presses_images(contact_case, methods)
+                        ? grid
+                        : methods::grid_without_images(contact_case, grid);
   plan.memory = std::max(
       predicted_peak(plan, grid, held_surfaces(contact_case, methods, options),
                      program),
-      program + memory_of_result(contact_case, methods, grid, options));
+      program + memory_of_result(contact_case, methods, kept, options));
   plan.factor = uses_block ? block_factor : plan.factor;
-  plan.disk = result_bytes(contact_case, methods, grid);
+  plan.disk = result_bytes(contact_case, methods, kept);
   plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);
   return plan;
 }

@@ -117,6 +117,35 @@ def check_map():
     assert "halfspace" in json.dumps(certified)
 
 
+def check_map_alone():
+    """No method needs the mirror images: neither their heights nor the map a
+    second time are in the result, and the numbers are the same. The pressure is
+    not that of the cache, which is in single precision."""
+    periodic = '[halfspace.mirror]\nboundaries = "periodic"\n[fem]\nelement = "Q1"\n'
+    (FOLDER / "alone.toml").write_text(
+        MAP_CASE.replace(periodic, "") + 'precision = "double"\n')
+    text = asperity("run", "alone.toml", "--out", "alone")
+    assert "3 computed, 3 from the cache" in text, text
+    with h5py.File(FOLDER / "map" / "result.h5") as both, \
+            h5py.File(FOLDER / "alone" / "result.h5") as alone:
+        surface, own = alone["surfaces/0"], both["methods/halfspace/0/surface"]
+        assert "surface" not in alone["methods/halfspace/0"]
+        assert numpy.array_equal(surface["heights"], own["heights"])
+        for name in ("rms_height", "rms_slope", "rms_curvature", "skewness"):
+            assert surface.attrs[name] == both["surfaces/0"].attrs[name], name
+        assert numpy.array_equal(surface["spectrum/height_spectrum"],
+                                 both["surfaces/0/spectrum/height_spectrum"])
+        for place in ("theory/0/curve/mean_gap", "halfspace/0/curve/mean_gap"):
+            assert numpy.array_equal(alone["methods"][place], both["methods"][place])
+        place = "methods/halfspace/0/fields/0/pressure"
+        assert both[place].dtype == "float32" and alone[place].dtype == "float64"
+        assert numpy.array_equal(alone[place][...].astype("float32"), both[place])
+    bounds = [json.loads(asperity("certify", name, "--json")) for name in ("map", "alone")]
+    single, double = [[field["duality_gap [J/m^2]"] for field in bound
+                       if field["method"] == "halfspace"] for bound in bounds]
+    assert max(double) < 0.5 * max(single), (single, double)
+
+
 def check_refusals():
     text = asperity("problem", "map.toml", expected=2)
     assert "halfspace.boundaries = \"periodic\" is allowed" in text, text
@@ -140,6 +169,7 @@ shutil.rmtree(FOLDER, ignore_errors=True)
 FOLDER.mkdir(parents=True)
 write_map()
 check_map()
+check_map_alone()
 check_refusals()
 check_sphere()
 print("free boundaries: as described")

@@ -2,6 +2,7 @@
 // indicator that detects offsets of scan lines and nothing else.
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
+#include "surfaces/maps/edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,10 @@ TEST(UnresolvedSlope, CountsWavesOfFewerThanFourNodes) {
   EXPECT_NEAR(unresolved_slope_share(both),
               17.0 * 17.0 / (16.0 * 16.0 + 17.0 * 17.0), 1e-14);
   EXPECT_TRUE(std::isnan(unresolved_slope_share(wave(0))));
+}
+
+HeightRows rows_of(const HeightMap& map) {
+  return [&map](const auto& take) { take(map.heights); };
 }
 
 HeightMap white_noise(const Grid& grid, unsigned seed) {
@@ -107,6 +112,40 @@ TEST(LineOffset, DetectsShiftedLines) {
   EXPECT_NEAR(line_offset_ratio(map) / ratio, 1.0, 1e-6);
   EXPECT_TRUE(std::isnan(line_offset_ratio({{2, 2, 1.0, 1.0}, {0, 1, 2, 3}})));
   EXPECT_TRUE(std::isnan(line_offset_ratio(wave(3))));
+}
+
+// Heights of 1 nm beside an offset of 10 mm, in single precision as a file has
+// them: the spacing of such numbers there is 2^-30 m. A tilt is removed after
+// that. The same heights in double precision have no step.
+TEST(HeightStep, IsThatOfSinglePrecisionBesideAnOffset) {
+  HeightMap map = white_noise({64, 64, 1e-6, 1e-6}, 3);
+  EXPECT_EQ(height_step(map.grid, rows_of(map), 1e-9), 0.0);
+  for (std::size_t i = 0; i < map.heights.size(); ++i) {
+    const auto stored = static_cast<float>(map.heights[i] + 0.01);
+    map.heights[i] = static_cast<double>(stored) - 0.01 +
+                     1e-11 * static_cast<double>(i % 64);
+  }
+
+  EXPECT_NEAR(height_step(map.grid, rows_of(map), 1e-9), std::pow(2.0, -30),
+              1e-6 * std::pow(2.0, -30));
+}
+
+// The plane is removed in both directions, also from a map that is continued by
+// its mirror images, whose rms height about the mean is that of a roof.
+TEST(RmsAboutPlane, DoesNotContainATilt) {
+  const HeightMap noise = white_noise({40, 30, 1.0, 1.0}, 5);
+  HeightMap tilted = noise;
+  for (int iy = 0; iy < 30; ++iy)
+    for (int ix = 0; ix < 40; ++ix)
+      tilted.heights[noise.grid.index(ix, iy)] += 1e-7 * (2 * ix - 3 * iy);
+
+  const double rough = rms_about_plane(noise.grid, rows_of(noise));
+  EXPECT_NEAR(rough, 1e-9, 0.1e-9);
+  EXPECT_NEAR(rms_about_plane(tilted.grid, rows_of(tilted)), rough,
+              1e-6 * rough);
+  const HeightMap images = with_edges(tilted, mechanics::Edges::mirror);
+  EXPECT_NEAR(rms_about_plane(images.grid, rows_of(images)), rough,
+              1e-6 * rough);
 }
 
 } // namespace asperity::surfaces::assumptions_test
