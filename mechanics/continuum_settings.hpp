@@ -13,10 +13,15 @@ namespace asperity::mechanics {
 
 enum class TheorySpectrum { formula, surface };
 
+/// Laws of the loss factor: Eq. (10) of Yang and Persson (2008), Wang and
+/// Mueser (2017), Xu et al. (2024); theory/persson/loss_law.hpp has the latter
+/// two.
+enum class LossFactor { yang_persson, wang_mueser, xu };
+
 struct TheorySettings {
-  double gamma = 0.0; ///< 0 < gamma <= 1, parameter of Eq. (10) of Yang and
-                      ///< Persson (2008)
+  double gamma = 0.0; ///< 0 < gamma <= 1, parameter of the loss factor
   TheorySpectrum spectrum = TheorySpectrum::formula;
+  LossFactor loss_factor = LossFactor::yang_persson;
 
   static constexpr const char* kind = "theory";
 

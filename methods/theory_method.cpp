@@ -13,6 +13,33 @@
 namespace asperity::methods {
 namespace {
 
+theory::PerssonContact contact_of(const mechanics::TheorySettings& settings,
+                                  const theory::HeightSpectrum& spectrum,
+                                  double contact_modulus) {
+  theory::PerssonContact contact(spectrum, contact_modulus, settings.gamma);
+  switch (settings.loss_factor) {
+  case mechanics::LossFactor::yang_persson:
+    break;
+  case mechanics::LossFactor::wang_mueser:
+    return contact.with_law(theory::LossLaw::wang_mueser(settings.gamma));
+  case mechanics::LossFactor::xu:
+    return contact.with_law(theory::LossLaw::xu(settings.gamma));
+  }
+  return contact;
+}
+
+const char* law_words(mechanics::LossFactor loss_factor) {
+  switch (loss_factor) {
+  case mechanics::LossFactor::yang_persson:
+    break;
+  case mechanics::LossFactor::wang_mueser:
+    return " with the loss factor of Wang and Müser";
+  case mechanics::LossFactor::xu:
+    return " with the loss factor of Xu et al.";
+  }
+  return "";
+}
+
 results::CurvePoint row_at(const theory::PerssonContact& contact,
                            double nominal_pressure) {
   results::CurvePoint row;
@@ -61,8 +88,8 @@ results::CurvePoint row_at_gap(const theory::PerssonContact& contact,
 
 MethodDescription describe(const mechanics::TheorySettings& settings) {
   return {"theory",
-          fmt::format("Persson's theory, gamma = {:g}, spectrum {}",
-                      settings.gamma,
+          fmt::format("Persson's theory{}, gamma = {:g}, spectrum {}",
+                      law_words(settings.loss_factor), settings.gamma,
                       settings.spectrum == mechanics::TheorySpectrum::formula
                           ? "by the formula"
                           : "measured on the surface"),
@@ -74,8 +101,8 @@ theory_rows(const mechanics::TheorySettings& settings,
             const mechanics::LoadingPath& load,
             const theory::HeightSpectrum& spectrum,
             const mechanics::Scales& scales) {
-  const theory::PerssonContact contact(spectrum, scales.contact_modulus,
-                                       settings.gamma);
+  const theory::PerssonContact contact =
+      contact_of(settings, spectrum, scales.contact_modulus);
   std::vector<results::CurvePoint> rows;
   for (std::size_t step = 0; step < load.targets.size(); ++step) {
     const CpuClock clock;

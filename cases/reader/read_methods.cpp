@@ -90,6 +90,12 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
     table.refuse(table.said_by("spectrum"),
                  "must be \"surface\": only the kinds self-affine and spectrum "
                  "have a formula");
+  const double least = 0.011; // as theory::LossLaw
+  if (theory.loss_factor == mechanics::LossFactor::wang_mueser &&
+      !(theory.gamma > least))
+    table.refuse(table.said_by("gamma"),
+                 "must be above 0.011 with loss_factor = \"wang-mueser\", "
+                 "whose factor is negative at some areas below it");
 }
 
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,

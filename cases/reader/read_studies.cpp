@@ -8,7 +8,8 @@ namespace {
 void check_theory(TableReader& table, const Case& read) {
   if (!study_theory(read.surface, read.methods))
     table.complain(table.node(), "needs a [theory] whose spectrum is "
-                                 "\"formula\", or a measured surface");
+                                 "\"formula\", or a measured surface, and "
+                                 "whose loss_factor is \"yang-persson\"");
 }
 
 void check_ends(TableReader& table, double from, double to) {

@@ -111,10 +111,18 @@ Table theory_table() {
       .keys = {
           key<&Theory::gamma>("gamma", Range{0.0, 1.0, false, true},
                               "Parameter gamma of Eq. (10) of Yang and Persson "
-                              "(2008), the fraction of the elastic energy; not "
-                              "the slope of ln p against u.",
+                              "(2008), the fraction of the elastic energy, or "
+                              "of another loss_factor; not the slope of ln p "
+                              "against u.",
                               needed("0.42"))
               .shown(),
+          key<&Theory::loss_factor>(
+              "loss_factor", {"yang-persson", "wang-mueser", "xu"},
+              "The loss of elastic energy in partial contact: by Eq. (10) of "
+              "Yang and Persson (2008), or by the laws of Wang and Mueser "
+              "(2017) or Xu et al. (2024), which also enlarge the contact "
+              "area. The tables [magnification] and [adhesion] need the first.",
+              or_else("\"yang-persson\"")),
           key<&Theory::spectrum>(
               "spectrum", {"formula", "surface"},
               "The case's own spectrum, or the one measured on the same "

@@ -9,7 +9,9 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
     if (const auto* theory =
             std::get_if<mechanics::TheorySettings>(&method.settings);
         theory &&
-        (is_measured || theory->spectrum == mechanics::TheorySpectrum::formula))
+        (is_measured ||
+         theory->spectrum == mechanics::TheorySpectrum::formula) &&
+        theory->loss_factor == mechanics::LossFactor::yang_persson)
       return &method;
   return nullptr;
 }

@@ -61,6 +61,21 @@ std::vector<ExpectationName> rough_surface_names() {
        .description = "Largest |mean of u - u of theory| / h_rms for 0.3 < u / "
                       "h_rms < 1.5, with the mean over the realisations [1].",
        .needs_theory = true},
+      {.name = "law_area_error",
+       .description = "Root mean square over the loads of the relative "
+                      "deviation of a theory's area from that of the first "
+                      "other method, at 1 % <= A/A_0 <= 99 % [1].",
+       .theory_answers = true,
+       .theory_only = true},
+      {.name = "law_energy_error",
+       .description = "The same of the elastic energy [1].",
+       .theory_answers = true,
+       .theory_only = true},
+      {.name = "law_gap_error",
+       .description = "The same of u / h_rms, absolute, at 0 < u <= 2 h_rms "
+                      "[1].",
+       .theory_answers = true,
+       .theory_only = true},
       {.name = "pressure_difference",
        .description = "Largest relative difference of p at equal u between a "
                       "variant, \"md.explicit\", and its method, \"md\" [1].",

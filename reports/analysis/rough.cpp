@@ -2,6 +2,7 @@
 
 #include "reports/analysis/area_scale.hpp"
 #include "reports/analysis/comparison.hpp"
+#include "reports/analysis/law_errors.hpp"
 #include "reports/numbers/determined.hpp"
 
 #include <fmt/format.h>
@@ -17,13 +18,30 @@ namespace {
 using results::MethodRecord;
 using results::Result;
 
-double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
+const mechanics::TheorySettings* settings_of(const cases::Case& contact_case,
+                                             const MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)
     if (const auto* theory =
             std::get_if<mechanics::TheorySettings>(&spec.settings);
         theory != nullptr && spec.name == method.name)
-      return theory->gamma;
-  return not_a_number;
+      return theory;
+  return nullptr;
+}
+
+double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
+  const auto* theory = settings_of(contact_case, method);
+  return theory == nullptr ? not_a_number : theory->gamma;
+}
+
+/// u_0 of Eq. (18) over that for gamma = 1.
+double decay_factor(const cases::Case& contact_case,
+                    const MethodRecord& method) {
+  const auto* theory = settings_of(contact_case, method);
+  if (theory == nullptr)
+    return not_a_number;
+  return theory->loss_factor == mechanics::LossFactor::yang_persson
+             ? theory->gamma
+             : std::sqrt(theory->gamma); // theory/persson/loss_law.hpp
 }
 
 SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
@@ -59,7 +77,7 @@ void add_theory_fits(const Result& result, const cases::Case& contact_case,
       theory_for(result, contact_case, method, realization, theories);
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
-        set_gamma(contact_case, method) * theory.decay_length / height;
+        decay_factor(contact_case, method) * theory.decay_length / height;
     return;
   }
   if (!theory.gap) {
@@ -257,6 +275,7 @@ void add_rough_quantities(const Result& result, const cases::Case& contact_case,
               positive_range);
   if (method.kind == "theory") {
     quantities["gamma_curve"] = set_parameter(contact_case, method);
+    add_law_errors(result, contact_case, method, quantities);
     return;
   }
   quantities["gamma_matched"] = mean_of(summary.fits, &RealizationFits::matched,

@@ -137,7 +137,8 @@ void add_study_quantities(const Result& result, const cases::Case& contact_case,
   for (const cases::MethodSpec& spec : contact_case.methods)
     if (const auto* theory =
             std::get_if<mechanics::TheorySettings>(&spec.settings);
-        theory != nullptr && spec.name == method.name)
+        theory != nullptr && spec.name == method.name &&
+        theory->loss_factor == mechanics::LossFactor::yang_persson)
       quantities["epsilon"] =
           number(theory::persson_epsilon(theory->gamma), "");
   const cases::MethodSpec* studied =

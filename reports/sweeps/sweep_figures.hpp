@@ -4,6 +4,7 @@
 // swept keys, and heat maps.
 
 #include "reports/figures/figures.hpp"
+#include "reports/sweeps/sweep_limits.hpp"
 #include "reports/sweeps/swept_results.hpp"
 
 #include <memory>
@@ -19,10 +20,15 @@ sweep_curve_figures(const SweepRecord& record,
                     const std::vector<std::unique_ptr<SweptResult>>& results);
 
 /// Returns one figure per quantity: its value with its 95 % interval against
-/// the first swept key, one line per method and values of the other keys.
+/// the first swept key, one line per method and values of the other keys;
+/// nothing for a zip that returns to a value of its first key.
 std::vector<Figure>
 sweep_trend_figures(const SweepRecord& record,
                     const std::vector<std::unique_ptr<SweptResult>>& results);
+
+/// Returns one figure per quantity that has limits, against q_1/q_0, and kappa
+/// against Nayak's parameter: one line per method and Hurst exponent.
+std::vector<Figure> sweep_limit_figures(const std::vector<SweepLimit>& limits);
 
 /// Returns heat maps over the two keys of a product of two keys, one per
 /// quantity and method; nothing for other sweeps.

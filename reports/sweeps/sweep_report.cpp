@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace asperity::reports {
@@ -134,6 +135,31 @@ List scatter_rows(const SweepRecord& record, const Results& results) {
   return rows;
 }
 
+/// One row per spectrum.
+List limit_rows(const std::vector<SweepLimit>& limits) {
+  List rows;
+  for (const SweepLimit& limit : limits) {
+    Value row;
+    row.set("method", limit.method);
+    row.set("hurst", fmt::format("{:g}", limit.hurst));
+    const auto number = [](double value) {
+      return std::isnan(value) ? "all" : fmt::format("{:.4g}", value);
+    };
+    row.set("ratio", number(limit.ratio));
+    row.set("nayak", number(limit.nayak));
+    row.set("points", std::to_string(limit.points));
+    List cells;
+    for (const char* quantity : quantities_with_limits) {
+      const auto found = limit.limits.find(quantity);
+      cells.push_back(text_item(
+          found == limit.limits.end() ? "–" : number_text(found->second)));
+    }
+    row.set("cells", cells);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 /// The surfaces of the points that have a report of their own.
 List gallery(const SweepRecord& record, const std::filesystem::path& out) {
   constexpr std::size_t most_pictures = 24; // some 200 KB each
@@ -166,6 +192,48 @@ void set_samples(Value& page, const SweepRecord& record, const Results& results,
   const List pictures = has_samples(record) ? gallery(record, out) : List{};
   page.set("has_gallery", !pictures.empty());
   page.set("gallery", pictures);
+}
+
+/// The root mean square of the errors of a theory over the points, with the
+/// smallest and the largest: "0.021 (0.012 to 0.034)".
+std::string error_words(const Results& results, const std::string& method,
+                        const std::string& quantity) {
+  std::vector<double> errors;
+  double squares = 0.0;
+  for (const auto& result : results)
+    if (const Estimate* const estimate =
+            swept_estimate(*result, method, quantity);
+        estimate != nullptr && estimate->has_value()) {
+      errors.push_back(estimate->value);
+      squares += estimate->value * estimate->value;
+    }
+  if (errors.empty())
+    return "–";
+  const auto [low, high] = std::ranges::minmax(errors);
+  return fmt::format("{:.3f} ({:.3f} to {:.3f})",
+                     std::sqrt(squares / static_cast<double>(errors.size())),
+                     low, high);
+}
+
+/// One row per theory that was compared with another method.
+List law_rows(const Results& results) {
+  List rows;
+  for (const std::string& method : swept_methods(results)) {
+    Value row;
+    for (const auto& result : results)
+      for (const MethodSummary& one : result->summary.methods)
+        if (one.name == method)
+          row.set("description", one.description);
+    List cells;
+    for (const char* quantity :
+         {"law_area_error", "law_energy_error", "law_gap_error"})
+      cells.push_back(text_item(error_words(results, method, quantity)));
+    row.set("method", method);
+    row.set("cells", cells);
+    if (error_words(results, method, "law_gap_error") != "–")
+      rows.push_back(row);
+  }
+  return rows;
 }
 
 /// Lists the expectations that a point does not meet.
@@ -250,7 +318,19 @@ DrawnGroup drawn_group(const std::string& heading,
   return group;
 }
 
+void set_limits(Value& page, const std::vector<SweepLimit>& limits,
+                const Results& results) {
+  page.set("has_limits", !limits.empty());
+  page.set("limit_heads", text_cells({quantities_with_limits.begin(),
+                                      quantities_with_limits.end()}));
+  page.set("limits", limit_rows(limits));
+  const List laws = law_rows(results);
+  page.set("has_laws", laws.size() > 1);
+  page.set("laws", laws);
+}
+
 std::string page_text(const SweepRecord& record, const Results& results,
+                      const std::vector<SweepLimit>& limits,
                       const std::vector<DrawnGroup>& groups,
                       const std::filesystem::path& out, bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
@@ -274,6 +354,7 @@ std::string page_text(const SweepRecord& record, const Results& results,
   page.set("quantity_heads", text_cells(quantities));
   page.set("rows", point_rows(record, results, quantities, out));
   set_samples(page, record, results, out);
+  set_limits(page, limits, results);
   const List failed = failed_rows(record, results);
   page.set("has_failed", !failed.empty());
   page.set("failed", failed);
@@ -297,10 +378,12 @@ SweepReport write_sweep_report(const SweepRecord& record,
     return drawn_group(heading, figures, {out, extras, gnuplot},
                        report.undrawn);
   };
+  const std::vector<SweepLimit> limits = sweep_limits(record, results);
   const bool has_journal = !extras.journal.endings.empty();
   if (has_journal)
     keep_edited(out / "journal", out);
   std::vector<DrawnGroup> groups;
+  groups.push_back(drawn("Limits and spectrum", sweep_limit_figures(limits)));
   groups.push_back(drawn("The curves", sweep_curve_figures(record, results)));
   groups.push_back(drawn("Quantities", sweep_trend_figures(record, results)));
   groups.push_back(
@@ -310,10 +393,10 @@ SweepReport write_sweep_report(const SweepRecord& record,
   std::erase_if(groups,
                 [](const DrawnGroup& group) { return group.figures.empty(); });
   write_file_atomically(out / "report.html",
-                        page_text(record, results, groups, out, false));
+                        page_text(record, results, limits, groups, out, false));
   if (extras.has_pdf)
-    if (const std::string problem =
-            print_report(page_text(record, results, groups, out, true), out);
+    if (const std::string problem = print_report(
+            page_text(record, results, limits, groups, out, true), out);
         !problem.empty())
       report.undrawn.push_back(problem);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 
 namespace asperity::reports {
@@ -98,12 +99,12 @@ std::vector<TrendLine> trend_lines(const SweepRecord& record,
   return lines;
 }
 
-Figure trend_figure(const SweepRecord& record, const Results& results,
-                    const std::string& quantity_name) {
+/// Draws lines over an axis, with their intervals.
+Figure figure_of_lines(const std::string& quantity_name, const FigureAxis& axis,
+                       const std::vector<TrendLine>& lines) {
   Figure figure;
   figure.name = "sweep-" + file_word(quantity_name);
-  figure.title = quantity_name + " against " + record.keys[0].key;
-  const FigureAxis axis = axis_of(record.keys[0]);
+  figure.title = quantity_name + " against " + axis.title;
   CsvTable table({"line", "index", axis.title, quantity_name,
                   "low end of 95 % interval", "high end of 95 % interval"});
   ChartPanel panel{.x = {.label = as_markup(axis.title), .is_log = axis.is_log},
@@ -112,8 +113,6 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
                    .has_narrow_legend = true};
   if (!axis.is_numeric)
     panel.x.ticks = named_ticks(axis);
-  const std::vector<TrendLine> lines =
-      trend_lines(record, results, axis, quantity_name);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (const std::vector<double>& row : lines[i].rows)
       table.add(lines[i].name,
@@ -136,6 +135,25 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
   figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
+}
+
+Figure trend_figure(const SweepRecord& record, const Results& results,
+                    const std::string& quantity_name) {
+  const FigureAxis axis = axis_of(record.keys[0]);
+  const std::vector<TrendLine> lines =
+      trend_lines(record, results, axis, quantity_name);
+  Figure figure = figure_of_lines(quantity_name, axis, lines);
+  figure.title = quantity_name + " against " + record.keys[0].key;
+  return figure;
+}
+
+/// True for a zip that visits a value of its first key more than once, so that
+/// its points lie on no line over this key.
+bool returns_to_first_key(const SweepRecord& record) {
+  const std::vector<std::string>& values = record.keys[0].values;
+  return record.combine == cases::Combine::zip &&
+         std::set<std::string>(values.begin(), values.end()).size() <
+             values.size();
 }
 
 Figure heat_map(const SweepRecord& record, const Results& results,
@@ -190,6 +208,8 @@ Figure heat_map(const SweepRecord& record, const Results& results,
 std::vector<Figure> sweep_trend_figures(const SweepRecord& record,
                                         const Results& results) {
   std::vector<Figure> figures;
+  if (returns_to_first_key(record))
+    return figures;
   const std::vector<std::string> methods = swept_methods(results);
   for (const std::string& name : swept_quantities(results))
     if (figures.size() < most_trends && is_drawn_quantity(name) &&
@@ -197,6 +217,42 @@ std::vector<Figure> sweep_trend_figures(const SweepRecord& record,
           return is_varied(results, method, name);
         }))
       figures.push_back(trend_figure(record, results, name));
+  return figures;
+}
+
+std::vector<Figure> sweep_limit_figures(const std::vector<SweepLimit>& limits) {
+  std::vector<Figure> figures;
+  const auto add = [&](const char* quantity, const std::string& title,
+                       bool is_log, double SweepLimit::*position) {
+    std::vector<TrendLine> lines;
+    for (const SweepLimit& limit : limits) {
+      const auto found = limit.limits.find(quantity);
+      if (std::isnan(limit.*position) || found == limit.limits.end() ||
+          !found->second.has_value())
+        continue;
+      const std::string name =
+          fmt::format("{}, H = {:g}", limit.method, limit.hurst);
+      if (lines.empty() || lines.back().name != name)
+        lines.push_back({name, lines.size(), 0, {}});
+      const Estimate& estimate = found->second;
+      const double half_width =
+          estimate.has_interval() ? estimate.half_width : 0.0;
+      lines.back().rows.push_back({limit.*position, estimate.value,
+                                   estimate.value - half_width,
+                                   estimate.value + half_width});
+    }
+    if (lines.empty())
+      return;
+    const FigureAxis axis{title, {}, {}, true, is_log};
+    figures.push_back(figure_of_lines(quantity, axis, lines));
+    figures.back().name =
+        file_word(fmt::format("limit-{}-{}", quantity, title));
+    figures.back().title = fmt::format("{} in the limit", quantity);
+    figures.back().caption = "Bars: 95 % interval by bootstrap.";
+  };
+  for (const char* quantity : quantities_with_limits)
+    add(quantity, "q_1/q_0", true, &SweepLimit::ratio);
+  add("kappa", "Nayak's parameter", true, &SweepLimit::nayak);
   return figures;
 }
 

@@ -7,12 +7,15 @@
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
+#include "surfaces/build.hpp"
+#include "theory/persson/height_spectrum.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string_view>
 
@@ -26,6 +29,25 @@ using Results = std::vector<std::unique_ptr<SweptResult>>;
 constexpr std::array<std::string_view, 8> first_quantities{
     "gamma_matched",        "gamma_slope", "kappa",       "area_scale",
     "area_scale_corrected", "beta",        "gamma_curve", "gamma_energy"};
+
+std::optional<SpectrumPoint>
+spectrum_point(const mechanics::SurfaceSpec& surface) {
+  if (surface.kind != mechanics::SurfaceKind::self_affine || !surface.length ||
+      !surface.points)
+    return std::nullopt;
+  const surfaces::IsotropicSpectrum formula =
+      surfaces::formula_spectrum(surface);
+  const theory::ProfileMoments& moments =
+      theory::HeightSpectrum(
+          theory::SpectrumFormula{formula.density, formula.kinks})
+          .profile_moments();
+  const double cycle = 2.0 * std::numbers::pi;
+  return SpectrumPoint{
+      surface.hurst, surface.wavevector_high / surface.wavevector_roll_off,
+      *surface.length * surface.wavevector_roll_off / cycle,
+      cycle * *surface.points / (surface.wavevector_high * *surface.length),
+      moments.height * moments.curvature / (moments.slope * moments.slope)};
+}
 
 std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
                                         std::size_t point,
@@ -52,6 +74,7 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     }
     const cases::Case contact_case = case_of(result);
     ReportEntry entry = entry_of(result, contact_case);
+    swept->spectrum = spectrum_point(contact_case.surface);
     swept->series = series_of({&entry, 1});
     swept->summary = std::move(entry.summary);
     for (Series& series : swept->series) // the methods moved with the summary

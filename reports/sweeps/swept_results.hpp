@@ -8,10 +8,20 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity::reports {
+
+/// The spectrum and grid of a self-affine point.
+struct SpectrumPoint {
+  double hurst = 0.0;
+  double ratio = 0.0;          ///< q_1/q_0
+  double size = 0.0;           ///< L/lambda_0
+  double nodes_per_wave = 0.0; ///< lambda_1/h
+  double nayak = 0.0;          ///< m_0 m_4/m_2^2 of the formula [1]
+};
 
 /// What the report needs of one point. A point that has no result has a
 /// problem, and neither summary nor series.
@@ -20,6 +30,7 @@ struct SweptResult {
   std::string status;  ///< of the result: complete | interrupted | running; or
                        ///< missing
   std::string problem; ///< why there is no complete result; "" if there is
+  std::optional<SpectrumPoint> spectrum; ///< of a self-affine surface
   Summary summary;
   std::vector<Series> series; ///< of this point, whose methods point into
                               ///< `summary`

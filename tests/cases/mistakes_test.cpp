@@ -149,6 +149,9 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
        "load.nominal_pressure.step is not a key of this table; nearest: steps"},
       {"theory.gamma=", "theory.gamma is missing: a number"},
       {"theory.gamma=0", "theory.gamma = 0, but must be > 0 and <= 1 [1]"},
+      {"theory.loss_factor=\"wang\"",
+       "theory.loss_factor = \"wang\", but must be yang-persson | wang-mueser "
+       "| xu; nearest: xu"},
       {"fem.penalty=", "fem.penalty is missing, which this contact needs: a "
                        "number [Pa/m] or a string with one of: Pa/m, E*/h"},
       {"fem.Hard.contact=hard", "fem.Hard names a variant, but must consist of "

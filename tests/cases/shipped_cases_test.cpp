@@ -97,7 +97,7 @@ TEST(ShippedCases, AreFolders) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(full_blocks.begin(), full_blocks.end());
-  expected.insert({"board", "paper", "peers", "sweep-hurst"});
+  expected.insert({"board", "gamma", "paper", "peers", "sweep-hurst"});
 
   EXPECT_TRUE(has_folders("cases", expected));
   EXPECT_TRUE(has_folders("cases/board", parts_of_board));
@@ -200,6 +200,15 @@ TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
   EXPECT_EQ(sweep.points.size(), 8U);
   EXPECT_FALSE(read_reference("cases/sweep-hurst/reference.csv").empty());
   EXPECT_TRUE(std::filesystem::exists("cases/sweep-hurst/README.md"));
+}
+
+TEST(ShippedCases, ReadTheSweepOfGammaInFullAndQuickly) {
+  const std::string file = "cases/gamma/case.toml";
+
+  EXPECT_EQ(read_sweep(file).points.size(), 64U);
+  EXPECT_EQ(read_sweep(file, quick_lines("cases/gamma")).points.size(), 8U);
+  EXPECT_FALSE(read_reference("cases/gamma/reference.csv").empty());
+  EXPECT_TRUE(std::filesystem::exists("cases/gamma/README.md"));
 }
 
 TEST(ShippedCases, ReadTheFullBlocksInFullAndQuickly) {

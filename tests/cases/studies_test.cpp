@@ -110,11 +110,19 @@ TEST(Studies, OfAdhesionHaveTheirDefaults) {
   EXPECT_EQ(all.adhesion_study->steps, 50);
 }
 
+TEST(Studies, NeedATheoryWithThePapersLossFactor) {
+  EXPECT_EQ(mistakes_in({"theory.loss_factor=xu",
+                         "adhesion=", "expect.adhesion_flip="}),
+            "  case.toml:16: magnification needs a [theory] whose spectrum is "
+            "\"formula\" and whose loss_factor is \"yang-persson\"\n");
+}
+
 TEST(Studies, NeedATheoryByTheFormula) {
   EXPECT_EQ(mistakes_in({"theory.spectrum=surface", "surface.points=256",
                          "surface.seed=1", "adhesion="}),
             "  case.toml:16: magnification needs a [theory] whose spectrum is "
-            "\"formula\", or a measured surface\n"
+            "\"formula\", or a measured surface, and whose loss_factor is "
+            "\"yang-persson\"\n"
             "  case.toml:27: expect.adhesion_flip needs the table [adhesion]\n"
             "  case.toml:27: expect.adhesion_flip is computed by none of the "
             "case's methods\n");
