@@ -129,7 +129,8 @@ BlockTraits expected_block(const FullRequest& request, int ranks) {
                      .unknowns = 3.0 * (own + nodes_of_counter(request, own)),
                      .ranks = ranks,
                      .structure = structure_of(request),
-                     .is_compressible = has_compressible_cells(request)};
+                     .is_compressible = has_compressible_cells(request),
+                     .is_plastic = request.full.yield_stress.has_value()};
   traits.has_fourier = traits.structure == MeshStructure::lattice &&
                        request.full.sides == mechanics::BlockSides::periodic;
   return traits;

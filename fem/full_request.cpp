@@ -129,6 +129,10 @@ BlockProblem problem_of(const FullRequest& request,
   problem.mesh = std::move(*mesh);
   meshes::require_valid_mesh(problem.mesh, full.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
+  if (full.yield_stress)
+    problem.plasticity = {
+        full.yield_stress->in_si(scales),
+        full.hardening_modulus ? full.hardening_modulus->in_si(scales) : 0.0};
   problem.far_boundary = block.far_boundary;
   problem.sides = full.sides;
   problem.contact_at = full.contact_at;

@@ -8,6 +8,8 @@
 #include "mechanics/mesh_spec.hpp"
 #include "mechanics/quantity.hpp"
 
+#include <optional>
+
 namespace asperity::mechanics {
 
 enum class Element { q1, q2 };
@@ -55,6 +57,8 @@ struct FullBlockSettings {
   bool uses_case_mesh = false; ///< [mesh] instead of graded layers
   int bodies = 1; ///< 2 meshes the second body too; with 1 it enters through E*
   bool has_stiffness = false; ///< finds the stiffness of each contact
+  std::optional<Quantity> yield_stress = {};      ///< [Pa]; unset: elastic
+  std::optional<Quantity> hardening_modulus = {}; ///< [Pa]; unset: 0
 };
 
 enum class FemSolver { automatic, condensed, full };

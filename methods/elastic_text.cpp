@@ -58,11 +58,16 @@ MethodDescription describe(const FemSettings& settings) {
           : fmt::format("layers from {:g} h with the grading ratio {:g}",
                         settings.block.surface_cell_depth,
                         settings.block.growth);
+  const std::string flow =
+      !settings.full.yield_stress ? ""
+      : settings.full.hardening_modulus
+          ? ", J2 plasticity with linear isotropic hardening"
+          : ", J2 plasticity without hardening";
   return {"fem",
-          fmt::format("finite elements {}, {}, {}, {}",
+          fmt::format("finite elements {}, {}{}, {}, {}",
                       settings.block.element == mechanics::Element::q1 ? "Q1"
                                                                        : "Q2",
-                      solver, mesh, in_words(settings.contact)),
+                      solver, flow, mesh, in_words(settings.contact)),
           settings.solver == mechanics::FemSolver::full};
 }
 

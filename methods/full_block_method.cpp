@@ -81,6 +81,8 @@ public:
     const double estimated_gap_error = solution.estimated_gap_error;
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
+    const double plastic_work = solution.plastic_work;
+    const double plastic_strain = solution.plastic_strain;
     const auto [centre_x, centre_y] = solution.pressure_centre;
     StepAnswer answer = observe(
         as_contact(std::move(solution), surface_),
@@ -92,6 +94,8 @@ public:
     answer.row.estimated_gap_error = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
     answer.row.contact_energy = contact_energy;
+    answer.row.plastic_work = plastic_work;
+    answer.row.plastic_strain = plastic_strain;
     if (surface_.has_middle) {
       answer.row.pressure_centre_x = centre_x;
       answer.row.pressure_centre_y = centre_y;

@@ -101,6 +101,29 @@ void check_form(const Node& file, const Case& read, Mistakes& mistakes) {
                        ", which assumes a nominally flat surface");
 }
 
+/// What a block that flows cannot combine.
+void check_flow(const Node& file, const Case& read, const MethodSpec& method,
+                const mechanics::FemSettings& fem, Mistakes& mistakes) {
+  const auto refuse_if = [&](bool is_refused, const std::string& why) {
+    if (is_refused)
+      mistakes.add(entry_of(file, method.name, "yield_stress").place,
+                   method.name + ".yield_stress " + why);
+  };
+  refuse_if(read.load.control == mechanics::Control::mean_gap,
+            "needs loads by nominal_pressure, not by mean_gap");
+  refuse_if(read.material.counter.has_value(),
+            "cannot be combined with [material.counter]: of two bodies that "
+            "one block represents, it is not known which one flows");
+  refuse_if(
+      fem.full.uses_case_mesh &&
+          read.mesh.kind == mechanics::MeshKind::adaptive,
+      "cannot be combined with mesh.kind = \"adaptive\"; use \"hanging\"");
+  refuse_if(fem.full.uses_case_mesh &&
+                read.mesh.kind == mechanics::MeshKind::gmsh &&
+                read.mesh.cells == mechanics::MeshCells::tetrahedra,
+            "needs mesh.cells = \"hexahedra\"");
+}
+
 /// What a full block cannot combine.
 void check_full_block(const Node& file, const Case& read,
                       const MethodSpec& method,
@@ -160,6 +183,8 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                        "contact; use contact = \"augmented\" or \"penalty\"");
     if (is_full)
       check_full_block(file, read, method, *fem, mistakes);
+    if (is_full && fem->full.yield_stress)
+      check_flow(file, read, method, *fem, mistakes);
     if (fem->full.uses_case_mesh &&
         read.mesh.kind == mechanics::MeshKind::adaptive)
       check_adaptive(file, read, method, *fem, mistakes);

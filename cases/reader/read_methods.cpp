@@ -35,6 +35,24 @@ void refuse_stiffness(TableReader& table, const mechanics::FemSettings& fem) {
             "this far boundary (top)", "top = \"clamped\"");
 }
 
+/// Refuses plastic flow for blocks that do not compute it.
+void refuse_flow(TableReader& table, const mechanics::FemSettings& fem) {
+  if (fem.full.hardening_modulus && !fem.full.yield_stress)
+    table.refuse(table.said_by("hardening_modulus"), "needs yield_stress");
+  const auto refuse_if = [&](bool is_refused, const std::string& why) {
+    if (fem.full.yield_stress && is_refused)
+      table.refuse(table.said_by("yield_stress"), why);
+  };
+  refuse_if(fem.block.element == mechanics::Element::q1,
+            "needs element = \"Q2\": first-order cells lock, because plastic "
+            "flow keeps their volume");
+  refuse_if(fem.full.bodies == 2, "cannot be combined with bodies = 2");
+  refuse_if(fem.full.has_stiffness, "cannot be combined with stiffness = true");
+  refuse_if(fem.full.linear_solver == mechanics::LinearSolver::direct ||
+                fem.full.linear_solver == mechanics::LinearSolver::fourier,
+            "needs linear_solver = \"auto\" or \"multigrid\"");
+}
+
 /// Reports what the full block cannot combine, and what only it has.
 void check_full_block(TableReader& table, bool has_mesh,
                       const mechanics::FemSettings& fem) {
@@ -52,7 +70,9 @@ void check_full_block(TableReader& table, bool has_mesh,
             "height_interpolation");
   only_full(full.bodies == 2, "bodies");
   only_full(full.has_stiffness, "stiffness");
+  only_full(full.yield_stress.has_value(), "yield_stress");
   refuse_stiffness(table, fem);
+  refuse_flow(table, fem);
   if (full.uses_case_mesh && !has_mesh)
     table.refuse(table.said_by("mesh"), "the table [mesh] is missing");
   if (full.contact_at == mechanics::ContactPoints::gauss &&

@@ -58,6 +58,8 @@ public:
   /// The moduli of a cell.
   Moduli moduli_of(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
+  const std::optional<Plasticity>& plasticity() const { return plasticity_; }
+
   /// The largest shear modulus of the cells at the contact surface, of two
   /// bodies that of the softer one [Pa].
   double face_shear_modulus() const { return face_shear_modulus_; }
@@ -72,6 +74,7 @@ private:
   Grid grid_;
   ModuliField field_;
   std::optional<Moduli> counter_;
+  std::optional<Plasticity> plasticity_;
   mechanics::FarBoundary far_boundary_;
   std::string quality_;
   BlockSpace space_;

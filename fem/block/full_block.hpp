@@ -76,6 +76,11 @@ struct BlockSolution {
   /// order mesh would give wrongly: their nodes have unequal areas.
   double elastic_energy = 0.0; ///< of the block, per nominal area [J/m^2]
   double contact_energy = 0.0; ///< of the penalty springs, likewise
+  /// Of a block with a yield stress, whose elastic_energy is NaN: the work of
+  /// plastic flow so far, likewise [J/m^2], and the largest equivalent plastic
+  /// strain [1]; else NaN.
+  double plastic_work = std::numeric_limits<double>::quiet_NaN();
+  double plastic_strain = std::numeric_limits<double>::quiet_NaN();
   /// Place of the resultant force from the node in column points_x / 2 and row
   /// points_y / 2 of the grid [m]; NaN without contact.
   std::array<double, 2> pressure_centre{

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace asperity::fem {
 
@@ -22,6 +23,10 @@ bool has_mumps() {
 }
 
 } // namespace
+
+void MatrixFreeBlock::set_tangents(std::span<const CellTangents> /*cells*/) {
+  throw std::logic_error("only second-order hexahedra have tangents");
+}
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<BlockPreconditioner> own,

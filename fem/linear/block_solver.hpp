@@ -7,6 +7,7 @@
 
 #include "fem/block/block_assembly.hpp"
 #include "fem/block/block_system.hpp"
+#include "fem/hexahedra/cell_tangents.hpp"
 #include "fem/multigrid/conjugate_gradients.hpp"
 
 #include <deal.II/lac/trilinos_precondition.h>
@@ -86,6 +87,12 @@ public:
   virtual LinearSolution solve(Vector& unknowns, const Vector& forces,
                                double tolerance, int most_iterations) = 0;
 
+  /// Replaces the moduli of some cells of this rank by tangents, and gives all
+  /// others their moduli again. The preconditioner stays elastic.
+  /// @param cells  in the order of the active cells of this rank, each once
+  /// @throws std::logic_error  the cells are no second-order hexahedra
+  virtual void set_tangents(std::span<const CellTangents> cells);
+
   /// Factor on the relative tolerance of the systems of a Newton step, below 1
   /// if a smaller residual costs little.
   virtual double tightness() const { return 1.0; }
@@ -140,6 +147,11 @@ public:
   /// Computes to = K from, without the contact state. This call is collective.
   void multiply(dealii::TrilinosWrappers::MPI::Vector& to,
                 const dealii::TrilinosWrappers::MPI::Vector& from) const;
+
+  /// As MatrixFreeBlock::set_tangents.
+  void set_tangents(std::span<const CellTangents> cells) {
+    matrix_free_->set_tangents(cells);
+  }
 
   /// Sets the contact state. The call is free if nothing has changed.
   /// @param springs  springs of the contact points of this rank [N/m]

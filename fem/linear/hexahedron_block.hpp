@@ -95,10 +95,7 @@ public:
                   const HexahedronMesh& mesh,
                   std::unique_ptr<MeshCorrection> correction);
 
-  /// Gives some cells tangents at their Gauss points, as a plastic body has
-  /// them; the preconditioner stays that of the elastic block.
-  /// @param cells  in the order of the active cells of this rank, each once
-  void set_tangents(std::span<const CellTangents> cells);
+  void set_tangents(std::span<const CellTangents> cells) override;
 
 private:
   HexahedronBlock(const BlockProblem& problem, const BlockSystem& system,

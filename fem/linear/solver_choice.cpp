@@ -3,6 +3,10 @@
 namespace asperity::fem {
 
 BlockSolverKind solver_of(const BlockTraits& block) {
+  if (block.is_plastic)
+    return block.structure == MeshStructure::hexahedra
+               ? BlockSolverKind::hexahedra
+               : BlockSolverKind::halved; // a lattice has no halvings
   if (block.requested == LinearSolver::direct)
     return BlockSolverKind::direct;
   if (block.requested == LinearSolver::fourier)

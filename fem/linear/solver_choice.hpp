@@ -48,6 +48,7 @@ struct BlockTraits {
   MeshStructure structure = MeshStructure::other;
   bool has_fourier = false; ///< a lattice with periodic sides and known layers
   bool is_compressible = true; ///< every cell, see below
+  bool is_plastic = false;     ///< its stiffness has tangents
 };
 
 /// The linear solver of a block. A Fourier solver that is requested, but does

@@ -73,10 +73,11 @@ bool ActiveSet::iterate(const mechanics::LoadTarget& load,
   const std::vector<double> no_springs(state_.pressure.size(), 0.0);
   ContactSet active = contact_set(state_.pressure);
   ContactIteration iteration(contact.tolerance);
-  const int last =
-      std::min(contact.max_iterations, ContactIteration::most_active_sets);
+  const int first = answer.iterations;
+  const int last = std::min(contact.max_iterations,
+                            first + ContactIteration::most_active_sets);
   while (answer.iterations < last) {
-    const int steps = answer.iterations++;
+    const int steps = answer.iterations++ - first;
     if (load.control == mechanics::Control::nominal_pressure &&
         !is_any(active)) {
       state_.rigid_gap = state_.touching_gap(load.amount, spring);
@@ -95,7 +96,7 @@ bool ActiveSet::iterate(const mechanics::LoadTarget& load,
     const int changed = n_changed(next, active);
     const double imbalance = state_.unbalanced();
     step_.tell(answer.iterations, imbalance, changed);
-    if (iteration.has_ended(changed, imbalance))
+    if (iteration.has_ended(changed, imbalance, state_.is_flowing()))
       return true;
     active = std::move(next);
   }

@@ -6,6 +6,8 @@
 
 #include "fem/newton/linear_step.hpp"
 
+#include <limits>
+
 namespace asperity::fem {
 
 /// Counts the steps of an iteration on contact sets, of which each solves
@@ -24,12 +26,17 @@ namespace asperity::fem {
 ///    Linear systems are therefore solved with care after the fourth step of
 ///    Newton's method that changed the set, and after twelve steps of the
 ///    active-set method, whose constraints amplify no error.
+/// 4. Where the material flows, an imbalance on an unchanged set is also that
+///    of the linearised flow. A step counts as one that changed the set unless
+///    it halves the smallest imbalance so far; thirty of them in a row end the
+///    iteration.
 class ContactIteration {
 public:
   static constexpr int most_refinements = 8;
   static constexpr int most_full_steps = 12;
   static constexpr int most_loose_steps = 4;
   static constexpr int most_active_sets = 30;
+  static constexpr int most_idle_steps = 30;
 
   /// @param tolerance  of the balance of forces, relative [1] > 0
   explicit ContactIteration(double tolerance) : tolerance_(tolerance) {}
@@ -53,18 +60,35 @@ public:
   }
 
   /// Counts a step that changed so many points of the contact set and left
-  /// this imbalance. Returns whether it was the last one.
-  bool has_ended(int changed, double imbalance) {
+  /// this imbalance, and after which the material may flow. Returns whether it
+  /// was the last one.
+  bool has_ended(int changed, double imbalance, bool is_flowing) {
     if (changed != 0) {
       refinements_ = 0;
       ++changes_;
       return false;
     }
+    if (is_flowing)
+      return has_settled(imbalance);
     return imbalance <= tolerance_ || refinements_++ == most_refinements;
   }
 
 private:
+  /// Counts a step on an unchanged set where the material flows.
+  bool has_settled(double imbalance) {
+    if (imbalance <= 0.5 * least_imbalance_) {
+      least_imbalance_ = imbalance;
+      idle_ = 0;
+    } else {
+      ++idle_;
+      ++changes_;
+    }
+    return imbalance <= tolerance_ || idle_ == most_idle_steps;
+  }
+
   double tolerance_;
+  double least_imbalance_ = std::numeric_limits<double>::infinity();
+  int idle_ = 0;        ///< steps that did not halve it
   int changes_ = 0;     ///< steps that changed the set
   int refinements_ = 0; ///< steps since then
 };

@@ -83,6 +83,11 @@ void ContactNewton::add_up(const BlockContact& contact,
   const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
   answer.elastic_energy =
       0.5 * (work - force * displacement / state_.area()) / state_.area();
+  if (const PlasticFlow* const flow = state_.flow()) {
+    answer.elastic_energy = std::numeric_limits<double>::quiet_NaN();
+    answer.plastic_work = flow->work() / state_.area();
+    answer.plastic_strain = flow->largest_strain();
+  }
   if (!mechanics::has_wall(contact.law))
     answer.contact_energy = 0.5 * square / (contact.penalty * state_.area());
   if (force > 0.0)
@@ -97,7 +102,8 @@ void ContactNewton::search_wall(double height_scale,
   answer.converged = active_set_.solve(
       load, contact, contact.tolerance * height_scale, answer);
   answer.residual = state_.violation(0.0) / height_scale;
-  if (answer.converged || answer.iterations >= contact.max_iterations)
+  if (answer.converged || answer.iterations >= contact.max_iterations ||
+      state_.is_flowing())
     return;
   const std::string why = answer.note;
   answer.note.clear();
@@ -131,6 +137,60 @@ void ContactNewton::search(double height_scale,
     answer.note += solver_.advice();
 }
 
+/// Finds the contact at a load, first with the plastic strain of the last part
+/// of the loading path, and with flow from there. Returns whether it is found.
+bool ContactNewton::search_part(double height_scale, double nominal_pressure,
+                                const BlockContact& contact,
+                                BlockSolution& answer) {
+  const mechanics::LoadTarget load{mechanics::Control::nominal_pressure,
+                                   nominal_pressure};
+  answer.converged = false;
+  answer.note.clear();
+  state_.flow()->freeze(true);
+  state_.follow_displacement();
+  search(height_scale, load, contact, answer);
+  state_.flow()->freeze(false);
+  if (!answer.converged)
+    return false;
+  state_.follow_displacement();
+  if (!state_.is_flowing())
+    return true;
+  answer.converged = false;
+  newton_.begin();
+  search(height_scale, load, contact, answer);
+  return answer.converged;
+}
+
+/// Goes from the load of the last step to that of this one. A part of the way
+/// that is not found, because the flow turns within it, is taken in two halves.
+void ContactNewton::search_flow(double height_scale,
+                                const mechanics::LoadTarget& load,
+                                const BlockContact& contact,
+                                BlockSolution& answer) {
+  constexpr double smallest_part = 1.0 / 64.0;
+  const double start = carried_;
+  const double way = load.amount - start;
+  double done = 0.0;
+  double part = 1.0;
+  while (done < 1.0 && answer.iterations < contact.max_iterations) {
+    const ContactState::Placement placement = state_.placement();
+    const std::vector<double> pressure = state_.pressure;
+    const double next =
+        done + part < 1.0 ? start + (done + part) * way : load.amount;
+    if (search_part(height_scale, next, contact, answer)) {
+      state_.flow()->end_step();
+      carried_ = next;
+      done += part;
+      continue;
+    }
+    if (part <= smallest_part)
+      return;
+    part *= 0.5;
+    state_.return_to(placement);
+    state_.pressure = pressure;
+  }
+}
+
 void ContactNewton::solve(std::vector<double> heights, double height_scale,
                           const mechanics::LoadTarget& load,
                           const BlockContact& contact, BlockSolution& answer) {
@@ -139,7 +199,10 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   const int setups = solver_.setups();
   step_.begin(contact.watch);
   newton_.begin();
-  search(height_scale, load, contact, answer);
+  if (state_.flow() != nullptr)
+    search_flow(height_scale, load, contact, answer);
+  else
+    search(height_scale, load, contact, answer);
   add_up(contact, answer);
   answer.linear_iterations = solver_.iterations() - iterations;
   answer.preconditioner_setups = solver_.setups() - setups;

@@ -87,6 +87,10 @@ public:
 private:
   void search(double height_scale, const mechanics::LoadTarget& load,
               const BlockContact& contact, BlockSolution& answer);
+  void search_flow(double height_scale, const mechanics::LoadTarget& load,
+                   const BlockContact& contact, BlockSolution& answer);
+  bool search_part(double height_scale, double nominal_pressure,
+                   const BlockContact& contact, BlockSolution& answer);
   void search_wall(double height_scale, const mechanics::LoadTarget& load,
                    const BlockContact& contact, BlockSolution& answer);
   void add_up(const BlockContact& contact, BlockSolution& answer) const;
@@ -100,6 +104,7 @@ private:
   SpringNewton newton_;
   AugmentedLagrangian augmented_;
   ActiveSet active_set_;
+  double carried_ = 0.0; ///< the load whose plastic strain is known [Pa]
 };
 
 } // namespace asperity::fem

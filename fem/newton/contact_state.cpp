@@ -49,7 +49,10 @@ ContactState::ContactState(const BlockSystem& system, const BlockSolver& solver)
       system_(system),
       solver_(solver),
       stiffness_scale_(system.face_shear_modulus() /
-                       system.grid().spacing_x()) {}
+                       system.grid().spacing_x()) {
+  if (system.plasticity())
+    flow_.emplace(system, *system.plasticity());
+}
 
 double ContactState::mean_gap() const {
   double mean = 0.0;
@@ -121,6 +124,8 @@ void ContactState::take_heights(std::vector<double> absolute) {
 void ContactState::follow_displacement() {
   points().take_displacement(displacement, face_displacement);
   solver_.multiply(elastic, displacement);
+  if (flow_)
+    flow_->follow(displacement, elastic);
 }
 
 void ContactState::press_springs(double penalty) {
@@ -152,6 +157,19 @@ void ContactState::return_to(const Placement& placement) {
   elastic = placement.elastic;
   face_displacement = placement.face_displacement;
   rigid_gap = placement.rigid_gap;
+  if (flow_)
+    follow_displacement();
+}
+
+double ContactState::stress_work(const Placement& before, const Vector& step,
+                                 double share) {
+  Vector there(before.displacement);
+  there.add(share, step);
+  Vector force(there);
+  solver_.multiply(force, there);
+  if (flow_)
+    flow_->follow(there, force);
+  return force * step;
 }
 
 void ContactState::find_imbalance() {

@@ -5,8 +5,10 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
+#include "fem/block/plastic_flow.hpp"
 #include "fem/linear/block_solver.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -34,7 +36,7 @@ double larger_residual(double largest, double residual);
 struct ContactState {
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// What a step of the iteration changes.
+  /// What a step of the iteration changes; the plastic strain follows.
   struct Placement {
     Vector displacement, elastic;
     std::vector<double> face_displacement;
@@ -54,8 +56,15 @@ struct ContactState {
   double highest = 0.0;        ///< height [m]
 
   std::vector<double> face_displacement; ///< B u [m]
-  Vector elastic;                        ///< K u [N]
-  Vector imbalance; ///< K u + P g - B^T a p, of find_imbalance() [N]
+  Vector elastic;   ///< of the stress, K u in an elastic block [N]
+  Vector imbalance; ///< elastic + P g - B^T a p, of find_imbalance() [N]
+
+  /// The plastic strain at the displacement; null in an elastic block.
+  PlasticFlow* flow() { return flow_ ? &*flow_ : nullptr; }
+
+  const PlasticFlow* flow() const { return flow_ ? &*flow_ : nullptr; }
+
+  bool is_flowing() const { return flow_ && flow_->is_flowing(); }
 
   const ContactPoints& points() const { return system_.contact(); }
 
@@ -89,7 +98,7 @@ struct ContactState {
   /// of the block does not change.
   void take_heights(std::vector<double> absolute);
 
-  /// Computes B u and K u.
+  /// Computes B u and the force of the stress.
   void follow_displacement();
 
   /// p = (lambda - k gap)+.
@@ -104,6 +113,9 @@ struct ContactState {
 
   Placement placement() const;
   void return_to(const Placement& placement);
+
+  /// The work of the stress per share of a step [N m], at a share of the step.
+  double stress_work(const Placement& before, const Vector& step, double share);
 
   void find_imbalance();
 
@@ -125,6 +137,7 @@ struct ContactState {
 private:
   const BlockSystem& system_;
   const BlockSolver& solver_;
+  std::optional<PlasticFlow> flow_;
   double stiffness_scale_;
 };
 

@@ -141,6 +141,21 @@ bool LinearStep::solve_for(Vector& answer, const Vector& forces,
 bool LinearStep::take(const mechanics::LoadTarget& load,
                       std::span<const double> springs, const ContactSet& held,
                       const StepAccuracy& accuracy) {
+  const PlasticFlow* const flow = state_.flow();
+  if (flow != nullptr)
+    solver_.set_tangents(flow->tangents());
+  const bool is_solved = solve(load, springs, held, accuracy);
+  if (flow != nullptr)
+    solver_.set_tangents({}); // K, of which the state computes its force
+  if (is_solved)
+    state_.follow_displacement();
+  return is_solved;
+}
+
+/// The step but for the force of the new stress.
+bool LinearStep::solve(const mechanics::LoadTarget& load,
+                       std::span<const double> springs, const ContactSet& held,
+                       const StepAccuracy& accuracy) {
   const ContactPoints& points = system_.contact();
   is_careful_ = accuracy.is_careful;
   const bool is_load = load.control == mechanics::Control::nominal_pressure;
@@ -243,7 +258,6 @@ bool LinearStep::solve_scalars(const mechanics::LoadTarget& load,
   state_.displacement.add(approach, by_approach_, pressure, by_far_pressure_);
   state_.rigid_gap += approach;
   state_.far_pressure += pressure;
-  state_.follow_displacement();
   return true;
 }
 

@@ -73,6 +73,8 @@ private:
   double stiffness_of(std::span<const double> springs) const;
   bool solve_for(Vector& answer, const Vector& forces,
                  std::span<const double> held_displacement, const Range& range);
+  bool solve(const mechanics::LoadTarget& load, std::span<const double> springs,
+             const ContactSet& held, const StepAccuracy& accuracy);
   bool solve_scalars(const mechanics::LoadTarget& load,
                      std::span<const double> springs, const ContactSet& held);
 

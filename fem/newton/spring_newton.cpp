@@ -17,6 +17,9 @@ namespace {
 /// Halvings of the interval in which the step length lies.
 constexpr int halvings = 40;
 
+/// The same where the material flows, and each takes a pass over the cells.
+constexpr int halvings_in_flow = 10;
+
 /// The excess of the mean gap over the prescribed one at a nominal pressure
 /// [Pa], in m.
 using Excess = std::function<double(double pressure)>;
@@ -150,7 +153,7 @@ bool SpringNewton::iterate(const mechanics::LoadTarget& load,
     const int changed = n_changed(contact_set(state_.pressure), before);
     const double imbalance = state_.unbalanced();
     step_.tell(answer.iterations, imbalance, changed);
-    if (iteration.has_ended(changed, imbalance)) {
+    if (iteration.has_ended(changed, imbalance, state_.is_flowing())) {
       settled_ = state_.placement();
       return true;
     }
@@ -184,25 +187,31 @@ double SpringNewton::contact_work(const ContactState::Placement& before,
 ///     1/2 u K u + sum_c a_c p_c^2 / (2 k) + P (g u + A d),
 ///
 /// which is convex, so that its derivative along the step increases and the
-/// step of Newton's method descends.
+/// step of Newton's method descends. So is the energy with the work of plastic
+/// flow during the load step in it.
 void SpringNewton::shorten_step(const ContactState::Placement& before,
                                 double penalty) {
   dealii::TrilinosWrappers::MPI::Vector step(state_.displacement);
   step -= before.displacement;
-  const double start =
-      before.elastic * step +
+  const double far_work =
       state_.far_pressure *
-          (state_.far_load() * step +
-           state_.area() * (state_.rigid_gap - before.rigid_gap));
+      (state_.far_load() * step +
+       state_.area() * (state_.rigid_gap - before.rigid_gap));
+  const double start = before.elastic * step + far_work;
   const double increase = state_.elastic * step - before.elastic * step;
   const auto derivative = [&](double share) {
-    return start + share * increase - contact_work(before, share, penalty);
+    const double total =
+        state_.flow() != nullptr
+            ? state_.stress_work(before, step, share) + far_work
+            : start + share * increase;
+    return total - contact_work(before, share, penalty);
   };
   if (derivative(0.0) >= 0.0 || derivative(1.0) <= 0.0)
     return;
   double low = 0.0;
   double high = 1.0;
-  for (int i = 0; i < halvings; ++i) {
+  const int most = state_.flow() != nullptr ? halvings_in_flow : halvings;
+  for (int i = 0; i < most; ++i) {
     const double middle = 0.5 * (low + high);
     (derivative(middle) > 0.0 ? high : low) = middle;
   }
@@ -212,6 +221,8 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
     state_.face_displacement[i] += (1.0 - high) * (before.face_displacement[i] -
                                                    state_.face_displacement[i]);
   state_.rigid_gap += (1.0 - high) * (before.rigid_gap - state_.rigid_gap);
+  if (state_.flow() != nullptr)
+    state_.follow_displacement();
 }
 
 /// Finds the nominal pressure whose solution has the prescribed mean gap [m],

@@ -53,23 +53,6 @@ dealii::FullMatrix<double> vertex_mass_of(const BlockSpace& space) {
   return mass;
 }
 
-/// The edges of a hexahedron that is an axis-aligned box, up to roundoff [m];
-/// empty for any other.
-std::optional<dealii::Tensor<1, 3>> box_edges(const BlockStress::Cell& cell) {
-  constexpr double rounding = 1e-12;
-  const dealii::Point<3>& first = cell->vertex(0);
-  const dealii::Tensor<1, 3> edges = cell->vertex(7) - first;
-  const double allowed = rounding * edges.norm();
-  for (unsigned int v = 1; v < 7; ++v) {
-    const dealii::Tensor<1, 3> apart = cell->vertex(v) - first;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-      if (std::abs(apart[axis] - ((v >> axis) % 2 == 1 ? edges[axis] : 0.0)) >
-          allowed)
-        return {};
-  }
-  return edges;
-}
-
 /// Whether lambda / mu, and so Poisson's ratio, is the same up to roundoff.
 bool is_same_ratio(const Moduli& a, const Moduli& b) {
   return std::abs(a.lame_modulus * b.shear_modulus -
@@ -130,89 +113,21 @@ StressTensor VertexAverages::at(unsigned int vertex,
   return sum / volume;
 }
 
-BoxStrain::BoxStrain(const dealii::FESystem<3>& element,
-                     const dealii::Quadrature<3>& quadrature,
-                     const dealii::FullMatrix<double>& to_rows)
-    : n_nodes_(element.n_dofs_per_cell() / 3),
-      n_rows_(to_rows.m()),
-      unknowns_(n_nodes_),
-      gradients_(3 * n_nodes_ * n_rows_, 0.0),
-      sums_(9 * n_rows_) {
-  for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i) {
-    const auto [component, node] = element.system_to_component_index(i);
-    unknowns_[node][component] = i;
-  }
-  const dealii::FiniteElement<3>& scalar = element.base_element(0);
-  for (unsigned int node = 0; node < n_nodes_; ++node)
-    for (unsigned int q = 0; q < quadrature.size(); ++q) {
-      const dealii::Tensor<1, 3> gradient =
-          scalar.shape_grad(node, quadrature.point(q));
-      for (unsigned int axis = 0; axis < 3; ++axis)
-        for (unsigned int row = 0; row < n_rows_; ++row)
-          gradients_[(axis * n_nodes_ + node) * n_rows_ + row] +=
-              to_rows(row, q) * gradient[axis];
-    }
-}
-
-void BoxStrain::find(std::span<const double> values,
-                     const dealii::Tensor<1, 3>& edges,
-                     std::vector<dealii::SymmetricTensor<2, 3>>& strains) {
-  std::fill(sums_.begin(), sums_.end(), 0.0);
-  for (unsigned int axis = 0; axis < 3; ++axis)
-    for (std::size_t node = 0; node < n_nodes_; ++node) {
-      const double* gradient =
-          gradients_.data() + (axis * n_nodes_ + node) * n_rows_;
-      for (std::size_t component = 0; component < 3; ++component) {
-        const double value = values[unknowns_[node][component]] / edges[axis];
-        double* sum = sums_.data() + (3 * component + axis) * n_rows_;
-        for (std::size_t row = 0; row < n_rows_; ++row)
-          sum[row] += value * gradient[row];
-      }
-    }
-  strains.resize(n_rows_);
-  for (std::size_t row = 0; row < n_rows_; ++row)
-    for (unsigned int i = 0; i < 3; ++i)
-      for (unsigned int j = i; j < 3; ++j)
-        strains[row][i][j] = 0.5 * (sums_[(3 * i + j) * n_rows_ + row] +
-                                    sums_[(3 * j + i) * n_rows_ + row]);
-}
-
 BlockStress::BlockStress(
     const BlockSystem& system,
-    const dealii::TrilinosWrappers::MPI::Vector& displacement)
+    const dealii::TrilinosWrappers::MPI::Vector& displacement,
+    const PlasticFlow* flow)
     : system_(system),
-      displacement_(system.space().owned(), system.space().relevant(),
-                    MPI_COMM_WORLD),
-      values_(system.space().mapping(), system.space().element(),
-              system.space().cell_quadrature(),
-              dealii::update_gradients | dealii::update_quadrature_points |
-                  dealii::update_JxW_values),
-      unknowns_(system.space().element().n_dofs_per_cell()),
-      in_cell_(unknowns_.size()),
+      flow_(flow),
+      strains_(system.space()),
       to_vertices_(projection_of(system.space())),
       mass_(vertex_mass_of(system.space())) {
   const BlockSpace& space = system.space();
-  dealii::TrilinosWrappers::MPI::Vector whole = space.make_vector();
-  whole = displacement;
-  space.constraints().distribute(whole);
-  displacement_ = whole;
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-    local_values_ = displacement_.begin();
-  if (space.triangulation().all_reference_cells_are_hyper_cube()) {
-    const dealii::Quadrature<3>& points = space.cell_quadrature();
-    const dealii::FullMatrix<double> same =
-        dealii::IdentityMatrix(points.size());
-    at_points_.emplace(space.element(), points, same);
-    at_vertices_.emplace(space.element(), points, to_vertices_);
-  }
-}
-
-/// Takes the values of the unknowns of a cell.
-void BlockStress::take_values(const Cell& cell) {
-  cell->get_dof_indices(unknowns_);
-  for (std::size_t i = 0; i < unknowns_.size(); ++i)
-    in_cell_[i] = local_values_ != nullptr ? local_values_[unknowns_[i]]
-                                           : displacement_(unknowns_[i]);
+  strains_.set(displacement);
+  if (flow == nullptr &&
+      space.triangulation().all_reference_cells_are_hyper_cube())
+    at_vertices_.emplace(space.element(), space.cell_quadrature(),
+                         to_vertices_);
 }
 
 double BlockStress::volume(const Cell& cell) {
@@ -224,15 +139,9 @@ double BlockStress::volume(const Cell& cell) {
 
 const std::vector<StressTensor>& BlockStress::at_points(const Cell& cell) {
   const Moduli material = system_.moduli_of(cell);
-  if (const auto edges = at_points_ ? box_edges(cell) : std::nullopt) {
-    take_values(cell);
-    at_points_->find(in_cell_, *edges, stress_);
-  } else {
-    values_.reinit(cell);
-    stress_.resize(values_.n_quadrature_points);
-    values_[dealii::FEValuesExtractors::Vector(0)]
-        .get_function_symmetric_gradients(displacement_, stress_);
-  }
+  stress_ = strains_.at_points(cell);
+  if (flow_ != nullptr)
+    flow_->subtract_from(stress_, cell);
   for (StressTensor& value : stress_)
     value = elastic_stress(value, material);
   return stress_;
@@ -240,9 +149,7 @@ const std::vector<StressTensor>& BlockStress::at_points(const Cell& cell) {
 
 const std::vector<StressTensor>&
 BlockStress::projected(const Cell& cell, const Moduli& material) {
-  if (const auto edges = at_vertices_ ? box_edges(cell) : std::nullopt) {
-    take_values(cell);
-    at_vertices_->find(in_cell_, *edges, projected_);
+  if (at_vertices_ && strains_.in_box(cell, *at_vertices_, projected_)) {
     for (StressTensor& value : projected_)
       value = elastic_stress(value, material);
     return projected_;

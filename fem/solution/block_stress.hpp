@@ -4,13 +4,8 @@
 // maximum. This file is independent of output files and of the contact law.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/block_system.hpp"
+#include "fem/block/plastic_flow.hpp"
 
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/full_matrix.h>
-
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -66,29 +61,6 @@ private:
   std::unordered_map<unsigned int, std::vector<Share>> others_;
 };
 
-/// Maps the displacements of the nodes of an axis-aligned box to strains at its
-/// quadrature points, or to the linear projection of these at its vertices.
-class BoxStrain {
-public:
-  /// @param to_rows  from values at the quadrature points to those that are
-  ///                 requested; the identity for the points themselves
-  BoxStrain(const dealii::FESystem<3>& element,
-            const dealii::Quadrature<3>& quadrature,
-            const dealii::FullMatrix<double>& to_rows);
-
-  /// @param values   of the unknowns of a cell, in deal.II's order [m]
-  /// @param edges    of the cell [m]
-  /// @param strains  set to one per requested value [1]
-  void find(std::span<const double> values, const dealii::Tensor<1, 3>& edges,
-            std::vector<dealii::SymmetricTensor<2, 3>>& strains);
-
-private:
-  std::size_t n_nodes_, n_rows_;
-  std::vector<std::array<std::size_t, 3>> unknowns_; ///< of each node
-  std::vector<double> gradients_; ///< [axis][node][row], of the unit cell
-  std::vector<double> sums_;      ///< [component][axis][row]
-};
-
 /// The stress of one displacement field. Every call except at_points is
 /// collective.
 ///
@@ -111,13 +83,16 @@ public:
   /// @param system        must outlive this object
   /// @param displacement  u over the owned unknowns [m]; its entries at
   ///                      constrained unknowns are not read
+  /// @param flow          the plastic strain; null in an elastic block, must
+  ///                      outlive this object
   BlockStress(const BlockSystem& system,
-              const dealii::TrilinosWrappers::MPI::Vector& displacement);
+              const dealii::TrilinosWrappers::MPI::Vector& displacement,
+              const PlasticFlow* flow = nullptr);
 
   /// The displacement u at all unknowns of this rank's cells, including
   /// constrained ones [m].
   const dealii::TrilinosWrappers::MPI::Vector& displacement() const {
-    return displacement_;
+    return strains_.displacement();
   }
 
   /// The stress sigma at the quadrature points of a cell that this rank owns or
@@ -148,19 +123,14 @@ public:
   StressPeak strongest();
 
 private:
-  void take_values(const Cell& cell);
-
   const BlockSystem& system_;
-  dealii::TrilinosWrappers::MPI::Vector displacement_;
-  dealii::FEValues<3> values_;
-  const double* local_values_ = nullptr; ///< by unknown, if all are here
-  std::vector<dealii::types::global_dof_index> unknowns_; ///< of a cell
-  std::vector<double> in_cell_;                           ///< u there [m]
+  const PlasticFlow* flow_;
+  CellStrains strains_;
   std::vector<StressTensor> stress_;
   std::vector<StressTensor> projected_;
   dealii::FullMatrix<double> to_vertices_; ///< n_vertices x n_quadrature_points
   dealii::FullMatrix<double> mass_;        ///< n_vertices x n_vertices
-  std::optional<BoxStrain> at_points_, at_vertices_; ///< of hexahedra
+  std::optional<BoxStrain> at_vertices_;   ///< of elastic hexahedra
 };
 
 } // namespace asperity::fem

@@ -37,6 +37,12 @@ const BlockProblem& checked(const BlockProblem& problem) {
       !is_same_length(problem.mesh.length_y, problem.grid.length_y))
     refuse_argument("length of the mesh", problem.mesh.length_x,
                     "that of the surface");
+  if (problem.plasticity &&
+      (problem.degree != 2 || problem.counter || problem.adaptive ||
+       problem.mesh.shape != meshes::CellShape::hexahedron))
+    throw std::domain_error(
+        "a block with a yield stress must be one body of second-order "
+        "hexahedra on a mesh that does not follow the contact");
   return problem;
 }
 
@@ -75,7 +81,8 @@ BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
                         [](const CellModuli& own) {
                           return is_compressible(Moduli{own.lame, own.shear});
                         })
-                  : is_compressible(system)};
+                  : is_compressible(system),
+      .is_plastic = problem.plasticity.has_value()};
   if (lattice)
     traits.structure = MeshStructure::lattice;
   else if (is_refined_block(problem))
@@ -90,7 +97,9 @@ BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
 /// @param has_own_mesh  whether the mesh is that of the problem
 ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
                         bool has_own_mesh) {
-  const LinearSolver requested = problem.linear_solver;
+  // The direct solver, to which an automatic one turns, has no tangents.
+  const LinearSolver requested =
+      problem.plasticity ? LinearSolver::multigrid : problem.linear_solver;
   if (requested == LinearSolver::direct)
     return ContactNewton(system, requested);
   const std::optional<BoxLattice> lattice =
@@ -139,6 +148,9 @@ ContactStiffness MeshedBlock::stiffness() {
   if (!system_.contact().is_nodal() || system_.has_counter())
     throw std::domain_error("the stiffness of a contact needs contact at the "
                             "nodes of one body");
+  if (system_.plasticity())
+    throw std::domain_error(
+        "the stiffness of a contact needs elastic material");
   if (far_boundary_ != mechanics::FarBoundary::clamped)
     throw std::domain_error(
         "the stiffness of a contact needs a clamped far boundary, top = "
@@ -147,16 +159,20 @@ ContactStiffness MeshedBlock::stiffness() {
 }
 
 StressPeak MeshedBlock::strongest_stress() const {
-  return BlockStress(system_, newton_.state().displacement).strongest();
+  return BlockStress(system_, newton_.state().displacement,
+                     newton_.state().flow())
+      .strongest();
 }
 
 std::vector<double> MeshedBlock::section(const SectionPlane& plane) const {
-  BlockStress stress(system_, newton_.state().displacement);
+  BlockStress stress(system_, newton_.state().displacement,
+                     newton_.state().flow());
   return von_mises_in(plane, system_.space(), stress);
 }
 
 void MeshedBlock::write(const std::string& folder_and_stem) {
-  BlockStress stress(system_, newton_.state().displacement);
+  BlockStress stress(system_, newton_.state().displacement,
+                     newton_.state().flow());
   output_.write(
       folder_and_stem, system_, stress,
       SurfaceOutput(maps_, newton_.state(), stress.displacement(), heights_),
@@ -201,6 +217,9 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
   require_positive("tolerance", contact.tolerance, "1");
   if (load.control == mechanics::Control::nominal_pressure)
     require_positive("nominal pressure", load.amount, "Pa");
+  else if (system_.plasticity())
+    throw std::domain_error(
+        "a block with a yield stress needs a nominal pressure as its load");
   else if (!std::isfinite(load.amount))
     refuse_argument("mean gap", load.amount, "finite [m]");
   require_field("height", heights, "m");
@@ -244,7 +263,8 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
 
 double MeshedBlock::estimated_gap_error(const BlockSolution& solution,
                                         double ratio) const {
-  if (!solution.converged || !(solution.nominal_pressure > 0.0))
+  if (!solution.converged || !(solution.nominal_pressure > 0.0) ||
+      system_.plasticity())
     return std::numeric_limits<double>::quiet_NaN();
   const LoadedResponse by_load{newton_.state().displacement,
                                solution.nominal_pressure *

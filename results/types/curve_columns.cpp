@@ -74,6 +74,8 @@ constexpr std::array all_columns{
     column<&CurvePoint::pressure_centre_y>("pressure_centre_y", "m", any),
     column<&CurvePoint::von_mises>("von_mises", "Pa"),
     column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
+    column<&CurvePoint::plastic_work>("plastic_work", "J/m^2"),
+    column<&CurvePoint::plastic_strain>("plastic_strain", "1"),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged",
                                 share),
     column<&CurvePoint::is_unloading>("is_unloading", "1", share),

@@ -59,6 +59,10 @@ struct CurvePoint {
   double pressure_centre_y = not_given;
   double von_mises = not_given;       ///< maximum in the full 3-D block [Pa]
   double von_mises_depth = not_given; ///< depth of this maximum [m]
+  /// Of the full 3-D block with a yield stress: the work of plastic flow so
+  /// far, per nominal area [J/m^2], and the largest equivalent plastic strain.
+  double plastic_work = not_given;
+  double plastic_strain = not_given;
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""

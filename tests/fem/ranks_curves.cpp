@@ -241,6 +241,9 @@ void print_matrix_free() {
   problem.far_boundary = mechanics::FarBoundary::pressure;
   problem.contact_at = mechanics::ContactPoints::gauss;
   print_curve("loaded", problem, mechanics::ContactLaw::augmented);
+  problem = hexahedra(mechanics::BlockSides::free);
+  problem.plasticity = Plasticity{3e6, 0.1 * soft_modulus};
+  print_curve("plastic", problem, mechanics::ContactLaw::hard);
   print_stiffness(hexahedra(mechanics::BlockSides::free));
   print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
   print_adaptive("first-order", 1, mechanics::BlockSides::free);

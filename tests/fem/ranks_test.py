@@ -45,7 +45,7 @@ def main(program, mpirun):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    assert len(one) == 67, f"{len(one)} rows"
+    assert len(one) == 69, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
     # Three ranks divide no lattice of the Fourier solver evenly, but share the

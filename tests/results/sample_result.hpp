@@ -68,6 +68,8 @@ inline CurvePoint sample_point(int step) {
   point.pressure_centre_y = 1e-6 / (43 + step);
   point.von_mises = 1e7 / (23 + step);
   point.von_mises_depth = 1e-6 / (29 + step);
+  point.plastic_work = 1e-3 / (59 + step);
+  point.plastic_strain = 1e-2 / (61 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
@@ -102,6 +104,8 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.pressure_centre_y, b.pressure_centre_y);
   EXPECT_PRED2(is_same, a.von_mises, b.von_mises);
   EXPECT_PRED2(is_same, a.von_mises_depth, b.von_mises_depth);
+  EXPECT_PRED2(is_same, a.plastic_work, b.plastic_work);
+  EXPECT_PRED2(is_same, a.plastic_strain, b.plastic_strain);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);
