@@ -117,13 +117,11 @@ def write_listed_x3p(path, text, points):
 def check_other_surfaces(runner):
     """Ranks read the rows of a map file that permits it, also of mirror images,
     and compute those of an exact shape; of other maps rank 0 sends the rows."""
-    maps = {
-  "map.npy" : 512, "large.npy" : 640, "map.h5" : 256, "map.txt" : 512,
-      "map.gwy" : 512, "map.x3p" : 512}
+    maps = {"map.npy": 512, "large.npy": 640, "map.h5": 256, "map.txt": 512, "map.gwy": 512, "map.x3p": 512}
     for name, points in maps.items():
         runner.run("surface", "shared.toml", "--no-report", "--write", name, "--set",
                    f"surface.points={points}", "--set", 'surface.wavelength_short="16 nm"')
-#More points are missing than without max_missing are filled.
+    # More points are missing than without max_missing are filled.
     heights = (runner.folder / "map.npy").read_bytes()
     for name, number in {"holes.npy": math.nan, "marks.npy": -9999.0}.items():
         marked = bytearray(heights)
@@ -154,9 +152,8 @@ def check_other_surfaces(runner):
         "text": ('"map.txt"\nedges = "periodic"', sent),
         "marks": (f'"marks.npy"\n{scales}edges = "periodic"\nmissing_value = -9999\nmax_missing = 0.2',
                   "2 ranks read the rows of the surface")}
-    cases = {
-name: (measured + text, line) for name, (text, line) in cases.items()}
-#The map itself is pressed once, and its continuation by no method.
+    cases = {name: (measured + text, line) for name, (text, line) in cases.items()}
+    # The map itself is pressed once, and its continuation by no method.
     cases["island"] = tuple(text.replace("periodic", "mirror") for text in cases["npy"])
     cases["island-sent"] = cases["sent"]
     cases["wave"] = ('kind = "wave-2d"\nlength = "1 um"\npoints = 512\namplitude = "1 nm"\n'
