@@ -55,7 +55,7 @@ std::vector<LoadMistake> load_mistakes(const Problem& problem,
 /// Names the factor between the mean pressure and the load.
 std::string words_of_load(const Problem& problem, std::size_t load,
                           double ratio) {
-  const std::string found =
+  std::string found =
       fmt::format("the mean pressure is {:.6g} times the load", ratio);
   const auto near = [&](double factor) {
     return std::abs(std::abs(ratio) / factor - 1.0) < 1e-2;

@@ -53,7 +53,7 @@ public:
 
   /// A file in the folder of the submission.
   std::filesystem::path file(const std::string& key) {
-    const std::filesystem::path named = text(key);
+    std::filesystem::path named = text(key);
     if (named.is_absolute() ||
         std::ranges::find(named, std::filesystem::path("..")) != named.end())
       refuse(*table_.find(key), "must be a file of this folder");

@@ -50,7 +50,7 @@ public:
   /// @param rows  count() + 2 rows of equal length; the inner ones are read
   template <class Value>
   void fill_ghost_rows(std::span<Value> rows) const {
-    const std::size_t n = rows.size() / static_cast<std::size_t>(count() + 2);
+    const std::size_t n = rows.size() / (static_cast<std::size_t>(count()) + 2);
     const std::span<Value> first = rows.subspan(n, n);
     const std::span<Value> last = rows.last(2 * n).first(n);
     const std::span<Value> before = rows.first(n);

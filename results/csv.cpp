@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace asperity::results {
 namespace {
@@ -26,6 +28,11 @@ constexpr std::array number_headers{"step",
                                     "certified_gap_error [m]",
                                     "estimated_gap_error [m]"};
 
+/// Headers of the columns after these, of a result that has a block with a
+/// yield stress.
+constexpr std::array plastic_headers{"plastic_work [J/m^2]",
+                                     "plastic_strain [1]"};
+
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",
                                   "observation_time [s]"};
@@ -39,6 +46,20 @@ std::string quoted(const std::string& field) {
   return text + '"';
 }
 
+std::vector<const char*> numbers_of(const Result& result) {
+  std::vector<const char*> headers(number_headers.begin(),
+                                   number_headers.end());
+  for (const MethodRecord& method : result.methods)
+    for (const Curve& curve : method.realizations)
+      for (const CurvePoint& point : curve.points)
+        if (std::isfinite(point.plastic_work)) {
+          headers.insert(headers.end(), plastic_headers.begin(),
+                         plastic_headers.end());
+          return headers;
+        }
+  return headers;
+}
+
 /// Returns the column that a header names before its unit.
 const CurveColumn& headed_column(std::string_view header) {
   return curve_column(header.substr(0, header.find(' ')));
@@ -47,8 +68,9 @@ const CurveColumn& headed_column(std::string_view header) {
 } // namespace
 
 std::string curves_csv(const Result& result) {
+  const std::vector<const char*> headers = numbers_of(result);
   std::string text = "method,realization";
-  for (const char* header : number_headers)
+  for (const char* header : headers)
     text += fmt::format(",{}", header);
   text += ",status\r\n";
 
@@ -56,7 +78,7 @@ std::string curves_csv(const Result& result) {
     for (std::size_t i = 0; i < method.realizations.size(); ++i)
       for (const CurvePoint& point : method.realizations[i].points) {
         text += fmt::format("{},{}", quoted(method.name), i);
-        for (const char* header : number_headers)
+        for (const char* header : headers)
           text += fmt::format(",{}", headed_column(header).get(point));
         text += fmt::format(",{}\r\n", status_word(point.status));
       }

@@ -20,6 +20,9 @@ namespace asperity::results {
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
 ///     certified_gap_error [m],estimated_gap_error [m],status
 ///
+/// If a block has a yield stress, plastic_work [J/m^2],plastic_strain [1] come
+/// before the status.
+///
 /// Two runs of one case by one build give the same bytes. Numbers have the
 /// fewest digits that reproduce the same double. A quantity that a method does
 /// not provide is "nan". The status is converged or not_converged.

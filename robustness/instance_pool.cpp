@@ -23,10 +23,11 @@ using Clock = std::chrono::steady_clock;
 /// one line for each.
 struct Worker {
   std::optional<ChildProcess> child;
-  std::size_t next = 0; ///< index of the current instance
-  std::string text;     ///< received data that do not yet form a line
-  Clock::time_point since;
+  std::size_t next = 0;        ///< index of the current instance
+  std::string text;            ///< received data that do not yet form a line
   double seconds_before = 0.0; ///< CPU time used before this instance [s]
+  double seconds_seen = 0.0;   ///< the same up to `since` [s]
+  Clock::time_point since;     ///< when it was last seen to use CPU time
 };
 
 void write_all(int pipe, const std::string& text) {
@@ -96,22 +97,29 @@ private:
         continue;
       if ((waiting[i].revents & (POLLIN | POLLHUP)) != 0)
         read_from(worker);
-      else if (is_overdue(worker))
-        report_and_restart(worker, Outcome::timed_out,
-                           fmt::format("more than {:g} s of CPU time",
-                                       settings_.instance_seconds));
+      else if (const std::string reason = overdue(worker); !reason.empty())
+        report_and_restart(worker, Outcome::timed_out, reason);
     }
   }
 
-  /// The CPU time decides, so that a busy machine does not fail an instance.
-  bool is_overdue(const Worker& worker) const {
-    constexpr double wall_time_factor =
-        10.0; // a waiting process uses no CPU time
+  /// Returns why an instance is ended, or "". The CPU time decides, so that a
+  /// busy machine does not fail one; a process that waits for ever uses none.
+  std::string overdue(Worker& worker) const {
+    constexpr double progress = 0.01; // [s]
+    constexpr double wall_time_factor = 10.0;
+    const double used = worker.child->cpu_time();
+    if (used > worker.seconds_seen + progress) {
+      worker.seconds_seen = used;
+      worker.since = Clock::now();
+    }
     const double waited =
         std::chrono::duration<double>(Clock::now() - worker.since).count();
-    return worker.child->cpu_time() - worker.seconds_before >
-               settings_.instance_seconds ||
-           waited > wall_time_factor * settings_.instance_seconds;
+    const double limit = settings_.instance_seconds;
+    if (used - worker.seconds_before > limit)
+      return fmt::format("more than {:g} s of CPU time", limit);
+    return waited > wall_time_factor * limit
+               ? fmt::format("no CPU time for {:g} s", wall_time_factor * limit)
+               : "";
   }
 
   void read_from(Worker& worker) {

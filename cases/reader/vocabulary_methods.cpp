@@ -152,6 +152,29 @@ Table halfspace_table() {
       })};
 }
 
+/// Plastic flow of the full 3-D block.
+std::vector<Key> flow_keys() {
+  return {
+      key<&FullBlock::yield_stress>(
+          "yield_stress",
+          {Dimension::pressure,
+           positive(),
+           {mechanics::ReferenceUnit::contact_modulus}},
+          "With solver = \"full\" and element = \"Q2\": the stress in uniaxial "
+          "tension at which the block begins to flow (von Mises); needs one "
+          "body of hexahedra and loads by nominal pressure.",
+          eg("0.005 E*", "default: the block is elastic")),
+      key<&FullBlock::hardening_modulus>(
+          "hardening_modulus",
+          {Dimension::pressure,
+           positive(),
+           {mechanics::ReferenceUnit::contact_modulus}},
+          "Increase of the yield stress per plastic strain in uniaxial "
+          "tension.",
+          eg("0.01 E*", "with yield_stress; default: perfectly plastic")),
+  };
+}
+
 std::vector<Key> full_block_keys() {
   return {
       key<&FullBlock::uses_case_mesh>(
@@ -196,23 +219,6 @@ std::vector<Key> full_block_keys() {
           "per direction; needs top = \"clamped\", contact at nodes and one "
           "body.",
           eg("true")),
-      key<&FullBlock::yield_stress>(
-          "yield_stress",
-          {Dimension::pressure,
-           positive(),
-           {mechanics::ReferenceUnit::contact_modulus}},
-          "With solver = \"full\" and element = \"Q2\": the stress in uniaxial "
-          "tension at which the block begins to flow (von Mises); needs one "
-          "body of hexahedra and loads by nominal pressure.",
-          eg("0.005 E*", "default: the block is elastic")),
-      key<&FullBlock::hardening_modulus>(
-          "hardening_modulus",
-          {Dimension::pressure,
-           positive(),
-           {mechanics::ReferenceUnit::contact_modulus}},
-          "Increase of the yield stress per plastic strain in uniaxial "
-          "tension.",
-          eg("0.01 E*", "with yield_stress; default: perfectly plastic")),
   };
 }
 
@@ -243,6 +249,7 @@ Table fem_table() {
 Table fem_table_with_full_block() {
   Table table = fem_table();
   append_keys(table.keys, hidden(full_block_keys()));
+  append_keys(table.keys, hidden(flow_keys()));
   return table;
 }
 

@@ -100,8 +100,23 @@ SeveralSums<n_sums> sum_products(const NodeFields& f, const NodeRange& range,
   });
 }
 
-double lowest(const Lanes<double>& lanes) {
-  return folded(lanes, [](double a, double b) { return b < a ? b : a; });
+/// raw_gap = next(node, raw_gap) in a block without contact. Returns the lowest
+/// gap; -infinity if one is not finite.
+template <class Count, class Next>
+INLINED inline double lowest_changed(const NodeFields& f, std::size_t first,
+                                     Count n, const Next& next) {
+  double* const raw_gap = f.raw_gap;
+  Lanes<double> least, sum{};
+  least.fill(infinity);
+  each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+    const double gap = next(i, raw_gap[i]);
+    raw_gap[i] = gap;
+    least[lane] = gap < least[lane] ? gap : least[lane];
+    sum[lane] += gap;
+  });
+  const double lowest =
+      folded(least, [](double a, double b) { return b < a ? b : a; });
+  return std::isfinite(total(sum)) ? lowest : -infinity;
 }
 
 /// raw_gap = next(node, raw_gap). A block has either sums over its contact or a
@@ -115,16 +130,7 @@ TwoSums change(const NodeFields& f, const NodeRange& range, const Next& next) {
     Lanes<double> residual{}, weight{};
     each_node_block(range, [&](std::size_t first, auto n) INLINED {
       if (f.active[first / block_nodes] == 0) {
-        Lanes<double> least, sum{};
-        least.fill(infinity);
-        each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
-          const double gap = next(i, raw_gap[i]);
-          raw_gap[i] = gap;
-          least[lane] = gap < least[lane] ? gap : least[lane];
-          sum[lane] += gap;
-        });
-        f.lowest[first / block_nodes] =
-            std::isfinite(total(sum)) ? lowest(least) : -infinity;
+        f.lowest[first / block_nodes] = lowest_changed(f, first, n, next);
         return;
       }
       each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {

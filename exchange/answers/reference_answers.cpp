@@ -234,6 +234,13 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
                     contact_case.path));
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  if (half != nullptr && half->has_free_boundaries &&
+      contact_case.surface.kind == mechanics::SurfaceKind::measured)
+    throw input::InputError(fmt::format(
+        "{}: {} presses a measured map without its mirror images, of which no "
+        "problem can state slope and continuum: {}.boundaries = \"periodic\" "
+        "is allowed",
+        contact_case.path, method.name, method.name));
   const methods::CaseSurfaces surfaces(contact_case, {method});
   const methods::SurfaceOfCase& surface = surfaces.of(method, 0);
   AnsweredProblem answered;

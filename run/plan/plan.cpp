@@ -218,6 +218,34 @@ double time_on_first_surface(const cases::Case& contact_case,
   return time;
 }
 
+/// @param kept  steps that the cache has
+PlannedMethod planned_method(const cases::Case& contact_case,
+                             const MethodSpec& method, const Grid& grid,
+                             const RunOptions& options, MachineRates& rates,
+                             int kept) {
+  const MethodCost cost =
+      cost_of(contact_case, method, grid, rates, options.ranks);
+  PlannedMethod planned{.name = method.name, .grid = grid};
+  planned.realizations = static_cast<int>(
+      methods::realizations_of(contact_case, method, options.realizations)
+          .size());
+  planned.steps =
+      planned.realizations * static_cast<int>(contact_case.load.targets.size());
+  planned.kept_steps = kept;
+  const int left = planned.steps - kept;
+  planned.unknowns = cost.unknowns;
+  planned.setup_time = left > 0 ? cost.setup_time : 0.0;
+  planned.step_time = left > 0 ? left * cost.step_time : 0.0;
+  planned.memory = cost.memory;
+  planned.runs_alone =
+      methods::describe(method, contact_case.material).runs_alone;
+  share_by_ranks(method, methods::pressed_grid(contact_case, method, grid),
+                 options, planned);
+  if (!method.needs_surface())
+    planned.grid = {};
+  return planned;
+}
+
 } // namespace
 
 void add_up_times(Plan& plan) {
@@ -254,30 +282,16 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   bool uses_fem = false;
   bool uses_block = false;
   for (const MethodSpec& method : methods) {
-    const MethodCost cost =
-        cost_of(contact_case, method, grid, rates, options.ranks);
-    PlannedMethod planned{.name = method.name, .grid = grid};
-    const std::vector<int> realizations =
-        methods::realizations_of(contact_case, method, options.realizations);
-    planned.realizations = static_cast<int>(realizations.size());
-    planned.steps = planned.realizations *
-                    static_cast<int>(contact_case.load.targets.size());
-    planned.kept_steps =
-        kept_steps(contact_case, method, realizations, keys, cache);
-    const int left = planned.steps - planned.kept_steps;
-    planned.unknowns = cost.unknowns;
-    planned.setup_time = left > 0 ? cost.setup_time : 0.0;
-    planned.step_time = left > 0 ? left * cost.step_time : 0.0;
-    planned.memory = cost.memory;
-    planned.runs_alone =
-        methods::describe(method, contact_case.material).runs_alone;
-    share_by_ranks(method, methods::pressed_grid(contact_case, method, grid),
-                   options, planned);
-    if (!method.needs_surface())
-      planned.grid = {};
-    uses_fem |= left > 0 &&
+    const int kept = kept_steps(
+        contact_case, method,
+        methods::realizations_of(contact_case, method, options.realizations),
+        keys, cache);
+    PlannedMethod planned =
+        planned_method(contact_case, method, grid, options, rates, kept);
+    const bool is_left = planned.steps > kept;
+    uses_fem |= is_left &&
                 std::holds_alternative<mechanics::FemSettings>(method.settings);
-    uses_block |= left > 0 && methods::is_full_block(method);
+    uses_block |= is_left && methods::is_full_block(method);
     plan.methods.push_back(std::move(planned));
   }
   if (options.realizations.empty() || options.realizations.contains(0))

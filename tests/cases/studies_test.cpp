@@ -114,7 +114,8 @@ TEST(Studies, NeedATheoryWithThePapersLossFactor) {
   EXPECT_EQ(mistakes_in({"theory.loss_factor=xu",
                          "adhesion=", "expect.adhesion_flip="}),
             "  case.toml:16: magnification needs a [theory] whose spectrum is "
-            "\"formula\" and whose loss_factor is \"yang-persson\"\n");
+            "\"formula\", or a measured surface, and whose loss_factor is "
+            "\"yang-persson\"\n");
 }
 
 TEST(Studies, NeedATheoryByTheFormula) {

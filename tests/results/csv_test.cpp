@@ -56,6 +56,26 @@ TEST(CurvesCsv, IsThisTable) {
   EXPECT_EQ(curves_csv(result), expected);
 }
 
+// The columns of a block that flows come before the status.
+TEST(CurvesCsv, HasPlasticFlowWhereThereIsAny) {
+  CurvePoint flowing;
+  flowing.plastic_work = 0.5;
+  flowing.plastic_strain = 0.25;
+  Result result;
+  result.methods = {{"theory", "theory", "", {Curve{{CurvePoint{}}, {}, 0.0}}},
+                    {"fem", "fem", "", {Curve{{flowing}, {}, 0.0}}}};
+
+  const std::string text = curves_csv(result);
+
+  EXPECT_NE(text.find(",estimated_gap_error [m],plastic_work [J/m^2],"
+                      "plastic_strain [1],status\r\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(",nan,nan,nan,converged\r\nfem,"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find(",0.5,0.25,converged\r\n"), std::string::npos) << text;
+}
+
 // Two results that differ in their times only have the same curves.csv, and
 // times.csv has the times.
 TEST(CurvesCsv, HasNoTimeWhichTimesCsvHas) {
