@@ -5,6 +5,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
+#include "reports/analysis/surface_theory.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
@@ -145,12 +146,14 @@ rows_of_table(const surfaces::NumberTable& table,
 
 double nominal_area(const results::Result& result,
                     const cases::Case& contact_case) {
-  const Grid& grid = result.surfaces.front().grid;
+  const results::SurfaceRecord& pressed = result.surfaces.front();
+  const Grid& grid = pressed.grid;
   const mechanics::SurfaceSpec& surface = contact_case.surface;
-  const bool has_images = !result.case_text.empty() &&
+  const bool is_continued = surface.edges == mechanics::Edges::mirror ||
+                            surface.edges == mechanics::Edges::free;
+  const bool has_images = !result.case_text.empty() && is_continued &&
                           surface.kind == mechanics::SurfaceKind::measured &&
-                          (surface.edges == mechanics::Edges::mirror ||
-                           surface.edges == mechanics::Edges::free);
+                          !has_spectrum_of_images(pressed); // a map alone
   return grid.length_x * grid.length_y / (has_images ? 4.0 : 1.0);
 }
 

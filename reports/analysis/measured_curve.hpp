@@ -35,8 +35,8 @@ results::Result read_measured_curve(const std::filesystem::path& file,
                                     const results::Result& beside,
                                     const cases::Case& contact_case);
 
-/// The area of the surface of a case [m^2]: of a measured map that is pressed
-/// with its mirror images, a quarter of what is pressed.
+/// The area of the surface of a case [m^2]: of a measured map that the result
+/// has with its mirror images, a quarter of what is pressed.
 double nominal_area(const results::Result& result,
                     const cases::Case& contact_case);
 

@@ -6,9 +6,11 @@
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <numbers>
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
@@ -57,10 +59,21 @@ TEST_F(MeasuredCurve, HasTheUnitsOfItsColumns) {
 
   rough.surface.kind = mechanics::SurfaceKind::measured;
   rough.surface.edges = mechanics::Edges::mirror; // a quarter is the map
-  EXPECT_DOUBLE_EQ(
-      read("load [N],gap [nm]\n1e-3,2\n").methods[0].realizations[0].points[0]
-          .nominal_pressure,
-      4e-3 / nominal);
+  EXPECT_DOUBLE_EQ(read("load [N],gap [nm]\n1e-3,2\n")
+                       .methods[0]
+                       .realizations[0]
+                       .points[0]
+                       .nominal_pressure,
+                   4e-3 / nominal);
+
+  // A map that was pressed alone is stored without its images, whose spectrum
+  // begins at half the wavevector of its longer side.
+  rough.surface.edges = mechanics::Edges::free;
+  result.surfaces[0].spectrum = {
+      {std::numbers::pi / std::max(grid.length_x, grid.length_y), 1e-30}};
+  EXPECT_DOUBLE_EQ(nominal_area(result, rough), nominal);
+  result.surfaces[0].spectrum[0].wavevector *= 2.0;
+  EXPECT_DOUBLE_EQ(nominal_area(result, rough), nominal / 4.0);
 }
 
 TEST_F(MeasuredCurve, AnswersMistakes) {
@@ -68,8 +81,7 @@ TEST_F(MeasuredCurve, AnswersMistakes) {
        {std::pair("presure [MPa],gap [nm]\n1,2\n",
                   "mine.csv:1: the column \"presure [MPa]\" is unknown"),
         std::pair("presure [MPa],gap [nm]\n1,2\n", "nearest: pressure"),
-        std::pair("pressure,gap [nm]\n1,2\n",
-                  "\"pressure\" has no known unit"),
+        std::pair("pressure,gap [nm]\n1,2\n", "\"pressure\" has no known unit"),
         std::pair("pressure [nm],gap [nm]\n1,2\n", "has no known unit"),
         std::pair("pressure [Pa]\n1\n", "must name a pressure and an area"),
         std::pair("pressure [Pa],load [N]\n1,1\n", "is there twice"),
