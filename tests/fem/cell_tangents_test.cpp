@@ -6,6 +6,7 @@
 #include "tests/fem/block_vectors.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
+#include "tests/fem/tangent_stress.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -65,19 +66,6 @@ std::vector<CellTangents> flowing_cells(const BlockSystem& system,
     }
   }
   return cells;
-}
-
-Tensor stress_of(const PointTangent& tangent, const Tensor& strain) {
-  Tensor s;
-  const auto& own = tangent.softening;
-  s[0][0] = own[0];
-  s[1][1] = own[1];
-  s[2][2] = own[2];
-  s[1][2] = own[3];
-  s[2][0] = own[4];
-  s[0][1] = own[5];
-  return tangent.lame * trace(strain) * dealii::unit_symmetric_tensor<3>() +
-         2.0 * tangent.shear * strain - (s * strain) * s;
 }
 
 /// K u by a sum over the Gauss points, zero at constrained unknowns.
