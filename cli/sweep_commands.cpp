@@ -78,7 +78,7 @@ run::SweepOutcome run_to(const run::NamedSweep& named,
   run::SweepRunOptions options{
       named.found.file, named.overrides, command.methods, command.is_exact,
       folder,           command.resume,  command.threads, command.uses_cache};
-  options.has_reports = named.has_point_reports && !command.no_report;
+  options.has_reports = !named.text.empty() && !command.no_report;
   if (!named.text.empty())
     write_file_atomically(named.found.file, named.text);
   fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);

@@ -115,7 +115,6 @@ NamedCases read_maps(const std::vector<std::filesystem::path>& files,
   NamedSweep named{
       {folder / reports::maps_file, folder.filename().string()}, {}, overrides};
   named.text = maps_sweep_text(files, contact_modulus);
-  named.has_point_reports = true;
   named.sweep =
       cases::read_sweep({named.text, named.found.file.string(), {}}, overrides);
   named.sweep.name = named.found.name;

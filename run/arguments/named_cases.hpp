@@ -27,8 +27,9 @@ struct NamedSweep {
   FoundCase found;
   cases::CaseSweep sweep;
   std::vector<std::string> overrides; ///< including those of quick.set
-  std::string text = {}; ///< of a case file that is written when it runs
-  bool has_point_reports = false;
+  /// Of a sweep over several maps, whose points have reports of their own: the
+  /// case file that is written when it runs.
+  std::string text = {};
 };
 
 /// The cases that one argument of the command line refers to.
