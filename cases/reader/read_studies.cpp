@@ -1,15 +1,22 @@
 #include "cases/reader/read_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace asperity::cases {
 namespace {
 
-void check_theory(TableReader& table, const Case& read) {
-  if (!study_theory(read.surface, read.methods))
-    table.complain(table.node(), "needs a [theory] whose spectrum is "
-                                 "\"formula\", or a measured surface, and "
-                                 "whose loss_factor is \"yang-persson\"");
+/// @param takes_maps  the study also describes a measured surface
+void check_theory(TableReader& table, const Case& read, bool takes_maps) {
+  const bool is_measured =
+      read.surface.kind == mechanics::SurfaceKind::measured;
+  if (!study_theory(read.surface, read.methods) || (is_measured && !takes_maps))
+    table.complain(
+        table.node(),
+        fmt::format("needs a [theory] whose spectrum is \"formula\"{}, and "
+                    "whose loss_factor is \"yang-persson\"",
+                    takes_maps ? ", or a measured surface" : ""));
 }
 
 void check_ends(TableReader& table, double from, double to) {
@@ -56,7 +63,7 @@ double read_reference_wavevector(TableReader& table,
 
 MagnificationStudy read_magnification_study(TableReader table,
                                             const Case& read) {
-  check_theory(table, read);
+  check_theory(table, read, true);
   MagnificationStudy study;
   table.read(study);
   check_ends(table, study.from, study.to);
@@ -68,7 +75,7 @@ MagnificationStudy read_magnification_study(TableReader table,
 }
 
 AdhesionStudy read_adhesion_study(TableReader table, const Case& read) {
-  check_theory(table, read);
+  check_theory(table, read, false);
   AdhesionStudy study;
   table.read(study);
   check_ends(table, study.from, study.to);

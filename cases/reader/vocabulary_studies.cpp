@@ -9,13 +9,15 @@ using Adhesion = AdhesionStudy;
 using Leak = LeakStudy;
 
 constexpr const char* for_theory =
+    "Optional; needs a [theory] whose spectrum is the formula.";
+constexpr const char* for_theory_or_map =
     "Optional; needs a [theory] whose spectrum is the formula, or a measured "
     "map.";
 
 Table magnification_table() {
   return {
       .name = "magnification",
-      .when = for_theory,
+      .when = for_theory_or_map,
       .description = "The contact at magnifications zeta = q/q_ref, Eqs. (23) "
                      "to (28) of Yang and Persson (2008): area, separation, "
                      "and the separation where contact is lost.",

@@ -156,12 +156,26 @@ TEST(Studies, AreThoseOfTheMapOfAMeasuredSurface) {
        "surface.length=10 um", "surface.height_unit=1 nm",
        "surface.rms_height=", "surface.hurst=", "surface.wavelength_long=",
        "surface.wavelength_roll_off=", "surface.wavelength_short=",
-       "magnification.reference_wavelength=10 um"});
+       "magnification.reference_wavelength=10 um",
+       "adhesion=", "expect.adhesion_flip="});
 
   EXPECT_EQ(study_theory(measured.surface, measured.methods),
             &measured.methods[0]);
   EXPECT_DOUBLE_EQ(measured.magnification_study->reference_wavevector,
                    two_pi / 1e-5);
+}
+
+TEST(Studies, OfAdhesionAreNotOfMaps) {
+  const std::string mistakes = mistakes_in(
+      {"surface.kind=measured", "surface.file=map.txt", "surface.level=plane",
+       "surface.length=10 um", "surface.height_unit=1 nm",
+       "surface.rms_height=", "surface.hurst=", "surface.wavelength_long=",
+       "surface.wavelength_roll_off=", "surface.wavelength_short=",
+       "magnification="});
+  EXPECT_NE(mistakes.find("adhesion needs a [theory] whose spectrum is "
+                          "\"formula\", and whose loss_factor"),
+            std::string::npos)
+      << mistakes;
 }
 
 TEST(Studies, AnswerTheirQuantitiesByTheTheoryAlone) {
