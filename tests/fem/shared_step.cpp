@@ -6,7 +6,7 @@
 // Arguments: points per side, or as 600x500, threads per rank, "ranks" or
 // "alone" (one process without MPI); then "q1" or "q2" for a block, "free" for
 // a half-space with free boundaries, or "fail" to let the last rank fail in its
-// tenth transform.
+// third transform.
 #include "base/content_hash.hpp"
 #include "base/cpu_clock.hpp"
 #include "base/peak_memory.hpp"
@@ -78,7 +78,7 @@ std::vector<double> heights_of(const SharedRows& rows) {
   return heights;
 }
 
-/// Forwards to a shared operator until the tenth change of pressure.
+/// Forwards to a shared operator until the third change of pressure.
 class FailingOperator final : public contact::SurfaceOperator {
 public:
   explicit FailingOperator(std::unique_ptr<contact::SurfaceOperator> sound)
@@ -103,8 +103,8 @@ public:
 
   void displacement_change(std::span<const float> pressure_change,
                            std::span<float> displacement_change) override {
-    if (++calls_ == 10)
-      throw std::runtime_error("the tenth transform failed on purpose");
+    if (++calls_ == 3)
+      throw std::runtime_error("the third transform failed on purpose");
     sound_->displacement_change(pressure_change, displacement_change);
   }
 

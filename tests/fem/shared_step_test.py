@@ -39,7 +39,7 @@ def main(program, mpirun):
     failed = on_ranks(3, "256", "1", "ranks", "fail")
     assert time.monotonic() - start < 60.0  # two waits of 5 s, and the start of mpirun
     assert failed.returncode == 4, (failed.returncode, failed.stdout)
-    assert "rank 2 of 3: the tenth transform failed on purpose" in failed.stdout, failed.stdout
+    assert "rank 2 of 3: the third transform failed on purpose" in failed.stdout, failed.stdout
     assert "pressure" not in failed.stdout, failed.stdout
 
 
