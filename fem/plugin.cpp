@@ -3,12 +3,15 @@
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/parallel/mpi_group.hpp"
+#include "fem/parallel/mpi_session.hpp"
+#include "fem/parallel/network_solver.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/waves/cell_stiffness.hpp"
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/q2_operator.hpp"
 #include "meshes/layers/graded_layers.hpp"
 
+#include <HYPRE_config.h>
 #include <deal.II/base/config.h>
 
 #include <Trilinos_version.h>
@@ -115,9 +118,16 @@ public:
 
   int ranks() const override { return n_ranks(); }
 
+  flow::NetworkSolution
+  solved_network(const flow::Network& network) const override {
+    start_mpi();
+    return fem::solved_network(network);
+  }
+
   std::string versions() const override {
     return "deal.II " DEAL_II_PACKAGE_VERSION
-           ", Trilinos " TRILINOS_VERSION_STRING;
+           ", Trilinos " TRILINOS_VERSION_STRING
+           ", hypre " HYPRE_RELEASE_VERSION;
   }
 };
 

@@ -7,6 +7,7 @@
 #include "contact/operators/surface_operator.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/full_request.hpp"
+#include "flow/network.hpp"
 #include "mechanics/contact_law.hpp"
 #include "mechanics/fem_settings.hpp"
 #include "mechanics/material.hpp"
@@ -71,6 +72,10 @@ public:
   virtual std::unique_ptr<FullBlock>
   uncondensed(const BlockRequest& request) const = 0;
 
+  /// Solves a network on this process alone, see flow::SolveNetwork.
+  virtual flow::NetworkSolution
+  solved_network(const flow::Network& network) const = 0;
+
   /// Must be called under mpirun before anything else. On rank 0 it returns
   /// false immediately, and the other ranks end when the program does. On the
   /// other ranks it returns true after rank 0 has ended.
@@ -93,7 +98,7 @@ public:
   virtual int ranks() const = 0;
 
   /// Library versions for the provenance, such as "deal.II 9.4.1, Trilinos
-  /// 13.2.0".
+  /// 13.2.0, hypre 2.26.0".
   virtual std::string versions() const = 0;
 };
 

@@ -1,0 +1,315 @@
+#include "flow/reynolds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+
+namespace asperity::flow {
+namespace {
+
+/// The nodes of a map in rows along the flow: (along, across).
+class Lines {
+public:
+  Lines(const Grid& grid, Direction direction)
+      : length(direction == Direction::x ? grid.points_x : grid.points_y),
+        width(direction == Direction::x ? grid.points_y : grid.points_x),
+        spacing_along(direction == Direction::x ? grid.spacing_x()
+                                                : grid.spacing_y()),
+        spacing_across(direction == Direction::x ? grid.spacing_y()
+                                                 : grid.spacing_x()),
+        stride_along_(direction == Direction::x ? 1 : grid.points_x),
+        stride_across_(direction == Direction::x ? grid.points_x : 1) {}
+
+  std::size_t node(int along, int across) const {
+    return static_cast<std::size_t>(along) *
+               static_cast<std::size_t>(stride_along_) +
+           static_cast<std::size_t>(across) *
+               static_cast<std::size_t>(stride_across_);
+  }
+
+  int along(std::size_t node) const { return place(node, stride_along_); }
+
+  int across(std::size_t node) const { return place(node, stride_across_); }
+
+  /// Calls visit(neighbour, is_along) for the next node along the flow, and
+  /// across it for the next one of the periodic map.
+  template <class Visit>
+  void for_next(int along, int across, const Visit& visit) const {
+    if (along + 1 < length)
+      visit(node(along + 1, across), true);
+    if (width > 1)
+      visit(node(along, (across + 1) % width), false);
+  }
+
+  int length, width;
+  double spacing_along, spacing_across; ///< [m]
+
+private:
+  /// The strides are 1 and the number of points in x.
+  int place(std::size_t node, int stride) const {
+    const auto other =
+        static_cast<std::size_t>(std::max(stride_along_, stride_across_));
+    return static_cast<int>(stride == 1 ? node % other : node / other);
+  }
+
+  int stride_along_, stride_across_;
+};
+
+/// Sets of open nodes that are joined, and which reservoirs they reach.
+class Clusters {
+public:
+  explicit Clusters(std::size_t nodes) : parent_(nodes), reaches_(nodes, 0) {
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+  }
+
+  static constexpr std::uint8_t inlet = 1, outlet = 2, both = 3;
+
+  void mark(std::size_t node, std::uint8_t reservoir) {
+    std::uint8_t& flags = reaches_[root(node)];
+    flags = static_cast<std::uint8_t>(flags | reservoir);
+  }
+
+  void join(std::size_t one, std::size_t other) {
+    const std::uint32_t a = root(one), b = root(other);
+    parent_[std::max(a, b)] = std::min(a, b);
+    reaches_[std::min(a, b)] =
+        static_cast<std::uint8_t>(reaches_[a] | reaches_[b]);
+  }
+
+  bool joins_reservoirs(std::size_t node) {
+    return reaches_[root(node)] == both;
+  }
+
+private:
+  std::uint32_t root(std::size_t node) {
+    auto at = static_cast<std::uint32_t>(node);
+    while (parent_[at] != at)
+      at = parent_[at] = parent_[parent_[at]];
+    return at;
+  }
+
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> reaches_;
+};
+
+/// The open nodes from the widest to the narrowest; of equal ones the first.
+std::vector<std::uint32_t> by_descending_gap(std::span<const double> gap) {
+  std::vector<std::uint32_t> open;
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    if (gap[i] > 0.0)
+      open.push_back(static_cast<std::uint32_t>(i));
+  std::ranges::stable_sort(open, std::ranges::greater{},
+                           [&](std::uint32_t node) { return gap[node]; });
+  return open;
+}
+
+/// Joins the open nodes in descending order of their gap, so that the node that
+/// first joins the reservoirs is the narrowest of the widest path.
+/// @return  that node; gap.size() if none does
+std::size_t join_open(const Lines& lines, std::span<const double> gap,
+                      Clusters& clusters) {
+  std::size_t critical = gap.size();
+  std::vector<bool> is_joined(gap.size());
+  for (const std::size_t node : by_descending_gap(gap)) {
+    const int along = lines.along(node), across = lines.across(node);
+    is_joined[node] = true;
+    if (along == 0)
+      clusters.mark(node, Clusters::inlet);
+    if (along == lines.length - 1)
+      clusters.mark(node, Clusters::outlet);
+    const auto join = [&](int a, int b) {
+      if (a < 0 || a >= lines.length)
+        return;
+      const std::size_t beside = lines.node(a, (b + lines.width) % lines.width);
+      if (is_joined[beside])
+        clusters.join(node, beside);
+    };
+    join(along - 1, across);
+    join(along + 1, across);
+    join(along, across - 1);
+    join(along, across + 1);
+    if (critical == gap.size() && clusters.joins_reservoirs(node))
+      critical = node;
+  }
+  return critical;
+}
+
+/// The conductances of the faces of a map, in units of the cube of a gap.
+class Conductances {
+public:
+  /// @param unit  [m], the gap whose conductance over a square is 1
+  Conductances(const Lines& lines, std::span<const double> gap, double unit)
+      : gap_(gap),
+        unit_(unit),
+        shape_along_(lines.spacing_across / lines.spacing_along),
+        shape_across_(lines.spacing_along / lines.spacing_across) {}
+
+  double between(std::size_t one, std::size_t other, bool is_along) const {
+    const double a = cube(one), b = cube(other);
+    return (is_along ? shape_along_ : shape_across_) * 2.0 * a * b / (a + b);
+  }
+
+  /// Of the half cell between a node and a reservoir.
+  double to_reservoir(std::size_t node) const {
+    return 2.0 * shape_along_ * cube(node);
+  }
+
+private:
+  double cube(std::size_t node) const {
+    const double ratio = gap_[node] / unit_;
+    return ratio * ratio * ratio;
+  }
+
+  std::span<const double> gap_;
+  double unit_, shape_along_, shape_across_;
+};
+
+/// The nodes that join the reservoirs, in the order of the map.
+struct Path {
+  std::vector<std::uint32_t> nodes; ///< of the map
+  std::vector<int> row;             ///< of each node of the map; -1: none
+};
+
+Path path_of(std::size_t nodes, std::span<const double> gap,
+             Clusters& clusters) {
+  Path path{{}, std::vector<int>(nodes, -1)};
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (!(gap[i] > 0.0) || !clusters.joins_reservoirs(i))
+      continue;
+    path.row[i] = static_cast<int>(path.nodes.size());
+    path.nodes.push_back(static_cast<std::uint32_t>(i));
+  }
+  return path;
+}
+
+Network network_of(const Lines& lines, const Path& path,
+                   const Conductances& conductances) {
+  Network network;
+  network.columns.reserve(5 * path.nodes.size());
+  network.values.reserve(5 * path.nodes.size());
+  network.right_side.reserve(path.nodes.size());
+  network.row_sizes.reserve(path.nodes.size());
+  network.start.reserve(path.nodes.size());
+  for (const std::size_t node : path.nodes) {
+    const int along = lines.along(node), across = lines.across(node);
+    const std::size_t begin = network.columns.size();
+    network.columns.push_back(path.row[node]);
+    network.values.push_back(0.0);
+    double diagonal = 0.0, supplied = 0.0;
+    const auto add = [&](int a, int b, bool is_along) {
+      if (a < 0 || a >= lines.length) {
+        const double conductance = conductances.to_reservoir(node);
+        diagonal += conductance;
+        supplied += a < 0 ? conductance : 0.0; // P = 1 at the inlet
+        return;
+      }
+      const std::size_t beside = lines.node(a, (b + lines.width) % lines.width);
+      if (path.row[beside] < 0 || beside == node)
+        return;
+      const double conductance = conductances.between(node, beside, is_along);
+      diagonal += conductance;
+      network.columns.push_back(path.row[beside]);
+      network.values.push_back(-conductance);
+    };
+    add(along - 1, across, true);
+    add(along + 1, across, true);
+    add(along, across - 1, false);
+    add(along, across + 1, false);
+    network.values[begin] = diagonal;
+    network.row_sizes.push_back(
+        static_cast<int>(network.columns.size() - begin));
+    network.right_side.push_back(supplied);
+    network.start.push_back(1.0 - (along + 0.5) / lines.length);
+  }
+  return network;
+}
+
+/// The flow by the dissipation, and through each section.
+struct Flux {
+  double dissipated = 0.0;
+  std::vector<double> through; ///< length + 1 sections
+};
+
+Flux flux_of(const Lines& lines, const Path& path,
+             const Conductances& conductances,
+             std::span<const double> potential) {
+  Flux flux{0.0,
+            std::vector<double>(static_cast<std::size_t>(lines.length) + 1)};
+  const auto add = [&](double conductance, double drop, std::size_t section) {
+    flux.dissipated += conductance * drop * drop;
+    flux.through[section] += conductance * drop;
+  };
+  for (std::size_t i = 0; i < path.nodes.size(); ++i) {
+    const std::size_t node = path.nodes[i];
+    const int along = lines.along(node);
+    const auto section = static_cast<std::size_t>(along);
+    if (along == 0)
+      add(conductances.to_reservoir(node), 1.0 - potential[i], 0);
+    if (along == lines.length - 1)
+      add(conductances.to_reservoir(node), potential[i], section + 1);
+    lines.for_next(
+        along, lines.across(node), [&](std::size_t next, bool is_along) {
+          if (path.row[next] < 0)
+            return;
+          const double drop =
+              potential[i] -
+              potential[static_cast<std::size_t>(path.row[next])];
+          const double conductance = conductances.between(node, next, is_along);
+          if (is_along)
+            add(conductance, drop, section + 1);
+          else
+            flux.dissipated += conductance * drop * drop;
+        });
+  }
+  return flux;
+}
+
+} // namespace
+
+GapFlow flow_through(const Grid& grid, std::span<const double> gap,
+                     Direction direction, const SolveNetwork& solve) {
+  if (gap.size() != grid.size())
+    throw std::domain_error("flow_through: the gap does not have the size of "
+                            "the grid");
+  const Lines lines(grid, direction);
+  Clusters clusters(gap.size());
+  const std::size_t critical = join_open(lines, gap, clusters);
+  if (critical == gap.size())
+    return {};
+  const double mean = std::accumulate(gap.begin(), gap.end(), 0.0) /
+                      static_cast<double>(gap.size());
+  const Path path = path_of(gap.size(), gap, clusters);
+  const Conductances conductances(lines, gap, mean);
+  const NetworkSolution solution = solve(network_of(lines, path, conductances));
+  if (!solution.converged)
+    throw std::runtime_error("the flow through the gap was not found to its "
+                             "tolerance");
+  const Flux flux = flux_of(lines, path, conductances, solution.potential);
+  const auto [least, most] = std::ranges::minmax(flux.through);
+  GapFlow flow;
+  flow.percolates = true;
+  flow.conductance = flux.dissipated * mean * mean * mean;
+  flow.flow_factor = flux.dissipated * lines.length * lines.spacing_along /
+                     (lines.width * lines.spacing_across);
+  flow.critical_gap = gap[critical];
+  flow.critical_x =
+      static_cast<int>(critical % static_cast<std::size_t>(grid.points_x));
+  flow.critical_y =
+      static_cast<int>(critical / static_cast<std::size_t>(grid.points_x));
+  flow.imbalance = (most - least) / flux.dissipated;
+  flow.iterations = solution.iterations;
+  return flow;
+}
+
+std::vector<double> open_gap(std::span<const double> pressure,
+                             std::span<const double> gap, double closed) {
+  std::vector<double> open(gap.size());
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    open[i] = pressure[i] > 0.0 || !(gap[i] > closed) ? 0.0 : gap[i];
+  return open;
+}
+
+} // namespace asperity::flow

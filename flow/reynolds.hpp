@@ -1,0 +1,56 @@
+#pragma once
+
+// Flow of a thin viscous film through the gap of a contact, by Reynolds'
+// equation div(u^3 grad P) = 0, and the narrowest place of its widest path.
+
+#include "base/grid.hpp"
+#include "flow/network.hpp"
+
+#include <span>
+#include <vector>
+
+namespace asperity::flow {
+
+/// Direction of the mean flow. The map is a piece of the seal of its full
+/// length in this direction, between two reservoirs, and periodic across.
+enum class Direction { x, y };
+
+/// The flow through one map.
+struct GapFlow {
+  /// Whether open nodes join the reservoirs by their four neighbours. If not,
+  /// all other numbers are 0.
+  bool percolates = false;
+  /// Q 12 eta/Dp [m^3], where Q [m^3/s] is the flow through the map.
+  double conductance = 0.0;
+  /// phi = (Q/W) 12 eta L/(u^3 Dp) with the mean open gap u over the whole map
+  /// of length L along the flow and width W [1].
+  double flow_factor = 0.0;
+  /// The largest gap that some path between the reservoirs nowhere falls below
+  /// [m], and the node where this path is narrowest.
+  double critical_gap = 0.0;
+  int critical_x = 0, critical_y = 0;
+  /// Largest difference of the flow through two sections, over the flow [1].
+  double imbalance = 0.0;
+  int iterations = 0;
+};
+
+/// Computes the flow through a gap. Finite volumes: each node has a cell of the
+/// grid, and the conductance of a face is the harmonic mean of u^3 of its two
+/// cells, which is exact for resistances in series, where the pressure drops;
+/// the reservoirs are at the outer faces of the first and last cells. The flow
+/// is that of the dissipation, whose error is of second order in that of P.
+///
+/// @param gap       u [m], grid.size() values; closed where <= 0
+/// @param solve     solves the network
+/// @throws std::domain_error   the size of the map is not that of the grid
+/// @throws std::runtime_error  the network was not solved
+/// @par Accuracy  second order in the spacing (tests/flow/reynolds_test.cpp)
+GapFlow flow_through(const Grid& grid, std::span<const double> gap,
+                     Direction direction, const SolveNetwork& solve);
+
+/// The gap through which fluid flows: `gap` at open nodes, 0 at nodes in
+/// contact (pressure > 0) and where it is at most `closed` [m].
+std::vector<double> open_gap(std::span<const double> pressure,
+                             std::span<const double> gap, double closed);
+
+} // namespace asperity::flow
