@@ -18,6 +18,7 @@
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/arguments/fluids.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
 #include "run/interrupt.hpp"
@@ -205,7 +206,7 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
 }
 
 /// The overrides of a run, with those that --length and --height-unit give a
-/// map whose file does not state them.
+/// map whose file does not state them, and those of --flow.
 /// @param has_maps_only  the words are maps, or folders of them
 std::vector<std::string> overrides_of(const RunCommand& command,
                                       bool has_maps_only) {
@@ -217,6 +218,9 @@ std::vector<std::string> overrides_of(const RunCommand& command,
           "--length and --height-unit apply only to measured maps, but {} is a "
           "case: please use --set {}",
           word, overrides.front()));
+  if (!command.flow.empty())
+    for (std::string& flow : run::flow_overrides(command.flow))
+      overrides.push_back(std::move(flow));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return overrides;

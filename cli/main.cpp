@@ -54,6 +54,10 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
                       "e.g. \"20 um\"");
   command->add_option("--height-unit", run.height_unit,
                       "unit of the heights of such a map, e.g. nm");
+  command->add_option("--flow", run.flow,
+                      "fluid that leaks through the gap: water, air, or a\n"
+                      "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
+                      "100 kPa or flow.pressure_drop");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,

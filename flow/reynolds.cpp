@@ -308,7 +308,8 @@ std::vector<double> open_gap(std::span<const double> pressure,
                              std::span<const double> gap, double closed) {
   std::vector<double> open(gap.size());
   for (std::size_t i = 0; i < gap.size(); ++i)
-    open[i] = pressure[i] > 0.0 || !(gap[i] > closed) ? 0.0 : gap[i];
+    if (gap[i] > closed && (pressure.empty() || !(pressure[i] > 0.0)))
+      open[i] = gap[i];
   return open;
 }
 

@@ -49,7 +49,8 @@ GapFlow flow_through(const Grid& grid, std::span<const double> gap,
                      Direction direction, const SolveNetwork& solve);
 
 /// The gap through which fluid flows: `gap` at open nodes, 0 at nodes in
-/// contact (pressure > 0) and where it is at most `closed` [m].
+/// contact (pressure > 0; empty: by the gap alone) and where it is at most
+/// `closed` [m] >= 0.
 std::vector<double> open_gap(std::span<const double> pressure,
                              std::span<const double> gap, double closed);
 

@@ -28,10 +28,14 @@ constexpr std::array number_headers{"step",
                                     "certified_gap_error [m]",
                                     "estimated_gap_error [m]"};
 
-/// Headers of the columns after these, of a result that has a block with a
-/// yield stress.
-constexpr std::array plastic_headers{"plastic_work [J/m^2]",
-                                     "plastic_strain [1]"};
+/// Headers of the columns after these, of a result in which some row has a
+/// number in the first column of the group: of a block with a yield stress, and
+/// of the flow through the gap.
+const std::vector<std::vector<const char*>> optional_headers{
+    {"plastic_work [J/m^2]", "plastic_strain [1]"},
+    {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",
+     "flow_conductance_y [m^3]", "critical_gap_x [m]", "critical_gap_y [m]",
+     "leak_rate_x [m^3/s]", "leak_rate_y [m^3/s]", "effective_medium [m^3]"}};
 
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",
@@ -46,23 +50,27 @@ std::string quoted(const std::string& field) {
   return text + '"';
 }
 
-std::vector<const char*> numbers_of(const Result& result) {
-  std::vector<const char*> headers(number_headers.begin(),
-                                   number_headers.end());
-  for (const MethodRecord& method : result.methods)
-    for (const Curve& curve : method.realizations)
-      for (const CurvePoint& point : curve.points)
-        if (std::isfinite(point.plastic_work)) {
-          headers.insert(headers.end(), plastic_headers.begin(),
-                         plastic_headers.end());
-          return headers;
-        }
-  return headers;
-}
-
 /// Returns the column that a header names before its unit.
 const CurveColumn& headed_column(std::string_view header) {
   return curve_column(header.substr(0, header.find(' ')));
+}
+
+bool has_number(const Result& result, const CurveColumn& column) {
+  for (const MethodRecord& method : result.methods)
+    for (const Curve& curve : method.realizations)
+      for (const CurvePoint& point : curve.points)
+        if (std::isfinite(column.get(point)))
+          return true;
+  return false;
+}
+
+std::vector<const char*> numbers_of(const Result& result) {
+  std::vector<const char*> headers(number_headers.begin(),
+                                   number_headers.end());
+  for (const std::vector<const char*>& group : optional_headers)
+    if (has_number(result, headed_column(group.front())))
+      headers.insert(headers.end(), group.begin(), group.end());
+  return headers;
 }
 
 } // namespace

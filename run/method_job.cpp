@@ -156,6 +156,8 @@ void MethodJob::take(std::size_t step, results::Change kept,
   CurvePoint& row = kept.methods.front().points.front();
   row.step = static_cast<int>(step);
   row.is_unloading = context_.contact_case.load.is_unloading[step];
+  if (context_.contact_case.flow_study)
+    set_leak_rates(*context_.contact_case.flow_study, row);
   context_.tally.failed_steps += has_failed(row);
   for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
@@ -232,6 +234,12 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
     return std::ranges::find(steps, static_cast<std::size_t>(row.step)) ==
            steps.end();
   });
+  const auto& settings = std::get<mechanics::TheorySettings>(method_.settings);
+  if (contact_case.flow_study &&
+      settings.loss_factor == mechanics::LossFactor::yang_persson)
+    for (CurvePoint& row : rows)
+      add_flow(*contact_case.flow_study,
+               {spectrum, scales.contact_modulus, settings.gamma}, row);
   context_.writer->record_setup_time(method_.name, realization_, setup_time);
   context_.writer->append_steps(method_.name, realization_, rows);
   for (const CurvePoint& row : rows) {
@@ -342,7 +350,8 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
       context_.progress, activity_text(fmt::format("step {}", step)));
   methods::StepTarget target =
       target_of(context_.contact_case.load, step, surface.scales);
-  target.needs_maps = needs_maps(step);
+  target.needs_maps =
+      needs_maps(step) || context_.contact_case.flow_study.has_value();
   methods::StepAnswer answer = solver.solve(target);
   methods::distrust_non_finite(answer);
   CurvePoint row = answer.row;
@@ -354,10 +363,6 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
   ++context_.tally.computed_steps;
   context_.tally.failed_steps += has_failed(row);
   answer.row = row;
-  if (!needs_maps(step)) {
-    free_memory(answer.pressure, answer.gap);
-    answer.rows = {};
-  }
   keep_and_record(solver, answer, setup_time);
   context_.progress.step_done(method_.name, realization_, row,
                               surface.scales.rms_height);
@@ -379,6 +384,12 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
     answer.rows->gap = root_.shared(answer.rows->gap);
   }
   root_.act([&] {
+    if (context_.contact_case.flow_study)
+      add_flow(*context_.contact_case.flow_study, closed_nodes(), answer);
+    if (!needs_maps(static_cast<std::size_t>(answer.row.step))) {
+      free_memory(answer.pressure, answer.gap);
+      answer.rows = {};
+    }
     results::Change change = change_of(answer);
     change.methods.front().setup_cpu_time = setup_time;
     change.methods.front().description = solver.found_at_setup();
@@ -386,6 +397,19 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
     state = {}; // its memory
     record(std::move(change));
   });
+}
+
+/// A gap is as good as none if the solver may leave it as an error.
+ClosedNodes MethodJob::closed_nodes() const {
+  const double rms_height =
+      context_.surfaces.of(method_, realization_).scales.rms_height;
+  if (const auto* half =
+          std::get_if<mechanics::HalfspaceSettings>(&method_.settings))
+    return {half->contact.tolerance * rms_height};
+  if (const auto* block =
+          std::get_if<mechanics::FemSettings>(&method_.settings))
+    return {block->contact.tolerance * rms_height};
+  return {.under_pressure = false};
 }
 
 methods::Resources MethodJob::resources() const {

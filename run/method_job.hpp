@@ -8,6 +8,7 @@
 #include "methods/step_chain.hpp"
 #include "methods/worker_pool.hpp"
 #include "results/result_writer.hpp"
+#include "run/flow_of_step.hpp"
 #include "run/progress.hpp"
 #include "run/tally.hpp"
 
@@ -69,6 +70,7 @@ private:
   bool go_to(methods::StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(methods::StepSolver& solver, std::size_t step,
                     double setup_time);
+  ClosedNodes closed_nodes() const;
   methods::Resources resources() const;
 
   const RunContext& context_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace asperity::cases {
@@ -79,6 +80,18 @@ AdhesionStudy read_adhesion_study(TableReader table, const Case& read) {
   AdhesionStudy study;
   table.read(study);
   check_ends(table, study.from, study.to);
+  return study;
+}
+
+FlowStudy read_flow_study(TableReader table, const Case& read) {
+  FlowStudy study;
+  table.read(study);
+  if (std::ranges::none_of(read.methods, &MethodSpec::has_fields))
+    table.complain(table.node(), "needs a method with a gap: [halfspace], "
+                                 "[fem] or [md]");
+  if (study.length.has_value() != study.width.has_value())
+    table.complain_missing(study.length ? "width" : "length",
+                           ": a seal has both");
   return study;
 }
 

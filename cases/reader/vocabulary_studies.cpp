@@ -7,6 +7,7 @@ namespace {
 using Magnification = MagnificationStudy;
 using Adhesion = AdhesionStudy;
 using Leak = LeakStudy;
+using Flow = FlowStudy;
 
 constexpr const char* for_theory =
     "Optional; needs a [theory] whose spectrum is the formula.";
@@ -109,6 +110,28 @@ Table adhesion_table() {
       }};
 }
 
+Table flow_table() {
+  return {
+      .name = "flow",
+      .when = "Optional; needs a method with a gap.",
+      .description =
+          "The flow of a fluid through the gap of each load step, by Reynolds' "
+          "equation (docs/numerics/flow.md), along x and along y.",
+      .keys = {
+          key<&Flow::viscosity>("viscosity", Dimension::viscosity,
+                                "Viscosity of the fluid.", needed("1 mPa s")),
+          key<&Flow::pressure_drop>(
+              "pressure_drop", {Dimension::pressure, at_least(0.0)},
+              "Pressure drop across the seal.", needed("10 kPa")),
+          key<&Flow::length>("length", Dimension::length,
+                             "Length of the seal along the flow.",
+                             eg("5 mm", "default: that of a square")),
+          key<&Flow::width>("width", Dimension::length,
+                            "Width of the seal across the flow.",
+                            eg("100 mm", "default: that of a square")),
+      }};
+}
+
 } // namespace
 
 Table case_sweep_table() {
@@ -128,7 +151,7 @@ Table case_sweep_table() {
 }
 
 std::vector<Table> study_tables() {
-  return {magnification_table(), leak_table(), adhesion_table()};
+  return {magnification_table(), leak_table(), adhesion_table(), flow_table()};
 }
 
 } // namespace asperity::cases

@@ -58,6 +58,7 @@ struct Case {
                                    ///< variants
   std::optional<MagnificationStudy> magnification_study;
   std::optional<AdhesionStudy> adhesion_study;
+  std::optional<FlowStudy> flow_study;
   ReportSpec report;
   std::vector<Expectation> expectations;
 };

@@ -83,6 +83,15 @@ const std::vector<ExpectationName>& quantities_at_load() {
       {.name = "reduced_mean_gap",
        .description = "u / h_rms [1].",
        .theory_answers = true},
+      {.name = "log10_flow_factor",
+       .description = "log10 of the flow factor, the mean of both directions; "
+                      "needs [flow] and a step at this load [1].",
+       .theory_answers = true},
+      {.name = "leak_departure",
+       .description = "log10 of the leak rate over that of theory, the mean of "
+                      "both directions; needs [flow] and a step at this load "
+                      "[1].",
+       .needs_theory = true},
   };
   return names;
 }

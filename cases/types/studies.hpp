@@ -1,8 +1,9 @@
 #pragma once
 
-// The theoretical studies of a case besides its curve: the contact at a range
-// of magnifications, and adhesion (Secs. 8 and 9 of Yang and Persson, 2008).
-// Plain data, part of a Case.
+// The studies of a case besides its curve: the contact at a range of
+// magnifications and adhesion by the theory (Secs. 8 and 9 of Yang and Persson,
+// 2008), and the flow through the gap of each load step. Plain data, part of a
+// Case.
 
 #include "mechanics/quantity.hpp"
 
@@ -41,6 +42,17 @@ struct AdhesionStudy {
                                            ///< the theory
   std::optional<double> sphere_radius; ///< R [m] > 0, for the pull-off force
   int steps = 400;                     ///< number of steps from q_L to q_1
+};
+
+/// [flow]: a fluid that a pressure drop drives through the gap.
+struct FlowStudy {
+  double viscosity = 0.0;       ///< eta [Pa s] > 0
+  double pressure_drop = 0.0;   ///< Dp [Pa] >= 0
+  std::optional<double> length; ///< of the seal, along the flow [m] > 0
+  std::optional<double> width;  ///< of the seal, across the flow [m] > 0
+
+  /// Width over length; 1 if they are not given.
+  double aspect() const { return width.value_or(1.0) / length.value_or(1.0); }
 };
 
 } // namespace asperity::cases

@@ -127,8 +127,10 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
 
 std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
                                          int realization) const {
-  std::string key = content_hash(fmt::format("{}\n{}\n{}", problem_text_,
-                                             method_text(method), realization));
+  // The flow of a step does not depend on the numbers of [flow].
+  std::string key = content_hash(fmt::format("{}\n{}\n{}{}", problem_text_,
+                                             method_text(method), realization,
+                                             case_.flow_study ? "\nflow" : ""));
   std::vector<std::string> keys;
   for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
     key = content_hash(key + load_text(case_.load, step));

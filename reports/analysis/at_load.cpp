@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::reports {
 namespace {
@@ -27,10 +28,29 @@ AreaColumn area_column(const std::string& quantity) {
   return &CurvePoint::area_fraction;
 }
 
+/// Mean over both directions of log10 of two columns of the step at a load; NaN
+/// without one or if a direction is sealed.
+double log_flow(const results::Curve& curve, double pressure,
+                double CurvePoint::*in_x, double CurvePoint::*in_y) {
+  for (const CurvePoint& row : curve.points)
+    if (std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6 &&
+        row.*in_x > 0.0 && row.*in_y > 0.0)
+      return 0.5 * (std::log10(row.*in_x) + std::log10(row.*in_y));
+  return not_a_number;
+}
+
 /// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
                  const SurfaceScales& scales) {
+  if (quantity == "log10_flow_factor")
+    return log_flow(curve, pressure, &CurvePoint::flow_factor_x,
+                    &CurvePoint::flow_factor_y);
+  if (quantity == "leak_departure")
+    return log_flow(curve, pressure, &CurvePoint::leak_rate_x,
+                    &CurvePoint::leak_rate_y) -
+           log_flow(*theory, pressure, &CurvePoint::leak_rate_x,
+                    &CurvePoint::leak_rate_y);
   const CurveFunction function(curve.points, area_column(quantity));
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;

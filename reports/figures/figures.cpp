@@ -110,7 +110,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
 /// result has none.
 FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
                           bool is_one_of_many) {
-  FigureGroup group{"Magnification and adhesion", "", {}};
+  FigureGroup group{"Magnification, adhesion and flow", "", {}};
   if (is_one_of_many) {
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
@@ -118,6 +118,7 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
   add(group.figures, "magnification",
       [&] { return magnification_figures(entry); });
   add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
+  add(group.figures, "leak-rate", [&] { return flow_figure(entry); });
   return group;
 }
 

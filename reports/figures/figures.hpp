@@ -80,6 +80,11 @@ std::vector<Figure> magnification_figures(const ReportEntry& entry);
 /// no table of this study.
 std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 
+/// Plots the leak rate against the nominal pressure, by Reynolds' equation, by
+/// the effective medium and by the critical junction. Nothing is returned
+/// unless the case has [flow] and some flow was computed.
+std::optional<Figure> flow_figure(const ReportEntry& entry);
+
 /// Returns the figures of the subsurface stress: the stress maxima against the
 /// load, and one section per method. Nothing is returned if the result has no
 /// tables of it.

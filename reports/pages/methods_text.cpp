@@ -176,6 +176,14 @@ std::string study_sentences(const cases::Case& contact_case) {
   }
   if (contact_case.adhesion_study)
     text += " Adhesion follows [persson2002].";
+  if (contact_case.flow_study)
+    text += fmt::format(
+        " The flow of a fluid with the viscosity {:g} Pa s under a pressure "
+        "drop of {:g} Pa through the gap was computed by Reynolds' equation "
+        "with finite volumes, for a seal {:g} times as wide as long.",
+        contact_case.flow_study->viscosity,
+        contact_case.flow_study->pressure_drop,
+        contact_case.flow_study->aspect());
   return text;
 }
 

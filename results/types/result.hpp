@@ -63,6 +63,22 @@ struct CurvePoint {
   /// far, per nominal area [J/m^2], and the largest equivalent plastic strain.
   double plastic_work = not_given;
   double plastic_strain = not_given;
+  /// Of the flow through the gap in x and y: phi and the flow of a square with
+  /// 12 eta = Dp = 1 [m^3], the narrowest place of the widest path [m], the
+  /// leak rate of the seal [m^3/s], and the flow of a square by the effective
+  /// medium [m^3]. NaN: no flow was computed; all are 0 if open nodes do not
+  /// join the sides. The theory has no directions: its flow is that of the
+  /// effective medium, and its narrowest place u_1 where the open area
+  /// percolates.
+  double flow_factor_x = not_given;
+  double flow_factor_y = not_given;
+  double flow_conductance_x = not_given;
+  double flow_conductance_y = not_given;
+  double critical_gap_x = not_given;
+  double critical_gap_y = not_given;
+  double leak_rate_x = not_given;
+  double leak_rate_y = not_given;
+  double effective_medium = not_given;
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""

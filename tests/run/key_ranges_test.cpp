@@ -96,6 +96,10 @@ Entries surroundings_of(const std::string& table) {
       {"magnification", magnified},
       {"magnification.leak", both(magnified, leaking)},
       {"adhesion", adhesive},
+      {"flow",
+       {"halfspace.contact=hard",
+        "flow={ viscosity = 1e-3, pressure_drop = 1e4, length = 1e-3, width = "
+        "1e-2 }"}},
       {"material", block},
       {"material.counter", both(block, second_body)},
       {"material.inclusion", both(block, ball)},

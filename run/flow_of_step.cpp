@@ -1,0 +1,125 @@
+#include "run/flow_of_step.hpp"
+
+#include "fem/plugin.hpp"
+#include "flow/effective_medium.hpp"
+#include "flow/reynolds.hpp"
+#include "theory/persson/leakage.hpp"
+
+#include <cmath>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace asperity::run {
+namespace {
+
+std::vector<double> map_of(const results::MapRows& rows) {
+  std::vector<double> map;
+  rows([&](std::span<const double> values) {
+    map.insert(map.end(), values.begin(), values.end());
+  });
+  return map;
+}
+
+flow::NetworkSolution solved(const flow::Network& network) {
+  return fem::load_fem_module().solved_network(network);
+}
+
+/// Calls `add`, and says in the note of the row if that fails.
+template <class Add>
+void try_to_add(results::CurvePoint& row, const Add& add) {
+  try {
+    add();
+  } catch (const std::exception& failure) {
+    row.note += (row.note.empty() ? "" : "; ") + std::string("no flow: ") +
+                failure.what();
+  }
+}
+
+/// The gaps u_1 that open between magnifications, and their shares of the
+/// nominal area, Eqs. (25) and (27).
+struct OpeningGaps {
+  std::vector<double> gaps, shares;
+};
+
+OpeningGaps opening_gaps(const theory::MagnifiedContact& contact) {
+  constexpr int intervals = 200;
+  const double ratio =
+      contact.highest_magnification() / contact.lowest_magnification();
+  const auto magnification = [&](int i) {
+    return contact.lowest_magnification() *
+           std::pow(ratio, static_cast<double>(i) / intervals);
+  };
+  OpeningGaps opening;
+  for (int i = 0; i < intervals; ++i) {
+    const double from = magnification(i), to = magnification(i + 1);
+    const double share =
+        contact.area_fraction(from) - contact.area_fraction(to);
+    if (!(share > 0.0))
+      continue;
+    opening.shares.push_back(share);
+    opening.gaps.push_back(contact.opening_gap(from, to));
+  }
+  return opening;
+}
+
+} // namespace
+
+void add_flow(const cases::FlowStudy& study, const ClosedNodes& closed,
+              methods::StepAnswer& answer) {
+  results::CurvePoint& row = answer.row;
+  if (answer.rows && row.status == results::StepStatus::converged) {
+    answer.pressure = map_of(answer.rows->pressure);
+    answer.gap = map_of(answer.rows->gap);
+    answer.rows = {};
+  }
+  if (row.status != results::StepStatus::converged || answer.gap.empty())
+    return;
+  const std::vector<double> gap = flow::open_gap(
+      closed.under_pressure ? answer.pressure : std::vector<double>(),
+      answer.gap, closed.gap);
+  try_to_add(row, [&] {
+    const Grid& grid = answer.grid;
+    const flow::GapFlow x =
+        flow::flow_through(grid, gap, flow::Direction::x, solved);
+    const flow::GapFlow y =
+        flow::flow_through(grid, gap, flow::Direction::y, solved);
+    row.flow_factor_x = x.flow_factor;
+    row.flow_factor_y = y.flow_factor;
+    row.flow_conductance_x = x.conductance * grid.length_x / grid.length_y;
+    row.flow_conductance_y = y.conductance * grid.length_y / grid.length_x;
+    row.critical_gap_x = x.critical_gap;
+    row.critical_gap_y = y.critical_gap;
+    row.effective_medium = flow::effective_medium(gap);
+    set_leak_rates(study, row);
+  });
+}
+
+void add_flow(const cases::FlowStudy& study,
+              const theory::PerssonContact& contact, results::CurvePoint& row) {
+  if (row.status != results::StepStatus::converged)
+    return;
+  try_to_add(row, [&] {
+    constexpr double any_wavevector = 1.0;
+    const theory::MagnifiedContact magnified(contact, row.nominal_pressure,
+                                             any_wavevector);
+    const OpeningGaps opening = opening_gaps(magnified);
+    row.effective_medium = flow::effective_medium(opening.gaps, opening.shares);
+    row.flow_conductance_x = row.flow_conductance_y = row.effective_medium;
+    row.flow_factor_x = row.flow_factor_y =
+        row.effective_medium / std::pow(row.mean_gap, 3.0);
+    row.critical_gap_x = row.critical_gap_y =
+        theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop)
+            .pore_gap;
+    set_leak_rates(study, row);
+  });
+}
+
+void set_leak_rates(const cases::FlowStudy& study, results::CurvePoint& row) {
+  const double rate =
+      study.pressure_drop / (12.0 * study.viscosity) * study.aspect();
+  row.leak_rate_x = row.flow_conductance_x * rate;
+  row.leak_rate_y = row.flow_conductance_y * rate;
+}
+
+} // namespace asperity::run
