@@ -17,6 +17,7 @@ const std::vector<std::string>& figure_names() {
                                                  "gap-deviation",
                                                  "gap-distribution-",
                                                  "height-distribution",
+                                                 "leak-rate",
                                                  "magnification-opening",
                                                  "magnification-parts",
                                                  "magnification-separation",
