@@ -267,21 +267,49 @@ Flux flux_of(const Lines& lines, const Path& path,
   return flux;
 }
 
-} // namespace
+/// |q| of the nodes of a path over the mean flow per width: each component is
+/// the mean of the flows through the two faces of the cell.
+/// @param dissipated  the flow
+std::vector<double> node_flux(const Lines& lines, const Path& path,
+                              const Conductances& conductances,
+                              std::span<const double> potential,
+                              double dissipated) {
+  std::vector<double> along(path.row.size()), across(path.row.size());
+  for (std::size_t i = 0; i < path.nodes.size(); ++i) {
+    const std::size_t node = path.nodes[i];
+    const int place = lines.along(node);
+    if (place == 0)
+      along[node] +=
+          0.5 * conductances.to_reservoir(node) * (1.0 - potential[i]);
+    if (place == lines.length - 1)
+      along[node] += 0.5 * conductances.to_reservoir(node) * potential[i];
+    lines.for_next(place, lines.across(node),
+                   [&](std::size_t next, bool is_along) {
+                     if (path.row[next] < 0)
+                       return;
+                     const double half =
+                         0.5 * conductances.between(node, next, is_along) *
+                         (potential[i] -
+                          potential[static_cast<std::size_t>(path.row[next])]);
+                     std::vector<double>& component = is_along ? along : across;
+                     component[node] += half;
+                     component[next] += half;
+                   });
+  }
+  // Q/W over the widths of the faces.
+  const double mean = dissipated / (lines.width * lines.spacing_across);
+  for (const std::size_t node : path.nodes)
+    along[node] = std::hypot(along[node] / lines.spacing_across,
+                             across[node] / lines.spacing_along) /
+                  mean;
+  return along;
+}
 
-GapFlow flow_through(const Grid& grid, std::span<const double> gap,
-                     Direction direction, const SolveNetwork& solve) {
-  if (gap.size() != grid.size())
-    throw std::domain_error("flow_through: the gap does not have the size of "
-                            "the grid");
-  const Lines lines(grid, direction);
-  Clusters clusters(gap.size());
-  const std::size_t critical = join_open(lines, gap, clusters);
-  if (critical == gap.size())
-    return {};
+GapFlow flow_of_path(const Lines& lines, std::span<const double> gap,
+                     const Path& path, const SolveNetwork& solve,
+                     bool has_flux) {
   const double mean = std::accumulate(gap.begin(), gap.end(), 0.0) /
                       static_cast<double>(gap.size());
-  const Path path = path_of(gap.size(), gap, clusters);
   const Conductances conductances(lines, gap, mean);
   const NetworkSolution solution = solve(network_of(lines, path, conductances));
   if (!solution.converged)
@@ -294,13 +322,36 @@ GapFlow flow_through(const Grid& grid, std::span<const double> gap,
   flow.conductance = flux.dissipated * mean * mean * mean;
   flow.flow_factor = flux.dissipated * lines.length * lines.spacing_along /
                      (lines.width * lines.spacing_across);
-  flow.critical_gap = gap[critical];
-  flow.critical_x =
-      static_cast<int>(critical % static_cast<std::size_t>(grid.points_x));
-  flow.critical_y =
-      static_cast<int>(critical / static_cast<std::size_t>(grid.points_x));
   flow.imbalance = (most - least) / flux.dissipated;
   flow.iterations = solution.iterations;
+  if (has_flux)
+    flow.flux = node_flux(lines, path, conductances, solution.potential,
+                          flux.dissipated);
+  return flow;
+}
+
+} // namespace
+
+GapFlow flow_through(const Grid& grid, std::span<const double> gap,
+                     Direction direction, const SolveNetwork& solve,
+                     bool has_flux) {
+  if (gap.size() != grid.size())
+    throw std::domain_error("flow_through: the gap does not have the size of "
+                            "the grid");
+  if (grid.points_x < 3 || grid.points_y < 3)
+    throw std::domain_error("flow_through: a grid has at least 3 points per "
+                            "side");
+  const Lines lines(grid, direction);
+  Clusters clusters(gap.size());
+  const std::size_t critical = join_open(lines, gap, clusters);
+  if (critical == gap.size())
+    return {};
+  GapFlow flow = flow_of_path(lines, gap, path_of(gap.size(), gap, clusters),
+                              solve, has_flux);
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  flow.critical_gap = gap[critical];
+  flow.critical_x = static_cast<int>(critical % width);
+  flow.critical_y = static_cast<int>(critical / width);
   return flow;
 }
 

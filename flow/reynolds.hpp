@@ -32,6 +32,9 @@ struct GapFlow {
   /// Largest difference of the flow through two sections, over the flow [1].
   double imbalance = 0.0;
   int iterations = 0;
+  /// |q| of each node over the mean flow per width Q/W [1], 0 where nothing
+  /// flows; grid.size() values, or none if it was not asked for.
+  std::vector<double> flux = {};
 };
 
 /// Computes the flow through a gap. Finite volumes: each node has a cell of the
@@ -42,11 +45,14 @@ struct GapFlow {
 ///
 /// @param gap       u [m], grid.size() values; closed where <= 0
 /// @param solve     solves the network
-/// @throws std::domain_error   the size of the map is not that of the grid
+/// @param has_flux  whether the answer has the flux of each node
+/// @throws std::domain_error   the size of the map is not that of the grid, or
+///                             the grid has fewer than 3 points per side
 /// @throws std::runtime_error  the network was not solved
 /// @par Accuracy  second order in the spacing (tests/flow/reynolds_test.cpp)
 GapFlow flow_through(const Grid& grid, std::span<const double> gap,
-                     Direction direction, const SolveNetwork& solve);
+                     Direction direction, const SolveNetwork& solve,
+                     bool has_flux = false);
 
 /// The gap through which fluid flows: `gap` at open nodes, 0 at nodes in
 /// contact (pressure > 0; empty: by the gap alone) and where it is at most

@@ -5,6 +5,9 @@
 #include "flow/reynolds.hpp"
 #include "theory/persson/leakage.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
@@ -63,7 +66,52 @@ OpeningGaps opening_gaps(const theory::MagnifiedContact& contact) {
   return opening;
 }
 
+constexpr int most_points = 256; // of a side of a table
+
 } // namespace
+
+ClosedNodes closed_nodes(const cases::MethodSpec& method, double rms_height) {
+  if (const auto* half =
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
+    return {half->contact.tolerance * rms_height};
+  if (const auto* block = std::get_if<mechanics::FemSettings>(&method.settings))
+    return {block->contact.tolerance * rms_height};
+  return {.under_pressure = false};
+}
+
+results::Table flow_map_table(const std::string& method, const Grid& grid,
+                              std::span<const double> pressure,
+                              std::span<const double> gap,
+                              const ClosedNodes& closed) {
+  const std::span<const double> pressing =
+      closed.under_pressure ? pressure : std::span<const double>();
+  const flow::GapFlow flow =
+      flow::flow_through(grid, flow::open_gap(pressing, gap, closed.gap),
+                         flow::Direction::x, solved, true);
+  results::Column x{"x", "m", {}}, y{"y", "m", {}}, flux{"flux", "1", {}},
+      critical{"is_critical", "1", {}};
+  const int side =
+      (std::max(grid.points_x, grid.points_y) - 1) / most_points + 1;
+  for (int iy = 0; flow.percolates && iy + side <= grid.points_y; iy += side)
+    for (int ix = 0; ix + side <= grid.points_x; ix += side) {
+      double sum = 0.0;
+      for (int jy = iy; jy < iy + side; ++jy)
+        for (int jx = ix; jx < ix + side; ++jx)
+          sum += flow.flux[grid.index(jx, jy)];
+      x.values.push_back((ix + 0.5 * (side - 1)) * grid.spacing_x());
+      y.values.push_back((iy + 0.5 * (side - 1)) * grid.spacing_y());
+      flux.values.push_back(sum / (side * side));
+      critical.values.push_back(flow.critical_x / side == ix / side &&
+                                        flow.critical_y / side == iy / side
+                                    ? 1.0
+                                    : 0.0);
+    }
+  return {"flow-" + method,
+          fmt::format("Flux along x through the gap of {}, narrowest at "
+                      "{:.3g} nm",
+                      method, flow.critical_gap * 1e9),
+          {x, y, flux, critical}};
+}
 
 void add_flow(const cases::FlowStudy& study, const ClosedNodes& closed,
               methods::StepAnswer& answer) {

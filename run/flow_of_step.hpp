@@ -2,9 +2,12 @@
 
 // The flow through the gap of a load step, for [flow] of a case.
 
-#include "cases/types/studies.hpp"
+#include "cases/types/case.hpp"
 #include "methods/step_solver.hpp"
 #include "theory/persson/persson.hpp"
+
+#include <span>
+#include <string>
 
 namespace asperity::run {
 
@@ -13,6 +16,11 @@ struct ClosedNodes {
   double gap = 0.0;           ///< those with at most this gap [m] >= 0
   bool under_pressure = true; ///< those with a pressure; atoms press everywhere
 };
+
+/// Those of a method: a gap is as good as none if the solver may leave it as an
+/// error.
+/// @param rms_height  of its surface [m]
+ClosedNodes closed_nodes(const cases::MethodSpec& method, double rms_height);
 
 /// Adds to the row of a step with maps the flow through its gap along x and y
 /// (flow/reynolds.hpp). It is omitted if the step has not converged, and if it
@@ -30,5 +38,15 @@ void add_flow(const cases::FlowStudy& study,
 /// Sets the leak rates of a row with flow,
 /// Q = K Dp/(12 eta) W/L, where K is the flow conductance of a square.
 void set_leak_rates(const cases::FlowStudy& study, results::CurvePoint& row);
+
+/// The flux |q| over its mean and the narrowest place of one saved map, for
+/// flow along x: averaged over squares of nodes if a side has more than 256.
+/// @param pressure, gap  [Pa], [m], grid.size() values
+/// @return  "flow-<method>" with the columns x, y [m], flux [1] and is_critical
+///          [1]; without rows if the map is sealed
+results::Table flow_map_table(const std::string& method, const Grid& grid,
+                              std::span<const double> pressure,
+                              std::span<const double> gap,
+                              const ClosedNodes& closed);
 
 } // namespace asperity::run

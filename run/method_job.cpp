@@ -385,7 +385,10 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
   }
   root_.act([&] {
     if (context_.contact_case.flow_study)
-      add_flow(*context_.contact_case.flow_study, closed_nodes(), answer);
+      add_flow(*context_.contact_case.flow_study,
+               closed_nodes(method_, context_.surfaces.of(method_, realization_)
+                                         .scales.rms_height),
+               answer);
     if (!needs_maps(static_cast<std::size_t>(answer.row.step))) {
       free_memory(answer.pressure, answer.gap);
       answer.rows = {};
@@ -397,19 +400,6 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
     state = {}; // its memory
     record(std::move(change));
   });
-}
-
-/// A gap is as good as none if the solver may leave it as an error.
-ClosedNodes MethodJob::closed_nodes() const {
-  const double rms_height =
-      context_.surfaces.of(method_, realization_).scales.rms_height;
-  if (const auto* half =
-          std::get_if<mechanics::HalfspaceSettings>(&method_.settings))
-    return {half->contact.tolerance * rms_height};
-  if (const auto* block =
-          std::get_if<mechanics::FemSettings>(&method_.settings))
-    return {block->contact.tolerance * rms_height};
-  return {.under_pressure = false};
 }
 
 methods::Resources MethodJob::resources() const {

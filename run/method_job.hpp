@@ -70,7 +70,6 @@ private:
   bool go_to(methods::StepSolver& solver, std::size_t next, std::size_t step);
   bool compute_step(methods::StepSolver& solver, std::size_t step,
                     double setup_time);
-  ClosedNodes closed_nodes() const;
   methods::Resources resources() const;
 
   const RunContext& context_;

@@ -14,6 +14,7 @@
 #include "methods/surface_rows.hpp"
 #include "ranks/rank_sums.hpp"
 #include "results/provenance.hpp"
+#include "run/flow_maps.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 #include "run/method_job.hpp"
@@ -397,6 +398,8 @@ RunOutcome Run::execute() {
     const Progress::Activity stress(progress_, "subsurface stress");
     record_stress_inside(context_, methods_, surfaces_.whole().front().scales);
   }
+  if (!was_interrupted && has_realization(0))
+    record_flow_maps(context_, methods_);
   root_.act([&] { record_counts(); });
   const double peak = rank_max(root_.ranks(), peak_memory());
   root_.act([&] { finish(clock, peak, was_interrupted); });

@@ -14,6 +14,7 @@ const std::vector<std::string>& figure_names() {
                                                  "cost",
                                                  "exact-area",
                                                  "exact-gap",
+                                                 "flux-",
                                                  "gap-deviation",
                                                  "gap-distribution-",
                                                  "height-distribution",

@@ -119,6 +119,7 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
       [&] { return magnification_figures(entry); });
   add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
   add(group.figures, "leak-rate", [&] { return flow_figure(entry); });
+  add(group.figures, "flux", [&] { return flux_figures(entry); });
   return group;
 }
 

@@ -85,6 +85,10 @@ std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 /// unless the case has [flow] and some flow was computed.
 std::optional<Figure> flow_figure(const ReportEntry& entry);
 
+/// Shows the flux through the gap of the heaviest saved map that is not sealed,
+/// with its narrowest place, one figure per method.
+std::vector<Figure> flux_figures(const ReportEntry& entry);
+
 /// Returns the figures of the subsurface stress: the stress maxima against the
 /// load, and one section per method. Nothing is returned if the result has no
 /// tables of it.

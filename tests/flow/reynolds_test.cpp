@@ -218,6 +218,23 @@ TEST(Reynolds, LognormalConductivity) {
   EXPECT_NEAR(flow_of(n, field).conductance, exact, 0.02 * exact);
 }
 
+TEST(Reynolds, FluxOfAChannelWithAWall) {
+  // Two channels of widths 1/4 and 1/2 between walls: u^3 is 1 in both, so that
+  // |q| over its mean is 4/3 in both and 0 in the walls.
+  const Grid grid{16, 16, 2.0, 1.0};
+  std::vector<double> gap(grid.size(), 1.0);
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 16; ++ix)
+      if (iy == 0 || iy == 1 || iy == 6 || iy == 7)
+        gap[grid.index(ix, iy)] = 0.0;
+  const GapFlow flow = flow_through(grid, gap, Direction::x, by_plugin, true);
+  ASSERT_EQ(flow.flux.size(), grid.size());
+  for (int iy = 0; iy < 16; ++iy)
+    for (int ix = 0; ix < 16; ++ix)
+      EXPECT_NEAR(flow.flux[grid.index(ix, iy)],
+                  gap[grid.index(ix, iy)] > 0.0 ? 4.0 / 3.0 : 0.0, 1e-7);
+}
+
 TEST(Reynolds, ContactIsClosed) {
   const std::vector<double> pressure{0.0, 1.0, 0.0, 0.0},
       gap{2.0, 2.0, 1e-9, -1.0};
