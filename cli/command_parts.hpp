@@ -2,6 +2,7 @@
 
 // Parts of the command line that several commands share.
 
+#include "cli/report_forms.hpp"
 #include "run/exit_code.hpp"
 #include "run/output.hpp"
 
@@ -53,6 +54,27 @@ inline void add_methods(CLI::App* command, std::vector<std::string>& methods) {
                    "run only these methods, given by name or kind:\n"
                    "fem,theory")
       ->delimiter(',');
+}
+
+/// Adds --pdf, --figures, --width and --units.
+inline void add_report_forms(CLI::App* command, ReportForms& forms) {
+  command->add_flag("--pdf", forms.has_pdf,
+                    "also print the report to report.pdf, by chromium\n"
+                    "or weasyprint");
+  command
+      ->add_option("--figures", forms.formats,
+                   "also draw all figures for a journal, in journal/, in\n"
+                   "these formats: pdf,svg,png")
+      ->delimiter(',');
+  command
+      ->add_option("--width", forms.width,
+                   "width of a column of the journal, in mm, cm or in")
+      ->capture_default_str();
+  command
+      ->add_option("--units", forms.units,
+                   "units of the axes of these figures: physical or\n"
+                   "reduced (default: those of the report)")
+      ->check(CLI::IsMember({"physical", "reduced"}));
 }
 
 /// Adds --quick.

@@ -232,6 +232,20 @@ void require_pdf_program() {
     throw std::domain_error(reports::no_pdf_program);
 }
 
+} // namespace
+
+reports::ReportExtras extras_of(const ReportForms& forms) {
+  if (forms.has_pdf)
+    require_pdf_program();
+  reports::ReportExtras extras{
+      .has_pdf = forms.has_pdf,
+      .journal = reports::journal_format(forms.formats, forms.width)};
+  extras.journal.units = forms.units;
+  return extras;
+}
+
+namespace {
+
 /// A table of a measured curve, rather than a result.
 bool is_curve_file(const fs::path& path) {
   return fs::is_regular_file(path) && path.extension() != ".h5";
@@ -322,11 +336,8 @@ run::ExitCode run_cases(const RunCommand& command) {
 run::ExitCode report_results(const ReportCommand& command) {
   const std::vector<std::string>& paths = command.paths;
   const std::string& out = command.out;
-  const reports::ReportExtras extras{
-      command.has_pdf, reports::journal_format(command.formats, command.width),
-      command.labels};
-  if (command.has_pdf)
-    require_pdf_program();
+  reports::ReportExtras extras = extras_of(command.forms);
+  extras.labels = command.labels;
   if (command.labels.size() > paths.size())
     throw input::InputError(fmt::format(
         "--label is given {} times for {} result{}", command.labels.size(),

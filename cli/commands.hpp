@@ -3,7 +3,7 @@
 // The commands of the program. Each takes the parsed command line and returns
 // an exit code.
 
-#include "reports/pages/report.hpp"
+#include "cli/report_forms.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/exit_code.hpp"
 #include "run/result_outputs.hpp"
@@ -45,10 +45,8 @@ struct RunCommand {
 struct ReportCommand {
   std::vector<std::string> paths; ///< results, or their folders
   std::string out;      ///< empty: beside a single result, or out/comparison
-  bool has_pdf = false; ///< also print the report
-  std::vector<std::string> formats; ///< of figures for a journal
-  std::vector<std::string> labels;  ///< names of the results, in order
-  std::string width = "86mm";       ///< of these
+  ReportForms forms;
+  std::vector<std::string> labels; ///< names of the results, in order
 };
 
 /// Returns the output folder of a case or collection of that name.

@@ -169,18 +169,7 @@ void add_report(CLI::App& program, ReportCommand& report,
   command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
-  command->add_flag("--pdf", report.has_pdf,
-                    "also print the report to report.pdf, by chromium\n"
-                    "or weasyprint");
-  command
-      ->add_option("--figures", report.formats,
-                   "also draw all figures for a journal, in journal/, in\n"
-                   "these formats: pdf,svg,png")
-      ->delimiter(',');
-  command
-      ->add_option("--width", report.width,
-                   "width of a column of the journal, in mm, cm or in")
-      ->capture_default_str();
+  add_report_forms(command, report.forms);
   add_quiet(command, output);
   add_json(command, output, "the summaries");
   add_example(command, "report out/polymer --figures pdf --width 86mm");

@@ -253,6 +253,7 @@ run::ExitCode inspect_surface(const SurfaceCommand& command) {
     require_known_ending(command.write);
   if (!command.field.empty())
     return write_field(command);
+  const reports::ReportExtras extras = extras_of(command.forms);
   const reports::SurfaceReport report = analysed(command);
   fmt::print("{}", surface_text(report));
   if (run::wants_json())
@@ -266,9 +267,10 @@ run::ExitCode inspect_surface(const SurfaceCommand& command) {
   const fs::path folder = folder_of(command, report);
   const run::OutputFolder lock(
       folder, "surface " + report.title,
-      {"spectrum.txt", "surface.json", "report.html", "figures/"},
+      {"spectrum.txt", "surface.json", "report.html", "report.pdf", "figures/"},
       {command.inputs.begin(), command.inputs.end()});
-  for (const std::string& problem : write_surface_report(report, folder))
+  for (const std::string& problem :
+       write_surface_report(report, folder, extras))
     fmt::print(stderr, "warning: figure {}\n", problem);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return run::exit_good;
@@ -344,12 +346,14 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
                       "output folder (default: out/<name of the file>)");
   command->add_flag("--no-report", surface.has_no_report,
                     "print the numbers only");
+  add_report_forms(command, surface.forms);
   add_quiet(command, output);
   command->add_flag("--json", output.is_json,
                     "print all numbers, or with --channels the list of\n"
                     "channels, as JSON; other text goes to standard\n"
                     "error; write a report only with --out");
-  add_example(command, "surface map.txt --contact-modulus \"2 GPa\"");
+  add_example(command,
+              "surface map.txt --contact-modulus \"2 GPa\" --figures pdf");
   command->callback([&] { action = [&] { return inspect_surface(surface); }; });
 }
 

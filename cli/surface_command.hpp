@@ -4,6 +4,7 @@
 // maps and lines, or of the surface of a case.
 
 #include "cli/command_parts.hpp"
+#include "cli/report_forms.hpp"
 #include "run/exit_code.hpp"
 
 #include <optional>
@@ -33,6 +34,7 @@ struct SurfaceCommand {
   int step = -1;               ///< of the field; negative: the last saved one
   bool lists_channels = false; ///< print the channels of files, no more
   bool has_no_report = false;
+  ReportForms forms; ///< of the report
 };
 
 /// Analyses the inputs, prints the results and writes the report.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace asperity::bench {
@@ -32,6 +33,62 @@ double exponent_in(const std::map<std::string, reports::PowerLaw>& laws,
   const auto found = laws.find(quantity);
   return found == laws.end() ? not_a_number
                              : -found->second.determined_exponent();
+}
+
+/// What a method needs for errors of at most 1 % of a quantity: "halfspace
+/// 0.17 s (64 points)".
+std::string need_of(const Bench& bench, const std::string& method,
+                    const std::string& quantity) {
+  constexpr double wanted = 0.01;
+  const BenchPoint* cheapest = nullptr;
+  const BenchPoint* best = nullptr;
+  const auto error = [&](const BenchPoint& point) {
+    return in(point.errors, quantity);
+  };
+  for (const BenchPoint& point : bench.points) {
+    if (point.method != method || !std::isfinite(error(point)))
+      continue;
+    if (best == nullptr || error(point) < error(*best))
+      best = &point;
+    if (error(point) <= wanted &&
+        (cheapest == nullptr || point.cpu.median < cheapest->cpu.median))
+      cheapest = &point;
+  }
+  if (cheapest != nullptr)
+    return fmt::format("{} {:.2g} s ({})", method, cheapest->cpu.median,
+                       cheapest->label);
+  return best == nullptr ? ""
+                         : fmt::format("{} has {} at best ({:.2g} s, {})",
+                                       method, per_cent(error(*best)),
+                                       best->cpu.median, best->label);
+}
+
+/// What the page answers, before its tables: one sentence per scaling series,
+/// or per quantity.
+List answers(const Bench& bench) {
+  constexpr std::size_t most_quantities = 3;
+  List list;
+  for (const ScalingSeries& series : bench.scaling)
+    if (const std::vector<ScalingRow> rows = scaling_rows(bench, series);
+        rows.size() > 1)
+      list.push_back(reports::text_item(fmt::format(
+          "{}: {:.2g} times as fast on {} {} as on {}, {:.0f} % of the ideal.",
+          series.method, rows.back().speed_up, rows.back().workers,
+          series.has_ranks ? "ranks" : "threads", rows.front().workers,
+          100.0 * rows.back().efficiency)));
+  for (const std::string& quantity : bench.quantities) {
+    std::string needs;
+    std::set<std::string> seen;
+    for (const BenchPoint& point : bench.points)
+      if (seen.insert(point.method).second)
+        if (const std::string need = need_of(bench, point.method, quantity);
+            !need.empty())
+          needs += (needs.empty() ? "" : "; ") + need;
+    if (!needs.empty() && list.size() < most_quantities)
+      list.push_back(reports::text_item(fmt::format(
+          "CPU time for an error of {} of at most 1 %: {}.", quantity, needs)));
+  }
+  return list;
 }
 
 List text_list(const std::vector<std::string>& texts) {
@@ -306,6 +363,7 @@ std::vector<std::string> write_bench_report(const Bench& bench,
                                bench.case_name, bench.case_hash.substr(0, 12),
                                bench.points.size(),
                                bench.scaling.empty() ? " on one thread" : ""));
+  page.set("answers", answers(bench));
   page.set("remarks", text_list(bench.remarks));
   List targets;
   for (const TargetOutcome& target : bench.targets)

@@ -29,9 +29,7 @@ reports::Figure scaling_figure(const Bench& bench, bool has_ranks,
       .y = {.label = "speed-up", .is_log = true, .base = 2},
       .curves = {{.label = "ideal",
                   .style = reports::line("#bbbbbb", 1.5),
-                  .slope = 1.0}},
-      .free_corner = "top left",
-      .has_legend_inside = true};
+                  .slope = 1.0}}};
   int most = 1;
   std::size_t index = 0;
   for (const ScalingSeries& series : bench.scaling) {

@@ -64,6 +64,57 @@ SurfaceTheory theory_for(const Result& result, const cases::Case& contact_case,
   return theories.of(result.surfaces[realization]);
 }
 
+theory::PerssonContact
+with_settings(const theory::PerssonContact& contact,
+              const mechanics::TheorySettings& settings) {
+  switch (settings.loss_factor) {
+  case mechanics::LossFactor::yang_persson:
+    break;
+  case mechanics::LossFactor::wang_mueser:
+    return contact.with_law(theory::LossLaw::wang_mueser(settings.gamma));
+  case mechanics::LossFactor::xu:
+    return contact.with_law(theory::LossLaw::xu(settings.gamma));
+  }
+  return contact.with_gamma(settings.gamma);
+}
+
+/// Evaluates a theory between its loads, at equal ratios. The result is empty
+/// if that is not the curve of the rows, which have other roughness then.
+std::vector<results::CurvePoint>
+fine_curve(const theory::PerssonContact& contact,
+           const std::vector<results::CurvePoint>& rows) {
+  constexpr std::size_t least_points = 96;
+  constexpr double tolerance = 1e-3; // of area and gap, relative
+  std::vector<results::CurvePoint> fine;
+  if (rows.size() < 2 || rows.size() > least_points)
+    return fine;
+  const std::size_t parts = 1 + least_points / (rows.size() - 1);
+  fine.reserve(parts * rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double start = rows[i].nominal_pressure;
+    const double area = contact.area_fraction(start);
+    const double gap = contact.mean_gap(start);
+    if (std::abs(area - rows[i].area_fraction) > tolerance * area ||
+        std::abs(gap - rows[i].mean_gap) > tolerance * gap)
+      return {};
+    fine.push_back(rows[i]);
+    if (i + 1 == rows.size())
+      break;
+    const double ratio = rows[i + 1].nominal_pressure / start;
+    for (std::size_t k = 1; k < parts; ++k) {
+      results::CurvePoint row;
+      row.nominal_pressure =
+          start *
+          std::pow(ratio, static_cast<double>(k) / static_cast<double>(parts));
+      row.area_fraction = row.area_fraction_corrected =
+          contact.area_fraction(row.nominal_pressure);
+      row.mean_gap = contact.mean_gap(row.nominal_pressure);
+      fine.push_back(row);
+    }
+  }
+  return fine;
+}
+
 bool is_positive(double number) {
   return number > 0.0 && std::isfinite(number);
 }
@@ -78,6 +129,11 @@ void add_theory_fits(const Result& result, const cases::Case& contact_case,
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
         decay_factor(contact_case, method) * theory.decay_length / height;
+    if (const auto* settings = settings_of(contact_case, method);
+        theory.contact && settings != nullptr)
+      fits.fine_curve =
+          fine_curve(with_settings(*theory.contact, *settings),
+                     loading_rows(method.realizations[realization].points));
     return;
   }
   if (!theory.gap) {

@@ -28,6 +28,9 @@ struct RealizationFits {
   /// (for the theory: its own) [1]. The slope would approach this value at
   /// vanishing pressure.
   double asymptotic_slope = not_a_number;
+  /// Of a theory: its curve at loads between those of the case, including
+  /// these, in ascending pressure, with pressure, gap and area.
+  std::vector<results::CurvePoint> fine_curve;
 
   /// Leaves no fit of gamma, for one reason.
   void set_no_gamma(const std::string& reason) {

@@ -78,6 +78,7 @@ SurfaceTheory prepared(const theory::HeightSpectrum& spectrum,
   const auto contact =
       std::make_shared<theory::PerssonContact>(spectrum, contact_modulus, 1.0);
   SurfaceTheory prepared;
+  prepared.contact = contact;
   prepared.decay_length = contact->gap_decay_length();
   prepared.gap = [contact](double nominal_pressure) {
     const theory::GammaParts parts = contact->mean_gap_parts(nominal_pressure);

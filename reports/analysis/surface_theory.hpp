@@ -8,9 +8,11 @@
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"
 #include "surfaces/maps/height_map.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -23,6 +25,7 @@ struct SurfaceTheory {
   TheoryParts energy; ///< U_el/A_0 of Eq. (9) [J/m^2]
   /// u_0 of Eq. (18) at gamma = 1 [m]; u_0 is proportional to gamma
   double decay_length = not_a_number;
+  std::shared_ptr<const theory::PerssonContact> contact; ///< at gamma = 1
 };
 
 /// The theories of the surfaces of one result, each computed once, because

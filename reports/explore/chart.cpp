@@ -23,7 +23,46 @@ std::string shifted(const std::string& text, bool is_below) {
   return digits;
 }
 
+/// Changes the units of an axis.
+/// @return  the factor by which its numbers change
+double changed_units(ChartAxis& axis) {
+  if (!axis.other)
+    return 1.0;
+  const double factor = axis.other->factor;
+  axis.other->factor = 1.0 / factor;
+  std::swap(axis.label, axis.other->label);
+  for (std::optional<double>* end : {&axis.low, &axis.high})
+    if (*end)
+      *end = rounded(**end * factor, 9);
+  axis.tick_step = 0.0;
+  for (auto& [place, name] : axis.ticks)
+    place *= factor;
+  return factor;
+}
+
 } // namespace
+
+void use_other_units(ChartPanel& panel) {
+  const double across = changed_units(panel.x);
+  const double up = changed_units(panel.y);
+  const double second = panel.second ? changed_units(*panel.second) : up;
+  for (ChartCurve& curve : panel.curves) {
+    const double factor = curve.is_on_second_axis ? second : up;
+    curve.x_factor *= across;
+    curve.factor *= factor;
+    curve.intercept *= factor;
+    curve.slope *= factor / across;
+  }
+  for (ChartMark& mark : panel.marks) {
+    mark.low *= across;
+    mark.high *= across;
+  }
+  for (ChartBand& band : panel.bands)
+    for (auto& [x, y] : band.corners) {
+      x = rounded(x * across, 8);
+      y = rounded(y * up, 8);
+    }
+}
 
 ChartCurve curve(std::string label, CurveStyle style, std::size_t index, int x,
                  int y) {

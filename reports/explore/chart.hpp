@@ -15,17 +15,25 @@
 
 namespace asperity::reports {
 
+/// Other units of the quantity of an axis: physical ones of a reduced number,
+/// or the reverse.
+struct OtherUnits {
+  std::string label;   ///< markup, with the unit: "p [MPa]"
+  double factor = 1.0; ///< > 0: a number in these units over that of the axis
+};
+
 struct ChartAxis {
   std::string label = {}; ///< markup, with the unit: "x [µm]"
   std::optional<double> low = {}, high = {}; ///< range; empty: that of the data
   bool is_log = false;
-  bool is_log10 = false; ///< the columns hold log10 of the quantity, which the
-                         ///< browser shows on a logarithmic axis
-  int base = 10;         ///< of a logarithmic axis on paper
+  int base = 10;           ///< of a logarithmic axis on paper
   bool has_powers = false; ///< numbers on paper are powers of ten
   double tick_step = 0.0;  ///< on paper; 0: chosen by gnuplot
   std::vector<std::pair<double, std::string>> ticks = {}; ///< with markup;
                                                           ///< empty: numbers
+  /// On paper the axis opposite, in a figure of one panel; a choice in the
+  /// browser.
+  std::optional<OtherUnits> other = {};
 };
 
 struct CurveStyle {
@@ -54,6 +62,7 @@ struct ChartCurve {
                            ///< first column; bars on each other if it has no
                            ///< markers. On paper only
   double factor = 1.0;     ///< y is multiplied by it
+  double x_factor = 1.0;   ///< x is multiplied by it
   double slope = 0.0, intercept = 0.0; ///< of a line without data
 };
 
@@ -91,14 +100,6 @@ struct ChartImage {
       {}; ///< plain texts at points x, y
 };
 
-/// A second x axis above a panel, on which x is multiplied by a factor.
-struct UpperAxis {
-  std::string label; ///< markup
-  double factor = 1.0;
-  double tick_step = 1.0;
-  bool is_hidden = false; ///< it only keeps the range of x
-};
-
 /// One pair of axes with its curves.
 struct ChartPanel {
   ChartAxis x = {}, y = {};
@@ -108,22 +109,22 @@ struct ChartPanel {
   std::vector<ChartBand> bands = {};
   // What follows is for paper only.
   std::optional<ChartImage> image = {};
-  std::optional<UpperAxis> upper = {};
   bool has_zero_line = false; ///< a thin line at y = 0 over the whole width
   std::string title = {};     ///< markup
   std::string offsets = {};   ///< free space left, right, above and below the
                             ///< data, in gnuplot's words: "0, 0, graph 0.1, 0"
   std::optional<std::pair<double, double>> sides =
       {};                         ///< of the plot, shares of the figure's width
-  std::string free_corner = {};   ///< "top right": the curves leave it free; it
-                                  ///< holds the legend of a journal figure
-  bool has_legend_inside = false; ///< in the free corner, also in the report
   bool has_narrow_legend = false; ///< of at most two columns
 
   /// Adds the curve with these columns.
   ChartCurve& add(std::string label, CurveStyle style, std::size_t index,
                   int x_column, int y_column);
 };
+
+/// Changes the axes that have other units to these; the units before are then
+/// the other ones. Marks, bands and lines without data keep their places.
+void use_other_units(ChartPanel& panel);
 
 /// Returns the curve with these columns.
 /// @param label  plain text; empty: not in the legend

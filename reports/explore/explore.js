@@ -87,13 +87,32 @@
 
   const channels = color => [1, 3, 5].map(i => parseInt(color.slice(i, i + 2), 16));
 
-  // Colours that are too dark for a dark background are lightened.
+  // The colours of methods and loads on a dark background, as distinct there as
+  // on a light one.
+  const onDark = {
+    '#222222' : '#e4e8ec',
+    '#0072b2' : '#3f9bea',
+    '#d55e00' : '#ff7f32',
+    '#009e73' : '#2fd3a2',
+    '#cc79a7' : '#e9a3c9',
+    '#e69f00' : '#f2c14e',
+    '#56b4e9' : '#b5e3ff',
+    '#35102b' : '#f07fb8'
+  };
+
+  // Others that are too dark are mixed with white.
   function lineColor(color) {
     if (!/^#[0-9a-f]{6}$/i.test(color)) return style('--ink');
+    if (!isDark())
+      return color;
+    const named = onDark[color.toLowerCase()];
+    if (named)
+      return named;
     const rgb = channels(color);
     const light = (0.3 * rgb[0] + 0.59 * rgb[1] + 0.11 * rgb[2]) / 255;
-    if (!isDark() || light > 0.45) return color;
-    const share = light < 0.2 ? 0.75 : 0.4;
+    if (light > 0.45)
+      return color;
+    const share = (0.45 - light) / (1 - light);
     return `rgb(${rgb.map(c => Math.round(c + share * (255 - c))).join(',')})`;
   }
 
@@ -170,20 +189,24 @@
 
   // The points of a curve, from the rows of the table that belong to it.
   function pointsOf(curve, panel, table) {
-    const shown = (value, axis) => axis.log10 ? 10 ** value : value;
-    const yAxis = curve.second ? panel.second : panel.y;
-    const interval = curve.xInterval ? panel.x : yAxis;
-    const rows = table.rows.filter(row => row[1] === curve.index);
-    if (curve.area) // its limits, without values
-      return rows.map(row => ({x: shown(row[curve.x], panel.x), y: NaN, low: shown(row[curve.low], yAxis), high: shown(row[curve.high], yAxis), name: row[0]}))
-        .filter(point => Number.isFinite(point.low) && Number.isFinite(point.high));
-    return rows.map(row => ({
-      x: shown(row[curve.x], panel.x),
-      y: shown(curve.factor * row[curve.y], yAxis),
-      low: curve.low === undefined ? NaN : shown(row[curve.low], interval),
-      high: curve.low === undefined ? NaN : shown(row[curve.high], interval),
-      name: row[0],
-    }));
+    const ofInterval = curve.xInterval ? curve.xFactor : curve.factor;
+    const points =
+        table.rows.filter(row => row[1] === curve.index)
+            .map(
+                row => ({
+                  x : curve.xFactor * row[curve.x],
+                  y : curve.area ? NaN
+                                 : curve.factor *
+                                       row[curve.y], // an area has limits only
+                  low : curve.low === undefined ? NaN
+                                                : ofInterval * row[curve.low],
+                  high : curve.low === undefined ? NaN
+                                                 : ofInterval * row[curve.high],
+                  name : row[0],
+                }));
+    return curve.area ? points.filter(point => Number.isFinite(point.low) &&
+                                               Number.isFinite(point.high))
+                      : points;
   }
 
   // Points of a line without data, over the range of the others.
@@ -217,11 +240,17 @@
     return digit === 1 || (digit === 2 || digit === 5) && decades < 1.5 || decades < 0.5;
   }
 
+  // "u [nm]" and 3.2 as "u = 3.2 nm".
+  function valueWords(label, value) {
+    const [, name, unit] =
+        /^(.*?)\s*\[([^\]]*)\]$/.exec(label) ?? [ null, label, '' ];
+    return `${name || 'x'} = ${numberText(value)}${unit ? ' ' + unit : ''}`;
+  }
+
   class CurvePanel {
     constructor(panel, table, place) {
-      this.panel = panel;
-      const data = panel.curves.map(curve => curve.x === undefined ? null : pointsOf(curve, panel, table));
-      this.points = data.map((points, i) => points ?? straightLine(panel.curves[i], panel, data.filter(Boolean)));
+      this.table = table;
+      this.setPanel(panel);
       this.log = {x: panel.x.log, y: panel.y.log};
       this.canvas = element('canvas', {tabIndex: 0});
       this.canvas.setAttribute('role', 'img');
@@ -237,6 +266,17 @@
       });
     }
 
+    // Takes a panel with the same curves, in its units.
+    setPanel(panel) {
+      this.panel = panel;
+      const data = panel.curves.map(
+          curve => curve.x === undefined ? null
+                                         : pointsOf(curve, panel, this.table));
+      this.points =
+          data.map((points, i) => points ?? straightLine(panel.curves[i], panel,
+                                                         data.filter(Boolean)));
+    }
+
     // True for curves with data, whose values can be shown.
     hasValues(i) { return this.panel.curves[i].x !== undefined && !this.panel.curves[i].area; }
 
@@ -248,14 +288,33 @@
     dataset(curve, i) {
       const color = lineColor(curve.color);
       const isFilled = filled.includes(curve.marker);
+      const radius = 3.8 * (curve.size ?? 1);
       return {
-        label: curve.label, data: [], showLine: curve.line, stepped: curve.steps ? 'before' : false,
-        borderColor: color, backgroundColor: 'transparent', pointBorderColor: color,
-        borderWidth: curve.markers && !curve.line ? 1.3 : curve.width,
-        borderDash: curve.dash === 1 ? [] : curve.dash === 2 ? [6, 4] : [2, 3],
-        pointBackgroundColor: isFilled ? color : 'transparent', pointStyle: curve.markers ? markers[isFilled ? curve.marker - 1 : curve.marker] ?? 'circle' : curve.area ? 'rect' : 'line', pointRadius: curve.markers ? 3.6 : 0,
-        clip: 6, pointBorderWidth: 1.3, pointHoverRadius: this.hasValues(i) ? 5 : 0,
-        pointHoverBorderWidth: 2, yAxisID: curve.second ? 'second' : 'y', order: i,
+        label : curve.label,
+        data : [],
+        showLine : curve.line,
+        stepped : curve.steps ? 'before' : false,
+        borderColor : color,
+        backgroundColor : 'transparent',
+        pointBorderColor : color,
+        borderWidth : curve.markers && !curve.line ? 1.3 : curve.width,
+        borderDash : curve.dash === 1   ? []
+                     : curve.dash === 2 ? [ 6, 4 ]
+                                        : [ 2, 3 ],
+        pointBackgroundColor : isFilled ? color : 'transparent',
+        pointStyle :
+            curve.markers
+                ? markers[isFilled ? curve.marker - 1 : curve.marker] ??
+                      'circle'
+            : curve.area ? 'rect'
+                         : 'line',
+        pointRadius : curve.markers ? radius : 0,
+        clip : 6,
+        pointBorderWidth : 1.3,
+        pointHoverRadius : this.hasValues(i) ? radius + 1.5 : 0,
+        pointHoverBorderWidth : 2,
+        yAxisID : curve.second ? 'second' : 'y',
+        order : -i, // later ones on top, as on paper
       };
     }
 
@@ -302,34 +361,58 @@
       const panel = this.panel;
       const lines = item => {
         const point = item.raw;
+        const curve = this.panel.curves[item.datasetIndex];
+        const yLabel = (curve.second ? this.panel.second : this.panel.y).label;
         const interval = point.high > point.low ? ` (${numberText(point.low)} to ${numberText(point.high)})` : '';
-        return `${item.dataset.label || point.name}: (${numberText(point.x)}, ${numberText(point.y)})${interval}`;
+        return `${item.dataset.label || point.name}: ${
+                   valueWords(this.panel.x.label,
+                              point.x)}${curve.xInterval ? interval : ''}, ` +
+               `${valueWords(yLabel, point.y)}${
+                   curve.xInterval ? '' : interval}`;
       };
       return {
-        type: 'scatter',
-        data: {datasets: panel.curves.map((curve, i) => this.dataset(curve, i))},
-        options: {
-          animation: false, maintainAspectRatio: false, parsing: false, scales: this.scales(),
-          interaction: {mode: 'nearest', intersect: false},
-          plugins: {
-            legend: {
-              position: 'bottom', onClick: (_, item) => this.toggle(item.datasetIndex),
-              labels: {
-                color: style('--ink'), usePointStyle: true, boxHeight: 7, filter: item => item.text !== '',
+        type : 'scatter',
+        data :
+            {datasets : panel.curves.map((curve, i) => this.dataset(curve, i))},
+        options : {
+          animation : false,
+          maintainAspectRatio : false,
+          parsing : false,
+          scales : this.scales(),
+          interaction : {mode : 'nearest', intersect : false},
+          plugins : {
+            legend : {
+              position : 'bottom',
+              onClick : (_, item) => this.toggle(item.datasetIndex),
+              labels : {
+                color : style('--ink'),
+                usePointStyle : true,
+                boxHeight : 7,
+                filter : item => item.text !== '',
+                sort : (a, b) => a.datasetIndex - b.datasetIndex,
                 // The legend shows a curve by its point; its lines are short.
-                generateLabels: chart => Chart.defaults.plugins.legend.labels.generateLabels(chart)
-                  .map(item => ({...item, lineDash: chart.data.datasets[item.datasetIndex].borderDash.map(length => length / 2)})),
+                generateLabels : chart =>
+                    Chart.defaults.plugins.legend.labels.generateLabels(chart)
+                        .map(item => ({
+                               ...item,
+                               lineDash :
+                                   chart.data.datasets[item.datasetIndex]
+                                       .borderDash.map(length => length / 2)
+                             })),
               },
             },
-            tooltip: {filter: item => this.hasValues(item.datasetIndex), callbacks: {label: lines}},
+            tooltip : {
+              filter : item => this.hasValues(item.datasetIndex),
+              callbacks : {label : lines}
+            },
           },
         },
-        plugins: [{
-          id: 'asperity',
-          beforeDatasetsDraw: chart => this.drawMarks(chart),
-          afterDatasetsDraw: chart => this.drawIntervals(chart),
-          afterDraw: chart => drawRectangle(chart.ctx, this.box),
-        }],
+        plugins : [ {
+          id : 'asperity',
+          beforeDatasetsDraw : chart => this.drawMarks(chart),
+          afterDatasetsDraw : chart => this.drawIntervals(chart),
+          afterDraw : chart => drawRectangle(chart.ctx, this.box),
+        } ],
       };
     }
 
@@ -481,6 +564,12 @@
       this.zoom([x + factor * (area.left - x), y + factor * (area.top - y), x + factor * (area.right - x), y + factor * (area.bottom - y)]);
     }
 
+    // Draws with so many pixels per CSS pixel.
+    resolve(ratio) {
+      this.chart.options.devicePixelRatio = ratio;
+      this.chart.resize();
+    }
+
     recolor() {
       this.chart.data.datasets.forEach((dataset, i) => Object.assign(dataset, this.dataset(this.panel.curves[i], i), {data: dataset.data}));
       this.chart.options.plugins.legend.labels.color = style('--ink');
@@ -493,9 +582,20 @@
     constructor(stack, place) {
       this.stack = stack;
       this.cache = new Map();
-      this.quantities = stack.quantities.flatMap((quantity, i) => quantity.contact
-        ? [{...quantity, map: i}, {label: 'contact', colors: 'contact', map: i, isContact: true}]
-        : [{...quantity, map: i}]);
+      this.quantities = stack.quantities.flatMap(
+          (quantity,
+           i) => [{...quantity, map : i, factor : 1},
+                  ...(quantity.other
+                          ? [ {...quantity, ...quantity.other, map : i} ]
+                          : []),
+                  ...(quantity.contact ? [ {
+                    label : 'contact',
+                    colors : 'contact',
+                    map : i,
+                    factor : 1,
+                    isContact : true
+                  } ]
+                                       : [])]);
       this.frame = stack.frames.length - 1;
       this.quantity = 0;
       this.isCommon = false;
@@ -536,16 +636,18 @@
 
     map() { return this.stack.frames[this.frame].maps[this.quantities[this.quantity].map]; }
 
-    // Range of values that the colours cover.
+    // Range of values that the colours cover, as on paper.
     range() {
-      const {map, colors, isContact, span: least} = this.quantities[this.quantity];
+      const {map, colors, isContact, span : least, factor} =
+          this.quantities[this.quantity];
       if (isContact) return [0, 1];
-      if (least > 0) return [-least, least];
+      if (least > 0)
+        return [ -least * factor, least * factor ];
       const maps = (this.isCommon ? this.stack.frames : [this.stack.frames[this.frame]]).map(frame => frame.maps[map]);
-      const low = Math.min(...maps.map(one => one.low));
-      const high = Math.max(...maps.map(one => one.high));
-      const span = Math.max(Math.abs(low), Math.abs(high));
-      return colors === 'height' ? [-span, span] : [Math.min(0, low), high];
+      const high = factor * Math.max(...maps.map(one => one.shownHigh));
+      const span =
+          Math.max(high, -factor * Math.min(...maps.map(one => one.shownLow)));
+      return colors === 'height' ? [ -span, span ] : [ 0, high ];
     }
 
     valueAt(i) {
@@ -553,7 +655,8 @@
       const {low, high} = this.map();
       if (step > this.stack.steps) return NaN;
       if (this.quantities[this.quantity].isContact) return step > 0 ? 1 : 0;
-      return low + (high - low) * step / this.stack.steps;
+      return this.quantities[this.quantity].factor *
+             (low + (high - low) * step / this.stack.steps);
     }
 
     // Unpacks the map that is asked for and paints it.
@@ -591,17 +694,16 @@
     layout() {
       const {left, right, lower, upper} = this.stack;
       const width = Math.min(this.canvas.parentElement.clientWidth, 620);
-      const margin = {left: 58, right: 86, top: 8, bottom: 42};
+      const margin = {left : 58, right : 96, top : 8, bottom : 42};
       const across = Math.max(50, width - margin.left - margin.right);
       const shape = Math.abs((upper - lower) / (right - left)) * (this.view.high - this.view.low) / (this.view.right - this.view.left);
       const down = Math.min(across * shape, 700);
       return {x: margin.left, y: margin.top, width: across, height: down, all: width, allHeight: down + margin.top + margin.bottom};
     }
 
-    paint(box = null) {
+    paint(box = null, ratio = devicePixelRatio || 1) {
       if (!this.colored || this.canvas.parentElement.clientWidth === 0) return;
       const place = this.place = this.layout();
-      const ratio = devicePixelRatio || 1;
       Object.assign(this.canvas, {width: place.all * ratio, height: place.allHeight * ratio});
       Object.assign(this.canvas.style, {width: place.all + 'px', height: place.allHeight + 'px'});
       const context = this.canvas.getContext('2d');
@@ -659,6 +761,12 @@
       }
       context.fillStyle = context.strokeStyle = style('--ink');
       context.strokeRect(x, place.y, 14, place.height);
+      context.save();
+      context.translate(place.all - 8, place.y + place.height / 2);
+      context.rotate(-Math.PI / 2);
+      context.textAlign = 'center';
+      context.fillText(this.quantities[this.quantity].label, 0, 0);
+      context.restore();
       context.textAlign = 'left';
       if (isContact) return;
       for (const value of roundValues(low, high, place.height / 40))
@@ -704,8 +812,11 @@
       if (across < this.view.left || across >= this.view.right || up < this.view.low || up >= this.view.high) return '\u00a0';
       const at = Math.floor(up * rows) * columns + Math.floor(across * columns);
       const {label, isContact} = this.quantities[this.quantity];
-      const value = isContact ? (this.valueAt(at) ? 'yes' : 'no') : numberText(this.valueAt(at));
-      return `${xLabel}: ${numberText(left + (right - left) * across)}, ${yLabel}: ${numberText(lower + (upper - lower) * up)}; ${label}: ${value}`;
+      const value = this.valueAt(at) ? 'yes' : 'no';
+      return `${valueWords(xLabel, left + (right - left) * across)}, ${
+                 valueWords(yLabel, lower + (upper - lower) * up)}; ` +
+             (isContact ? `${label}: ${value}`
+                        : valueWords(label, this.valueAt(at)));
     }
 
     zoom([x0, y0, x1, y1]) {
@@ -723,6 +834,9 @@
     }
 
     recolor() { this.paint(); }
+
+    // Draws with so many pixels per CSS pixel.
+    resolve(ratio) { this.paint(null, ratio); }
 
     csv() {
       const {columns, rows} = this.stack;
@@ -779,14 +893,42 @@
         box.addEventListener('change', () => this.parts.forEach(part => part.setLog(axis, box.checked)));
         this.bar.append(element('label', {title: `logarithmic ${axis} axis`}, box, ` log ${axis}`));
       }
+      if (this.data.panels.some(panel => panel.other))
+        this.addUnits();
+    }
+
+    // The units of the axes, named by their labels.
+    addUnits() {
+      const names =
+          key => [...new Set(this.data.panels.flatMap(
+                      panel => ['x', 'y'].map(
+                          axis => (key(panel) ?? panel)[axis].label)))]
+                     .join('; ');
+      const choice =
+          element('select', {title : 'units of the axes', className : 'units'},
+                  ...[panel => panel, panel => panel.other].map(
+                      (key, i) => element(
+                          'option', {value : i, textContent : names(key)})));
+      choice.addEventListener('change', () => this.parts.forEach((part, i) => {
+        const panel = this.data.panels[i];
+        part.setPanel(choice.value === '1' ? panel.other ?? panel : panel);
+        part.showPoints();
+      }));
+      this.bar.append(choice);
     }
 
     addDownloads() {
       const name = this.data.name;
       this.bar.append(
-        button('reset', 'show everything; a drag zooms, a double click resets', () => this.parts.forEach(part => part.reset())),
-        button('CSV', 'download the numbers', () => download(`${name}.csv`, new Blob([this.csv()], {type: 'text/csv'}))),
-        button('PNG', 'download what is shown', () => this.picture().toBlob(blob => download(`${name}.png`, blob))));
+          button('reset',
+                 'show everything; a drag zooms, a double click resets',
+                 () => this.parts.forEach(part => part.reset())),
+          button('CSV', 'download the numbers',
+                 () => download(`${name}.csv`,
+                                new Blob([ this.csv() ], {type : 'text/csv'}))),
+          button('PNG', 'download what is shown, with 600 pixels per inch',
+                 () => this.picture().toBlob(
+                     blob => download(`${name}.png`, blob))));
       const printed = this.figure.querySelector('img');
       if (printed)
         this.bar.append(button('SVG', 'download the printed figure', () => download(`${name}.svg`,
@@ -795,8 +937,9 @@
 
     csv() { return this.data.panels ? this.table : this.parts[0].csv(); }
 
-    // All canvases of the figure in one picture.
-    picture() {
+    // All canvases of the figure in one picture, of 96 CSS pixels per inch.
+    picture(ratio = 600 / 96) {
+      this.parts.forEach(part => part.resolve(ratio));
       const canvases = this.parts.map(part => part.canvas);
       const whole = element('canvas', {width: Math.max(...canvases.map(one => one.width)), height: canvases.reduce((sum, one) => sum + one.height, 0)});
       const context = whole.getContext('2d');
@@ -807,6 +950,7 @@
         context.drawImage(one, 0, y);
         y += one.height;
       }
+      this.parts.forEach(part => part.resolve(devicePixelRatio || 1));
       return whole;
     }
   }

@@ -8,7 +8,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace asperity::reports {
@@ -17,20 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const ChartAxis& axis) {
-  std::string label = plain_label(axis.label);
-  const std::string logarithm = "log₁₀ ";
-  if (axis.is_log10 && label.starts_with(logarithm))
-    label.erase(0, logarithm.size());
-  Json json{{"label", label},
-            {"log", axis.is_log || axis.is_log10},
-            {"log10", axis.is_log10}};
-  const auto shown = [&](double limit) {
-    return axis.is_log10 ? std::pow(10.0, limit) : limit;
-  };
+  Json json{{"label", plain_label(axis.label)}, {"log", axis.is_log}};
   if (axis.low)
-    json["low"] = shown(*axis.low);
+    json["low"] = *axis.low;
   if (axis.high)
-    json["high"] = shown(*axis.high);
+    json["high"] = *axis.high;
   for (const auto& [place, name] : axis.ticks)
     json["ticks"].push_back({place, plain_label(name)});
   return json;
@@ -38,11 +28,17 @@ Json json_of(const ChartAxis& axis) {
 
 Json json_of(const ChartCurve& curve) {
   const CurveStyle& style = curve.style;
-  Json json{{"label", curve.label},     {"color", style.color},
-            {"line", style.has_line},   {"markers", style.has_markers},
-            {"steps", curve.has_steps}, {"area", curve.is_area},
-            {"width", style.width},     {"dash", style.dash},
-            {"marker", style.marker},   {"second", curve.is_on_second_axis}};
+  Json json{{"label", curve.label},
+            {"color", style.color},
+            {"line", style.has_line},
+            {"markers", style.has_markers},
+            {"steps", curve.has_steps},
+            {"area", curve.is_area},
+            {"width", style.width},
+            {"dash", style.dash},
+            {"marker", style.marker},
+            {"size", style.marker_size},
+            {"second", curve.is_on_second_axis}};
   if (curve.x == 0) {
     json["slope"] = curve.slope;
     json["intercept"] = curve.intercept;
@@ -52,6 +48,7 @@ Json json_of(const ChartCurve& curve) {
   json["x"] = curve.x - 1; // counted from 0 in the browser
   json["y"] = curve.y - 1;
   json["factor"] = curve.factor;
+  json["xFactor"] = curve.x_factor;
   if (curve.low > 0) {
     json["low"] = curve.low - 1;
     json["high"] = curve.high - 1;
@@ -78,8 +75,7 @@ Json json_of(const ChartPanel& panel) {
   for (const ChartBand& band : panel.bands) {
     Json corners = Json::array();
     for (const auto& [x, y] : band.corners)
-      corners.push_back({panel.x.is_log10 ? std::pow(10.0, x) : x,
-                         panel.y.is_log10 ? std::pow(10.0, y) : y});
+      corners.push_back({x, y});
     json["bands"].push_back({{"color", band.color}, {"corners", corners}});
   }
   return json;
@@ -98,17 +94,25 @@ Json json_of(const MapStack& stack) {
             {"xLabel", stack.x_label},  {"yLabel", stack.y_label},
             {"steps", map_steps}};
   json["quantities"] = Json::array();
-  for (const MapQuantity& quantity : stack.quantities)
-    json["quantities"].push_back({{"label", quantity.label},
+  for (const MapQuantity& quantity : stack.quantities) {
+    json["quantities"].push_back({{"label", plain_label(quantity.label)},
                                   {"colors", quantity.colors},
                                   {"contact", quantity.has_contact},
                                   {"span", quantity.span}});
+    if (quantity.other)
+      json["quantities"].back()["other"] = {
+          {"label", plain_label(quantity.other->label)},
+          {"factor", quantity.other->factor}};
+  }
   json["frames"] = Json::array();
   for (const MapFrame& frame : stack.frames) {
     Json maps = Json::array();
     for (const PackedMap& map : frame.maps)
-      maps.push_back(
-          {{"low", map.low}, {"high", map.high}, {"data", map.data}});
+      maps.push_back({{"low", map.low},
+                      {"high", map.high},
+                      {"shownLow", map.shown_low},
+                      {"shownHigh", map.shown_high},
+                      {"data", map.data}});
     json["frames"].push_back({{"title", frame.title}, {"maps", maps}});
   }
   return json;
@@ -127,8 +131,13 @@ std::string explore_data(const std::string& name, const std::string& title,
   if (maps)
     json["maps"] = json_of(*maps);
   else
-    for (const ChartPanel& panel : panels)
+    for (ChartPanel panel : panels) {
       json["panels"].push_back(json_of(panel));
+      if (!panel.x.other && !panel.y.other)
+        continue;
+      use_other_units(panel);
+      json["panels"].back()["other"] = json_of(panel);
+    }
   std::string text = ascii_of_json(json);
   // None of these stands outside a string of JSON, where the escape sequence
   // means the same character. The text can then end no element of a page.

@@ -4,6 +4,7 @@
 // between which a slider moves.
 
 #include "base/grid.hpp"
+#include "reports/explore/chart.hpp"
 #include "reports/explore/packed.hpp"
 #include "results/types/map_view.hpp"
 
@@ -18,6 +19,7 @@ struct MapQuantity {
   std::string colors;       ///< "pressure", "gap", "height"
   bool has_contact = false; ///< zero means no contact; contact is shown as well
   double span = 0.0;        ///< colours reach from -span to span; 0: all values
+  std::optional<OtherUnits> other = {};
 };
 
 /// Maps at one load, in the order of the quantities.

@@ -63,6 +63,8 @@ PackedMap packed_map(const std::vector<double>& values, std::size_t columns) {
     map.high = has_value ? std::max(map.high, value) : value;
     has_value = true;
   }
+  map.shown_low = map.low;
+  map.shown_high = map.high;
   std::vector<int> steps;
   steps.reserve(values.size());
   for (const double value : values)

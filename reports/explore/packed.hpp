@@ -19,6 +19,8 @@ std::string base64(std::string_view bytes);
 struct PackedMap {
   double low = 0.0, high = 0.0; ///< 0 and 0 if no value is finite
   std::string data;             ///< see packed_map()
+  double shown_low = 0.0, shown_high = 0.0; ///< extremes of the map on paper,
+                                            ///< which the colours cover
 };
 
 constexpr int map_steps = 2047;

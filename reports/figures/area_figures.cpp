@@ -1,4 +1,5 @@
 #include "base/shown_number.hpp"
+#include "base/special_numbers.hpp"
 #include "reports/analysis/area_scale.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -40,8 +41,9 @@ std::string scale_words(const Series& fitted) {
 
 std::string area_caption(const Series* fitted) {
   std::string caption =
-      "Markers: contact area counted node by node. Coloured lines: the same "
-      "with the area at the contact boundary corrected.";
+      "Symbols: the contact area at each load, corrected for the grid where "
+      "the "
+      "method does so. Dotted in the same colour: counted node by node.";
   if (fitted == nullptr)
     return caption;
   if (quantity(*fitted, "area_excess").has_value())
@@ -56,7 +58,39 @@ std::string area_caption(const Series* fitted) {
 
 } // namespace
 
-Figure area_figure(std::span<const Series> series) {
+namespace {
+
+/// The axes of contact area against nominal pressure.
+ChartPanel area_panel(std::span<const Series> series,
+                      const FigureScales& scales) {
+  double furthest = 0.0, top = 0.0, least = infinity;
+  std::vector<double> loads;
+  for (const Series& one : series)
+    for (const SeriesRow& row : one.rows) {
+      loads.push_back(row.pressure);
+      furthest = std::max(furthest, row.pressure);
+      top = std::max({top, row.area, row.area_corrected});
+      if (row.area_corrected > 0.0)
+        least = std::min(least, row.area_corrected);
+    }
+  ChartPanel panel{.x = load_axis(series, scales),
+                   .y = area_axis(scales, std::min(top, 1.0))};
+  panel.x.is_log = panel.x.has_powers = is_spaced_logarithmically(loads);
+  panel.y.is_log = panel.y.has_powers = panel.x.is_log && top > 30.0 * least;
+  if (!panel.x.is_log) {
+    panel.x.low = 0.0;
+    panel.x.high = rounded(furthest > 0.0 ? 1.05 * furthest : 1.0, 6);
+  }
+  if (!panel.y.is_log) {
+    panel.y.low = 0.0;
+    panel.y.high = rounded(top > 0.0 && top <= 1.0 ? 1.05 * top : 1.05, 4);
+  }
+  return panel;
+}
+
+} // namespace
+
+Figure area_figure(std::span<const Series> series, const FigureScales& scales) {
   Figure figure;
   figure.name = "area-pressure";
   figure.title = "Contact area against pressure";
@@ -67,20 +101,16 @@ Figure area_figure(std::span<const Series> series) {
       fitted == nullptr ? nullptr : theory_of(series, *fitted);
   const double scale =
       theory != nullptr ? quantity(*fitted, "area_scale").value : not_a_number;
-  ChartPanel panel{.x = {.label = "p / E*", .low = 0.0},
-                   .y = {.label = "A / A_0", .low = 0.0},
-                   .free_corner = "bottom right"};
-  double furthest = 0.0;
-  double top = 0.0;
+  ChartPanel panel = area_panel(series, scales);
+  const auto scaled = [&](const Series& one, const SeriesRow& row) {
+    return &one == theory && scale * row.area <= 1.0 ? scale * row.area
+                                                     : not_a_number;
+  };
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
-    for (const SeriesRow& row : one.rows) {
+    for (const SeriesRow& row : one.line_rows())
       table.add(one.label, {static_cast<double>(i), row.pressure, row.area,
-                            row.area_corrected,
-                            &one == theory ? scale * row.area : not_a_number});
-      furthest = std::max(furthest, row.pressure);
-      top = std::max({top, row.area, row.area_corrected});
-    }
+                            row.area_corrected, scaled(one, row)});
     if (one.rows.empty() || !one.is_drawn)
       continue;
     if (one.is_theory()) {
@@ -90,18 +120,16 @@ Figure area_figure(std::span<const Series> series) {
                   line("#222222", 1.2, 2), i, 3, 6);
       continue;
     }
-    panel.add(one.legend, point_style(one), i, 3, 4);
-    panel.add("", line_style(one), i, 3, 5);
+    panel.add(one.legend, point_style(one), i, 3, 5);
+    panel.add("", line(series_color(one), 1.0, 3), i, 3, 4);
     add_area_band(panel, one.rows, series_color(one));
   }
   if (panel.curves.empty())
     figure.problem = "no load step converged";
   figure.caption = area_caption(fitted) + joined_words(series);
   if (!panel.bands.empty())
-    figure.caption += " Bands: 95 % interval of the mean counted area over the "
+    figure.caption += " Bands: 95 % interval of the mean area over the "
                       "realisations.";
-  panel.x.high = rounded(furthest > 0.0 ? 1.05 * furthest : 1.0, 6);
-  panel.y.high = rounded(top > 0.0 && top <= 1.0 ? 1.05 * top : 1.05, 4);
   figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;
@@ -134,7 +162,7 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   double highest = 3.2; // up to twice these
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
-    for (const SeriesRow& row : one.rows)
+    for (const SeriesRow& row : one.line_rows())
       if (row.area > 0.0)
         table.add(one.label, {static_cast<double>(i), row.area,
                               row.area / row.pressure_slope, row.area_corrected,
@@ -151,16 +179,17 @@ Figure area_coefficient_figure(std::span<const Series> series) {
       panel.add(one.label, line_style(one), i, 3, 4);
       continue;
     }
-    panel.add(one.legend, point_style(one), i, 3, 4);
-    panel.add("", line_style(one), i, 5, 6);
+    panel.add(one.legend, point_style(one), i, 5, 6);
+    panel.add("", line(series_color(one), 1.0, 3), i, 3, 4);
   }
-  figure.caption =
-      "Markers: counted; coloured lines: corrected. κ is the value at A/A₀ = 0 "
-      "of the line through the load steps with A/A₀ ≤ 15 %.";
-  figure.caption += fitted_kappas(series) +
-                    " Dotted: √(8/π) of Persson and √(2π) of Bush, Gibson and "
-                    "Thomas." +
-                    joined_words(series);
+  figure.caption = "Symbols: corrected; dotted in the same colour: counted. κ "
+                   "is the value at A/A₀ = 0 "
+                   "of the line through the load steps with A/A₀ ≤ 15 %.";
+  figure.caption +=
+      fitted_kappas(series) +
+      " Dotted levels: √(8/π) of Persson and √(2π) of Bush, Gibson and "
+      "Thomas." +
+      joined_words(series);
   for (const double theory :
        {std::sqrt(8.0 / std::numbers::pi), std::sqrt(2.0 * std::numbers::pi)})
     panel.curves.push_back(level(rounded(theory, 9), line("#777777", 0.8, 3)));
@@ -223,10 +252,10 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
     }
     if (!has_rows || !one.is_drawn)
       continue;
-    areas.add("", line_style(one), i, 3, 4);
-    areas.add(one.legend, point_style(one), i, 3, 5);
-    ratios.add("", line_style(one), i, 3, 6);
-    ratios.add("", point_style(one), i, 3, 7);
+    areas.add("", line(series_color(one), 1.0, 3), i, 3, 5);
+    areas.add(one.legend, point_style(one), i, 3, 4);
+    ratios.add("", line(series_color(one), 1.0, 3), i, 3, 7);
+    ratios.add("", point_style(one), i, 3, 6);
   }
   if (areas.curves.empty())
     return std::nullopt;
@@ -235,9 +264,10 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
   ratios.curves.push_back(level(1.0, dotted));
   figure.caption =
       "Each method's area against the theory's at the same load (left), and "
-      "the ratio of the two (right). Markers: the area by Eq. (21) of Yang and "
-      "Persson (2008), from the fitted pressure distribution; lines: the "
-      "method's best estimate. Dotted: equal areas." +
+      "the ratio of the two (right). Symbols: the method's best estimate; "
+      "dotted "
+      "in the same colour: the area by Eq. (21) of Yang and Persson (2008), "
+      "from the fitted pressure distribution. Grey: equal areas." +
       excess_words(series) + joined_words(series);
   figure.panels = {std::move(areas), std::move(ratios)};
   figure.grid = side_by_side(0.205);

@@ -5,7 +5,8 @@
 
 namespace asperity::reports {
 
-std::optional<Figure> cost_figure(std::span<const Series> series) {
+std::optional<Figure> cost_figure(std::span<const Series> series,
+                                  const FigureScales& scales) {
   Figure figure;
   figure.name = "cost";
   figure.title = "Cost of each step";
@@ -13,8 +14,8 @@ std::optional<Figure> cost_figure(std::span<const Series> series) {
   figure.height = 360;
   CsvTable table(
       {"curve", "index", "p/E* [1]", "iterations [1]", "cpu_time [s]"});
-  const ChartAxis pressure{
-      .label = "p / E*", .is_log = true, .has_powers = true};
+  ChartAxis pressure = load_axis(series, scales);
+  pressure.is_log = pressure.has_powers = true;
   ChartPanel iterations{.x = pressure,
                         .y = {.label = "iterations", .low = 0.0}};
   ChartPanel times{.x = pressure,

@@ -45,20 +45,24 @@ void add_fit(CsvTable& table, std::size_t index, const Series& series) {
     furthest = std::max(furthest, row.gap);
   for (const double gap : {0.0, 1.05 * furthest}) {
     const double pressure = prefactor * std::exp(-gap / decay);
-    table.add("fit to " + series.label, {static_cast<double>(index), pressure,
-                                         std::log10(pressure), gap, gap, gap});
+    table.add("fit to " + series.label,
+              {static_cast<double>(index), pressure, gap, gap, gap});
   }
 }
 
 /// The axis starts at zero separation, or at the lowest (negative) gap where a
 /// penalty method allows penetration.
-ChartAxis gap_axis(std::span<const Series> series) {
-  double lowest = 0.0;
+ChartAxis gap_axis(std::span<const Series> series, const FigureScales& scales) {
+  double lowest = 0.0, largest = 0.0;
   for (const Series& one : series)
-    for (const SeriesRow& row : one.rows)
+    for (const SeriesRow& row : one.rows) {
       lowest = std::min(lowest, row.gap_low);
-  return {.label = "mean separation u / h_{rms}",
-          .low = rounded(1.1 * lowest, 4)};
+      largest = std::max(largest, row.gap_high);
+    }
+  ChartAxis axis = length_axis("mean separation u / h_{rms}",
+                               "mean separation u", scales.rms_height, largest);
+  axis.low = rounded(1.1 * lowest, 4);
+  return axis;
 }
 
 /// Adds the rows of all series to the table, and the curves of those that are
@@ -67,59 +71,36 @@ void add_gap_curves(std::span<const Series> series, CsvTable& table,
                     ChartPanel& panel) {
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
-    for (const SeriesRow& row : one.rows)
-      table.add(one.label,
-                {static_cast<double>(i), row.pressure, std::log10(row.pressure),
-                 row.gap, row.gap_low, row.gap_high});
+    for (const SeriesRow& row : one.line_rows())
+      table.add(one.label, {static_cast<double>(i), row.pressure, row.gap,
+                            row.gap_low, row.gap_high});
     if (one.rows.empty() || !one.is_drawn)
       continue;
     ChartCurve& drawn = panel.add(
-        one.legend, one.is_theory() ? line_style(one) : point_style(one), i, 5,
-        4);
+        one.legend, one.is_theory() ? line_style(one) : point_style(one), i, 4,
+        3);
     if (one.is_theory())
       continue;
-    drawn.low = 6;
-    drawn.high = 7;
+    drawn.low = 5;
+    drawn.high = 6;
     drawn.has_x_interval = true;
     add_gap_band(panel, one.rows, series_color(one));
   }
 }
 
-/// Returns the second x axis of a figure of one case, the gap in nm; nothing if
-/// the figure has no length scale.
-std::optional<UpperAxis> nanometre_axis(std::span<const ReportEntry> entries,
-                                        std::span<const Series> series) {
-  if (entries.size() != 1 || entries.front().summary.methods.empty() ||
-      entries.front().summary.methods.back().fits.empty())
-    return std::nullopt;
-  const double height_nm =
-      entries.front().summary.methods.back().fits.front().scales.rms_height *
-      1e9;
-  double furthest = 0.0;
-  for (const Series& one : series)
-    for (const SeriesRow& row : one.rows)
-      furthest = std::max(furthest, row.gap);
-  if (!(furthest > 0.0))
-    return std::nullopt;
-  return UpperAxis{"u [nm]", rounded(height_nm, 9),
-                   round_step(furthest * height_nm / 4.0)};
-}
-
 } // namespace
 
-Figure pressure_gap_figure(std::span<const ReportEntry> entries,
-                           std::span<const Series> series) {
+Figure pressure_gap_figure(std::span<const Series> series,
+                           const FigureScales& scales) {
   Figure figure;
   figure.name = "pressure-gap";
   figure.title = "Pressure against separation";
-  CsvTable table({"curve", "index", "p/E* [1]", "log10 p/E* [1]", "u/h_rms [1]",
+  CsvTable table({"curve", "index", "p/E* [1]", "u/h_rms [1]",
                   "least u/h_rms [1]", "largest u/h_rms [1]"});
-  ChartPanel panel{.x = gap_axis(series),
-                   .y = {.label = "log_{10}  p / E*", .is_log10 = true},
-                   .marks = window_bars(series),
-                   .upper = nanometre_axis(entries, series),
-                   .offsets = "0, 0, 0, graph 0.1",
-                   .free_corner = "top right"};
+  ChartPanel panel{.x = gap_axis(series, scales),
+                   .y = load_axis(series, scales),
+                   .marks = window_bars(series)};
+  panel.y.is_log = panel.y.has_powers = true;
   add_gap_curves(series, table, panel);
   figure.caption = "Each marker is a load step, the mean over the "
                    "realisations; its bar spans their range.";
@@ -131,7 +112,7 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
     const std::size_t index = series.size();
     add_fit(table, index, *fitted);
     const Estimate& gamma = quantity(*fitted, "gamma_slope");
-    panel.add("fit to " + fitted->label, line("#777777", 0.9, 3), index, 5, 4);
+    panel.add("fit to " + fitted->label, line("#777777", 0.9, 3), index, 4, 3);
     figure.caption += fmt::format(
         " The dotted line is p = β E* exp(−u/u₀) with u₀/h_rms = {} from {}; "
         "the bars at the bottom axis show the window of each method's fit.",
@@ -145,12 +126,13 @@ Figure pressure_gap_figure(std::span<const ReportEntry> entries,
   return figure;
 }
 
-std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
+std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
+                                           const FigureScales& scales) {
   Figure figure;
   figure.name = "gap-deviation";
   figure.title = "Deviation of each method from the theory";
   CsvTable table({"curve", "index", "u/h_rms [1]", "(u - u_theory)/h_rms [%]"});
-  ChartPanel panel{.x = gap_axis(series),
+  ChartPanel panel{.x = gap_axis(series, scales),
                    .y = {.label = "(u − u_{theory}) / h_{rms}  [%]"},
                    .curves = {level(0.0, line("#222222", 1.2), "theory")},
                    .marks = {{.low = 0.3, .high = 1.5, .color = "#0072B2"}},
@@ -173,6 +155,9 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series) {
   }
   if (panel.curves.size() == 1)
     return std::nullopt;
+  panel.y.other =
+      length_axis("", "u − u_{theory}", 0.01 * scales.rms_height, largest)
+          .other;
   figure.caption = fmt::format(
       "Separation at equal pressure, minus the theory's, in per cent of h_rms; "
       "at most {:.2g} % for the mean over the realisations. The shaded range, "

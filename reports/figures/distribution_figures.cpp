@@ -89,9 +89,9 @@ double add_histogram(CsvTable& table, const std::string& label, double index,
   return largest;
 }
 
-std::string legend_of(const Load& load, double modulus, double variance) {
-  std::string words =
-      fmt::format("p/E* = {:.3g}", load.fields->nominal_pressure / modulus);
+std::string legend_of(const Load& load, const FigureScales& scales,
+                      double variance) {
+  std::string words = load_text(scales, load.fields->nominal_pressure);
   if (load.fit.variance > 0.0)
     words += fmt::format(", A/A₀ = {:.3g}, r = {:.2f}", load.fit.area_fraction,
                          load.fit.variance / variance);
@@ -100,7 +100,7 @@ std::string legend_of(const Load& load, double modulus, double variance) {
 
 Figure pressure_figure(const std::string& method,
                        const std::vector<const Fields*>& maps,
-                       const SurfaceScales& scales) {
+                       const FigureScales& scales) {
   const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
   // Eq. (2)
   const double variance =
@@ -109,16 +109,14 @@ Figure pressure_figure(const std::string& method,
   figure.name = "pressure-distribution-" + file_word(method);
   figure.title = "Distribution of the contact pressure, " + method;
   CsvTable table({"curve", "index", "sigma/(E* h') [1]", "P E* h' A_0/A [1]"});
-  ChartPanel panel{.x = {.label = "contact pressure σ / (E* h')", .low = 0.0},
-                   .y = {.label = "P(σ) E* h' A_0 / A", .low = 0.0},
-                   .free_corner = "top right",
-                   .has_legend_inside = true};
+  ChartPanel panel{.y = {.label = "P(σ) E* h' A_0 / A", .low = 0.0},
+                   .has_narrow_legend = true};
   double furthest = 0.0;
   double top = 0.0;
   std::size_t index = 0;
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const Load load = load_of(*maps[i], variance);
-    const std::string name = legend_of(load, scales.contact_modulus, variance);
+    const std::string name = legend_of(load, scales, variance);
     const double pressure = load.fit.nominal_pressure;
     panel.add(name, load_sign(i), index, 3, 4);
     top = std::max(top,
@@ -146,6 +144,10 @@ Figure pressure_figure(const std::string& method,
       "load, with G of the slope {:.3g}. r = G̃/G. Each curve is divided by its "
       "contact fraction, so that the shapes can be compared.",
       scales.rms_slope);
+  panel.x = pressure_axis("contact pressure σ / (E* h')", "contact pressure σ",
+                          stress, furthest / stress);
+  panel.y.other = density_units("P(σ) A_0 / A", panel.x);
+  panel.x.low = 0.0;
   panel.x.high = rounded(furthest / stress, 4);
   panel.y.high = rounded(top > 0.0 ? 1.15 * top : 1.0, 4);
   figure.panels = {std::move(panel)};
@@ -160,34 +162,38 @@ Histogram open_gaps(const Fields& fields, double rms_height) {
 
 Figure gap_figure(const std::string& method,
                   const std::vector<const Fields*>& maps,
-                  const SurfaceScales& scales) {
+                  const FigureScales& scales) {
   Figure figure;
   figure.name = "gap-distribution-" + file_word(method);
   figure.title = "Distribution of the separation, " + method;
   CsvTable table({"curve", "index", "u/h_rms [1]", "P_u h_rms [1]"});
   ChartPanel panel{
-      .x = {.label = "separation u / h_{rms}", .low = 0.0},
       .y = {.label = "P_u h_{rms}", .is_log = true, .has_powers = true},
-      .free_corner = "top right",
-      .has_legend_inside = true};
+      .has_narrow_legend = true};
+  double widest = 0.0;
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const Histogram histogram = open_gaps(*maps[i], scales.rms_height);
     double open = 0.0;
     for (const double density : histogram.density)
       open += density * histogram.bin_width();
-    const std::string name =
-        fmt::format("p/E* = {:.3g}, {:.3g} % in contact",
-                    maps[i]->nominal_pressure / scales.contact_modulus,
-                    100.0 * std::max(0.0, 1.0 - open));
+    const std::string name = fmt::format(
+        "{}, {:.3g} % in contact", load_text(scales, maps[i]->nominal_pressure),
+        100.0 * std::max(0.0, 1.0 - open));
     for (std::size_t k = 0; k < histogram.density.size(); ++k)
       if (histogram.density[k] > 0.0)
         table.add(method + ", " + name,
                   {static_cast<double>(i),
                    histogram.bin_centre(k) / scales.rms_height,
                    histogram.density[k] * scales.rms_height});
-    if (!histogram.density.empty())
-      panel.add(name, joined(load_sign(i)), i, 3, 4);
+    if (histogram.density.empty())
+      continue;
+    panel.add(name, joined(load_sign(i)), i, 3, 4);
+    widest = std::max(widest, histogram.bin_centre(gap_bins - 1));
   }
+  panel.x = length_axis("separation u / h_{rms}", "separation u",
+                        scales.rms_height, widest / scales.rms_height);
+  panel.x.low = 0.0;
+  panel.y.other = density_units("P_u", panel.x);
   figure.caption =
       fmt::format("P_u of Eq. (26) of Yang and Persson (2008) where the "
                   "surfaces are separated, realisation 0, in {} bins up to the "
@@ -214,14 +220,14 @@ std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
   return chosen;
 }
 
-/// Calls draw(name, maps, scales) for every method that has maps.
+/// Calls draw(name, maps, scales) for every method that has maps, with the
+/// scales of its realisation 0.
 template <class Draw>
 std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
   std::vector<Figure> figures;
   for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
     const std::vector<const Fields*> maps = chosen_maps(*method);
-    const SurfaceScales scales =
-        scales_of(*entry.result, *entry.contact_case, *method, 0);
+    const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
       figures.push_back(draw(method->name, maps, scales));
   }

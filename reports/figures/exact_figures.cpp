@@ -42,6 +42,7 @@ struct Curves {
 
 Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
                      const Curves& curves) {
+  const FigureScales scales = figure_scales(std::span(&entry, 1));
   Figure figure;
   figure.name = curves.name;
   figure.title = curves.title;
@@ -65,11 +66,14 @@ Figure curves_figure(const ReportEntry& entry, std::span<const Series> series,
                                          pressure * modulus, top, is_free);
     table.add("exact", {0.0, pressure, curves.of_exact(exact) / curves.unit});
   }
-  ChartPanel panel{.x = {.label = "p / E*",
-                         .low = 0.0,
-                         .tick_step = round_step(range.high / 6.0)},
-                   .y = {.label = curves.axis},
-                   .curves = {curve("exact", line("#222222", 1.5), 0, 3, 4)}};
+  ChartPanel panel{
+      .x = load_axis(series, scales),
+      .y = curves.unit == 1.0
+               ? area_axis(scales, 1.0)
+               : length_axis(curves.axis, "mean gap u", scales.rms_height, 1.0),
+      .curves = {curve("exact", line("#222222", 1.5), 0, 3, 4)}};
+  panel.x.low = 0.0;
+  panel.x.tick_step = round_step(range.high / 6.0);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
     if (one.is_theory() || one.rows.empty())

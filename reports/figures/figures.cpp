@@ -70,10 +70,12 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
   if (!has_rough || has_no_contact(entries, series))
     return group;
   auto& figures = group.figures;
+  const FigureScales scales = figure_scales(entries);
   add(figures, "pressure-gap",
-      [&] { return pressure_gap_figure(entries, series); });
-  add(figures, "gap-deviation", [&] { return gap_deviation_figure(series); });
-  add(figures, "area-pressure", [&] { return area_figure(series); });
+      [&] { return pressure_gap_figure(series, scales); });
+  add(figures, "gap-deviation",
+      [&] { return gap_deviation_figure(series, scales); });
+  add(figures, "area-pressure", [&] { return area_figure(series, scales); });
   add(figures, "area-coefficient",
       [&] { return area_coefficient_figure(series); });
   add(figures, "area-theory", [&] { return area_theory_figure(series); });
@@ -139,8 +141,13 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
       [&] { return difference_figures(entries); });
   groups.push_back(std::move(differences));
   FigureGroup cost{"Cost", "", {}};
-  add(cost.figures, "cost", [&] { return cost_figure(series); });
+  add(cost.figures, "cost",
+      [&] { return cost_figure(series, figure_scales(entries)); });
   groups.push_back(std::move(cost));
+  const FigureScales scales = figure_scales(entries);
+  for (FigureGroup& group : groups)
+    for (Figure& figure : group.figures)
+      put_units(figure, scales);
   std::erase_if(groups,
                 [](const FigureGroup& group) { return group.figures.empty(); });
   return groups;

@@ -5,6 +5,7 @@
 // numbers are those of Yang and Persson (2008).
 
 #include "reports/figures/gnuplot.hpp"
+#include "reports/figures/plot_parts.hpp"
 #include "reports/figures/series.hpp"
 
 #include <optional>
@@ -13,18 +14,21 @@
 
 namespace asperity::reports {
 
-/// Plots log10 p/E* against u/h_rms (and nm) for all methods, with the fitted
-/// exponential of the first numerical method and all fit windows.
-Figure pressure_gap_figure(std::span<const ReportEntry> entries,
-                           std::span<const Series> series);
+/// Plots p/E* on a logarithmic axis against u/h_rms for all methods, with the
+/// fitted exponential of the first numerical method and all fit windows.
+Figure pressure_gap_figure(std::span<const Series> series,
+                           const FigureScales& scales);
 
 /// Plots (u - u_theory)/h_rms against u/h_rms. Nothing is returned unless both
 /// a theory and another method are present.
-std::optional<Figure> gap_deviation_figure(std::span<const Series> series);
+std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
+                                           const FigureScales& scales);
 
-/// Plots A/A_0 against p/E*: counted area, corrected area, theory, and the
-/// theory multiplied by the area_scale of the first numerical method.
-Figure area_figure(std::span<const Series> series);
+/// Plots A/A_0 against p/E*: the best estimate of the area and the counted
+/// area, theory, and the theory multiplied by the area_scale of the first
+/// numerical method. The axis of p is logarithmic if the loads are spaced so,
+/// and that of A if it then spans more than a factor of 30.
+Figure area_figure(std::span<const Series> series, const FigureScales& scales);
 
 /// Plots A E* h'/(A_0 p) against A/A_0, that is, the area-load coefficient
 /// kappa.
@@ -63,7 +67,8 @@ std::vector<Figure> map_figures(const ReportEntry& entry);
 std::vector<Figure> difference_figures(std::span<const ReportEntry> entries);
 
 /// Plots iterations and CPU time per step against p/E*.
-std::optional<Figure> cost_figure(std::span<const Series> series);
+std::optional<Figure> cost_figure(std::span<const Series> series,
+                                  const FigureScales& scales);
 
 /// Plot mean gap, contact fraction and their errors with respect to the exact
 /// solution.

@@ -40,6 +40,7 @@ struct Figure {
   int height = 420;                   ///< [px]
   std::optional<MapStack> stack = {}; ///< maps for the browser
   std::string problem = {}; ///< why the figure cannot be drawn; empty if it can
+  bool is_physical = false; ///< the units of its axes that come first
 };
 
 struct DrawnFigure {

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace asperity::reports {
 namespace {
@@ -23,6 +24,7 @@ set errorbars 0
 constexpr const char* next_panel = R"(unset title
 unset xlabel
 unset ylabel
+unset cblabel
 unset logscale
 unset arrow
 unset object
@@ -92,14 +94,29 @@ std::string axis_settings(const ChartAxis& axis, const std::string& name) {
   return text;
 }
 
-std::string upper_axis(const UpperAxis& axis) {
-  const std::string link = fmt::format("set link x2 via x*{0} inverse x/{0}\n",
-                                       digits_of(axis.factor));
-  return axis.is_hidden
-             ? link
-             : link + fmt::format(
-                          "set x2tics {}\nset border 7\nset x2label {}\n",
-                          digits_of(axis.tick_step), in_quotes(axis.label));
+/// The axes opposite, in other units. Their ends follow from a plot that is
+/// not shown, because gnuplot links no logarithmic axis.
+std::string opposite_axes(const ChartPanel& panel, const std::string& plot) {
+  std::string axes;
+  for (const auto& [axis, name, large] :
+       {std::tuple(&panel.x, "x2", "X"), std::tuple(&panel.y, "y2", "Y")})
+    if (axis->other)
+      axes += fmt::format(
+          "set {0}range [GPVAL_{1}_MIN*{2}:GPVAL_{1}_MAX*{2}]\nset {0}tics\n"
+          "set {0}label {3}\n{4}{5}",
+          name, large, digits_of(axis->other->factor),
+          in_quotes(axis->other->label),
+          axis->is_log ? fmt::format("set logscale {}\n", name) : "",
+          axis->is_log && axis->has_powers
+              ? fmt::format("set format {} '10^{{%T}}'\n", name)
+              : "");
+  if (axes.empty())
+    return "";
+  return fmt::format("set border 15\nset terminal push\nset terminal unknown\n"
+                     "{}set terminal pop\n"
+                     "set xrange [GPVAL_X_MIN:GPVAL_X_MAX]\n"
+                     "set yrange [GPVAL_Y_MIN:GPVAL_Y_MAX]\n{}",
+                     plot, axes);
 }
 
 std::string mark_settings(const ChartMark& mark) {
@@ -151,9 +168,7 @@ std::string image_settings(const ChartImage& image) {
 }
 
 std::string legend_settings(const ChartPanel& panel) {
-  return (panel.has_legend_inside ? "set key " + panel.free_corner + "\n"
-                                  : "") +
-         (panel.has_narrow_legend ? "set key maxcols 2\n" : "");
+  return panel.has_narrow_legend ? "set key maxcols 2\n" : "";
 }
 
 std::string image_plot(const ChartImage& image, const std::string& name) {
@@ -212,19 +227,26 @@ std::string curve_plot(const ChartCurve& curve, const std::string& name) {
     if (curve.slope != 0.0)
       source += fmt::format("+{}*x", digits_of(curve.slope));
   } else {
+    const auto scaled = [](int column, double factor) {
+      return factor == 1.0 ? std::to_string(column)
+                           : fmt::format("({}*${})", digits_of(factor), column);
+    };
     std::vector<std::string> columns; // of y, of its interval
     if (!curve.is_area)
-      columns.push_back(
-          curve.factor == 1.0
-              ? std::to_string(curve.y)
-              : fmt::format("({}*${})", digits_of(curve.factor), curve.y));
+      columns.push_back(scaled(curve.y, curve.factor));
+    const double of_interval =
+        curve.has_x_interval ? curve.x_factor : curve.factor;
     if (curve.low > 0) {
-      columns.push_back(std::to_string(curve.low));
-      columns.push_back(std::to_string(curve.high));
+      columns.push_back(scaled(curve.low, of_interval));
+      columns.push_back(scaled(curve.high, of_interval));
     }
     // Rows of other curves have x = NaN and are not drawn.
-    source = fmt::format("'{}.csv' using ($2=={} ? ${} : NaN):{}", name,
-                         curve.index, curve.x, fmt::join(columns, ":"));
+    const std::string x =
+        curve.x_factor == 1.0
+            ? fmt::format("${}", curve.x)
+            : fmt::format("{}*${}", digits_of(curve.x_factor), curve.x);
+    source = fmt::format("'{}.csv' using ($2=={} ? {} : NaN):{}", name,
+                         curve.index, x, fmt::join(columns, ":"));
   }
   return source + (curve.is_on_second_axis ? " axes x1y2" : "") +
          style_of(curve) + title_of(curve.label);
@@ -264,8 +286,6 @@ std::string panel_settings(const ChartPanel& panel) {
   if (panel.has_zero_line)
     text += "set arrow from graph 0, first 0 to graph 1, first 0 nohead "
             "linewidth 0.8 linecolor rgb '#888888'\n";
-  if (panel.upper)
-    text += upper_axis(*panel.upper);
   if (!panel.curves.empty() && panel.curves.front().is_per_row)
     text += "set style data histogram\nset style histogram rowstacked\nset "
             "style fill solid 0.85 border -1\nset boxwidth 0.6\n";
@@ -298,7 +318,15 @@ std::string gnuplot_script(const Figure& figure) {
       script += next_panel;
     if (i > 0 && figure.grid && figure.grid->has_shared_legend)
       script += "unset key\n";
-    script += panel_settings(panel) + plot_command(panel, figure.name, n_bands);
+    const std::string plot = plot_command(panel, figure.name, n_bands);
+    script += panel_settings(panel);
+    // gnuplot leaves no room for the label of the colours.
+    if (!figure.grid && panel.image && !panel.image->label.empty() &&
+        !panel.sides)
+      script += "set rmargin at screen 0.74\n";
+    if (!figure.grid)
+      script += opposite_axes(panel, plot);
+    script += plot;
     n_bands += panel.bands.size();
   }
   return script + (figure.grid ? "unset multiplot\n" : "");

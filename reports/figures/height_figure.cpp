@@ -50,9 +50,10 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
   figure.name = "height-distribution";
   figure.title = "Distribution of the heights";
   figure.caption =
-      "P_h in units of 1/h_rms; line: the Gaussian with the same h_rms.";
+      "Symbols: the density P_h; line: the Gaussian with the same h_rms.";
   CsvTable table({"curve", "index", "h/h_rms [1]", "P h_rms [1]"});
-  ChartPanel panel{.x = {.label = "h/h_{rms}"}, .y = {.label = "P_h h_{rms}"}};
+  ChartPanel panel{.y = {.label = "P_h h_{rms}"}};
+  const int sign = map_sign(entry);
   const auto add = [&](const results::SurfaceRecord& surface, std::size_t r,
                        const std::string& name) {
     if (surface.height_map().empty() || !(surface.rms_height > 0.0) ||
@@ -61,7 +62,7 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
     for (const auto& [bin, density] : densities(surface))
       table.add(name,
                 {static_cast<double>(r), (bin + 0.5) * bin_width, density});
-    panel.add(name, markers(method_color(r), 6, 0.6, 1.3), r, 3, 4);
+    panel.add(name, markers(method_color(r), sign, 0.5, 1.2), r, 3, 4);
     figure.caption += fmt::format(
         " {}: skewness {:+.2f}, kurtosis {:.2f}, highest {:.2f} h_rms.",
         capital(name), Shown{surface.skewness}, surface.kurtosis,
@@ -81,6 +82,9 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
         {-1.0, h, std::exp(-0.5 * h * h) / std::sqrt(2.0 * std::numbers::pi)});
   }
   panel.add("Gaussian", line("#222222", 1.5), 0, 3, 4).index = -1;
+  const double rms_height = figure_scales(std::span(&entry, 1)).rms_height;
+  panel.x = length_axis("h / h_{rms}", "height h", rms_height, gaussian_end);
+  panel.y.other = density_units("P_h", panel.x);
   figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;

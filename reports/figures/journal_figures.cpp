@@ -155,11 +155,15 @@ JournalFormat journal_format(const std::vector<std::string>& endings,
   return format;
 }
 
-std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
+std::string draw_for_journal(const Figure& drawn, const JournalFormat& format,
                              const std::filesystem::path& folder,
                              const std::string& program) {
-  if (!figure.problem.empty())
+  if (!drawn.problem.empty())
     return "";
+  Figure figure = drawn;
+  if (format.units == (drawn.is_physical ? "reduced" : "physical"))
+    for (ChartPanel& panel : figure.panels)
+      use_other_units(panel);
   const double width = figure.width > widest_column
                            ? 2.0 * format.width + column_distance
                            : format.width;

@@ -15,6 +15,7 @@ namespace asperity::reports {
 struct JournalFormat {
   std::set<std::string> endings; ///< of "pdf", "svg", "png"; empty: no figures
   double width = 86e-3;          ///< of a single column [m]
+  std::string units = {}; ///< "physical" or "reduced"; empty: as in the report
 };
 
 /// Reads "pdf,svg" and "86mm", "8.6 cm" or "3.4 in".
@@ -23,14 +24,15 @@ struct JournalFormat {
 JournalFormat journal_format(const std::vector<std::string>& endings,
                              const std::string& width);
 
-/// Writes the figure into `folder`, with its table, its script and one drawing
-/// per ending. The text has 8 points, that of legends 7, and PNG 600 pixels per
-/// inch. A plot with its own axes is arranged by journal_layout(). A figure of
-/// several panels or maps, which is wider than 700 px on the screen, gets the
-/// width of two columns and the 6 mm between them.
+/// Writes a figure of the report into `folder`, with its table, its script and
+/// one drawing per ending. The text has 8 points, that of legends 7, and PNG
+/// 600 pixels per inch. A plot with its own axes is arranged by
+/// journal_layout(), with one pair of units. A figure of several panels or
+/// maps, which is wider than 700 px on the screen, gets the width of two
+/// columns and the 6 mm between them.
 /// @return  why an image could not be drawn; empty if all were
 /// @throws std::system_error  the folder cannot be written
-std::string draw_for_journal(const Figure& figure, const JournalFormat& format,
+std::string draw_for_journal(const Figure& drawn, const JournalFormat& format,
                              const std::filesystem::path& folder,
                              const std::string& program = "gnuplot");
 

@@ -18,11 +18,11 @@ struct JournalLayout {
 
 /// Arranges a figure of this width.
 ///
-/// A figure with one pair of axes gets fixed margins and no second x axis. The
-/// legend is below the axis, in as many columns as fit, and the figure becomes
-/// higher if the plot would cover less than least_plot_share; or the legend is
-/// in a corner that such curves leave free. Figures of several panels or with
-/// images keep their proportions, with margins for text of this size.
+/// A figure with one pair of axes gets fixed margins and no axes in other
+/// units. The legend is below the axis, in as many columns as fit, and the
+/// figure becomes higher if the plot would cover less than least_plot_share.
+/// Figures of several panels or with images keep their proportions, with
+/// margins for text of this size.
 ///
 /// @param width        [m]
 /// @param font_size    of labels [pt]; the legend is one point smaller

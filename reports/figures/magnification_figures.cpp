@@ -23,36 +23,35 @@ std::string pressure_text(double pressure) {
                            : fmt::format("{:.3g} Pa", pressure);
 }
 
-double log_or_none(double number) {
-  return number > 0.0 && std::isfinite(number) ? std::log10(number)
-                                               : not_a_number;
-}
-
 CurveStyle colored(std::size_t load, int dash = 1) {
   return line(method_color(load), 1.6, dash);
 }
 
-/// Returns axes against log10 zeta on which y starts at 1e-4.
-ChartPanel logarithmic_panel(const std::string& label) {
-  return {.x = {.label = "log_{10} ζ", .is_log10 = true},
-          .y = {.label = label, .low = -4.0, .is_log10 = true},
-          .offsets = "0, 0, graph 0.05, 0"};
+ChartAxis magnification_axis() {
+  return {.label = "magnification ζ", .is_log = true, .has_powers = true};
 }
 
-/// Plots log10 u/h_rms against log10 zeta, one curve per load.
+/// Returns axes against zeta on which y starts at 1e-4.
+ChartPanel logarithmic_panel(const std::string& label) {
+  return {
+      .x = magnification_axis(),
+      .y = {.label = label, .low = 1e-4, .is_log = true, .has_powers = true}};
+}
+
+/// Plots u/h_rms against zeta, one curve per load.
 Figure separation_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-separation";
   figure.title = "Separation in the apparent contact";
-  CsvTable table({"load", "index", "log10 zeta [1]", "log10 u/h_rms [1]"});
-  ChartPanel panel = logarithmic_panel("log_{10} u / h_{rms}");
+  CsvTable table({"load", "index", "zeta [1]", "u/h_rms [1]"});
+  ChartPanel panel = logarithmic_panel("u / h_{rms}");
   for (const MagnifiedLoad& load : study.loads) {
     const std::string name = "p = " + pressure_text(load.pressure);
     const std::vector<double> zeta = load.seen->values("magnification");
     const std::vector<double> gap = load.seen->values("mean_gap");
     for (std::size_t i = 0; i < zeta.size(); ++i)
-      table.add(name, {static_cast<double>(load.index), std::log10(zeta[i]),
-                       log_or_none(gap[i] / study.rms_height)});
+      table.add(name, {static_cast<double>(load.index), zeta[i],
+                       gap[i] / study.rms_height});
     panel.add(name, colored(load.index), load.index, 3, 4);
   }
   figure.caption =
@@ -64,15 +63,15 @@ Figure separation_figure(const MagnifiedStudy& study) {
   return figure;
 }
 
-/// Plots log10 of A, h_rms and u against log10 zeta.
+/// Plots A, h_rms and u against zeta.
 Figure parts_figure(const MagnifiedStudy& study) {
   Figure figure;
   figure.name = "magnification-parts";
   figure.title = "Area, roughness and separation";
-  CsvTable table({"load", "index", "log10 zeta [1]", "log10 A/A_0 [1]",
-                  "log10 u/h_rms [1]", "log10 h_rms(zeta)/h_rms [1]"});
+  CsvTable table({"load", "index", "zeta [1]", "A/A_0 [1]", "u/h_rms [1]",
+                  "h_rms(zeta)/h_rms [1]"});
   ChartPanel panel =
-      logarithmic_panel("log_{10} A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}");
+      logarithmic_panel("A/A_0,  u/h_{rms},  h_{rms}(ζ)/h_{rms}");
   for (const std::size_t chosen : three_of(study.loads.size())) {
     const MagnifiedLoad& load = study.loads[chosen];
     const std::string name = "p = " + pressure_text(load.pressure);
@@ -82,9 +81,8 @@ Figure parts_figure(const MagnifiedStudy& study) {
     const std::vector<double> height = load.seen->values("rms_height");
     for (std::size_t i = 0; i < zeta.size(); ++i)
       table.add(name,
-                {static_cast<double>(load.index), std::log10(zeta[i]),
-                 log_or_none(area[i]), log_or_none(gap[i] / study.rms_height),
-                 log_or_none(height[i] / study.rms_height)});
+                {static_cast<double>(load.index), zeta[i], area[i],
+                 gap[i] / study.rms_height, height[i] / study.rms_height});
     if (panel.curves.empty())
       panel.add("h_rms(ζ)/h_rms", line("#222222", 1.6), load.index, 3, 6);
     panel.add("A/A₀, " + name, colored(load.index), load.index, 3, 4);
@@ -105,8 +103,8 @@ Figure opening_figure(const MagnifiedStudy& study) {
   figure.name = "magnification-opening";
   figure.title = "Loss of contact";
   CsvTable table(
-      {"load", "index", "log10 zeta [1]", "u [nm]", "u_1 [nm]", "A/A_0 [1]"});
-  ChartPanel panel{.x = {.label = "log_{10} ζ", .is_log10 = true},
+      {"load", "index", "zeta [1]", "u [nm]", "u_1 [nm]", "A/A_0 [1]"});
+  ChartPanel panel{.x = magnification_axis(),
                    .y = {.label = "u, u_1  [nm]", .low = 0.0},
                    .second =
                        ChartAxis{.label = "A/A_0", .low = 0.0, .high = 1.0}};
@@ -120,8 +118,7 @@ Figure opening_figure(const MagnifiedStudy& study) {
     const std::vector<double> area = load.seen->values("area_fraction");
     for (std::size_t i = 0; i < zeta.size(); ++i) {
       table.add(pressure_text(load.pressure),
-                {static_cast<double>(load.index), std::log10(zeta[i]),
-                 gap[i] * 1e9,
+                {static_cast<double>(load.index), zeta[i], gap[i] * 1e9,
                  std::isfinite(opening[i]) ? opening[i] * 1e9 : not_a_number,
                  area[i]});
       top = std::max(top, 2.0 * gap[i] * 1e9);

@@ -19,16 +19,16 @@ namespace {
 PanelGrid map_grid(int rows, std::size_t columns) {
   return {.rows = rows,
           .columns = static_cast<int>(columns),
-          .margins = {{0.05, 0.93, 0.08, 0.9}},
+          .margins = {{0.07, 0.92, 0.14, 0.9}},
           .across = 0.11,
           .down = 0.05};
 }
 
 Figure map_figure(const std::string& method,
                   const std::vector<const results::Fields*>& maps,
-                  const SurfaceScales& scales) {
+                  const FigureScales& scales) {
   const std::vector<std::size_t> chosen = three_of(maps.size());
-  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  const MapUnits units = map_units(maps, scales);
   Figure figure;
   figure.name = "maps-" + file_word(method);
   figure.title = "Pressure and gap, " + method;
@@ -38,35 +38,42 @@ Figure map_figure(const std::string& method,
   std::vector<ChartPanel> gaps;
   for (const std::size_t i : chosen) {
     const results::Fields& fields = *maps[i];
-    const double load = fields.nominal_pressure / scales.contact_modulus;
     table.add(fmt::format("{}", i),
               {static_cast<double>(fields.step), fields.nominal_pressure});
     const MapImage pressure =
-        map_image(fields.grid, fields.pressure_map(), stress);
-    const MapImage gap =
-        map_image(fields.grid, fields.gap_map(), scales.rms_height);
+        map_image(fields.grid, fields.pressure_map(), units.pressure);
+    const MapImage gap = map_image(fields.grid, fields.gap_map(), units.gap);
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     ChartPanel& upper = figure.panels.emplace_back(
         map_panel(pressure, pressure_name, "pressure"));
-    upper.title = fmt::format("p / E* = {:.3g}", load);
+    upper.title = load_text(scales, fields.nominal_pressure);
     set_colors(upper, 0.0, std::max(pressure.largest, 1e-12));
-    set_colors(gaps.emplace_back(map_panel(gap, gap_name, "gap")), 0.0,
-               std::max(gap.largest, 1e-12));
+    ChartPanel& lower = gaps.emplace_back(map_panel(gap, gap_name, "gap"));
+    set_colors(lower, 0.0, std::max(gap.largest, 1e-12));
+    lower.x.label = "x [µm]";
+    if (i == chosen.front())
+      upper.y.label = lower.y.label = "y [µm]";
+    if (i == chosen.back()) {
+      upper.image->label = units.quantities[0].label;
+      lower.image->label = units.quantities[1].label;
+    }
     figure.maps.emplace_back(pressure_name, map_csv(pressure));
     figure.maps.emplace_back(gap_name, map_csv(gap));
   }
   figure.caption = fmt::format(
-      "Realisation 0 at {} loads. Pressure over E* h' ({:.3g} MPa), white "
-      "where there is none; gap (in print the lower maps) over h_rms ({:.3g} "
-      "nm), dark where the surfaces touch. Axes in µm.",
-      chosen.size(), stress * 1e-6, scales.rms_height * 1e9);
+      "Realisation 0 at {} loads. Pressure, white where there is none, and gap "
+      "(in print the lower maps), dark where the surfaces touch. E* h' = "
+      "{:.3g} "
+      "MPa, h_rms = {:.3g} nm.",
+      chosen.size(), scales.contact_modulus * scales.rms_slope * 1e-6,
+      scales.rms_height * 1e9);
   std::ranges::move(gaps, std::back_inserter(figure.panels));
   figure.grid = map_grid(2, chosen.size());
-  figure.grid->margins = {{0.05, 0.93, 0.05, 0.94}};
+  figure.grid->margins = {{0.07, 0.92, 0.08, 0.94}};
   figure.grid->down = 0.06;
   figure.data = table.text();
-  figure.stack = contact_stack(maps, scales);
+  figure.stack = contact_stack(maps, scales, units);
   return figure;
 }
 
@@ -87,7 +94,7 @@ MapPairs map_pairs(const results::MethodRecord& method,
 }
 
 Figure difference_figure(const std::string& name, const std::string& reference,
-                         const MapPairs& pairs, double contact_modulus) {
+                         const MapPairs& pairs, const FigureScales& scales) {
   const std::vector<std::size_t> chosen = three_of(pairs.size());
   Figure figure;
   figure.name = "pressure-difference-" + file_word(name);
@@ -95,10 +102,9 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   figure.width = 350 * static_cast<int>(chosen.size()) + 20;
   figure.height = 330;
   figure.grid = map_grid(1, chosen.size());
-  (*figure.grid->margins)[1] = 0.92;
   CsvTable table({"map", "nominal_pressure [Pa]", "largest (p - p_ref)/p_0"});
   MapStack stack = stack_on(pairs.front().first->grid);
-  stack.quantities = {{"(p − p_ref) / p₀", "height", false}};
+  stack.quantities = {{.label = "(p − p_{ref}) / p_0", .colors = "height"}};
   for (const std::size_t i : chosen) {
     const auto [mine, other] = pairs[i];
     const auto difference = [&, one = mine, two = other](int most) {
@@ -109,8 +115,7 @@ Figure difference_figure(const std::string& name, const std::string& reference,
                                       mine->nominal_pressure);
     if (mine->grid == pairs.front().first->grid)
       stack.frames.push_back(
-          {fmt::format("p / E* = {:.3g}",
-                       mine->nominal_pressure / contact_modulus),
+          {load_text(scales, mine->nominal_pressure),
            {add_reduced(stack, difference(stack_side(chosen.size())),
                         mine->nominal_pressure)}});
     const double span =
@@ -120,8 +125,12 @@ Figure difference_figure(const std::string& name, const std::string& reference,
     table.add(suffix, {mine->nominal_pressure, span});
     ChartPanel& panel =
         figure.panels.emplace_back(map_panel(picture, suffix, "height"));
-    panel.title = fmt::format("p / E* = {:.3g}",
-                              mine->nominal_pressure / contact_modulus);
+    panel.title = load_text(scales, mine->nominal_pressure);
+    panel.x.label = "x [µm]";
+    if (i == chosen.front())
+      panel.y.label = "y [µm]";
+    if (i == chosen.back())
+      panel.image->label = "(p − p_{ref}) / p_0";
     set_colors(panel, -span, span);
   }
   figure.stack = std::move(stack);
@@ -148,7 +157,7 @@ std::vector<Figure> difference_figures(std::span<const ReportEntry> entries) {
     for (const results::MethodRecord& method : entry.result->methods)
       if (const MapPairs pairs = map_pairs(method, *reference); !pairs.empty())
         figures.push_back(difference_figure(method.name, reference->name, pairs,
-                                            entry.result->contact_modulus));
+                                            method_scales(entry, method)));
   return figures;
 }
 
@@ -156,8 +165,7 @@ std::vector<Figure> map_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
     const std::vector<const results::Fields*> maps = whole_maps(*method);
-    const SurfaceScales scales =
-        scales_of(*entry.result, *entry.contact_case, *method, 0);
+    const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
       figures.push_back(map_figure(method->name, maps, scales));
   }
@@ -227,6 +235,11 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
         figure.panels.emplace_back(map_panel(picture, name, "height"));
     panel.title =
         fmt::format("{}, {:.3g} nm rms", title, face.rms_height * 1e9);
+    panel.x.label = "x [µm]";
+    if (figure.panels.size() == 1)
+      panel.y.label = "y [µm]";
+    if (figure.panels.size() == 3)
+      panel.image->label = "height [nm]";
     set_colors(panel, -span, span);
   };
   add(entry.result->surfaces[0], "first", "realisation 0");

@@ -1,6 +1,6 @@
 #include "reports/figures/map_stacks.hpp"
 
-#include <fmt/format.h>
+#include "reports/figures/map_image.hpp"
 
 namespace asperity::reports {
 
@@ -13,7 +13,13 @@ MapStack stack_on(const Grid& grid) {
 
 PackedMap add_map(MapStack& stack, const Grid& grid,
                   const results::MapView& map, double unit, int most) {
-  return add_reduced(stack, reduced(grid, map, most), unit);
+  PackedMap packed = add_reduced(stack, reduced(grid, map, most), unit);
+  if (most > most_image_points) {
+    const MapImage on_paper = map_image(grid, map, unit);
+    packed.shown_low = on_paper.least;
+    packed.shown_high = on_paper.largest;
+  }
+  return packed;
 }
 
 PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit) {
@@ -24,31 +30,54 @@ PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit) {
   return packed_map(small.values, static_cast<std::size_t>(small.columns));
 }
 
+MapUnits map_units(const std::vector<const results::Fields*>& maps,
+                   const FigureScales& scales) {
+  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
+  const double largest =
+      results::extremes_of(maps.back()->pressure_map()).largest;
+  const double widest = results::extremes_of(maps.front()->gap_map()).largest;
+  ChartPanel axes{.x = pressure_axis("pressure p / (E* h')", "pressure p",
+                                     stress, largest / stress),
+                  .y =
+                      length_axis("gap g / h_{rms}", "gap g", scales.rms_height,
+                                  widest / scales.rms_height)};
+  MapUnits units{.pressure = stress, .gap = scales.rms_height};
+  if (scales.is_physical) {
+    units.pressure /= axes.x.other->factor;
+    units.gap /= axes.y.other->factor;
+    use_other_units(axes);
+  }
+  units.quantities = {
+      {.label = axes.x.label,
+       .colors = "pressure",
+       .has_contact = true,
+       .other = axes.x.other},
+      {.label = axes.y.label, .colors = "gap", .other = axes.y.other}};
+  return units;
+}
+
 MapStack contact_stack(const std::vector<const results::Fields*>& maps,
-                       const SurfaceScales& scales) {
+                       const FigureScales& scales, const MapUnits& units) {
   MapStack stack = stack_on(maps.front()->grid);
-  stack.quantities = {{"pressure / (E* h')", "pressure", true},
-                      {"gap / h_rms", "gap", false}};
+  stack.quantities = units.quantities;
   const std::vector<std::size_t> chosen = stack_frames(maps.size());
   const int most = stack_side(chosen.size());
-  const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
   for (const std::size_t i : chosen) {
     const results::Fields& fields = *maps[i];
     if (fields.grid != maps.front()->grid)
       continue;
     stack.frames.push_back(
-        {fmt::format("p / E* = {:.3g}",
-                     fields.nominal_pressure / scales.contact_modulus),
-         {add_map(stack, fields.grid, fields.pressure_map(), stress, most),
-          add_map(stack, fields.grid, fields.gap_map(), scales.rms_height,
-                  most)}});
+        {load_text(scales, fields.nominal_pressure),
+         {add_map(stack, fields.grid, fields.pressure_map(), units.pressure,
+                  most),
+          add_map(stack, fields.grid, fields.gap_map(), units.gap, most)}});
   }
   return stack;
 }
 
 MapStack height_stack(const Grid& grid, const results::MapView& heights) {
   MapStack stack = stack_on(grid);
-  stack.quantities = {{"height [nm]", "height", false}};
+  stack.quantities = {{.label = "height [nm]", .colors = "height"}};
   const PackedMap map = add_map(stack, grid, heights, 1e-9, stack_side(1));
   stack.frames.push_back({"", {map}});
   return stack;

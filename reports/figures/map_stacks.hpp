@@ -3,8 +3,8 @@
 // Makes the maps of a figure that the browser shows. It is internal to the
 // figures.
 
-#include "reports/analysis/summary.hpp"
 #include "reports/explore/map_stack.hpp"
+#include "reports/figures/plot_parts.hpp"
 #include "results/types/result.hpp"
 
 #include <vector>
@@ -22,10 +22,22 @@ PackedMap add_map(MapStack& stack, const Grid& grid,
 /// The same of a map that is already reduced.
 PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit);
 
+/// The units in which pressure and gap maps are shown first, physical or
+/// reduced.
+struct MapUnits {
+  double pressure = 0.0;                    ///< [Pa]
+  double gap = 0.0;                         ///< [m]
+  std::vector<MapQuantity> quantities = {}; ///< pressure and gap
+};
+
+/// @param maps  at least one
+MapUnits map_units(const std::vector<const results::Fields*>& maps,
+                   const FigureScales& scales);
+
 /// Returns the pressure and gap maps of up to twelve loads.
 /// @param maps  at least one
 MapStack contact_stack(const std::vector<const results::Fields*>& maps,
-                       const SurfaceScales& scales);
+                       const FigureScales& scales, const MapUnits& units);
 
 /// Returns one height map in nm.
 MapStack height_stack(const Grid& grid, const results::MapView& heights);

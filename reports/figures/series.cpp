@@ -27,23 +27,20 @@ struct Sum {
 };
 
 void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
-               const CurveFunction& theory) {
+               const CurveFunction& theory, AreaColumn best) {
   const double theory_gap = theory.gap(point.nominal_pressure);
   const double gap = point.mean_gap / scales.rms_height;
   SeriesRow& row = sum.row;
   row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
   row.gap_high = sum.count == 0 ? gap : std::max(row.gap_high, gap);
-  const double area = point.area_fraction;
   sum.gaps.push_back({.value = gap});
-  sum.areas.push_back({.value = area});
-  row.area_low = sum.count == 0 ? area : std::min(row.area_low, area);
-  row.area_high = sum.count == 0 ? area : std::max(row.area_high, area);
+  sum.areas.push_back({.value = point.*best});
   const double pressure = point.nominal_pressure / scales.contact_modulus;
   row.pressure += pressure;
   row.pressure_slope += pressure / scales.rms_slope;
   row.gap += gap;
-  row.area += area;
-  row.area_corrected += point.area_fraction_corrected;
+  row.area += point.area_fraction;
+  row.area_corrected += point.*best;
   row.area_fit += point.area_fraction_fit;
   row.theory_area += theory.area_fraction(point.nominal_pressure);
   row.iterations += point.iterations;
@@ -102,6 +99,7 @@ std::vector<SeriesRow> rows_of(std::span<const ReportEntry> entries,
                                const ReportEntry& entry,
                                const MethodRecord& method) {
   const MethodRecord* reference = theory_for(entries, entry, method);
+  const AreaColumn best = best_area(method);
   std::map<int, Sum> steps;
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
     const SurfaceScales scales =
@@ -113,12 +111,31 @@ std::vector<SeriesRow> rows_of(std::span<const ReportEntry> entries,
       if (point.status != results::StepStatus::converged ||
           point.nominal_pressure <= 0.0)
         continue;
-      add_point(steps[point.step], point, scales, theory);
+      add_point(steps[point.step], point, scales, theory, best);
     }
   }
   std::vector<SeriesRow> rows;
   rows.reserve(steps.size());
   for (const auto& [step, sum] : steps)
+    rows.push_back(mean_of(sum));
+  return rows;
+}
+
+/// The mean over the realisations of a theory's curve between its loads.
+std::vector<SeriesRow> fine_rows(const MethodSummary& method) {
+  std::vector<Sum> sums;
+  for (const RealizationFits& fits : method.fits) {
+    if (fits.fine_curve.empty() ||
+        (!sums.empty() && sums.size() != fits.fine_curve.size()))
+      return {};
+    sums.resize(fits.fine_curve.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      add_point(sums[i], fits.fine_curve[i], fits.scales, CurveFunction({}),
+                &CurvePoint::area_fraction);
+  }
+  std::vector<SeriesRow> rows;
+  rows.reserve(sums.size());
+  for (const Sum& sum : sums)
     rows.push_back(mean_of(sum));
   return rows;
 }
@@ -206,6 +223,7 @@ std::vector<Series> series_of(std::span<const ReportEntry> entries) {
       series.color = series.is_theory() ? i : colors++;
       series.method = &entry.summary.methods[m];
       series.rows = rows_of(entries, entry, record);
+      series.fine = fine_rows(*series.method);
       all.push_back(std::move(series));
     }
   }
@@ -227,10 +245,12 @@ CurveStyle line_style(const Series& series) {
 }
 
 CurveStyle point_style(const Series& series) {
-  // Open markers of different sizes stay visible on top of each other.
+  // Later ones are smaller and lie on the others.
   static constexpr std::array<std::pair<int, double>, 6> signs{
-      {{6, 0.95}, {2, 0.7}, {8, 1.1}, {4, 0.8}, {12, 1.1}, {1, 0.9}}};
+      {{7, 0.95}, {5, 0.8}, {9, 0.85}, {13, 0.8}, {11, 0.7}, {7, 0.5}}};
   const auto [marker, size] = signs[series.color % signs.size()];
+  if (series.kind == measured_kind) // the same symbols, open
+    return markers(method_color(series.color), marker - 1, size + 0.15, 1.3);
   return markers(method_color(series.color), marker, size, 1.3);
 }
 

@@ -30,10 +30,9 @@ struct SeriesRow {
   double gap_interval = not_a_number; ///< half-width of the 95 % interval of
                                       ///< the mean; NaN: one realisation
   double area = 0.0;                  ///< counted [1]
-  double area_low = 0.0;
-  double area_high = 0.0;
-  double area_interval = not_a_number; ///< as gap_interval
-  double area_corrected = 0.0;         ///< [1]
+  double area_corrected = 0.0;        ///< best estimate: corrected, or else
+                                      ///< counted [1]
+  double area_interval = not_a_number; ///< as gap_interval, of area_corrected
   double area_fit = 0.0;               ///< Eq. (21) of the fit [1]; NaN: none
   double theory_gap = not_a_number;    ///< u/h_rms of the reference theory
   double theory_area = 0.0; ///< A/A_0 of the reference theory; NaN: none
@@ -50,8 +49,15 @@ struct Series {
   std::size_t color = 0; ///< index among the numerical methods
   const MethodSummary* method = nullptr;
   std::vector<SeriesRow> rows; ///< converged, in the order of the loading path
+  /// Of a theory: its curve between these loads, with gap and areas.
+  std::vector<SeriesRow> fine = {};
 
   bool is_theory() const { return kind == "theory"; }
+
+  /// The rows of a curve that is drawn as a line.
+  const std::vector<SeriesRow>& line_rows() const {
+    return fine.empty() ? rows : fine;
+  }
 };
 
 /// Returns all methods of all results, theory first. A variant such as

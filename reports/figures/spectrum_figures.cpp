@@ -48,7 +48,8 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
       if (point.spectrum > 0.0)
         table.add(name, {static_cast<double>(index), point.wavevector,
                          point.spectrum});
-    panel.add(name, markers(method_color(color), 6, 0.5), index, 3, 4);
+    panel.add(name, markers(method_color(color), map_sign(entry), 0.4), index,
+              3, 4);
   };
   for (std::size_t r = 0; r < surfaces.size(); ++r)
     add(surfaces[r], r, fmt::format("realisation {}", r), r);

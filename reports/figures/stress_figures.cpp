@@ -50,12 +50,12 @@ Figure strength_figure(const ReportEntry& entry) {
   figure.name = "stress-inside";
   figure.title = "Largest subsurface stress";
   const double modulus = entry.result->contact_modulus;
-  CsvTable table({"method", "index", "log10 p/E* [1]", "von Mises/E* [1]",
+  CsvTable table({"method", "index", "p/E* [1]", "von Mises/E* [1]",
                   "depth [um]", "largest shear/von Mises [1]"});
-  ChartPanel strengths{.x = {.is_log10 = true},
-                       .y = {.label = "σ_{vM} / E*", .is_log = true}};
-  ChartPanel depths{.x = {.label = "log_{10} p / E*", .is_log10 = true},
-                    .y = {.label = "depth [µm]", .is_log = true}};
+  ChartPanel strengths{.y = {.label = "σ_{vM} / E*", .is_log = true}};
+  ChartPanel depths{.y = {.label = "depth [µm]", .is_log = true}};
+  double largest = 0.0; // load and stress over E*
+  double strongest = 0.0;
   bool has_whole = false;
   int color = 0;
   for (const results::MethodRecord& method : entry.result->methods) {
@@ -68,14 +68,17 @@ Figure strength_figure(const ReportEntry& entry) {
       has_whole = has_whole || one.is_beside;
       const std::size_t index = strengths.curves.size();
       for (std::size_t i = 0; i < pressure.size(); ++i)
-        table.add(one.title, {static_cast<double>(index),
-                              std::log10(pressure[i] / modulus),
+        table.add(one.title, {static_cast<double>(index), pressure[i] / modulus,
                               one.von_mises[i] / modulus, one.depth[i] * 1e6,
                               one.largest_shear.empty()
                                   ? not_a_number
                                   : one.largest_shear[i] / one.von_mises[i]});
+      for (std::size_t i = 0; i < pressure.size(); ++i) {
+        largest = std::fmax(largest, pressure[i] / modulus);
+        strongest = std::fmax(strongest, one.von_mises[i] / modulus);
+      }
       CurveStyle style =
-          joined(markers(method_color(color), 4 + 2 * color, 1.0, 1.4));
+          joined(markers(method_color(color), 5 + 2 * color, 0.9, 1.4));
       style.dash = one.is_beside ? 2 : 1;
       strengths.add(one.title, style, index, 3, 4);
       depths.add("", style, index, 3, 5);
@@ -91,6 +94,11 @@ Figure strength_figure(const ReportEntry& entry) {
     figure.caption += " A full 3-D model shows its own values, the largest at "
                       "a quadrature point of its cells; dashed is the "
                       "continuum solution for its pressure.";
+  depths.x = pressure_axis("nominal pressure p / E*", "nominal pressure p",
+                           modulus, largest);
+  depths.x.is_log = true;
+  strengths.x = depths.x;
+  strengths.y.other = pressure_axis("", "σ_{vM}", modulus, strongest).other;
   figure.panels = {std::move(strengths), std::move(depths)};
   figure.grid = PanelGrid{.rows = 2, .across = 0.02, .down = 0.11};
   figure.data = table.text();
@@ -136,7 +144,7 @@ std::optional<MapStack> section_stack(const results::Table& table,
   std::tie(stack.upper, stack.lower) =
       cell_edges(depth.front(), depth[rows_of_map - 1], stack.rows);
   stack.y_label = "depth [µm]";
-  stack.quantities = {{"von Mises / E*", "pressure", false}};
+  stack.quantities = {{.label = "σ_{vM} / E*", .colors = "pressure"}};
   for (std::size_t start = 0; start < depth.size(); start += rows_of_map) {
     std::vector<double> map; // the lowest row first
     for (std::size_t row = rows_of_map; row > 0; row -= columns)

@@ -3,8 +3,11 @@
 // Figures as they were drawn, and their bytes, so that another report on the
 // same numbers need not draw them again.
 
+#include "reports/figures/figures.hpp"
 #include "reports/figures/gnuplot.hpp"
+#include "reports/figures/journal_figures.hpp"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +21,16 @@ struct DrawnGroup {
   std::string heading;
   std::vector<DrawnFigure> figures;
 };
+
+/// Draws all figures into folder/figures, several at a time, and again into
+/// folder/journal if the format names an ending. Edited figures that were there
+/// are kept, see keep_edited().
+/// @param problems  gets the figures that could not be drawn: "name: why"
+std::vector<DrawnGroup> drawn_groups_of(std::span<const FigureGroup> groups,
+                                        const std::filesystem::path& folder,
+                                        const std::string& gnuplot,
+                                        const JournalFormat& journal,
+                                        std::vector<std::string>& problems);
 
 std::string bytes_of(std::span<const DrawnGroup> groups);
 

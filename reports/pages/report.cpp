@@ -2,7 +2,6 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
-#include "base/parallel_rows.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -17,10 +16,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
-#include <set>
-#include <thread>
 
 namespace asperity::reports {
 namespace {
@@ -35,17 +31,6 @@ cases::Case case_without_text(const results::Result& result) {
   contact_case.surface.kind = mechanics::SurfaceKind::measured;
   contact_case.material.contact_modulus = result.contact_modulus;
   return contact_case;
-}
-
-/// Returns a folder in which no figure of `taken` has that name. This is needed
-/// because the names of two methods can be converted to the same file name.
-std::filesystem::path own_folder(const std::filesystem::path& folder,
-                                 const std::string& name,
-                                 std::set<std::filesystem::path>& taken) {
-  std::filesystem::path own = folder;
-  for (int i = 2; !taken.insert(own / name).second; ++i)
-    own = folder / std::to_string(i);
-  return own;
 }
 
 void write_comparison(std::span<const ReportEntry> entries,
@@ -126,60 +111,6 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
 
 namespace {
 
-/// A figure to draw, with its place among the groups.
-struct FigureTurn {
-  std::size_t group;
-  std::size_t place;
-  std::filesystem::path folder;
-  std::string journal_problem = {};
-};
-
-/// Draws all figures, several at a time, and adds those that cannot be drawn to
-/// `problems`.
-std::vector<DrawnGroup> draw_all(std::span<const ReportEntry> entries,
-                                 const std::filesystem::path& folder,
-                                 const std::string& gnuplot,
-                                 const JournalFormat& journal,
-                                 std::vector<std::string>& problems) {
-  const std::vector<FigureGroup> groups = figures_of(entries);
-  std::vector<DrawnGroup> drawn;
-  std::vector<FigureTurn> turns;
-  std::set<std::filesystem::path> taken;
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::vector<Figure>& figures = groups[g].figures;
-    drawn.push_back(
-        {groups[g].heading, std::vector<DrawnFigure>(figures.size())});
-    for (std::size_t f = 0; f < figures.size(); ++f)
-      turns.push_back({g, f,
-                       own_folder(folder / "figures" / groups[g].folder,
-                                  figures[f].name, taken)});
-  }
-  const int threads =
-      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  parallel_rows(static_cast<int>(turns.size()), threads, [&](int i) {
-    FigureTurn& turn = turns[static_cast<std::size_t>(i)];
-    const Figure& figure = groups[turn.group].figures[turn.place];
-    drawn[turn.group].figures[turn.place] = draw(figure, turn.folder, gnuplot);
-    if (!journal.endings.empty())
-      turn.journal_problem = draw_for_journal(
-          figure, journal,
-          folder / "journal" /
-              std::filesystem::relative(turn.folder, folder / "figures"),
-          gnuplot);
-  });
-  const auto report = [&problems](const std::string& name,
-                                  const std::string& problem) {
-    if (!problem.empty())
-      problems.push_back(fmt::format("{}: {}", name, problem));
-  };
-  for (const FigureTurn& turn : turns) {
-    const DrawnFigure& figure = drawn[turn.group].figures[turn.place];
-    report(figure.name, figure.problem);
-    report("journal/" + figure.name, turn.journal_problem);
-  }
-  return drawn;
-}
-
 void write_methods_text(std::span<const ReportEntry> entries,
                         const std::filesystem::path& folder) {
   const MethodsText text = methods_text(entries);
@@ -203,13 +134,9 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   std::vector<DrawnGroup> own_groups;
   std::vector<DrawnGroup>& drawn_groups =
       extras.figures != nullptr ? *extras.figures : own_groups;
-  const bool has_journal = !extras.journal.endings.empty();
-  if (has_journal)
-    keep_edited(folder / "journal", folder);
   if (drawn_groups.empty())
-    drawn_groups = draw_all(entries, folder, gnuplot, extras.journal, problems);
-  if (has_journal)
-    record_drawn(folder / "journal");
+    drawn_groups = drawn_groups_of(figures_of(entries), folder, gnuplot,
+                                   extras.journal, problems);
   if (entries.size() == 1)
     write_file_atomically(
         folder / "summary.json",

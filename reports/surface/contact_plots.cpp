@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace asperity::reports {
 
 std::vector<Figure> contact_figures(const PredictedContact& contact) {
@@ -27,14 +29,27 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       wavelengths_text(contact.wavevector_low, contact.wavevector_high),
       quantity_text(contact.rms_height, "m"), contact.rms_slope,
       quantity_text(contact.decay_length, "m"), contact.pressure_prefactor);
-  const ChartAxis pressure{
-      .label = "nominal pressure p [Pa]", .is_log = true, .has_powers = true};
+  const double modulus = contact.contact_modulus;
+  double largest = 0.0;
+  for (const PredictedLoad& load : contact.loads)
+    largest = std::max(largest, load.nominal_pressure);
+  ChartAxis pressure =
+      pressure_axis("nominal pressure p / E*", "nominal pressure p", modulus,
+                    largest / modulus);
+  pressure.is_log = pressure.has_powers = true;
   const CurveStyle style = line("#222222", 1.8);
+  ChartCurve drawn = curve("", style, 0, 3, 4);
+  drawn.factor = 1.0 / modulus; // to p/E*, of which the axis has MPa first
   separation.panels = {{.x = {.label = is_high ? "mean separation u [µm]"
                                                : "mean separation u [nm]",
                               .low = 0.0},
                         .y = pressure,
-                        .curves = {curve("", style, 0, 3, 4)}}};
+                        .curves = {drawn}}};
+  use_other_units(separation.panels.front());
+  separation.panels.front().x.other =
+      OtherUnits{"mean separation u / h_{rms}",
+                 (is_high ? 1e-6 : 1e-9) / contact.rms_height};
+  separation.is_physical = true;
   Figure area = separation;
   area.name = "predicted-area";
   area.title = "Predicted contact area";
@@ -42,11 +57,14 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
       "Contact area against nominal pressure by the same theory, A/A₀ = erf(√2 "
       "p/(E* h')) with the rms slope h' = {:.3g}; the data hold 31 loads.",
       contact.rms_slope);
+  drawn = curve("", style, 0, 4, 5);
+  drawn.x_factor = 1.0 / modulus;
   area.panels = {{.x = pressure,
                   .y = {.label = "contact area A / A_0",
                         .is_log = true,
                         .has_powers = true},
-                  .curves = {curve("", style, 0, 4, 5)}}};
+                  .curves = {drawn}}};
+  use_other_units(area.panels.front());
   return {separation, area};
 }
 

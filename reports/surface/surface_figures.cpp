@@ -98,15 +98,20 @@ Figure heights_figure(const surfaces::MapAnalysis& map) {
       "Sq.",
       Shown{map.heights.ssk}, map.heights.sku, map.heights.sp / rms,
       map.heights.sv / rms);
+  const ChartAxis height =
+      length_axis("h / Sq", "height h", rms, map.heights.sp / rms);
   figure.panels = {
-      {.x = {.label = "h / Sq"},
+      {.x = height,
        .y = {.label = "probability density × Sq",
              .low = rounded(std::max(1e-6, 0.5 * share), 3),
              .high = 1.0,
              .is_log = true,
-             .has_powers = true},
+             .has_powers = true,
+             .other = density_units("probability density", height)},
        .curves = {curve("measured", markers("#0072B2", 6, 0.5, 1.2), 0, 3, 4),
                   curve("Gaussian", line("#222222", 1.5), 1, 3, 4)}}};
+  use_other_units(figure.panels.front());
+  figure.is_physical = true;
   return figure;
 }
 

@@ -2,9 +2,9 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
-#include "base/parallel_rows.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/surface/surface_figures.hpp"
 #include "reports/surface/surface_json.hpp"
@@ -15,7 +15,6 @@
 
 #include <cmath>
 #include <kainjow/mustache.hpp>
-#include <thread>
 #include <utility>
 
 namespace asperity::reports {
@@ -96,23 +95,17 @@ Value part_data(const surfaces::LineAnalysis& line) {
   return part;
 }
 
-/// Figures of one heading, and the folder below figures/ that holds them.
-struct FigureSet {
-  std::string heading;
-  std::string folder;
-  std::vector<Figure> figures;
-};
-
-std::vector<FigureSet> figure_sets(const SurfaceReport& report) {
-  std::vector<FigureSet> sets;
+std::vector<FigureGroup> figure_groups(const SurfaceReport& report) {
+  std::vector<FigureGroup> groups;
   const bool has_many = report.parts() > 1;
   if (has_many)
-    sets.push_back({"All measurements", "", {stitched_figure(report)}});
+    groups.push_back({"All measurements", "", {stitched_figure(report)}});
   if (report.contact)
-    sets.push_back({"Contact by theory", "", contact_figures(*report.contact)});
+    groups.push_back(
+        {"Contact by theory", "", contact_figures(*report.contact)});
   const auto add = [&](std::size_t part, std::vector<Figure> figures) {
     const std::string& name = report.name_of(part);
-    sets.push_back(
+    groups.push_back(
         {has_many ? name : "Figures",
          has_many ? fmt::format("{}-{}", part + 1, file_word(name)) : "",
          std::move(figures)});
@@ -121,31 +114,12 @@ std::vector<FigureSet> figure_sets(const SurfaceReport& report) {
     add(i, figures_of(report.maps[i]));
   for (std::size_t i = 0; i < report.lines.size(); ++i)
     add(report.maps.size() + i, figures_of(report.lines[i]));
-  return sets;
-}
-
-std::vector<DrawnGroup> drawn(const std::vector<FigureSet>& sets,
-                              const std::filesystem::path& folder) {
-  std::vector<DrawnGroup> groups;
-  std::vector<std::pair<std::size_t, std::size_t>> turns;
-  for (std::size_t s = 0; s < sets.size(); ++s) {
-    groups.push_back(
-        {sets[s].heading, std::vector<DrawnFigure>(sets[s].figures.size())});
-    for (std::size_t f = 0; f < sets[s].figures.size(); ++f)
-      turns.emplace_back(s, f);
-  }
-  const int threads =
-      std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  parallel_rows(static_cast<int>(turns.size()), threads, [&](int turn) {
-    const auto [s, f] = turns[static_cast<std::size_t>(turn)];
-    groups[s].figures[f] =
-        draw(sets[s].figures[f], folder / "figures" / sets[s].folder);
-  });
   return groups;
 }
 
 std::string surface_page(const SurfaceReport& report,
-                         const std::vector<DrawnGroup>& groups) {
+                         const std::vector<DrawnGroup>& groups,
+                         bool is_for_print) {
   Value page;
   page.set("title", report.title);
   page.set("page_title", report.title);
@@ -165,7 +139,7 @@ std::string surface_page(const SurfaceReport& report,
   for (const std::string& note : stitching_notes(report))
     notes.push_back(text_item(note));
   page.set("notes", notes);
-  set_figures(page, groups, false);
+  set_figures(page, groups, is_for_print);
   return rendered_page(surface_template, std::move(page));
 }
 
@@ -173,18 +147,22 @@ std::string surface_page(const SurfaceReport& report,
 
 std::vector<std::string>
 write_surface_report(const SurfaceReport& report,
-                     const std::filesystem::path& folder) {
+                     const std::filesystem::path& folder,
+                     const ReportExtras& extras) {
   std::filesystem::create_directories(folder);
   write_file_atomically(folder / "spectrum.txt", spectrum_text(report));
   write_file_atomically(folder / "surface.json",
                         text_of_json(surface_json(report), 1) + "\n");
-  const std::vector<DrawnGroup> groups = drawn(figure_sets(report), folder);
-  write_file_atomically(folder / "report.html", surface_page(report, groups));
   std::vector<std::string> problems;
-  for (const DrawnGroup& group : groups)
-    for (const DrawnFigure& figure : group.figures)
-      if (!figure.problem.empty())
-        problems.push_back(figure.name + ": " + figure.problem);
+  const std::vector<DrawnGroup> groups = drawn_groups_of(
+      figure_groups(report), folder, "gnuplot", extras.journal, problems);
+  write_file_atomically(folder / "report.html",
+                        surface_page(report, groups, false));
+  if (extras.has_pdf)
+    if (const std::string problem =
+            print_report(surface_page(report, groups, true), folder);
+        !problem.empty())
+      problems.push_back(problem);
   return problems;
 }
 

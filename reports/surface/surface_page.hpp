@@ -2,6 +2,7 @@
 
 // Writes the page of `asperity surface` with its figures.
 
+#include "reports/pages/report.hpp"
 #include "reports/surface/surface_report.hpp"
 
 #include <filesystem>
@@ -11,11 +12,12 @@
 namespace asperity::reports {
 
 /// Writes report.html, surface.json, spectrum.txt and figures/ into `folder`,
-/// which must exist.
+/// and what `extras` asks for.
 /// @return  the figures that could not be drawn, one line each
 /// @throws std::system_error  a file cannot be written
 std::vector<std::string>
 write_surface_report(const SurfaceReport& report,
-                     const std::filesystem::path& folder);
+                     const std::filesystem::path& folder,
+                     const ReportExtras& extras = {});
 
 } // namespace asperity::reports

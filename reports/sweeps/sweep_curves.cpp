@@ -26,8 +26,8 @@ struct CurveRow {
 
 CurveRow row_of(const SeriesRow& row, CurveKind kind) {
   return kind == CurveKind::pressure_gap
-             ? CurveRow{row.gap, std::log10(row.pressure), row.gap_interval}
-             : CurveRow{row.pressure, row.area, row.area_interval};
+             ? CurveRow{row.gap, row.pressure, row.gap_interval}
+             : CurveRow{row.pressure, row.area_corrected, row.area_interval};
 }
 
 /// Assembles the curves of one method.
@@ -74,10 +74,9 @@ public:
     figure_.data = table_.text();
     figure_.caption = caption();
     panel_.x.label = is_gap ? "mean separation u / h_{rms}" : "p / E*";
-    panel_.y.label = is_gap ? "log_{10}  p / E*" : "A / A_0";
-    for (ChartAxis* axis : {&panel_.x, &panel_.y})
-      axis->is_log = axis->has_powers = !is_gap;
-    panel_.free_corner = is_gap ? "top right" : "bottom right";
+    panel_.y.label = is_gap ? "p / E*" : "A / A_0";
+    panel_.y.is_log = panel_.y.has_powers = true;
+    panel_.x.is_log = panel_.x.has_powers = !is_gap;
     panel_.has_narrow_legend = true;
     figure_.panels = {std::move(panel_)};
     return std::move(figure_);

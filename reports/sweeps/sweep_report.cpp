@@ -53,6 +53,18 @@ std::string verdict_words(const SweptResult& result) {
   return fmt::format("{} of {} met", met, result.summary.n_judged());
 }
 
+/// A point by the values of its keys: "hurst = 0.3, points = 64".
+std::string point_name(const SweepRecord& record, std::size_t point) {
+  std::string name;
+  for (std::size_t k = 0; k < record.keys.size(); ++k) {
+    const std::string& key = record.keys[k].key;
+    name += fmt::format(
+        "{}{} = {}", name.empty() ? "" : ", ", key.substr(key.rfind('.') + 1),
+        value_label(record.keys[k].values[record.points[point].choice[k]]));
+  }
+  return name;
+}
+
 /// One row per point and method.
 /// @param out  of the page, from which a point's own report is linked
 List point_rows(const SweepRecord& record, const Results& results,
@@ -60,18 +72,13 @@ List point_rows(const SweepRecord& record, const Results& results,
                 const std::filesystem::path& out) {
   List rows;
   for (const auto& result : results) {
-    std::vector<std::string> values;
-    for (std::size_t k = 0; k < record.keys.size(); ++k)
-      values.push_back(value_label(
-          record.keys[k].values[record.points[result->point].choice[k]]));
     const auto add = [&](const std::string& method, const List& cells) {
       Value row;
-      row.set("point", std::to_string(result->point));
+      row.set("point", point_name(record, result->point));
       row.set("folder", point_folder(result->point).string());
       row.set("has_report",
               std::filesystem::exists(out / point_folder(result->point) /
                                       "report.html"));
-      row.set("values", text_cells(values));
       row.set("method", method);
       row.set("cells", cells);
       row.set("verdicts", verdict_words(*result));
@@ -290,34 +297,6 @@ void set_banner(Value& page, const Results& results) {
                                                      : "");
 }
 
-/// Where the report is written, and with what.
-struct Target {
-  const std::filesystem::path& folder;
-  const ReportExtras& extras;
-  const std::string& gnuplot;
-};
-
-DrawnGroup drawn_group(const std::string& heading,
-                       const std::vector<Figure>& figures, const Target& target,
-                       std::vector<std::string>& undrawn) {
-  DrawnGroup group{heading, {}};
-  const auto report = [&undrawn](const std::string& name,
-                                 const std::string& problem) {
-    if (!problem.empty())
-      undrawn.push_back(fmt::format("{}: {}", name, problem));
-  };
-  for (const Figure& figure : figures) {
-    group.figures.push_back(
-        draw(figure, target.folder / "figures", target.gnuplot));
-    report(figure.name, group.figures.back().problem);
-    if (!target.extras.journal.endings.empty())
-      report("journal/" + figure.name,
-             draw_for_journal(figure, target.extras.journal,
-                              target.folder / "journal", target.gnuplot));
-  }
-  return group;
-}
-
 void set_limits(Value& page, const std::vector<SweepLimit>& limits,
                 const Results& results) {
   page.set("has_limits", !limits.empty());
@@ -347,11 +326,10 @@ std::string page_text(const SweepRecord& record, const Results& results,
                              "the others"));
   set_banner(page, results);
   page.set("keys", key_rows(record));
-  std::vector<std::string> heads;
-  for (const cases::SweptKey& key : record.keys)
-    heads.push_back(key.key);
-  page.set("value_heads", text_cells(heads));
-  page.set("quantity_heads", text_cells(quantities));
+  std::vector<std::string> heads = quantities;
+  for (std::string& head : heads) // allows line breaks
+    std::ranges::replace(head, '_', ' ');
+  page.set("quantity_heads", text_cells(heads));
   page.set("rows", point_rows(record, results, quantities, out));
   set_samples(page, record, results, out);
   set_limits(page, limits, results);
@@ -373,25 +351,16 @@ SweepReport write_sweep_report(const SweepRecord& record,
   const Results& results = report.results;
   std::filesystem::create_directories(out);
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
-  const auto drawn = [&](const char* heading,
-                         const std::vector<Figure>& figures) {
-    return drawn_group(heading, figures, {out, extras, gnuplot},
-                       report.undrawn);
-  };
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
-  const bool has_journal = !extras.journal.endings.empty();
-  if (has_journal)
-    keep_edited(out / "journal", out);
-  std::vector<DrawnGroup> groups;
-  groups.push_back(drawn("Limits and spectrum", sweep_limit_figures(limits)));
-  groups.push_back(drawn("The curves", sweep_curve_figures(record, results)));
-  groups.push_back(drawn("Quantities", sweep_trend_figures(record, results)));
-  groups.push_back(
-      drawn("Maps over both keys", sweep_heat_maps(record, results)));
-  if (has_journal)
-    record_drawn(out / "journal");
-  std::erase_if(groups,
-                [](const DrawnGroup& group) { return group.figures.empty(); });
+  std::vector<FigureGroup> figures{
+      {"Quantities", "", sweep_trend_figures(record, results)},
+      {"Maps over both keys", "", sweep_heat_maps(record, results)},
+      {"Limits and spectrum", "", sweep_limit_figures(limits)},
+      {"The curves", "", sweep_curve_figures(record, results)}};
+  std::erase_if(figures,
+                [](const FigureGroup& group) { return group.figures.empty(); });
+  const std::vector<DrawnGroup> groups =
+      drawn_groups_of(figures, out, gnuplot, extras.journal, report.undrawn);
   write_file_atomically(out / "report.html",
                         page_text(record, results, limits, groups, out, false));
   if (extras.has_pdf)

@@ -1,4 +1,5 @@
 // Quantities of a sweep against the swept keys: lines and heat maps.
+#include "reports/analysis/claims.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/sweeps/sweep_axis.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
@@ -120,7 +121,7 @@ Figure figure_of_lines(const std::string& quantity_name, const FigureAxis& axis,
     const bool is_theory = lines[i].name.starts_with("theory");
     CurveStyle style = joined(
         markers(is_theory ? "#222222" : method_color(lines[i].method),
-                4 + 2 * static_cast<int>(lines[i].method % 5), 0.7, 1.2));
+                5 + 2 * static_cast<int>(lines[i].method % 5), 0.7, 1.2));
     style.dash = 1 + static_cast<int>(lines[i].variant % 5);
     ChartCurve& drawn = panel.add(lines[i].name, style, i, 3, 4);
     drawn.low = 5;
@@ -144,6 +145,9 @@ Figure trend_figure(const SweepRecord& record, const Results& results,
       trend_lines(record, results, axis, quantity_name);
   Figure figure = figure_of_lines(quantity_name, axis, lines);
   figure.title = quantity_name + " against " + record.keys[0].key;
+  if (const std::string meaning = meaning_of(quantity_name); !meaning.empty())
+    figure.caption =
+        fmt::format("{}: {} {}", quantity_name, meaning, figure.caption);
   return figure;
 }
 

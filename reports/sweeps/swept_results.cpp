@@ -146,12 +146,15 @@ std::vector<std::string> swept_quantities(const Results& results) {
       for (const auto& [name, estimate] : method.quantities)
         found.insert(name);
   std::vector<std::string> ordered;
+  const auto put = [&](const std::string& name) {
+    if (found.erase(name) > 0)
+      ordered.push_back(name);
+  };
+  for (const auto& result : results)
+    for (const Verdict& verdict : result->summary.verdicts)
+      put(verdict.quantity);
   for (const std::string_view name : first_quantities)
-    if (const auto first = found.find(std::string(name));
-        first != found.end()) {
-      ordered.push_back(*first);
-      found.erase(first);
-    }
+    put(std::string(name));
   ordered.insert(ordered.end(), found.begin(), found.end());
   return ordered;
 }

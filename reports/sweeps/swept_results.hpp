@@ -49,7 +49,8 @@ read_swept_results(const SweepRecord& record,
                    const std::filesystem::path& folder, bool is_trusted);
 
 /// Returns the names of all quantities of all points and methods: first those
-/// that the figures show first, then in alphabetical order.
+/// of which the case has expectations, then those that the figures show first,
+/// then the others in alphabetical order.
 std::vector<std::string>
 swept_quantities(const std::vector<std::unique_ptr<SweptResult>>& results);
 

@@ -28,32 +28,46 @@ TEST(PlainLabel, ConvertsMarkup) {
   EXPECT_EQ(plain_label(as_markup("a_b^c{d}@e&f~g\\")), "a_b^c{d}@e&f~g\\");
 }
 
-// A column of logarithms is shown as its quantity on a logarithmic axis, with
-// the range and the bands of that quantity.
-TEST(ExploreData, TurnsLogarithmsIntoTheirQuantity) {
-  const nlohmann::json panel =
-      json_of_panels({{.x = {.label = "u / h_{rms}", .low = 0.5},
-                       .y = {.label = "log_{10}  p / E*",
-                             .low = -3.0,
-                             .high = 1.0,
-                             .is_log10 = true},
-                       .curves = {curve("a", line("#222222"), 0, 5, 4)},
-                       .bands = {{"#0072B2", {{4, -1}, {5, 0}, {6, 2}}}}}})
-          .at(0);
+// In other units every place is multiplied by the factor of its axis, so that
+// the numbers of 2 E* are those of 6 MPa with E* = 3 MPa; a second change
+// restores the panel.
+TEST(ExploreData, OffersOtherUnits) {
+  ChartCurve bars = curve("a", markers("#222222", 7, 1.0), 0, 4, 3);
+  bars.low = 5;
+  bars.high = 6;
+  bars.has_x_interval = true;
+  ChartPanel panel{
+      .x = {.label = "u / h_{rms}", .low = 0.5, .other = {{"u [nm]", 20.0}}},
+      .y = {.label = "p / E*",
+            .high = 4.0,
+            .is_log = true,
+            .other = {{"p [MPa]", 3.0}}},
+      .curves = {bars, {.slope = 2.0, .intercept = 1.0}},
+      .marks = {{.low = 1.0, .high = 2.0}},
+      .bands = {{"#0072B2", {{4, 1}, {5, 2}, {6, 3}}}}};
+  const nlohmann::json reduced = json_of_panels({panel}).at(0);
+  const nlohmann::json physical = reduced.at("other");
 
-  EXPECT_EQ(panel.at("x").at("label"), "u / h_rms");
-  EXPECT_EQ(panel.at("x").at("low"), 0.5);
-  EXPECT_FALSE(panel.at("x").contains("high"));
-  EXPECT_FALSE(panel.at("x").at("log").get<bool>());
-  EXPECT_EQ(panel.at("y").at("label"), "p / E*");
-  EXPECT_TRUE(panel.at("y").at("log").get<bool>());
-  EXPECT_TRUE(panel.at("y").at("log10").get<bool>());
-  EXPECT_NEAR(panel.at("y").at("low").get<double>(), 1e-3, 1e-18);
-  EXPECT_NEAR(panel.at("y").at("high").get<double>(), 10.0, 1e-14);
-  const nlohmann::json corners = panel.at("bands").at(0).at("corners");
-  ASSERT_EQ(corners.size(), 3U);
-  EXPECT_EQ(corners.at(2).at(0), 6.0);
-  EXPECT_NEAR(corners.at(0).at(1).get<double>(), 0.1, 1e-16);
+  EXPECT_EQ(physical.at("x").at("label"), "u [nm]");
+  EXPECT_EQ(physical.at("x").at("low"), 10.0);
+  EXPECT_EQ(physical.at("y").at("high"), 12.0);
+  EXPECT_TRUE(physical.at("y").at("log").get<bool>());
+  EXPECT_EQ(physical.at("curves").at(0).at("xFactor"), 20.0);
+  EXPECT_EQ(physical.at("curves").at(0).at("factor"), 3.0);
+  // y = 1 + 2 x in E* is 3 + 6 x MPa, and x is 1/20 of the number in nm.
+  EXPECT_EQ(physical.at("curves").at(1).at("intercept"), 3.0);
+  EXPECT_NEAR(physical.at("curves").at(1).at("slope").get<double>(), 0.3,
+              1e-15);
+  EXPECT_EQ(physical.at("marks").at(0).at("high"), 40.0);
+  EXPECT_EQ(physical.at("bands").at(0).at("corners").dump(),
+            "[[80.0,3.0],[100.0,6.0],[120.0,9.0]]");
+  use_other_units(panel);
+  EXPECT_EQ(panel.y.other->label, "p / E*");
+  use_other_units(panel);
+  nlohmann::json again = json_of_panels({panel}).at(0);
+  EXPECT_NEAR(again.at("curves").at(0).at("factor").get<double>(), 1.0, 1e-15);
+  EXPECT_EQ(again.at("marks"), reduced.at("marks"));
+  EXPECT_EQ(again.at("bands"), reduced.at("bands"));
 }
 
 // Columns are counted from 0; an edge of the plot is null.
@@ -96,6 +110,43 @@ TEST(ExploreData, IsEmptyIfAPartCannotBeShown) {
   EXPECT_TRUE(json_of_panels({}).is_null());
   for (const ChartPanel& panel : {image, bars, ChartPanel{}})
     EXPECT_TRUE(json_of_panels({good, panel}).is_null());
+}
+
+// A case whose loads are in SI units has MPa and nm first; one with loads in E*
+// has them second.
+TEST(ExploreData, ShowsThePhysicalUnitsOfACaseInSiUnits) {
+  cases::Case rough = synthetic::contact_case();
+  const results::Result result = synthetic::rough_result(rough, 1);
+  const auto labels = [&] {
+    const ReportEntry entry = entry_of(result, rough);
+    const Figure figure = figures_of(std::span(&entry, 1)).front().figures[0];
+    const nlohmann::json panel =
+        nlohmann::json::parse(explore_data(figure)).at("panels").at(0);
+    return std::vector<std::string>{
+        panel.at("x").at("label"), panel.at("y").at("label"),
+        panel.at("other").at("y").at("label"),
+        panel.at("curves").at(0).at("factor").dump()};
+  };
+
+  rough.load.targets = {{1e-3, mechanics::ReferenceUnit::contact_modulus}};
+  EXPECT_EQ(labels(),
+            (std::vector<std::string>{"mean separation u / h_rms",
+                                      "nominal pressure p / E*",
+                                      "nominal pressure p [MPa]", "1.0"}));
+  rough.load.targets = {{1e6, mechanics::ReferenceUnit::si}};
+  EXPECT_EQ(labels(),
+            (std::vector<std::string>{
+                "mean separation u [nm]", "nominal pressure p [MPa]",
+                "nominal pressure p / E*",
+                nlohmann::json(1e-6 * synthetic::contact_modulus).dump()}));
+}
+
+TEST(PressureAxis, IsLogarithmicWhereLoadsAreSpacedSo) {
+  EXPECT_TRUE(is_spaced_logarithmically({8.0, 1.0, 2.0, 4.0, 4.0}));
+  EXPECT_TRUE(is_spaced_logarithmically({1.0, 1.5, 2.3, 4.0, 9.0, 20.0}));
+  EXPECT_FALSE(is_spaced_logarithmically({1.0, 2.0, 3.0, 4.0}));
+  EXPECT_FALSE(is_spaced_logarithmically({1.0, 1000.0}));
+  EXPECT_FALSE(is_spaced_logarithmically({}));
 }
 
 // Every figure of a report on a rough surface can be explored.

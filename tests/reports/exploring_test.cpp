@@ -25,8 +25,7 @@ protected:
 };
 
 // The figure is drawn, and the values shown when hovering are those of its
-// table: the separations exactly, the pressures, of which the table holds the
-// logarithm, to 10 digits.
+// table.
 TEST_F(Exploring, ShowsTheValuesOfTheTable) {
   const nlohmann::json found = found_in_page(
       "const {parts: [part]} = await figure('pressure-gap'); const context = "
@@ -36,8 +35,8 @@ TEST_F(Exploring, ShowsTheValuesOfTheTable) {
       "part.chart.data.datasets.map(one => ({label: one.label, x: "
       "one.data.map(p => p.x), y: one.data.map(p => p.y)})), yAxis: "
       "part.chart.scales.y.type, tip: part.configuration().options.plugins."
-      "tooltip.callbacks.label({raw: part.points[0][0], dataset: {label: "
-      "'theory'}})};");
+      "tooltip.callbacks.label({raw: part.points[0][0], datasetIndex: 0, "
+      "dataset: {label: 'theory'}})};");
 
   ASSERT_TRUE(found.is_object()) << found;
   EXPECT_GT(found.at("inked").get<int>(), 1000);
@@ -54,18 +53,18 @@ TEST_F(Exploring, ShowsTheValuesOfTheTable) {
     for (std::string word; std::getline(numbers, word, ',');)
       row.push_back(std::stod(word));
     pressures[label].push_back(row[1]);
-    gaps[label].push_back(row[3]);
+    gaps[label].push_back(row[2]);
   }
   ASSERT_EQ(found.at("curves").size(), 3U); // theory, fem, fit
   for (const nlohmann::json& curve : found.at("curves")) {
     const std::string label = curve.at("label");
     EXPECT_EQ(curve.at("x").get<std::vector<double>>(), gaps.at(label));
-    const auto y = curve.at("y").get<std::vector<double>>();
-    ASSERT_EQ(y.size(), pressures.at(label).size());
-    for (std::size_t i = 0; i < y.size(); ++i)
-      EXPECT_NEAR(y[i] / pressures.at(label)[i], 1.0, 1e-8);
+    EXPECT_EQ(curve.at("y").get<std::vector<double>>(), pressures.at(label));
   }
-  EXPECT_EQ(found.at("tip").get<std::string>().find("theory: ("), 0U);
+  EXPECT_EQ(found.at("tip").get<std::string>().find(
+                "theory: mean separation u / h_rms = "),
+            0U)
+      << found.at("tip");
 }
 
 // A curve can be hidden, an axis made linear, a part enlarged, and all of that
@@ -112,6 +111,28 @@ TEST_F(Exploring, ShowsEntireIntervals) {
   EXPECT_EQ(found.at("above"), 0);
 }
 
+// In other units the axes have other names, and the numbers are those of the
+// table times the factor; a picture for print has 600 pixels per inch.
+TEST_F(Exploring, ChangesUnitsAndDrawsForPrint) {
+  const nlohmann::json found = found_in_page(
+      "const shown = await figure('pressure-gap'); const {parts: [part]} = "
+      "shown; const before = part.points[0][0].y; const choice = "
+      "shown.bar.querySelector('select'); choice.value = '1'; "
+      "choice.dispatchEvent(new Event('change')); const width = "
+      "part.canvas.clientWidth; return {label: "
+      "part.chart.options.scales.y.title.text, factor: part.points[0][0].y / "
+      "before, names: choice.textContent, pixels: shown.picture().width / "
+      "width};");
+
+  ASSERT_TRUE(found.is_object()) << found;
+  EXPECT_EQ(found.at("label"), "nominal pressure p [MPa]");
+  EXPECT_NEAR(found.at("factor").get<double>(), 1e-6 * result.contact_modulus,
+              1e-6 * result.contact_modulus * 1e-9);
+  EXPECT_NE(found.at("names").get<std::string>().find("p / E*"),
+            std::string::npos);
+  EXPECT_NEAR(found.at("pixels").get<double>(), 6.25, 0.02);
+}
+
 // Without a mouse, the arrow keys show the values of the curves, space hides a
 // curve, plus enlarges and 0 resets; in a map the arrow keys show values, too.
 TEST_F(Exploring, RespondsToTheKeyboard) {
@@ -133,14 +154,14 @@ TEST_F(Exploring, RespondsToTheKeyboard) {
   ASSERT_TRUE(found.is_object()) << found;
   const std::string first = found.at("first");
   const std::string second = found.at("second");
-  EXPECT_EQ(first.find("theory: ("), 0U) << first;
-  EXPECT_EQ(second.find("theory: ("), 0U) << second;
+  EXPECT_EQ(first.find("theory: mean separation u / h_rms = "), 0U) << first;
+  EXPECT_EQ(second.find("theory: "), 0U) << second;
   EXPECT_NE(first, second);
-  EXPECT_EQ(found.at("other").get<std::string>().find("fem: ("), 0U);
+  EXPECT_EQ(found.at("other").get<std::string>().find("fem: "), 0U);
   EXPECT_NEAR(found.at("half").get<double>(), 0.5, 1e-9);
   EXPECT_NEAR(found.at("again").get<double>(), 1.0, 1e-9);
   EXPECT_TRUE(found.at("hidden").get<bool>());
-  EXPECT_EQ(found.at("map").get<std::string>().find("x [µm]: 5.2, "), 0U)
+  EXPECT_EQ(found.at("map").get<std::string>().find("x = 5.2 µm, "), 0U)
       << found.at("map");
 }
 
@@ -160,7 +181,7 @@ TEST_F(Exploring, ShowsTheMapOfTheLoadOfTheSlider) {
   ASSERT_TRUE(found.is_object()) << found;
   EXPECT_NE(found.at("first").at("load"), found.at("last").at("load"));
   EXPECT_NE(found.at("first").at("picture"), found.at("last").at("picture"));
-  EXPECT_EQ(found.at("words").get<std::string>().find("x [µm]: 5, y [µm]: 5;"),
+  EXPECT_EQ(found.at("words").get<std::string>().find("x = 5 µm, y = 5 µm;"),
             0U)
       << found.at("words");
   const auto& maps = result.methods.at(1).realizations.at(0).fields;

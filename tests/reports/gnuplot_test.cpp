@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <tuple>
 
 namespace asperity::reports::gnuplot_test {
 
@@ -140,14 +141,11 @@ TEST_F(Drawing, GivesMostOfAJournalFigureToThePlot) {
   for (const double slope : {1.0, 2.0, 3.0})
     below.curves.push_back(rising(slope, title));
   below.curves.push_back(rising(4.0, "theory"));
-  ChartPanel inside = below;
-  inside.free_corner = "top right";
-  inside.has_legend_inside = true;
-  ChartPanel with_upper_axis = below;
-  with_upper_axis.upper = UpperAxis{"u"};
+  ChartPanel with_other_units = below;
+  with_other_units.x.other = OtherUnits{"u", 2.0};
   ChartPanel narrow = below;
   narrow.has_narrow_legend = true;
-  for (const ChartPanel& panel : {below, inside, with_upper_axis, narrow})
+  for (const ChartPanel& panel : {below, with_other_units, narrow})
     for (const double width : {86e-3, 180e-3}) {
       EXPECT_EQ(draw_for_journal(trial(panel), {{"pdf"}, width}, folder), "");
 
@@ -285,25 +283,66 @@ TEST_F(Drawing, PutsTheLegendOfAJournalFigureBelowTheLabel) {
 
 // gnuplot leaves a label out without a message where the margin is too narrow.
 TEST_F(Drawing, LabelsTheAxesOfAJournalFigureAtEachWidth) {
-  for (const char* corner : {"", "top right"})
-    for (const double width : {60e-3, 86e-3, 120e-3, 180e-3}) {
-      const ChartPanel panel{
-          .x = {.label = "across"},
-          .y = {.label = "upwards", .low = 0.0, .high = 0.45},
-          .curves = {rising(1.0, "a curve")},
-          .free_corner = corner};
+  for (const double width : {60e-3, 86e-3, 120e-3, 180e-3}) {
+    const ChartPanel panel{.x = {.label = "across"},
+                           .y = {.label = "upwards", .low = 0.0, .high = 0.45},
+                           .curves = {rising(1.0, "a curve")}};
 
-      ASSERT_EQ(draw_for_journal(trial(panel), {{"svg"}, width}, folder), "");
+    ASSERT_EQ(draw_for_journal(trial(panel), {{"svg"}, width}, folder), "");
 
-      const std::string svg = text_of(folder / "trial.svg");
-      EXPECT_NE(svg.find("across"), std::string::npos) << corner << width;
-      EXPECT_NE(svg.find("upwards"), std::string::npos) << corner << width;
-      // An index reaches half a line of 11 px below the line of the label.
-      EXPECT_LT(place_of(svg, "across") + 5.0, height_of(svg))
-          << corner << width;
-      // An exponent reaches a line above that of the label.
-      EXPECT_GT(column_of(svg, "upwards"), 10.0) << corner << width;
-    }
+    const std::string svg = text_of(folder / "trial.svg");
+    EXPECT_NE(svg.find("across"), std::string::npos) << width;
+    EXPECT_NE(svg.find("upwards"), std::string::npos) << width;
+    // An index reaches half a line of 11 px below the line of the label.
+    EXPECT_LT(place_of(svg, "across") + 5.0, height_of(svg)) << width;
+    // An exponent reaches a line above that of the label.
+    EXPECT_GT(column_of(svg, "upwards"), 10.0) << width;
+  }
+}
+
+// A number on the axis opposite is at the place of the same quantity: 5 of the
+// upper axis above 10 of the lower one, whose numbers are twice as large, and,
+// on logarithmic axes, 0.1 above 5 where the numbers are fifty times as large.
+TEST_F(Drawing, PutsOtherUnitsOnTheAxesOpposite) {
+  ChartPanel panel{.x = {.label = "across",
+                         .low = 0.0,
+                         .high = 10.0,
+                         .other = {{"half as much", 0.5}}},
+                   .y = {.low = 0.0, .high = 0.9},
+                   .curves = {rising(0.1, "a curve")}};
+
+  std::string svg = draw(trial(panel), folder).svg;
+
+  EXPECT_NE(svg.find("half as much"), std::string::npos);
+  EXPECT_NEAR(column_of(svg, " 5</tspan>"), column_of(svg, " 10</tspan>"), 0.1);
+  panel.x.low = 2.0;
+  panel.x.high = 200.0;
+  panel.x.is_log = true;
+  panel.x.other->factor = 0.02;
+  svg = draw(trial(panel), folder).svg;
+  const double ten = column_of(svg, " 10</tspan>");
+  EXPECT_NEAR(column_of(svg, " 0.1</tspan>") - ten,
+              std::log10(0.5) * (column_of(svg, " 100</tspan>") - ten), 0.2);
+}
+
+// The units of a journal figure are those that were asked for.
+TEST_F(Drawing, HasTheUnitsThatTheJournalAsksFor) {
+  Figure figure = trial(one_curve());
+  figure.panels.front().x = {.label = "u [nm]", .other = {{"u / h", 0.5}}};
+  figure.is_physical = true;
+  for (const auto& [units, label, factor] :
+       {std::tuple("", "u [nm]", "$3"), std::tuple("physical", "u [nm]", "$3"),
+        std::tuple("reduced", "u / h", "0.5*$3")}) {
+    EXPECT_EQ(draw_for_journal(figure, {{"pdf"}, 86e-3, units}, folder), "");
+
+    const std::string script = text_of(folder / "trial.gp");
+    EXPECT_NE(script.find(fmt::format("set xlabel '{}'", label)),
+              std::string::npos)
+        << units;
+    EXPECT_NE(script.find(fmt::format("? {} : NaN", factor)), std::string::npos)
+        << units;
+    EXPECT_EQ(script.find("x2"), std::string::npos) << units;
+  }
 }
 
 // Text of 8 pt takes a larger part of two columns, 178 mm, than 12 px of a

@@ -58,8 +58,8 @@ TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
   const cases::Case rough = synthetic::contact_case();
   results::Result result = synthetic::rough_result(rough, 2);
   std::vector<results::Curve>& curves = result.methods.back().realizations;
-  curves[0].points[5].area_fraction = 0.10;
-  curves[1].points[5].area_fraction = 0.12;
+  curves[0].points[5].area_fraction_corrected = 0.10;
+  curves[1].points[5].area_fraction_corrected = 0.12;
   const ReportEntry two = entry_of(result, rough);
   results::Result alone = synthetic::rough_result(rough, 1);
   const ReportEntry one = entry_of(alone, rough);
@@ -69,6 +69,32 @@ TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
 
   EXPECT_NEAR(series.back().rows[5].area_interval, 12.7062 * 0.01, 1e-5);
   EXPECT_FALSE(std::isfinite(single.back().rows[5].area_interval));
+}
+
+// Between its loads a theory is evaluated, not interpolated: to the rounding of
+// other sums. Rows that are not the theory of this surface have no such curve.
+TEST(SeriesOfATheory, IsEvaluatedBetweenItsLoads) {
+  const cases::Case rough = synthetic::contact_case();
+  results::Result result = synthetic::rough_result(rough, 1);
+  const theory::PerssonContact contact = synthetic::contact_of(rough.surface);
+  const ReportEntry entry = entry_of(result, rough);
+
+  const std::vector<Series> series = series_of(std::span(&entry, 1));
+
+  const std::vector<SeriesRow>& fine = series.front().fine;
+  ASSERT_GE(fine.size(), 96U);
+  EXPECT_EQ(fine.front().pressure, series.front().rows.front().pressure);
+  EXPECT_EQ(fine.back().pressure, series.front().rows.back().pressure);
+  for (const SeriesRow& row : fine) {
+    const double pressure = row.pressure * synthetic::contact_modulus;
+    EXPECT_NEAR(row.area / contact.area_fraction(pressure), 1.0, 1e-9);
+    EXPECT_NEAR(row.gap * contact.spectrum().rms_height(),
+                contact.mean_gap(pressure), 1e-9 * contact.mean_gap(pressure));
+  }
+  for (results::CurvePoint& row : result.methods[0].realizations[0].points)
+    row.area_fraction *= 0.99;
+  const ReportEntry other = entry_of(result, rough);
+  EXPECT_TRUE(series_of(std::span(&other, 1)).front().fine.empty());
 }
 
 TEST(SeriesOfAVariant, IsInTheLegendOfItsMethod) {

@@ -57,12 +57,12 @@ protected:
 TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
   const Figure strength = figures().front();
 
-  EXPECT_NE(strength.data.find("\"fem\",0,-2,0.5,2,"), std::string::npos)
+  EXPECT_NE(strength.data.find("\"fem\",0,0.01,0.5,2,"), std::string::npos)
       << strength.data;
-  EXPECT_NE(strength.data.find("\"fem, from its pressure\",1,-2,0.4,3,"),
+  EXPECT_NE(strength.data.find("\"fem, from its pressure\",1,0.01,0.4,3,"),
             std::string::npos)
       << strength.data;
-  EXPECT_NE(strength.data.find("\"halfspace\",2,-2,0.375,4,0.5\n"),
+  EXPECT_NE(strength.data.find("\"halfspace\",2,0.01,0.375,4,0.5\n"),
             std::string::npos)
       << strength.data;
   EXPECT_NE(strength.caption.find("full 3-D model"), std::string::npos);
