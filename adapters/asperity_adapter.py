@@ -14,6 +14,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 import h5py
 import numpy as np
@@ -36,7 +37,11 @@ def options(problem, tolerance):
     material = {name: value for name, value in body.items() if value not in (None, [])}
     method = {"contact": "hard", "tolerance": tolerance}
     method |= {} if problem.is_periodic else {"boundaries": "free"}
-    method |= {"element": ELEMENT.upper()} if ELEMENT else {}
+    if ELEMENT:  # meshed as the case says
+        case = tomllib.loads((problem.folder / "case.toml").read_text(encoding="utf-8"))
+        method |= {"element": ELEMENT.upper()} | {
+            key: value for key, value in case.get("fem", {}).items()
+            if key in ("growth", "surface_cell_depth")}
     if "thickness [m]" in material:
         method["depth" if ELEMENT else "thickness"] = material.pop("thickness [m]")
         method["top"] = material.pop("far_boundary")
@@ -50,6 +55,8 @@ def options(problem, tolerance):
 
 
 def prepare(problem):
+    problem.element = ELEMENT.upper() or None
+
     @functools.cache
     def answers(tolerance):
         with tempfile.TemporaryDirectory() as out:

@@ -59,7 +59,7 @@ def block(mesh):
 
 
 def prepare(problem):
-    mesh = meshed.read_mesh(problem)
+    mesh = meshed.read_mesh(problem, GIVEN.mesh)
     if mesh.element != "Q1":
         raise ValueError("the mesh is for Q2, whose contact nodes have unequal weights; write "
                          "that of Q1: asperity problem --mesh --set fem.element=Q1")

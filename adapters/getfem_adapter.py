@@ -89,7 +89,7 @@ def solve_block(folder):
 
 
 def prepare(problem):
-    mesh = meshed.read_mesh(problem)
+    mesh = meshed.read_mesh(problem, GIVEN.mesh)
     import getfem  # that it is not installed is known before anything is solved
     points, degree = np.array(mesh.heights.shape), int(mesh.element[1])
     step = np.array([1.0, mesh.area])
@@ -120,7 +120,7 @@ def prepare(problem):
             "cpu_time": cpu_time, "peak_memory": memory, "iterations": int(answer["steps"]),
             "contact_area_fraction": float((field > 0).mean())}
 
-    return f"{getattr(getfem, '__version__', '5')}-{mesh.element}", solve
+    return f"{getfem.getfem_env('version')}-{mesh.element}", solve
 
 
 if __name__ == "__main__":

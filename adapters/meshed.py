@@ -8,6 +8,7 @@ import argparse
 import dataclasses
 import json
 import os
+import pathlib
 import resource
 import subprocess
 import time
@@ -19,6 +20,9 @@ import submission
 OPTIONS = argparse.ArgumentParser(add_help=False)
 OPTIONS.add_argument("--seconds", type=float, default=3600, help="limit of time for one load")
 OPTIONS.add_argument("--memory", type=float, default=8, help="limit of its memory [GiB]")
+OPTIONS.add_argument("--mesh", type=pathlib.Path, metavar="DIR",
+                     help="take the mesh of this folder of the same problem, written with "
+                     "--set fem.element=Q2, for example")
 
 
 @dataclasses.dataclass
@@ -34,17 +38,21 @@ class Mesh:
     area: float            # of a node of the contact surface [spacings^2]
 
 
-def read_mesh(problem):
+def read_mesh(problem, folder=None):
     """The mesh beside problem.json; one that no adapter can use is a ValueError."""
-    text = json.loads((problem.folder / "problem.json").read_text(encoding="utf-8"))
+    folder = folder or problem.folder
+    text = json.loads((folder / "problem.json").read_text(encoding="utf-8"))
+    if not np.array_equal(np.load(folder / "heights.npy"), problem.heights):
+        raise ValueError(f"{folder} is another problem")
     if "mesh" not in text:
         raise ValueError("there is no mesh, which 'asperity problem --mesh' writes")
+    problem.element = text["mesh"]["element"]
     mesh, spacing = text["mesh"], problem.length_x / problem.heights.shape[1]
     far_boundary = text["body"]["far_boundary"] or "clamped"
     if far_boundary == "pressure":
         raise ValueError("the far boundary is \"pressure\", but must be clamped or sliding")
     rows, key = {}, ""
-    for line in (problem.folder / "mesh.inp").read_text(encoding="utf-8").splitlines():
+    for line in (folder / "mesh.inp").read_text(encoding="utf-8").splitlines():
         if line.startswith("*"):
             key = line.split("=")[-1] if line.startswith(("*NODE", "*ELEMENT")) else ""
         elif key:

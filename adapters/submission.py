@@ -29,6 +29,7 @@ class Problem:
     loads: list             # nominal pressures [Pa]
     is_periodic: bool       # else free boundaries
     folder: pathlib.Path    # that of the problem
+    element: str = None     # "Q1" or "Q2": set by `prepare` of a code that uses the mesh
 
 
 def read_problem(folder, any_body, free):
@@ -70,7 +71,8 @@ def run(prepare, code, method, tolerances, any_body=False, free=False, parents=(
         sys.exit(2)
     tolerance = tolerances[given.accuracy] if given.tolerance is None else given.tolerance
     text = toml(problem=problem.name, code=code, version=version, method=method, **head,
-                accuracy=given.accuracy, authors=given.author or ["anonymous"], licence="CC0-1.0")
+                accuracy=given.accuracy, authors=given.author or ["anonymous"], licence="CC0-1.0",
+                **({"element": problem.element} if problem.element else {}))
     given.submission.mkdir(parents=True, exist_ok=True)
     exit_code = 0
     for number, nominal_pressure in enumerate(problem.loads, start=1):

@@ -19,7 +19,8 @@ run::ExitCode build_board(const BoardCommand& command) {
                                {"index.html", "board.json", "figures/"});
   const std::vector<exchange::BoardProblem> board =
       exchange::read_board(command.folder, site);
-  exchange::write_site(board, site);
+  exchange::write_site(board, exchange::open_problems(command.folder, board),
+                       site);
   fmt::print("board: {}\n", (site / "index.html").string());
   if (run::wants_json())
     run::emit_answer(run::json_of_file(site / "board.json"));

@@ -6,10 +6,7 @@
 #include "contact/operators/halfspace.hpp"
 #include "exchange/answers/certified_field.hpp"
 #include "exchange/answers/imported_answer.hpp"
-#include "methods/cache/cache.hpp"
-#include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
-#include "methods/elastic_method.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
@@ -165,11 +162,7 @@ private:
       as_submitted(record, "no bound exists for this method");
       return std::nullopt;
     }
-    methods::Cache none;
-    const methods::CaseKeys keys(*case_, methods::program_identity(),
-                                 {}); // nothing is cached
-    methods::SolverFactory factory(case_->material, none, keys);
-    return Model{factory.operator_of(method, surface, 1),
+    return Model{exchange::operator_of(*case_, method, surface),
                  law->in_si(surface.scales).local_compliance()};
   }
 

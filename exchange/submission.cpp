@@ -239,6 +239,12 @@ void read_head(SubmissionTable& table, const Problem& problem,
   submission.authors = table.texts("authors");
   submission.licence = table.text("licence");
   submission.machine = table.text("machine", false);
+  submission.element = table.text("element", false);
+  if (!submission.element.empty() && submission.element != "Q1" &&
+      submission.element != "Q2")
+    table.refuse(
+        *table.node().find("element"),
+        "must be \"Q1\" or \"Q2\", the elements of the problem's mesh");
   const double claimed = table.number("claimed_error", 0.0, 1.0);
   if (std::isfinite(claimed))
     submission.claimed_error = claimed;
@@ -256,8 +262,8 @@ Submission read_submission(const std::filesystem::path& folder,
   Mistakes mistakes;
   SubmissionTable table(root,
                         {"problem", "code", "version", "method", "accuracy",
-                         "authors", "licence", "machine", "claimed_error",
-                         "timing", "load", "curve"},
+                         "authors", "licence", "machine", "element",
+                         "claimed_error", "timing", "load", "curve"},
                         mistakes);
   Submission submission;
   read_head(table, problem, submission);

@@ -60,6 +60,7 @@ struct Submission {
   std::vector<std::string> authors;
   std::string licence;
   std::string machine;
+  std::string element; ///< "Q1" or "Q2", of the problem's mesh; empty: no mesh
   /// Error of each mean gap that the authors claim not to exceed [h_rms].
   double claimed_error = 1e-3;
   std::optional<Timing> timing;     ///< none: times are "as submitted"

@@ -16,7 +16,9 @@ enum class SurfaceKind {
   sphere,
   wave_1d,
   wave_2d,
-  punch
+  punch,
+  cone,
+  rounded_punch
 };
 enum class Amplitudes { spectrum, gaussian };
 /// Formats of map files; `convert` is any other one, through the program
@@ -97,17 +99,22 @@ struct SurfaceSpec {
   /// surface is nominally flat.
   std::optional<double> form_radius;
 
-  double radius = 0.0;     ///< sphere, punch
+  double radius = 0.0;     ///< sphere; flat end of a punch
   double recess = 0.0;     ///< punch: depth of the surface around its flat end
   double tilt = 0.0;       ///< punch: slope of its flat end along x [1]
+  double slope = 0.0;      ///< cone: of its flank [1]
+  double edge_radius = 0.0; ///< rounded punch: R beyond its flat end
   double amplitude = 0.0;  ///< waves
   double wavelength = 0.0; ///< waves; length is an integer multiple of it
 
-  /// Whether the surface is a single shape in the middle of the map.
-  bool has_middle() const {
+  /// Whether the surface is one indenter of an exact shape.
+  bool is_indenter() const {
     return kind == SurfaceKind::sphere || kind == SurfaceKind::punch ||
-           form_radius.has_value();
+           kind == SurfaceKind::cone || kind == SurfaceKind::rounded_punch;
   }
+
+  /// Whether the surface is a single shape in the middle of the map.
+  bool has_middle() const { return is_indenter() || form_radius.has_value(); }
 };
 
 } // namespace asperity::mechanics

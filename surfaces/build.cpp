@@ -251,6 +251,10 @@ std::vector<double> shape_rows(const SurfaceSpec& surface,
     return paraboloid_rows(rows, surface.radius);
   case SurfaceKind::punch:
     return flat_punch_rows(rows, surface.radius, surface.recess, surface.tilt);
+  case SurfaceKind::cone:
+    return cone_rows(rows, surface.slope);
+  case SurfaceKind::rounded_punch:
+    return rounded_punch_rows(rows, surface.radius, surface.edge_radius);
   case SurfaceKind::wave_1d:
     return wave_1d_rows(rows, surface.amplitude, surface.wavelength);
   case SurfaceKind::wave_2d:

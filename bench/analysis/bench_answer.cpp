@@ -298,6 +298,10 @@ std::string exact_words(const cases::Case& contact_case) {
     return "the flat punch on a half-space, corrected for the mean "
            "displacement "
            "of its periodic images";
+  case SurfaceKind::cone:
+  case SurfaceKind::rounded_punch:
+    return "the one indenter on a half-space, corrected for the mean "
+           "displacement of its periodic images";
   case SurfaceKind::wave_1d:
     return "Westergaard's exact solution";
   case SurfaceKind::wave_2d:

@@ -170,7 +170,7 @@ mechanics::SurfaceSpec read_surface(TableReader table, bool is_surface_built) {
     table.require("seed");
   if (spec.kind == self_affine)
     check_self_affine(table, spec);
-  else if (spec.kind == punch)
+  else if (spec.kind == punch || spec.kind == rounded_punch)
     check_punch(table, spec);
   else if (spec.kind == wave_1d || spec.kind == wave_2d)
     check_wave(table, spec);

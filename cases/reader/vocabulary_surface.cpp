@@ -76,7 +76,8 @@ std::vector<Key> kind_and_grid_keys() {
   return {
       key<&Surface::kind>("kind",
                           {"self-affine", "spectrum", "measured", "sphere",
-                           "wave-1d", "wave-2d", "punch"},
+                           "wave-1d", "wave-2d", "punch", "cone",
+                           "rounded-punch"},
                           "Type of surface.", needed("self-affine"))
           .shown(),
       key<&Surface::length>(
@@ -90,7 +91,7 @@ std::vector<Key> kind_and_grid_keys() {
           needed("256", "always, except for measured maps and for a theory "
                         "from a formula alone"))
           .of({"self-affine", "spectrum", "sphere", "wave-1d", "wave-2d",
-               "punch"})
+               "punch", "cone", "rounded-punch"})
           .shown(),
   };
 }
@@ -164,7 +165,18 @@ std::vector<Key> round_shape_keys() {
       metres<&Surface::radius>(
           "radius", "Radius of the sphere, or of the flat end of the punch.",
           needed("1 mm"))
-          .of({"sphere", "punch"}),
+          .of({"sphere", "punch", "rounded-punch"}),
+      key<&Surface::slope>("slope", positive(),
+                           "Slope of the flank of the cone: its height is "
+                           "-slope r.",
+                           needed("0.1"))
+          .of({"cone"}),
+      metres<&Surface::edge_radius>(
+          "edge_radius",
+          "R of the rounded edge: at the distance r from the middle, beyond "
+          "the flat end, the height is -(r - radius)^2/(2 R).",
+          needed("1 mm"))
+          .of({"rounded-punch"}),
       metres<&Surface::form_radius>(
           "form_radius",
           "The rough surface lies on a sphere of this radius R, the paraboloid "
@@ -220,7 +232,7 @@ std::string reason_of_kind(const std::string& kind) {
   if (kind == "measured")
     return "the file determines the points, and nothing in it is random";
   if (kind == "sphere" || kind == "wave-1d" || kind == "wave-2d" ||
-      kind == "punch")
+      kind == "punch" || kind == "cone" || kind == "rounded-punch")
     return "the shape is exact and nothing in it is random";
   return "";
 }

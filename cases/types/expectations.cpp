@@ -98,16 +98,16 @@ std::vector<ExpectationName> error_names() {
        .surfaces = {wave_1d, wave_2d}},
       {.name = "area_error",
        .description = "Largest |corrected area fraction - exact| [1].",
-       .surfaces = {wave_1d, wave_2d, sphere}},
+       .surfaces = {wave_1d, wave_2d, sphere, cone, rounded_punch}},
       {.name = "contact_radius_error",
        .description = "Largest relative error of Hertz's contact radius, or of "
-                      "that of the punch, over loads whose contact fits into "
-                      "the square [1].",
-       .surfaces = {sphere, punch}},
+                      "that of the punch or cone, over loads whose contact "
+                      "fits into the square [1].",
+       .surfaces = {sphere, punch, cone, rounded_punch}},
       {.name = "approach_error",
        .description = "Largest relative error of Hertz's approach, or of that "
-                      "of the flat punch [1].",
-       .surfaces = {sphere, punch}},
+                      "of the punch or cone [1].",
+       .surfaces = {sphere, punch, cone, rounded_punch}},
       {.name = "von_mises_error",
        .description = "Largest relative error of the maximum von Mises stress "
                       "of Hertz's contact; needs [report] stress_inside [1].",

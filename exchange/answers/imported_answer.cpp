@@ -7,8 +7,11 @@
 #include "base/special_numbers.hpp"
 #include "exchange/mistakes.hpp"
 #include "input/input_error.hpp"
+#include "methods/cache/cache.hpp"
+#include "methods/cache/case_keys.hpp"
 #include "methods/continuum_block.hpp"
 #include "methods/curve_row.hpp"
+#include "methods/elastic_method.hpp"
 #include "reports/pages/published_json.hpp"
 #include "results/observables/contact_stiffness.hpp"
 
@@ -138,18 +141,38 @@ bool ImportedAnswer::is_sound() const {
   return std::ranges::all_of(loads, &ImportedLoad::is_sound);
 }
 
+std::unique_ptr<contact::SurfaceOperator>
+operator_of(const cases::Case& contact_case, const cases::MethodSpec& method,
+            const methods::SurfaceOfCase& surface) {
+  methods::Cache none;
+  const methods::CaseKeys keys(contact_case, methods::program_identity(), {});
+  return methods::SolverFactory(contact_case.material, none, keys)
+      .operator_of(method, surface, 1);
+}
+
 ImportedAnswer import_answer(const fs::path& folder, const Problem& problem,
-                             const methods::SurfaceOfCase& surface) {
+                             const methods::SurfaceOfCase& surface,
+                             const MeshOperator& mesh) {
   ImportedAnswer answer;
   answer.submission = exchange::read_submission(folder, problem);
   answer.method = method_name(answer.submission);
   const std::unique_ptr<contact::SurfaceOperator> elasticity =
       surface_operator(problem, problem.grid);
+  const std::string& element = answer.submission.element;
+  const std::unique_ptr<contact::SurfaceOperator> on_mesh =
+      mesh && !element.empty() ? mesh(element) : nullptr;
   for (const SubmittedLoad& load : answer.submission.loads)
     require_grid(problem, load);
   for (SubmittedLoad& load : answer.submission.loads) {
     answer.loads.push_back(
         imported(*elasticity, problem, surface, answer.submission, load));
+    if (on_mesh != nullptr)
+      answer.loads.back().mesh_error =
+          certified(*on_mesh,
+                    {problem.heights, 0.0, problem.loads[load.load],
+                     load.pressure, not_a_number},
+                    surface.record.rms_height, infinity)
+              .error_of_field();
     free_memory(load.pressure);
   }
   std::ranges::sort(answer.loads, {},

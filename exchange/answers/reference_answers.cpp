@@ -146,9 +146,16 @@ Refined refined_answers(const cases::Case& contact_case,
         surfaces::build_surface_on(contact_case.surface, 0, fine);
     ReferenceSolver solver(answered.problem, fine, map.heights);
     std::vector<ProblemAnswer> answers;
-    for (const ProblemAnswer& coarse : answered.answers)
+    // The mean plane of an indenter depends on the grid, but its top does not.
+    const double lower = contact_case.surface.is_indenter()
+                             ? std::ranges::max(answered.problem.heights) -
+                                   std::ranges::max(map.heights)
+                             : 0.0;
+    for (const ProblemAnswer& coarse : answered.answers) {
       answers.push_back(
           solver.answer(pressure_target(coarse.nominal_pressure)));
+      answers.back().mean_gap += lower;
+    }
     refined.points.push_back(fine.points_x);
     refined.spacings.push_back(fine.spacing_x());
     refined.answers.push_back(std::move(answers));
@@ -186,7 +193,9 @@ std::string exact_source(const cases::Case& contact_case,
     return kind == wave_1d ? "Westergaard (1939)" : "";
   return kind == sphere  ? "Hertz (1881), mean over the nodes"
          : kind == punch ? "Johnson (1985), Sec. 3.8, mean over the nodes"
-                         : "";
+         : kind == cone  ? "Sneddon (1965), mean over the nodes"
+         : kind == rounded_punch ? "Ciavarella (1999), mean over the nodes"
+                                 : "";
 }
 
 std::vector<ContinuumAnswer>

@@ -8,6 +8,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
+#include "methods/chosen.hpp"
 
 #include <fmt/format.h>
 
@@ -101,17 +102,17 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
   const fs::path home = folder / name;
   const fs::path copy = site / "problems" / name;
   const bool is_stated = fs::exists(home / "problem.json");
+  BoardProblem read;
   input::require_own_file(folder,
                           home / (is_stated ? "problem.json" : "case.toml"));
   if (is_stated) {
     copy_problem(home, copy);
   } else {
-    const AnsweredProblem answered =
-        answered_problem(case_of_problem(home), "");
+    read.contact_case = case_of_problem(home);
+    const AnsweredProblem answered = answered_problem(*read.contact_case, "");
     exchange::write_problem(answered.problem, answered.answers,
                             answered.continuum, "", copy);
   }
-  BoardProblem read;
   read.problem = exchange::read_problem(copy);
   if (read.problem.name != name)
     throw input::InputError(fmt::format(
@@ -150,6 +151,8 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
     entry.cpu_time_high += load.cpu_time_high;
     entry.peak_memory = std::fmax(entry.peak_memory, load.peak_memory);
     entry.iterations += load.answer.row.iterations;
+    entry.mesh_error =
+        std::fmax(entry.mesh_error, load.mesh_error / load.field.rms_height);
     for (const Claim& claim : load.field.claims)
       if (!claim.holds)
         entry.reasons.push_back(fmt::format("{:.3g} Pa: does not hold: {}",
@@ -165,9 +168,42 @@ void add_numbers(const ImportedAnswer& answer, const exchange::Problem& problem,
   entry.missing_loads = problem.loads.size() - entry.loads;
 }
 
+/// The compliance of the mesh of a problem's [fem] with other elements; null:
+/// it has none.
+std::unique_ptr<contact::SurfaceOperator>
+mesh_operator(const BoardProblem& board, const methods::SurfaceOfCase& surface,
+              const std::string& element) {
+  if (board.contact_case)
+    for (cases::MethodSpec method : board.contact_case->methods)
+      if (auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+          fem != nullptr && !methods::is_full_block(method)) {
+        fem->block.element =
+            element == "Q2" ? mechanics::Element::q2 : mechanics::Element::q1;
+        return operator_of(*board.contact_case, method, surface);
+      }
+  return nullptr;
+}
+
+void add_continuum(const ImportedAnswer& answer, const BoardProblem& board,
+                   BoardEntry& entry) {
+  const double height = board.problem.rms_height;
+  for (const ImportedLoad& load : answer.loads) {
+    const auto step = static_cast<std::size_t>(load.field.step);
+    if (step >= board.continuum.size())
+      return;
+    const ContinuumAnswer& limit = board.continuum[step];
+    entry.continuum_error =
+        std::fmax(entry.continuum_error,
+                  std::abs(load.field.mean_gap - limit.mean_gap) / height);
+    entry.continuum_uncertainty =
+        std::fmax(entry.continuum_uncertainty, limit.mean_gap_error / height);
+  }
+}
+
 BoardEntry board_entry(const fs::path& folder, const fs::path& root,
-                       const exchange::Problem& problem,
+                       const BoardProblem& board,
                        const methods::SurfaceOfCase& surface) {
+  const exchange::Problem& problem = board.problem;
   BoardEntry entry;
   entry.folder = folder.lexically_relative(root).string();
   entry.problem = problem.name;
@@ -177,12 +213,16 @@ BoardEntry board_entry(const fs::path& folder, const fs::path& root,
   entry.version = below.filename().string();
   try {
     input::require_own_file(root, folder);
-    const ImportedAnswer answer = import_answer(folder, problem, surface);
+    const ImportedAnswer answer = import_answer(
+        folder, problem, surface, [&](const std::string& element) {
+          return mesh_operator(board, surface, element);
+        });
     const exchange::Submission& submission = answer.submission;
     entry.code = submission.code;
     entry.version = submission.version;
     entry.method = submission.method;
     entry.accuracy = submission.accuracy;
+    entry.element = submission.element;
     for (const std::string& author : submission.authors)
       entry.credit += author + ", ";
     entry.credit += submission.licence;
@@ -192,6 +232,7 @@ BoardEntry board_entry(const fs::path& folder, const fs::path& root,
       return entry;
     }
     add_numbers(answer, problem, entry);
+    add_continuum(answer, board, entry);
     entry.state = entry.reasons.empty() ? BoardEntry::State::certified
                                         : BoardEntry::State::failed;
   } catch (const std::exception& error) {
@@ -212,7 +253,7 @@ std::vector<BoardProblem> read_board(const fs::path& folder,
     const methods::SurfaceOfCase surface = surface_of(problem.problem);
     for (const fs::path& submission : folders) {
       problem.entries.push_back(
-          board_entry(submission, root, problem.problem, surface));
+          board_entry(submission, root, problem, surface));
       const BoardEntry& entry = problem.entries.back();
       fmt::print("{:<60} {}\n", entry.folder,
                  entry.state == BoardEntry::State::certified
@@ -229,6 +270,17 @@ std::vector<BoardProblem> read_board(const fs::path& folder,
     board.push_back(std::move(problem));
   }
   return board;
+}
+
+std::vector<std::string> open_problems(const fs::path& folder,
+                                       const std::vector<BoardProblem>& board) {
+  std::vector<std::string> names = stated_problems(folder);
+  std::erase_if(names, [&](const std::string& name) {
+    return std::ranges::any_of(board, [&](const BoardProblem& answered) {
+      return answered.problem.name == name;
+    });
+  });
+  return names;
 }
 
 } // namespace asperity::exchange

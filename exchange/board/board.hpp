@@ -4,6 +4,7 @@
 // and certified. This file owns the layout of these folders and what is known
 // of each answer.
 
+#include "cases/types/case.hpp"
 #include "exchange/answers/imported_answer.hpp"
 #include "exchange/problem.hpp"
 #include "exchange/submission.hpp"
@@ -28,6 +29,7 @@ struct BoardEntry {
   std::string version;
   std::string method;
   std::string accuracy; ///< "default" or "best"
+  std::string element;  ///< of the problem's mesh; empty: computed without it
   std::string credit;   ///< authors and licence
   std::string machine;
   State state = State::failed;
@@ -37,6 +39,11 @@ struct BoardEntry {
   double gap_error = not_a_number;  ///< of the mean gaps that follow from the
                                     ///< fields: largest bound [h_rms]
   double pressure_error = not_a_number; ///< largest bound [1]
+  double mesh_error = not_a_number;     ///< as gap_error, with the compliance
+                                        ///< of the mesh of these elements
+  double continuum_error = not_a_number; ///< largest distance of a mean gap
+                                         ///< from the continuum's [h_rms]
+  double continuum_uncertainty = not_a_number; ///< largest of these [h_rms]
   double cpu_time = not_a_number;       ///< of all loads [s]; NaN: not stated
   double cpu_time_low = not_a_number;   ///< sum of the loads' ends [s]
   double cpu_time_high = not_a_number;  ///< likewise
@@ -48,6 +55,9 @@ struct BoardEntry {
 /// A problem, its reference answers and its entries.
 struct BoardProblem {
   exchange::Problem problem;
+  /// From which it was computed, with the mesh of its [fem]; none: it is given
+  /// by its files.
+  std::optional<cases::Case> contact_case;
   std::vector<exchange::ProblemAnswer> answers;
   std::vector<exchange::ContinuumAnswer> continuum;
   /// Certified first, then those with all loads, in ascending error.
@@ -68,5 +78,9 @@ struct BoardProblem {
 ///                            exception: it becomes an entry that failed.
 std::vector<BoardProblem> read_board(const std::filesystem::path& folder,
                                      const std::filesystem::path& site);
+
+/// The names of the problems below FOLDER to which there is no answer.
+std::vector<std::string> open_problems(const std::filesystem::path& folder,
+                                       const std::vector<BoardProblem>& board);
 
 } // namespace asperity::exchange

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -37,6 +38,14 @@ std::string body_words(const mechanics::ElasticBlock& body) {
   return words;
 }
 
+constexpr const char* mesh_note =
+    "The problem has a mesh for finite-element codes. An answer on it is "
+    "certified twice: above against the continuum's compliance, here against "
+    "that of the same mesh, which leaves out the error of the elements. |u - "
+    "continuum| is the distance of the mean gap that the code states from the "
+    "continuum's, with the uncertainty of the latter: the error that a user "
+    "of these elements has. Same order as above.";
+
 BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   const std::string folder = "problems/" + problem.problem.name + "/";
   BoardPage page;
@@ -52,9 +61,11 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   page.home = "index.html";
   BoardSection ranked{
       "Certified answers",
-      "Largest bounds over all loads, in ascending order; answers to a part of "
-      "the loads stand last. They follow from the submitted pressure fields "
-      "alone, as does the mean gap u. Differences between bounds below some "
+      "Largest bounds over all loads. A row is a version of a code; rows are "
+      "sorted by the smaller |u-u*| of the two accuracies, answers to a part "
+      "of the loads last; a click on the head of a column sorts by it. Bounds "
+      "follow from the submitted pressure fields alone, as does the mean gap "
+      "u. Differences between bounds below some "
       "1e-6 h_rms say more about the bounds than about the answers. CPU times, "
       "memory and iterations are those that the authors state; times and "
       "iterations are summed over the loads. Times compare only within one "
@@ -64,6 +75,11 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
       ranking(problem)};
   ranked.figures.push_back(reports::draw(error_figure(problem), figures));
   page.sections.push_back(std::move(ranked));
+  BoardSection meshed{"On the mesh", mesh_note, mesh_table(problem)};
+  if (!meshed.table.rows.empty()) {
+    meshed.figures.push_back(reports::draw(mesh_figure(problem), figures));
+    page.sections.push_back(std::move(meshed));
+  }
   BoardSection failed{"Answers that are not certified",
                       "A mistake was recognised, a claim does not hold, or the "
                       "submission cannot be read.",
@@ -121,7 +137,19 @@ BoardPage code_page(const std::string& code,
   return page;
 }
 
-BoardPage front_page(const std::vector<BoardProblem>& board) {
+constexpr const char* problems_note = "Sorted by name; a click on the head of "
+                                      "a column sorts by it. Least |u-u*|: "
+                                      "of the certified answers to all loads.";
+
+constexpr const char* submit_note =
+    "Every problem can be answered, by any code. asperity problem writes the "
+    "files of a problem, which its page offers as well. An answer is a folder "
+    "with one pressure field per load and submission.toml; asperity import "
+    "certifies it. Put it into submissions/<problem>/<code>/<version> beside "
+    "the problems, and open a pull request: docs/submit.md leads through it.";
+
+BoardPage front_page(const std::vector<BoardProblem>& board,
+                     const std::vector<std::string>& open) {
   BoardPage page;
   page.title = "Rough contact: certified answers";
   page.lead =
@@ -162,7 +190,17 @@ BoardPage front_page(const std::vector<BoardProblem>& board) {
          least("default"),
          least("best")});
   }
-  page.sections.push_back({"Problems", "", problems});
+  for (const std::string& name : open)
+    problems.rows.push_back({{name, "", "", "no answer yet"},
+                             number_cell(not_a_number, ""),
+                             number_cell(0.0, "{:.0f}"),
+                             number_cell(0.0, "{:.0f}"),
+                             error_cell(not_a_number),
+                             error_cell(not_a_number)});
+  std::ranges::sort(problems.rows, {}, [](const std::vector<BoardCell>& row) {
+    return row.front().text;
+  });
+  page.sections.push_back({"Problems", problems_note, problems});
   BoardTable list;
   list.heads = {head("Code", "", false), head("Answers"), head("Certified")};
   for (const auto& [code, counts] : codes)
@@ -170,6 +208,7 @@ BoardPage front_page(const std::vector<BoardProblem>& board) {
                          number_cell(counts.first, "{:.0f}"),
                          number_cell(counts.second, "{:.0f}")});
   page.sections.push_back({"Codes", "", list});
+  page.sections.push_back({"Submit an answer", submit_note, {}});
   return page;
 }
 
@@ -185,6 +224,7 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"version", entry.version},
            {"method", entry.method},
            {"accuracy", entry.accuracy},
+           {"element", entry.element},
            {"is_certified", entry.state == BoardEntry::State::certified},
            {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
            {"reasons", entry.reasons},
@@ -192,6 +232,9 @@ std::string json_text(const std::vector<BoardProblem>& board) {
            {"missing_loads", entry.missing_loads},
            {"gap_error [h_rms]", reports::json_number(entry.gap_error)},
            {"pressure_error [1]", reports::json_number(entry.pressure_error)},
+           {"mesh_error [h_rms]", reports::json_number(entry.mesh_error)},
+           {"continuum_error [h_rms]",
+            reports::json_number(entry.continuum_error)},
            {"cpu_time [s]", reports::json_number(entry.cpu_time)},
            {"cpu_time_low [s]", reports::json_number(entry.cpu_time_low)},
            {"cpu_time_high [s]", reports::json_number(entry.cpu_time_high)},
@@ -203,7 +246,8 @@ std::string json_text(const std::vector<BoardProblem>& board) {
 
 } // namespace
 
-void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
+void write_site(const std::vector<BoardProblem>& board,
+                const std::vector<std::string>& open, const fs::path& site) {
   const auto write = [&](const std::string& name, const std::string& text) {
     write_file_atomically(site / name, text);
   };
@@ -218,7 +262,7 @@ void write_site(const std::vector<BoardProblem>& board, const fs::path& site) {
   }
   for (const std::string& code : codes)
     write(code_page_name(code), html_of(code_page(code, board)));
-  write("index.html", html_of(front_page(board)));
+  write("index.html", html_of(front_page(board, open)));
 }
 
 } // namespace asperity::exchange

@@ -134,6 +134,41 @@ BoardTable ranking(const BoardProblem& problem) {
   return table;
 }
 
+BoardTable mesh_table(const BoardProblem& problem) {
+  BoardTable table;
+  table.heads = {head("Code", "", false),
+                 head("Elements", "", false),
+                 head("Accuracy", "", false),
+                 head("|u-u*|", "bound, this mesh [h_rms]"),
+                 head("|u - continuum|", "[h_rms]"),
+                 head("CPU time", "s"),
+                 head("Memory", "MB"),
+                 head("Iterations")};
+  bool has_mesh = false;
+  for (const BoardEntry& entry : problem.entries) {
+    if (entry.state != BoardEntry::State::certified)
+      continue;
+    has_mesh = has_mesh || !entry.element.empty();
+    BoardCell distance = number_cell(entry.continuum_error, "{:.2e}");
+    if (std::isfinite(entry.continuum_uncertainty))
+      distance.small = fmt::format("± {:.1e}", entry.continuum_uncertainty);
+    table.rows.push_back(
+        {{entry.code + " " + entry.version, "", code_page_name(entry.code),
+          entry.method},
+         {entry.element.empty() ? "–" : entry.element},
+         {accuracy_word(entry)},
+         error_cell(entry.mesh_error),
+         distance,
+         time_cell(entry),
+         memory_cell(entry),
+         number_cell(entry.iterations > 0 ? entry.iterations : not_a_number,
+                     "{:.0f}")});
+  }
+  if (!has_mesh)
+    table.rows.clear();
+  return table;
+}
+
 BoardTable unranked(const BoardProblem& problem, BoardEntry::State state) {
   BoardTable table;
   table.heads = {head("Submission", "", false), head("Accuracy", "", false),

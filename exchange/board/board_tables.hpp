@@ -32,6 +32,11 @@ std::string accuracy_word(const BoardEntry& entry);
 /// same number of loads share a row, if their accuracies differ.
 BoardTable ranking(const BoardProblem& problem);
 
+/// Certified entries of a problem with a mesh: their elements, their errors
+/// with the compliance of this mesh and against the continuum, and their cost.
+/// Empty if no entry was computed on the mesh.
+BoardTable mesh_table(const BoardProblem& problem);
+
 /// Entries in another state, with the reasons.
 BoardTable unranked(const BoardProblem& problem, BoardEntry::State state);
 

@@ -12,13 +12,7 @@
 namespace asperity::reports {
 namespace {
 
-using mechanics::SurfaceKind;
 using results::CurvePoint;
-
-/// Whether the shape has one contact, with a radius and an approach.
-bool is_single(SurfaceKind kind) {
-  return kind == SurfaceKind::sphere || kind == SurfaceKind::punch;
-}
 
 // Converts a row of a method into the quantities of the exact solution.
 ExactPoint answer_of(const CurvePoint& point,
@@ -27,7 +21,7 @@ ExactPoint answer_of(const CurvePoint& point,
   ExactPoint answer;
   answer.mean_gap = point.mean_gap;
   answer.area_fraction = point.area_fraction_corrected;
-  if (!is_single(surface.kind))
+  if (!surface.is_indenter())
     return answer;
   const double side = surface.length.value_or(not_a_number);
   answer.contact_radius =
@@ -64,8 +58,8 @@ LargestErrors errors_of(const results::Result& result,
         exact_point(surface, modulus, row.nominal_pressure, top, is_free);
     const ExactPoint answer = answer_of(row, surface, modulus, top, is_free);
     const double height =
-        is_single(surface.kind) ? exact.approach : surface.amplitude;
-    if (is_finite && !is_single(surface.kind))
+        surface.is_indenter() ? exact.approach : surface.amplitude;
+    if (is_finite && !surface.is_indenter())
       continue;
     widen(largest.area_fraction, answer.area_fraction - exact.area_fraction);
     widen(largest.contact_radius,
@@ -124,14 +118,14 @@ void add_exact_quantities(const results::Result& result,
       errors_of(result, surface, method, is_free, is_finite);
   const auto missing = [&](const char* otherwise) {
     return is_finite ? not_with_free_sides
-           : is_free && !is_single(surface.kind)
+           : is_free && !surface.is_indenter()
                ? "there is no exact solution with free boundaries"
                : otherwise;
   };
   auto& quantities = summary.quantities;
   quantities["area_error"] = largest_estimate(
       errors.area_fraction, missing("no load has an exact contact fraction"));
-  if (is_single(surface.kind)) {
+  if (surface.is_indenter()) {
     quantities["contact_radius_error"] = largest_estimate(
         errors.contact_radius, "no load has an exact contact radius");
     quantities["approach_error"] = largest_estimate(

@@ -1,8 +1,9 @@
 #pragma once
 
 // Compares numerical solutions with exact contact solutions for the shapes that
-// have one: the sphere (Hertz), the punch, the 1-D wave (Westergaard) and the
-// 2-D wave (its two limits and, between them, the table of the theory module).
+// have one: the sphere (Hertz), punches, the cone, the 1-D wave (Westergaard)
+// and the 2-D wave (its two limits and, between them, the table of the theory
+// module).
 
 #include "reports/analysis/summary.hpp"
 
@@ -16,16 +17,16 @@ namespace asperity::reports {
 struct ExactPoint {
   double mean_gap = not_a_number;       ///< [m]
   double area_fraction = not_a_number;  ///< [1]
-  double contact_radius = not_a_number; ///< sphere or punch [m]
+  double contact_radius = not_a_number; ///< of an indenter [m]
   double approach = not_a_number;       ///< of the isolated contact [m]
-  /// Sphere or punch with free boundaries, per nominal area [J/m^2].
+  /// Sphere, flat punch or cone with free boundaries, per nominal area [J/m^2].
   double elastic_energy = not_a_number;
 };
 
-/// A sphere or punch is one contact, or, with periodic boundaries, that of a
-/// square array: the sphere as in square_array_contact() of the theory module,
-/// up to a contact radius of 0.3 periods, and the punch to (a/L)^3. Waves have
-/// no solution with free boundaries.
+/// A sphere, punch or cone is one contact, or, with periodic boundaries, that
+/// of a square array: the sphere as in square_array_contact() of the theory
+/// module, up to a contact radius of 0.3 periods, the others to (a/L)^3. Waves
+/// have no solution with free boundaries.
 /// @param surface_top  highest point above the mean plane [m]: the mean gap of
 ///     the sphere at first contact
 /// @param is_free      the surface is pressed once, on an infinite half-space
@@ -47,7 +48,7 @@ theory::HertzContact sphere_contact(const mechanics::SurfaceSpec& sphere,
                                     bool is_free);
 
 /// Returns what the sum of the approach of an isolated contact and the mean gap
-/// of a sphere or punch exceeds the height of its top by [m]. With free
+/// of an indenter exceeds the height of its top by [m]. With free
 /// boundaries it is the mean displacement of the surface, over the nodes of the
 /// map. Of a periodic square array of contacts, whose mean displacement is
 /// removed, it is the difference between the approach of an isolated contact
@@ -61,7 +62,7 @@ double approach_excess(const mechanics::SurfaceSpec& surface,
 Estimate largest_estimate(double largest, const char* missing);
 
 /// Adds area_error and, for waves, mean_gap_error in units of the amplitude;
-/// for the sphere and the punch, the relative errors contact_radius_error and
+/// for an indenter, the relative errors contact_radius_error and
 /// approach_error. Each is the largest error over the converged loading rows;
 /// areas are corrected areas. On a block with free sides only the area and the
 /// radius of a sphere or punch are compared.

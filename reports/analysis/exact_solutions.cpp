@@ -67,6 +67,43 @@ ExactPoint on_punch(const SurfaceSpec& surface, double contact_modulus,
   return exact;
 }
 
+/// Widest contact of an array over the period whose images are point loads, to
+/// (a/L)^3.
+constexpr double widest_of_point_loads = 0.2;
+
+/// Of a cone or a rounded punch.
+theory::PunchContact spot_of(const SurfaceSpec& surface, double contact_modulus,
+                             double load) {
+  return surface.kind == SurfaceKind::cone
+             ? theory::Cone(surface.slope, contact_modulus).contact(load)
+             : theory::RoundedPunch(surface.radius, surface.edge_radius,
+                                    contact_modulus)
+                   .contact(load);
+}
+
+ExactPoint on_indenter(const SurfaceSpec& surface, double contact_modulus,
+                       double nominal_pressure, double surface_top,
+                       bool is_free) {
+  ExactPoint exact;
+  if (!surface.length)
+    return exact;
+  const double side = *surface.length;
+  const double load = nominal_pressure * side * side;
+  const theory::PunchContact spot = spot_of(surface, contact_modulus, load);
+  if (2.0 * spot.contact_radius >
+      (is_free ? 1.0 : widest_of_point_loads) * side)
+    return exact;
+  exact.contact_radius = spot.contact_radius;
+  exact.approach = spot.approach;
+  exact.area_fraction = std::numbers::pi * spot.contact_radius *
+                        spot.contact_radius / (side * side);
+  if (is_free && surface.kind == SurfaceKind::cone)
+    exact.elastic_energy = load * spot.approach / (3.0 * side * side);
+  exact.mean_gap = surface_top - spot.approach +
+                   approach_excess(surface, contact_modulus, load, is_free);
+  return exact;
+}
+
 ExactPoint on_wave_1d(const SurfaceSpec& surface, double contact_modulus,
                       double nominal_pressure) {
   const theory::WestergaardContact wave(surface.amplitude, surface.wavelength,
@@ -102,6 +139,10 @@ ExactPoint exact_point(const SurfaceSpec& surface, double contact_modulus,
   case SurfaceKind::punch:
     return on_punch(surface, contact_modulus, nominal_pressure, surface_top,
                     is_free);
+  case SurfaceKind::cone:
+  case SurfaceKind::rounded_punch:
+    return on_indenter(surface, contact_modulus, nominal_pressure, surface_top,
+                       is_free);
   case SurfaceKind::wave_1d: // which are periodic
     return is_free ? ExactPoint()
                    : on_wave_1d(surface, contact_modulus, nominal_pressure);
@@ -143,11 +184,18 @@ namespace {
 template <class Function>
 double mean_over_nodes(const SurfaceSpec& surface, const Function& function) {
   const int points = surface.points.value_or(0);
+  if (points == 0)
+    return not_a_number;
   const double spacing = surface.length.value_or(not_a_number) / points;
+  // Of the middle and of the border there is one row, of the others two.
+  const auto rows = [&](int i) {
+    return i == 0 || 2 * i == points ? 1.0 : 2.0;
+  };
   double sum = 0.0;
-  for (int iy = 0; iy < points; ++iy)
-    for (int ix = 0; ix < points; ++ix)
-      sum += function(std::hypot(ix - points / 2, iy - points / 2) * spacing);
+  for (int i = 0; 2 * i <= points; ++i)
+    for (int j = 0; j <= i; ++j)
+      sum += (i == j ? 1.0 : 2.0) * rows(i) * rows(j) *
+             function(std::hypot(i, j) * spacing);
   return sum / (static_cast<double>(points) * points);
 }
 
@@ -156,13 +204,27 @@ double mean_over_nodes(const SurfaceSpec& surface, const Function& function) {
 double approach_excess(const SurfaceSpec& surface, double contact_modulus,
                        double load, bool is_free) {
   const double side = surface.length.value_or(not_a_number);
+  if (surface.kind != SurfaceKind::sphere && !is_free)
+    return theory::square_array_approach(load, contact_modulus, side);
   if (surface.kind == SurfaceKind::punch) {
     const theory::FlatPunch punch(surface.radius, contact_modulus);
-    return is_free ? mean_over_nodes(surface,
-                                     [&](double radius) {
-                                       return punch.displacement(load, radius);
-                                     })
-                   : theory::square_array_approach(load, contact_modulus, side);
+    return mean_over_nodes(surface, [&](double radius) {
+      return punch.displacement(load, radius);
+    });
+  }
+  if (surface.kind == SurfaceKind::cone) {
+    const theory::Cone cone(surface.slope, contact_modulus);
+    return mean_over_nodes(surface, [&](double radius) {
+      return cone.displacement(load, radius);
+    });
+  }
+  if (surface.kind == SurfaceKind::rounded_punch) {
+    const theory::RoundedPunch punch(surface.radius, surface.edge_radius,
+                                     contact_modulus);
+    const theory::PunchContact spot = punch.contact(load);
+    return mean_over_nodes(surface, [&](double radius) {
+      return punch.displacement(spot, radius);
+    });
   }
   const theory::HertzContact hertz =
       theory::hertz_contact(load, surface.radius, contact_modulus);

@@ -38,8 +38,8 @@ bool uses_formula(const cases::Case& contact_case,
 bool is_exact_shape(const cases::Case& contact_case) {
   const SurfaceKind kind = contact_case.surface.kind;
   return contact_case.material.is_uniform() &&
-         (kind == SurfaceKind::sphere || kind == SurfaceKind::wave_1d ||
-          kind == SurfaceKind::wave_2d || kind == SurfaceKind::punch);
+         (contact_case.surface.is_indenter() || kind == SurfaceKind::wave_1d ||
+          kind == SurfaceKind::wave_2d);
 }
 
 bool has_exact_curve(const cases::Case& contact_case) {

@@ -10,8 +10,6 @@
 namespace asperity::reports {
 namespace {
 
-using mechanics::SurfaceKind;
-
 struct Range {
   double low = 0.0;
   double high = 0.0;
@@ -118,8 +116,7 @@ std::vector<Figure> exact_figures(const ReportEntry& entry) {
            (area_errors.empty() ? "unknown" : area_errors) + ".",
        [](const SeriesRow& row) { return row.area_corrected; },
        [](const ExactPoint& exact) { return exact.area_fraction; }}));
-  if (entry.contact_case->surface.kind == SurfaceKind::sphere ||
-      entry.contact_case->surface.kind == SurfaceKind::punch ||
+  if (entry.contact_case->surface.is_indenter() ||
       entry.result->surfaces.empty())
     return figures;
   figures.push_back(curves_figure(

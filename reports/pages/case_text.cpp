@@ -31,6 +31,12 @@ std::string kind_words(const mechanics::SurfaceSpec& surface) {
            (surface.tilt == 0.0
                 ? ""
                 : fmt::format(", tilted by {:.3g}", surface.tilt));
+  case SurfaceKind::cone:
+    return fmt::format("cone of slope {:.4g}", surface.slope);
+  case SurfaceKind::rounded_punch:
+    return fmt::format("flat punch of radius {:.6g} µm with an edge of radius "
+                       "{:.6g} µm",
+                       surface.radius * 1e6, surface.edge_radius * 1e6);
   case SurfaceKind::wave_1d:
     return fmt::format("one-dimensional wave, amplitude {:.4g} nm, length "
                        "{:.4g} µm",

@@ -48,6 +48,22 @@ std::vector<double> rows_of(const SharedRows& rows, Height height) {
   return heights;
 }
 
+/// Rows of a height that depends on the offset (x, y) from the centre node.
+template <class Height>
+std::vector<double> rows_about_centre(const SharedRows& rows, Height height) {
+  const Grid& grid = rows.grid();
+  return rows_of(rows, [&](int ix, int iy) {
+    return height((ix - grid.points_x / 2) * grid.spacing_x(),
+                  (iy - grid.points_y / 2) * grid.spacing_y());
+  });
+}
+
+void require_end_inside(double radius, const Grid& grid) {
+  require_positive("radius", radius, "m");
+  if (2.0 * radius >= std::min(grid.length_x, grid.length_y))
+    refuse_argument("radius", radius, "less than half of each side [m]");
+}
+
 } // namespace
 
 HeightMap paraboloid(const Grid& grid, double radius) {
@@ -56,12 +72,7 @@ HeightMap paraboloid(const Grid& grid, double radius) {
 
 std::vector<double> paraboloid_rows(const SharedRows& rows, double radius) {
   require_positive("radius", radius, "m");
-  const Grid& grid = rows.grid();
-  const int centre_x = grid.points_x / 2;
-  const int centre_y = grid.points_y / 2;
-  return rows_of(rows, [&](int ix, int iy) {
-    const double x = (ix - centre_x) * grid.spacing_x();
-    const double y = (iy - centre_y) * grid.spacing_y();
+  return rows_about_centre(rows, [&](double x, double y) {
     return -(x * x + y * y) / (2.0 * radius);
   });
 }
@@ -73,20 +84,37 @@ HeightMap flat_punch(const Grid& grid, double radius, double recess,
 
 std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
                                     double recess, double tilt) {
-  const Grid& grid = rows.grid();
-  require_positive("radius", radius, "m");
+  require_end_inside(radius, rows.grid());
   require_positive("recess", recess, "m");
-  if (2.0 * radius >= std::min(grid.length_x, grid.length_y))
-    refuse_argument("radius", radius, "less than half of each side [m]");
   if (!(std::abs(tilt) * radius < recess))
     refuse_argument("tilt", tilt, "less than recess over radius [1]");
   const double rounding = 1e-12 * radius * radius;
-  const int centre_x = grid.points_x / 2;
-  const int centre_y = grid.points_y / 2;
-  return rows_of(rows, [&](int ix, int iy) {
-    const double x = (ix - centre_x) * grid.spacing_x();
-    const double y = (iy - centre_y) * grid.spacing_y();
+  return rows_about_centre(rows, [&](double x, double y) {
     return x * x + y * y <= radius * radius + rounding ? tilt * x : -recess;
+  });
+}
+
+HeightMap cone(const Grid& grid, double slope) {
+  return {grid, cone_rows(SharedRows(grid), slope)};
+}
+
+std::vector<double> cone_rows(const SharedRows& rows, double slope) {
+  require_positive("slope", slope, "1");
+  return rows_about_centre(
+      rows, [&](double x, double y) { return -slope * std::hypot(x, y); });
+}
+
+HeightMap rounded_punch(const Grid& grid, double radius, double edge_radius) {
+  return {grid, rounded_punch_rows(SharedRows(grid), radius, edge_radius)};
+}
+
+std::vector<double> rounded_punch_rows(const SharedRows& rows, double radius,
+                                       double edge_radius) {
+  require_end_inside(radius, rows.grid());
+  require_positive("edge_radius", edge_radius, "m");
+  return rows_about_centre(rows, [&](double x, double y) {
+    const double beyond = std::max(std::hypot(x, y) - radius, 0.0);
+    return -beyond * beyond / (2.0 * edge_radius);
   });
 }
 

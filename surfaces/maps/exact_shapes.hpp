@@ -24,6 +24,18 @@ HeightMap paraboloid(const Grid& grid, double radius);
 HeightMap flat_punch(const Grid& grid, double radius, double recess,
                      double tilt);
 
+/// The cone h = -slope r about the centre of the cell, with the mean removed.
+/// Its tip is the node (points_x/2, points_y/2).
+/// @param slope  [1] > 0
+HeightMap cone(const Grid& grid, double slope);
+
+/// A flat punch with a rounded edge about the centre of the cell: h = 0 for
+/// r <= b and -(r - b)^2/(2 R) outside, with the mean removed.
+/// @param radius       b [m] > 0, less than half of each side
+/// @param edge_radius  R [m] > 0
+/// @throws std::domain_error  an argument is outside its range
+HeightMap rounded_punch(const Grid& grid, double radius, double edge_radius);
+
 /// The sinusoidal surface h = D cos(2 pi x/l) of Westergaard's solution. Its
 /// crests are at x = 0.
 /// @param amplitude   D [m] > 0, half of the height from trough to crest
@@ -48,6 +60,9 @@ HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength);
 std::vector<double> paraboloid_rows(const SharedRows& rows, double radius);
 std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
                                     double recess, double tilt);
+std::vector<double> cone_rows(const SharedRows& rows, double slope);
+std::vector<double> rounded_punch_rows(const SharedRows& rows, double radius,
+                                       double edge_radius);
 std::vector<double> wave_1d_rows(const SharedRows& rows, double amplitude,
                                  double wavelength);
 std::vector<double> wave_2d_rows(const SharedRows& rows, double amplitude,

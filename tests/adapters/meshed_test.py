@@ -83,6 +83,23 @@ def check_certificate(problem):
         assert field["duality_gap [J/m^2]"] < 1e-5 * scale, field
 
 
+def check_board(problem):
+    """The board certifies an answer with the compliance of its mesh, too, whose error is not that
+    of the elements against the continuum."""
+    board = problem.parent / "board"
+    name = json.loads((problem / "problem.json").read_text(encoding="utf-8"))["name"]
+    (board / name).mkdir(parents=True)
+    shutil.copy(problem / "case.toml", board / name)
+    shutil.copytree(problem.parent / "theirs", board / "submissions" / name / "code/1",
+                    ignore=shutil.ignore_patterns("out"))
+    done = subprocess.run([PROGRAM, "board", board, "--out", board / "site"], timeout=300, check=False,
+                          text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    assert done.returncode in (0, 1), done.stdout  # 1: a claim does not hold on this coarse grid
+    row = json.loads((board / "site/board.json").read_text(encoding="utf-8"))[0]
+    assert row["element"] == problem.parent.name and row["mesh_error [h_rms]"] < 1e-5, row
+    assert row["continuum_error [h_rms]"] > 1e-3 and row["gap_error [h_rms]"] > 1e-3, row
+
+
 def check_limits(problem):
     """A code that exceeds its time has no answer, which is said, and nothing is submitted."""
     done = start(ADAPTER, problem, problem.parent / "late", "--seconds", "0.001")
@@ -99,9 +116,12 @@ WORK.mkdir(parents=True)
 linear = problem_of("Q1")
 check(linear, ["--accuracy", "best"], 2e-5)
 check_certificate(linear)
+check_board(linear)
 check_limits(linear)
 if ADAPTER.name.startswith("getfem"):
-    check(problem_of("Q2"), ["--accuracy", "best"], 2e-5)
+    second = problem_of("Q2")
+    check(second, ["--accuracy", "best"], 2e-5)
+    check_board(second)
 else:
     refused = start(ADAPTER, problem_of("Q2"), WORK / "refused")
     assert refused.returncode == 2 and "the mesh is for Q2" in refused.stdout, refused.stdout

@@ -124,9 +124,11 @@ TEST(Mistakes, StateWhatIsFoundAndWhatIsAllowed) {
        "the grid is \"2 h\", 1.608495e+08 1/m"},
       {"surface.kind=rough",
        "surface.kind = \"rough\", but must be self-affine | spectrum | "
-       "measured | sphere | wave-1d | wave-2d | punch; nearest: punch"},
-      {"surface.radius=1", "surface.radius = 1 does not apply to kind = "
-                           "\"self-affine\"; it belongs to sphere, punch"},
+       "measured | sphere | wave-1d | wave-2d | punch | cone | rounded-punch; "
+       "nearest: punch"},
+      {"surface.radius=1",
+       "surface.radius = 1 does not apply to kind = "
+       "\"self-affine\"; it belongs to sphere, punch, rounded-punch"},
       {"surface=3", "surface = 3, but must be a table: [surface]"},
       {"material.contact_modulus=1e9",
        "material.youngs_modulus and material.contact_modulus are both given; "

@@ -44,8 +44,16 @@ const std::set<std::string> parts_of_paper = {"adhesion",
                                               "surface-polymer"};
 
 const std::set<std::string> parts_of_board = {"challenge",
+                                              "fe-coated",
+                                              "fe-hertz",
+                                              "fe-punch",
+                                              "fe-rough-32",
+                                              "fe-rough-64",
+                                              "fe-rounded-punch",
+                                              "free-cone",
                                               "free-punch",
                                               "free-rough",
+                                              "free-rounded-punch",
                                               "free-sphere",
                                               "hertz",
                                               "layered",
@@ -152,8 +160,8 @@ TEST(ShippedCases, ReadThePeersProblems) {
 }
 
 // Each benchmark problem can be solved by other programs: one surface, one
-// half-space in hard contact, nominal pressures, and the solution at each load
-// is saved.
+// half-space or meshed block in hard contact, nominal pressures, and the
+// solution at each load is saved.
 TEST(ShippedCases, ReadTheBenchmarkProblems) {
   const Collection collection =
       read_collection("cases/board/collection.toml",
@@ -167,7 +175,9 @@ TEST(ShippedCases, ReadTheBenchmarkProblems) {
 
     EXPECT_EQ(read.name, part);
     ASSERT_EQ(read.methods.size(), 1U) << part;
-    EXPECT_EQ(read.methods.front().name, "halfspace") << part;
+    EXPECT_EQ(read.methods.front().name,
+              part.starts_with("fe-") ? "fem" : "halfspace")
+        << part;
     EXPECT_EQ(read.load.control, mechanics::Control::nominal_pressure) << part;
     EXPECT_GE(read.report.fields, std::ssize(read.load.targets)) << part;
     EXPECT_EQ(read.surface.realizations, 1) << part;

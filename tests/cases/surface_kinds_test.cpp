@@ -40,6 +40,21 @@ TEST(SurfaceKinds, ReadAPunch) {
   EXPECT_EQ(punch.tilt, 1e-4);
 }
 
+TEST(SurfaceKinds, ReadAConeAndARoundedPunch) {
+  const std::string grid = "length = 1e-3\npoints = 64\n";
+  const mechanics::SurfaceSpec cone =
+      surface_of("kind = \"cone\"\nslope = 0.05\n" + grid);
+  const std::string punch =
+      "kind = \"rounded-punch\"\nedge_radius = \"10 length\"\n" + grid;
+
+  EXPECT_EQ(cone.kind, mechanics::SurfaceKind::cone);
+  EXPECT_EQ(cone.slope, 0.05);
+  EXPECT_DOUBLE_EQ(surface_of(punch + "radius = 1e-4\n").edge_radius, 1e-2);
+  EXPECT_NE(mistakes_of(shape_case(punch + "radius = \"0.5 length\"\n"))
+                .find("must be less than half of length"),
+            std::string::npos);
+}
+
 TEST(SurfaceKinds, RefuseAPunchWithoutSurroundings) {
   const std::string punch = "kind = \"punch\"\nlength = 1e-3\npoints = 64\n"
                             "recess = 1e-6\n";
@@ -81,7 +96,9 @@ TEST(SurfaceKinds, RefuseWhatAMapDoesNotNeed) {
                      "edges = \"mirror\"\npoints = 8\nseed = 3\n")),
       "  case.toml:7: surface.points = 8 does not apply to kind = \"measured\" "
       "(the file determines the points, and nothing in it is random); it "
-      "belongs to self-affine, spectrum, sphere, wave-1d, wave-2d, punch\n"
+      "belongs to self-affine, spectrum, sphere, wave-1d, wave-2d, punch, "
+      "cone, "
+      "rounded-punch\n"
       "  case.toml:8: surface.seed = 3 does not apply to kind = \"measured\" "
       "(the file determines the points, and nothing in it is random); it "
       "belongs to self-affine, spectrum\n");

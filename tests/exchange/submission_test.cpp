@@ -60,6 +60,7 @@ protected:
 
 TEST_F(SubmissionFolder, IsReadWithAllItsKeys) {
   const Submission read_all = read(head + R"(machine = "a laptop"
+element = "Q2"
 claimed_error = 1e-6
 [[load]]
 nominal_pressure = 2e7
@@ -78,6 +79,7 @@ pressure = "p.npy"
   EXPECT_EQ(read_all.version, "1.0");
   EXPECT_EQ(read_all.method, "guessing");
   EXPECT_EQ(read_all.accuracy, "best");
+  EXPECT_EQ(read_all.element, "Q2");
   EXPECT_EQ(read_all.authors, (std::vector<std::string>{"A. Name", "B. Name"}));
   EXPECT_EQ(read_all.licence, "CC0-1.0");
   EXPECT_EQ(read_all.machine, "a laptop");

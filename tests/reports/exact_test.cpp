@@ -5,6 +5,7 @@
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 #include "tests/reports/exact_samples.hpp"
+#include "theory/exact/punches.hpp"
 
 #include <gtest/gtest.h>
 
@@ -320,6 +321,48 @@ TEST(ExactPunch, HasItsOwnDisplacementWithFreeBoundaries) {
 
   EXPECT_NEAR(with_approach(1e-7), 0.0, 1e-3);
   EXPECT_NEAR(with_approach(1.03e-7), 0.03, 1e-3);
+}
+
+// A cone and a rounded punch have the mean of their own displacement over the
+// nodes: with few nodes, the plain sum over all of them. Tolerance: roundoff.
+TEST(ExactPoint, OfAnIndenterHasTheMeanOfItsDisplacement) {
+  mechanics::SurfaceSpec surface;
+  surface.kind = mechanics::SurfaceKind::cone;
+  surface.length = 1e-3;
+  surface.points = 12;
+  surface.slope = 0.05;
+  surface.radius = 0.1e-3;
+  surface.edge_radius = 20e-3;
+  const double load = 0.5, top = 4e-6;
+  const auto mean_of = [](const auto& displacement) {
+    double sum = 0.0;
+    for (int iy = -6; iy < 6; ++iy)
+      for (int ix = -6; ix < 6; ++ix)
+        sum += displacement(std::hypot(ix, iy) * 1e-3 / 12);
+    return sum / 144;
+  };
+  const theory::Cone cone(surface.slope, contact_modulus);
+  const theory::RoundedPunch punch(surface.radius, surface.edge_radius,
+                                   contact_modulus);
+  const theory::PunchContact spot = punch.contact(load);
+
+  const ExactPoint pointed =
+      exact_point(surface, contact_modulus, load / 1e-6, top, true);
+  surface.kind = mechanics::SurfaceKind::rounded_punch;
+  const ExactPoint rounded =
+      exact_point(surface, contact_modulus, load / 1e-6, top, true);
+
+  EXPECT_NEAR(pointed.mean_gap,
+              top - cone.contact(load).approach +
+                  mean_of([&](double r) { return cone.displacement(load, r); }),
+              1e-18);
+  EXPECT_NEAR(pointed.elastic_energy, load * cone.contact(load).approach / 3e-6,
+              1e-12);
+  EXPECT_NEAR(rounded.mean_gap, top - spot.approach + mean_of([&](double r) {
+                                  return punch.displacement(spot, r);
+                                }),
+              1e-18);
+  EXPECT_DOUBLE_EQ(rounded.contact_radius, spot.contact_radius);
 }
 
 // A block with free sides is neither a half-space nor an array: only the radius

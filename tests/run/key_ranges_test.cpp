@@ -118,6 +118,13 @@ Entries surface_of(const Key& key) {
       {"punch",
        {"surface={ kind = \"punch\", length = 1e-5, points = 64, radius = "
         "1e-6, recess = 1e-6 }"}},
+      {"cone",
+       {"surface={ kind = \"cone\", length = 1e-5, points = 64, slope = 0.1 "
+        "}"}},
+      {"rounded-punch",
+       {"surface={ kind = \"rounded-punch\", length = 1e-5, points = 64, "
+        "radius "
+        "= 1e-6, edge_radius = 1e-4 }"}},
       {"sphere",
        {"surface={ kind = \"sphere\", length = 1e-5, points = 64, radius = "
         "1e-3 }"}},

@@ -96,9 +96,30 @@ TEST(FlatPunch, RefusesARecessAboveItsEnd) {
             "radius = 2, but must be less than half of each side [m]");
 }
 
+// The height falls by slope r, and by (r - b)^2/(2 R) beyond the flat end.
+// Tolerance: roundoff.
+TEST(Indenters, FallFromTheirMiddle) {
+  const HeightMap pointed = cone(grid, 0.3);
+  const HeightMap rounded = rounded_punch(grid, 0.5, 2.0);
+  const auto below = [&](const HeightMap& map, int ix, int iy) {
+    return map.heights[grid.index(16, 8)] - map.heights[grid.index(ix, iy)];
+  };
+
+  EXPECT_NEAR(below(pointed, 19, 12), 0.3 * 0.125 * 5.0, 1e-15);
+  EXPECT_NEAR(below(rounded, 20, 8), 0.0, 1e-15);
+  EXPECT_NEAR(below(rounded, 22, 8), 0.25 * 0.25 / 4.0, 1e-15);
+  EXPECT_NEAR(below(rounded, 16, 0), 0.5 * 0.5 / 4.0, 1e-15);
+  EXPECT_NEAR(mean_height(pointed), 0.0, 1e-16);
+}
+
 TEST(ExactShapes, RefuseBadArgumentsByName) {
   EXPECT_EQ(tests::message_of<std::domain_error>([] { paraboloid(grid, 0.0); }),
             "radius = 0, but must be finite and > 0 [m]");
+  EXPECT_EQ(tests::message_of<std::domain_error>([] { cone(grid, -1.0); }),
+            "slope = -1, but must be finite and > 0 [1]");
+  EXPECT_EQ(tests::message_of<std::domain_error>(
+                [] { rounded_punch(grid, 1.0, 1.0); }),
+            "radius = 1, but must be less than half of each side [m]");
   EXPECT_EQ(
       tests::message_of<std::domain_error>([] { wave_1d(grid, -1.0, 1.0); }),
       "amplitude = -1, but must be finite and > 0 [m]");

@@ -53,6 +53,7 @@ TEST(MeasuredRows, HaveTheBitsOfOneProcessInAWindowOnAForm) {
 
 TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
   for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::punch,
+                                 SurfaceKind::cone, SurfaceKind::rounded_punch,
                                  SurfaceKind::wave_1d, SurfaceKind::wave_2d}) {
     SurfaceSpec surface;
     surface.kind = kind;
@@ -60,7 +61,8 @@ TEST(MeasuredRows, OfExactShapesHaveTheBitsOfOneProcess) {
     surface.points = 36;
     surface.radius = 1.0;
     surface.recess = 0.5;
-    surface.tilt = 0.1;
+    surface.tilt = surface.slope = 0.1;
+    surface.edge_radius = 3.0;
     surface.amplitude = 0.3;
     surface.wavelength = 1.3333;
     expect_bits_of_one_process(surface);

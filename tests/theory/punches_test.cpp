@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -126,6 +127,61 @@ TEST(FlatPunch, SinksToItsRecessAtADistance) {
   EXPECT_NEAR(punch.contact(touching).approach -
                   punch.displacement(touching, 0.5),
               1e-3, 1e-15);
+}
+
+// The pressure of a rounded punch is (E*/pi) int g'(x) dx/sqrt(x^2 - r^2) from
+// r or b to a, with g' of its header. It carries the load, and its displacement
+// is the stated one: within the contact that of the rigid shape. Tolerances:
+// nested quadrature of root singularities, outside the stated 1e-6 of the
+// approach.
+TEST(RoundedPunch, HasTheLoadAndTheDisplacementOfItsPressure) {
+  const double b = 1e-3, edge = 0.5;
+  const RoundedPunch punch(b, edge, modulus);
+  for (const double force : {0.01, 3.0, 1e3}) {
+    const PunchContact spot = punch.contact(force);
+    const double a = spot.contact_radius;
+    const auto pressure = [&](double r) {
+      if (r >= a)
+        return 0.0;
+      const double from = std::max(r, b);
+      // x = sqrt(r^2 + y^2): dx/sqrt(x^2 - r^2) = dy/x
+      const auto inner = [&](double y) {
+        const double x = std::hypot(r, y);
+        const double s = std::sqrt(std::max((x - b) * (x + b), 0.0));
+        return (2.0 * s - b * std::atan(s / b)) / x;
+      };
+      boost::math::quadrature::tanh_sinh<double> quadrature;
+      return modulus / (std::numbers::pi * edge) *
+             quadrature.integrate(inner, std::sqrt((from - r) * (from + r)),
+                                  std::sqrt((a - r) * (a + r)), 1e-10);
+    };
+
+    EXPECT_NEAR(load_of(pressure, {0.0, b, a}) / force, 1.0, 1e-7) << force;
+    for (const double radius : {0.0, 0.7 * b, 0.5 * (a + b), 1.02 * a, 3.0 * a})
+      EXPECT_NEAR(displacement_under(pressure, {0.0, b, a}, modulus, radius),
+                  punch.displacement(spot, radius), 2e-6 * spot.approach)
+          << force << " at " << radius / a;
+  }
+}
+
+// A light load is that of a flat punch, and a flat end that is small against
+// the contact leaves Hertz' sphere, to (b/a)^2 and (s/b)^2. No load does not
+// press.
+TEST(RoundedPunch, IsAFlatPunchOrASphereInItsLimits) {
+  const double edge = 0.5;
+  const PunchContact sphere = RoundedPunch(1e-6, edge, modulus).contact(load);
+  const double a = std::cbrt(0.75 * load * edge / modulus);
+  const RoundedPunch flat(1e-3, 1e-9, modulus);
+
+  EXPECT_NEAR(sphere.contact_radius / a, 1.0, 2e-3);
+  EXPECT_NEAR(sphere.approach / (a * a / edge), 1.0, 4e-3);
+  EXPECT_NEAR(flat.contact(load).approach /
+                  FlatPunch(1e-3, modulus).contact(load).approach,
+              1.0, 1e-2);
+  EXPECT_EQ(flat.contact(0.0).approach, 0.0);
+  EXPECT_EQ(flat.contact(0.0).contact_radius, 1e-3);
+  EXPECT_THROW(flat.contact(-1.0), std::domain_error);
+  EXPECT_THROW(RoundedPunch(1e-3, 0.0, modulus), std::domain_error);
 }
 
 } // namespace asperity::theory::punches_test

@@ -3,7 +3,12 @@
 #include "base/require.hpp"
 #include "theory/exact/hertz.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace asperity::theory {
@@ -92,6 +97,59 @@ double Cone::displacement(double load, double radius) const {
   const double root = std::sqrt((radius - a) * (radius + a));
   // root - r = -a^2/(root + r), which avoids cancellation far from the contact
   return slope_ * (a * std::asin(a / radius) - a * a / (root + radius));
+}
+
+RoundedPunch::RoundedPunch(double end_radius, double edge_radius,
+                           double contact_modulus)
+    : end_radius_(end_radius),
+      edge_radius_(edge_radius),
+      contact_modulus_(contact_modulus) {
+  require_positive("end_radius", end_radius, "m");
+  require_positive("edge_radius", edge_radius, "m");
+  require_positive("contact_modulus", contact_modulus, "Pa");
+}
+
+PunchContact RoundedPunch::contact(double load) const {
+  require_not_negative("load", load, "N");
+  const double b = end_radius_;
+  if (load == 0.0)
+    return {b, 0.0, 0.0};
+  // In s/b: the bracket of F is b^3 times a number from y^3/3 to 2 y^3/3.
+  const double wanted =
+      0.5 * load * edge_radius_ / (contact_modulus_ * b * b * b);
+  const auto excess = [wanted](double y) {
+    return 2.0 / 3.0 * y * y * y + 0.5 * (y - (1.0 + y * y) * std::atan(y)) -
+           wanted;
+  };
+  constexpr double margin = 1e-6;
+  std::uintmax_t steps = 100;
+  const auto [low, high] = boost::math::tools::toms748_solve(
+      excess, (1.0 - margin) * std::cbrt(1.5 * wanted),
+      (1.0 + margin) * std::cbrt(3.0 * wanted),
+      boost::math::tools::eps_tolerance<double>(52), steps);
+  const double s = 0.5 * (low + high) * b;
+  const double a = std::hypot(b, s);
+  return {a, a / edge_radius_ * (s - b * std::atan(s / b)), load};
+}
+
+double RoundedPunch::displacement(const PunchContact& spot,
+                                  double radius) const {
+  require_not_negative("radius", radius, "m");
+  const double a = spot.contact_radius, b = end_radius_;
+  if (radius <= a) {
+    const double beyond = std::max(radius - b, 0.0);
+    return spot.approach - 0.5 * beyond * beyond / edge_radius_;
+  }
+  // x = b + (a - b) sin^2(angle) is smooth at both ends.
+  const double sum = boost::math::quadrature::gauss<double, 20>::integrate(
+      [&](double angle) {
+        const double x = b + (a - b) * std::pow(std::sin(angle), 2);
+        const double s = std::sqrt((x - b) * (x + b));
+        return (2.0 * s - b * std::atan(s / b)) * std::asin(x / radius) *
+               std::sin(2.0 * angle);
+      },
+      0.0, 0.5 * pi);
+  return 2.0 / pi * (a - b) / edge_radius_ * sum;
 }
 
 } // namespace asperity::theory

@@ -1,7 +1,7 @@
 #pragma once
 
-// Two rigid punches on an elastic half-space whose fields have closed forms:
-// the flat-ended cylinder and the cone.
+// Rigid indenters on an elastic half-space: the flat-ended cylinder and the
+// cone, whose fields have closed forms, and the cylinder with a rounded edge.
 
 namespace asperity::theory {
 
@@ -85,6 +85,41 @@ public:
 
 private:
   double slope_;
+  double contact_modulus_;
+};
+
+/// A flat end of radius b with a rounded edge: the height is 0 for r <= b and
+/// -(r - b)^2/(2 R) outside. With s^2 = a^2 - b^2 and t = atan(s/b)
+///
+///     delta = a (s - b t)/R,   F = (2 E*/R) (2 s^3/3 + b^2 s/2 - b a^2 t/2)
+///
+/// which is Hertz' sphere for b = 0, and the flat punch for R = 0.
+/// @see  M. Ciavarella, Int. J. Solids Struct. 36, 4149 (1999); V. L. Popov et
+///       al., Handbook of Contact Mechanics (2019), Chap. 2, for g
+class RoundedPunch {
+public:
+  /// @param end_radius       b [m] > 0
+  /// @param edge_radius      R [m] > 0
+  /// @param contact_modulus  E* [Pa] > 0
+  /// @throws std::domain_error  an argument is outside its range or not finite,
+  ///                            as for all members
+  RoundedPunch(double end_radius, double edge_radius, double contact_modulus);
+
+  /// @param load  F [N] >= 0
+  /// @par Accuracy  rounding, times (b/s)^2 in a contact that hardly leaves the
+  ///                flat end
+  PunchContact contact(double load) const;
+
+  /// Surface displacement in a contact of contact(): delta - (r - b)^2/(2 R)
+  /// within, and outside, by quadrature to 1e-6 of delta,
+  ///
+  ///     (2/pi) int_b^a g'(x) asin(x/r) dx,   g' = (2 s - b t)/R at x for a
+  ///
+  double displacement(const PunchContact& spot, double radius) const;
+
+private:
+  double end_radius_;
+  double edge_radius_;
   double contact_modulus_;
 };
 
