@@ -203,6 +203,9 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
       throw input::InputError(word + ": " + error.what());
     }
   }
+  for (surfaces::MapAnalysis& map : report.maps)
+    for (const surfaces::MapAnalysis& other : report.maps)
+      limit_by_repeat(map.range, map.map, other.map, map.is_periodic);
   report.title =
       report.parts() == 1
           ? report.name_of(0)

@@ -91,7 +91,7 @@ struct SurfaceSpec {
   Filling fill = Filling::harmonic; ///< of missing points
   double max_missing = 0.05;        ///< largest fraction that is filled
   std::optional<double> cut_off;    ///< shortest wavelength of a map that is
-                                    ///< kept > 0
+                                    ///< kept; 0: before the noise floor
   bool has_images = true; ///< a map that is not periodic is continued by its
                           ///< mirror images; false: it is used alone
 

@@ -1,19 +1,27 @@
 """Runs cases of Asperity from Python and returns their numbers as arrays.
 
     import asperity
+    contact = asperity.press(heights, 1e-6, 2e9, [1e6, 5e6])  # [m], [m], [Pa], [Pa]
+    contact.mean_gap, contact.units["mean_gap"]               # one number per pressure, "m"
+
     result = asperity.run({"schema": 1, "surface": {...}, "material": {...}, "load": {...},
                            "halfspace": {"contact": "hard"}})
     result["halfspace"].mean_gap            # [m], one row per realisation, one column per load
 
 A case is a dict with the keys of a case file (docs/reference/case.md). Needs numpy and h5py. The
 program is the one that $ASPERITY_PROGRAM names, else `asperity` on the path, else the script of
-the checkout in which this file lies.
+the checkout in which this file lies or from which pip has installed it.
 """
+import copy
+import importlib.metadata
 import json
 import os
 import shutil
 import subprocess
 import tempfile
+import tomllib
+import urllib.parse
+import warnings
 from pathlib import Path
 
 try:
@@ -63,12 +71,14 @@ def to_toml(case, path=()):
 
 class Method:
     """The curves of one method. Each column of docs/reference/results.md is an attribute: an array
-    [realization, step], with NaN where a step is missing."""
+    [realization, step], with NaN where a step is missing. `units` has the unit of each."""
 
     def __init__(self, group):
         self.kind, self.description = (str(group.attrs.get(k, "")) for k in ("kind", "description"))
         curves = [group[r]["curve"] for r in sorted(filter(str.isdigit, group), key=int)]
-        self.columns = sorted({name for curve in curves for name in curve if name != "note"})
+        self.units = {name: str(values.attrs.get("unit", "")) for curve in curves
+                      for name, values in curve.items() if name != "note"}
+        self.columns = sorted(self.units)
         length = max(len(curve["nominal_pressure"]) for curve in curves)
         for name in self.columns:
             table = np.full((len(curves), length), np.nan)
@@ -107,17 +117,79 @@ class Result:
         return iter(self.methods)
 
 
+class Sweep:
+    """The results of a sweep: `points[i]` is the Result at `values[i]`, a dict that has the value
+    of each key, or None if this point has no result."""
+
+    def __init__(self, folder, exit_code=0):
+        self.folder, self.exit_code = Path(folder), exit_code
+        self.summary = json.loads((self.folder / "sweep.json").read_text("utf-8"))
+        keys = [(key["key"], [tomllib.loads("v = " + v)["v"] for v in key["values"]])
+                for key in self.summary["keys"]]
+        self.values = [{key: values[i] for (key, values), i in zip(keys, point["choice"])}
+                       for point in self.summary["points"]]
+        folders = [self.folder / point["folder"] for point in self.summary["points"]]
+        self.points = [Result(f) if (f / "result.h5").exists() else None for f in folders]
+
+
+def _checkout():
+    """The checkout in which this file lies, or from which pip has installed it."""
+    here = Path(__file__).resolve().parent
+    if here.name != "python":
+        try:
+            origin = importlib.metadata.distribution("asperity").read_text("direct_url.json")
+            here = Path(urllib.parse.unquote(urllib.parse.urlsplit(json.loads(origin)["url"]).path))
+        except (importlib.metadata.PackageNotFoundError, TypeError):  # not by pip, or of an index
+            pass
+    return here.parent
+
+
 def _program():
     named = os.environ.get("ASPERITY_PROGRAM") or shutil.which("asperity")
-    return named or str(Path(__file__).resolve().parent.parent / "asperity")
+    script = _checkout() / "asperity"
+    if not named and not (script.is_file() and os.access(script, os.X_OK)):
+        raise Error("the program asperity was not found: put it on the path, or name it, or the "
+                    "script asperity of a checkout, by the environment variable ASPERITY_PROGRAM")
+    return named or str(script)
+
+
+def _ended(words):
+    """The program after it has run with these words; its warnings are those of Python."""
+    program = _program()
+    try:
+        ended = subprocess.run([program, *map(str, words)], check=False, text=True,
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    except OSError as error:
+        raise Error(f"{program} cannot be run: {error.strerror}; the environment variable "
+                    "ASPERITY_PROGRAM names another program") from None
+    for line in ended.stderr.splitlines():
+        if line.startswith("warning: "):
+            warnings.warn(line.removeprefix("warning: "), stacklevel=3)
+    return ended
+
+
+def command(*words):
+    """Runs a command of docs/reference/commands.md and returns what it prints:
+    command("problem", "board/hertz", "--out", folder)."""
+    ended = _ended(words)
+    if ended.returncode != 0:
+        raise Error((ended.stderr or ended.stdout).strip() or f"exit code {ended.returncode}")
+    return ended.stdout
+
+
+def _heights(array):
+    heights = np.ma.filled(np.ma.asarray(array, dtype=float), np.nan)
+    if heights.ndim != 2:
+        raise ValueError(f"heights have the shape {heights.shape}, but must be an array [y, x]")
+    return heights
 
 
 def _write_case(case, folder):
     case = {k: dict(v) if isinstance(v, dict) else v for k, v in case.items()}
     surface = case.get("surface", {})
     if "heights" in surface:  # an array [m] instead of a file
-        np.savetxt(folder / "heights.txt", surface.pop("heights"), fmt="%.17g")
-        surface.update(kind="measured", file=str(folder / "heights.txt"), format="plain",
+        np.save(folder / "heights.npy", _heights(surface.pop("heights")))
+        surface.update(kind="measured", file=str(folder / "heights.npy"), format="npy",
                        height_unit="1 m")
     for table in (case, surface, case.get("mesh", {})):
         for key in {"base", "file"} & table.keys():  # relative to the working directory
@@ -126,9 +198,10 @@ def _write_case(case, folder):
 
 
 def run(case, out=None, methods=(), overrides=None, threads=0, report=False):
-    """Runs a case and returns its Result. Without `out` the files are in a temporary folder,
-    which is removed. A result is also returned if a step did not converge (exit_code 3) or, with
-    `report`, an expectation is not met (1); `report` also writes summary and report.html.
+    """Runs a case and returns its Result, or the Sweep if it is one. Without `out` the files are
+    in a temporary folder, which is removed. A result is also returned if a step did not converge
+    (exit_code 3) or, with `report`, an expectation is not met (1); `report` also writes summary
+    and report.html.
 
     case       a dict, or the path or name of a case
     overrides  keys of the case file and their values: {"surface.points": 128}
@@ -136,23 +209,50 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False):
     with tempfile.TemporaryDirectory(prefix="asperity-") as scratch:
         folder = Path(out or scratch).resolve()
         folder.mkdir(parents=True, exist_ok=True)
-        words = [_program(), "run", str(case), "--quiet", "--out", str(folder)]
+        words = ["run", case, "--quiet", "--out", folder]
         if isinstance(case, dict):
             _write_case(case, folder)
-            words[2] = str(folder / "case.toml")
+            words[1] = folder / "case.toml"
         words += ["--methods", ",".join(methods)] if methods else []
-        words += ["--threads", str(threads)] if threads else []
+        words += ["--threads", threads] if threads else []
         words += [] if report else ["--no-report"]
         for key, value in (overrides or {}).items():
             words += ["--set", f"{key}={_toml_value(value)}"]
-        ended = subprocess.run(words, check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                               text=True)
-        if ended.returncode not in (0, 1, 3) or not (folder / "result.h5").exists():
+        ended = _ended(words)
+        has_result = any((folder / name).exists() for name in ("result.h5", "sweep.json"))
+        if ended.returncode not in (0, 1, 3) or not has_result:
             raise Error(ended.stderr.strip() or f"exit code {ended.returncode}")
-        return Result(folder, ended.returncode)
+        return read(folder, ended.returncode)
 
 
-def read(path):
-    """Reads a result that exists: its folder, or the file result.h5 in it."""
-    path = Path(path)
-    return Result(path if path.is_dir() else path.parent)
+def press(heights, length, contact_modulus, pressures, level="none", edges="periodic", threads=0):
+    """Presses heights on an elastic half-space in hard contact without friction, by `run`.
+    Returns the Method, with arrays [step] of one number per pressure, and `fields[step]`, the
+    maps (pressure [Pa], gap [m]) in double precision, each [y, x].
+
+    heights          [m], an array [y, x] of square pixels; positive towards the half-space. Up to
+                     5 % may be NaN, points that were not measured, which are interpolated
+    length           side along x [m], or a text with a unit: "10 um"
+    contact_modulus  E* [Pa], or a text with a unit
+    pressures        one or several nominal pressures [Pa], or texts with units
+    level            what is removed from the map: none, plane, bow, sphere, cylinder
+    edges            periodic: the array is one cell; mirror: it continues by its mirror images,
+                     which the maps also show; free: it is pressed once, on an infinite half-space
+    """
+    case = {"schema": 1, "title": "Heights from Python",
+            "surface": {"heights": heights, "length": length, "level": level, "edges": edges},
+            "material": {"contact_modulus": contact_modulus},
+            "load": {"nominal_pressure": np.atleast_1d(pressures).tolist()},
+            "halfspace": {"contact": "hard"},
+            "report": {"fields": "all", "precision": "double"}}
+    contact = copy.copy(run(case, threads=threads)["halfspace"])
+    for name in contact.columns:
+        setattr(contact, name, getattr(contact, name)[0])
+    return contact
+
+
+def read(path, exit_code=0):
+    """Reads a result or a sweep that exists: its folder, or the file result.h5 in it."""
+    folder = Path(path) if Path(path).is_dir() else Path(path).parent
+    is_sweep = (folder / "sweep.json").exists() and not (folder / "result.h5").exists()
+    return (Sweep if is_sweep else Result)(folder, exit_code)

@@ -22,6 +22,14 @@ std::string words_of(const surfaces::EdgeEffect& effect) {
                      pressed.rms_slope / measured.rms_slope);
 }
 
+std::string words_of_cut_off(double asked, const surfaces::MeasuredMap& map) {
+  const double wavelength = asked > 0.0 ? asked : map.cut_off;
+  if (wavelength == 0.0)
+    return "no waves removed: the spectrum has no noise floor";
+  return fmt::format("waves shorter than {:.6g} nm removed{}", wavelength * 1e9,
+                     asked > 0.0 ? "" : ", those in the noise floor");
+}
+
 surfaces::MeasuredMap
 description(const mechanics::SurfaceSpec& surface,
             const std::optional<surfaces::MapFacts>& found) {
@@ -48,12 +56,10 @@ provenance_at_start(const cases::Case& contact_case, int threads,
   facts.emplace_back("started", results::utc_now());
   if (surface.kind != mechanics::SurfaceKind::measured)
     return facts;
-  facts.emplace_back("map",
-                     surfaces::description_of(description(surface, found)));
+  const surfaces::MeasuredMap map = description(surface, found);
+  facts.emplace_back("map", surfaces::description_of(map));
   if (surface.cut_off)
-    facts.emplace_back("cut-off",
-                       fmt::format("waves shorter than {:.6g} nm removed",
-                                   *surface.cut_off * 1e9));
+    facts.emplace_back("cut-off", words_of_cut_off(*surface.cut_off, map));
   if (surface.edges == mechanics::Edges::window)
     facts.emplace_back("window",
                        words_of(found && found->effect

@@ -6,6 +6,7 @@
 #include "ranks/chunked_sum.hpp"
 #include "ranks/rank_sums.hpp"
 #include "ranks/row_sums.hpp"
+#include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
 #include "surfaces/maps/edges.hpp"
@@ -120,8 +121,17 @@ void level_form(const SurfaceSpec& surface, const SharedRows& rows,
   require_relief(surface, before, largest_magnitude(rows, heights));
 }
 
-/// Removes the waves that are shorter than surface.cut_off.
-void remove_short_waves(const SurfaceSpec& surface, HeightMap& map) {
+/// The wavelength at which a map sinks into its noise floor [m]; 0 if it has
+/// none.
+double noise_wavelength(const HeightMap& map, bool is_periodic) {
+  const ReliableRange range =
+      reliable_range(estimate_spectrum(map, is_periodic), {}, {});
+  return range.noise ? 2.0 * std::numbers::pi / range.noise->wavevector : 0.0;
+}
+
+/// Removes the waves that are shorter than surface.cut_off. Returns the
+/// wavelength [m], or 0 if none are removed.
+double remove_short_waves(const SurfaceSpec& surface, HeightMap& map) {
   const double longest = std::max(map.grid.length_x, map.grid.length_y);
   if (*surface.cut_off > longest)
     throw input::InputError(
@@ -130,11 +140,17 @@ void remove_short_waves(const SurfaceSpec& surface, HeightMap& map) {
                     surface.file, *surface.cut_off, longest));
   const Grid grid = map.grid;
   const bool is_periodic = surface.edges == mechanics::Edges::periodic;
+  const double cut_off = *surface.cut_off > 0.0
+                             ? *surface.cut_off
+                             : noise_wavelength(map, is_periodic);
+  if (cut_off == 0.0)
+    return cut_off;
   if (!is_periodic)
     map = with_edges(std::move(map), mechanics::Edges::mirror);
-  map = low_passed(map, 2.0 * std::numbers::pi / *surface.cut_off);
+  map = low_passed(map, 2.0 * std::numbers::pi / cut_off);
   if (!is_periodic)
     crop(map, {0, 0, grid});
+  return cut_off;
 }
 
 } // namespace
@@ -208,10 +224,10 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
     crop(scan.map, window_of_map(surface, scan.map.grid));
   const MapFacts facts = prepare_rows(surface, SharedRows(scan.map.grid),
                                       scan.map.heights, scan.numbers);
-  if (surface.cut_off)
-    remove_short_waves(surface, scan.map);
-  return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
-          facts.spikes};
+  const double cut_off =
+      surface.cut_off ? remove_short_waves(surface, scan.map) : 0.0;
+  return {std::move(scan.map), scan.channel, scan.reader,
+          facts.missing,       facts.spikes, cut_off};
 }
 
 MapRoughness roughness_of(const SharedRows& rows,

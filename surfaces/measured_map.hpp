@@ -21,6 +21,7 @@ struct MeasuredMap {
   std::string reader;      ///< which reader answered (Scan::reader)
   std::size_t missing = 0; ///< points without a height in the file
   std::size_t spikes = 0;  ///< points that were removed as spikes
+  double cut_off = 0.0;    ///< shorter waves were removed [m]; 0: none
 };
 
 /// How a measured map is continued beyond its border.
@@ -30,7 +31,9 @@ mechanics::Edges continuation_of(const mechanics::SurfaceSpec& surface);
 /// alignment of scan lines, removal of spikes, filling of missing points,
 /// levelling, and removal of short waves ([surface] crop_x ..., align_lines,
 /// remove_spikes, fill, level, cut_off). Short waves are modes of the map if
-/// its edges are periodic, else of the map with its mirror images.
+/// its edges are periodic, else of the map with its mirror images. A cut_off of
+/// 0 stands for the end of the reliable range (analysis/reliable_range.hpp) if
+/// that is a noise floor.
 /// @throws input::InputError  the file is not a map, the window is not inside
 ///                            it, more points are missing than max_missing, a
 ///                            number marks missing points (missing_values.hpp),

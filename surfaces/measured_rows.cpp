@@ -86,7 +86,7 @@ Grid measured_grid(const SurfaceSpec& surface) {
 }
 
 MeasuredMap described_map(const SurfaceSpec& surface) {
-  if (surface.spikes)
+  if (surface.spikes || surface.cut_off == 0.0)
     return measured_map(surface);
   const MapWindow window(surface);
   const std::size_t missing = window.count_missing();

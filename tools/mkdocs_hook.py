@@ -2,10 +2,15 @@
 
 Links that leave docs/, to sources and to pages of cases, become the name of the
 file, because the site does not hold it. In formulas, <h> is no HTML and the
-asterisk of E* no emphasis.
+asterisk of E* no emphasis. A notebook is a page: its texts, its code, and what it
+printed and drew when it was last stored, which a test compares with a new run.
 """
+import base64
 import posixpath
 import re
+
+from mkdocs.structure.files import File
+from nbconvert import MarkdownExporter
 
 CODE = re.compile(r"(?ms)(^ *```.*?^ *```$|^(?: {4}[^\n]*\n?)+|`[^`]+`)")
 STAR = re.compile(r"(?<![A-Za-z*])([A-Za-z])\*(?!\*)")
@@ -27,6 +32,29 @@ def with_plain_formulas(markdown):
     for i in range(0, len(parts), 2): # the others are code
         parts[i] = STAR.sub(r"\1\*", parts[i].replace("<", "&lt;"))
     return "".join(parts)
+
+
+class Notebook(File):
+    def is_documentation_page(self):
+        return True
+
+
+def on_files(files, config):
+    for file in list(files):
+        if file.src_uri.endswith(".ipynb"):
+            files.remove(file)
+            files.append(Notebook(file.src_uri, config["docs_dir"], config["site_dir"],
+                                  config["use_directory_urls"]))
+    return files
+
+
+def on_page_read_source(page, **_):
+    if not isinstance(page.file, Notebook):
+        return None
+    text, resources = MarkdownExporter().from_filename(page.file.abs_src_path)
+    for name, picture in resources["outputs"].items():
+        text = text.replace(f"({name})", f"(data:image/png;base64,{base64.b64encode(picture).decode()})")
+    return text
 
 
 def on_page_markdown(markdown, page, **_):

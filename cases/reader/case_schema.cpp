@@ -48,7 +48,10 @@ Json quantity_schema(const Key& key) {
   const Json text = {
       {"type", "string"},
       {"pattern", fmt::format("{}({}) *$", number_pattern, choice)}};
-  return {{"anyOf", {number, text}}};
+  Json schema = {{"anyOf", {number, text}}};
+  if (!key.words.empty())
+    schema["anyOf"].push_back({{"enum", key.words}});
+  return schema;
 }
 
 Json program_schema(const Key& key) {

@@ -80,7 +80,10 @@ mechanics::Quantity TableReader::quantity_in(const Node& node, const Key& key) {
     const QuantityReading reading =
         read_quantity(node.text, key.dimension, key.references);
     if (!reading.quantity) {
-      complain(node, "= " + written(node) + " " + reading.mistake);
+      complain(node, "= " + written(node) + " " + reading.mistake +
+                         (key.words.empty()
+                              ? ""
+                              : "; or it is \"" + key.words.front() + '"'));
       return {};
     }
     quantity = *reading.quantity;

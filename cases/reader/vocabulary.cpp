@@ -259,8 +259,9 @@ std::string allowed_text(const Key& key) {
     if (key.dimension == Dimension::none)
       return "a number";
     return fmt::format(
-        "a number [{}] or a string with one of: {}", si_unit(key.dimension),
-        fmt::join(unit_symbols(key.dimension, key.references), ", "));
+        "a number [{}] or a string with one of: {}{}", si_unit(key.dimension),
+        fmt::join(unit_symbols(key.dimension, key.references), ", "),
+        key.words.empty() ? "" : "; or \"" + key.words.front() + '"');
   case ValueType::target:
     return "a quantity in the units of its key";
   case ValueType::integer:

@@ -76,7 +76,7 @@ struct Key {
   Range range = any_number();
   std::vector<mechanics::ReferenceUnit> references = {}; ///< reference units
                                                          ///< allowed besides SI
-  std::vector<std::string> words = {};
+  std::vector<std::string> words = {}; ///< of a quantity: one in its place
   Need need = Need::never;
   std::string when = {}; ///< condition as text for the documentation
   std::vector<std::string> kinds = {}; ///< surface kinds; empty: all

@@ -88,6 +88,23 @@ Key crop_key(std::string name, Range range, std::string description,
           std::move(given)));
 }
 
+Key cut_off_key() {
+  Key cut_off = read_by<Surface>(
+      [](TableReader& table, const Key& key, Surface& spec) {
+        const bool is_word =
+            table.node().find(key.name)->text == key.words.front();
+        spec.cut_off = is_word ? 0.0 : table.number(key.name);
+      },
+      key("cut_off", Dimension::length,
+          "Removes all waves of the levelled map that are shorter than this "
+          "wavelength: the noise of the instrument, or roughness that is too "
+          "small to matter; \"reliable\": those in the noise floor of its "
+          "spectrum, if it has one; default: none are removed.",
+          eg("600 nm")));
+  cut_off.words = {"reliable"};
+  return cut_off;
+}
+
 /// Corrections of artefacts, in the order in which they are made.
 std::vector<Key> correction_keys() {
   return {
@@ -124,12 +141,7 @@ std::vector<Key> correction_keys() {
       key<&Surface::max_missing>("max_missing", Range{0.0, 1.0, true, false},
                                  "Largest fraction of missing points that is "
                                  "filled; a map with more is refused."),
-      key<&Surface::cut_off>(
-          "cut_off", Dimension::length,
-          "Removes all waves of the levelled map that are shorter than this "
-          "wavelength: the noise of the instrument, or roughness that is too "
-          "small to matter; default: none are removed.",
-          eg("600 nm")),
+      cut_off_key(),
   };
 }
 

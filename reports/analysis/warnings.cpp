@@ -2,8 +2,10 @@
 
 #include "cases/reader/locking.hpp"
 #include "reports/analysis/exact.hpp"
+#include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/surface_theory.hpp"
 #include "reports/analysis/theory_agreement.hpp"
+#include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/assumptions.hpp"
 #include "surfaces/build.hpp"
 
@@ -12,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace asperity::reports {
@@ -82,6 +85,58 @@ void add_resolution(const SurfaceRecord& surface,
                    100.0 * share, 100.0 * Limits::unresolved_slope),
        "Slope, contact area and stiffness are those of this grid, not of the "
        "surface: they change with every refinement of the measurement."});
+}
+
+/// The spectrum of a record as rings with the number of modes in a map of this
+/// area [m^2].
+std::vector<surfaces::SpectrumRing> rings_of(const SurfaceRecord& surface,
+                                             double area) {
+  const std::vector<results::SpectrumPoint>& rows = surface.spectrum;
+  std::vector<surfaces::SpectrumRing> rings;
+  rings.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double q = rows[i].wavevector;
+    const double low = i > 0 ? rows[i - 1].wavevector : q;
+    const double high = i + 1 < rows.size() ? rows[i + 1].wavevector : q;
+    const double around = std::numbers::pi * q * (high - low); // 2 pi q dq
+    rings.push_back({q, rows[i].spectrum,
+                     around * area / std::pow(2.0 * std::numbers::pi, 2),
+                     around * rows[i].spectrum});
+  }
+  return rings;
+}
+
+/// Twice the longest wave of a map and the sampling bound its reliable range,
+/// as in surfaces::estimate_spectrum().
+void add_noise(const Result& result, const cases::Case& contact_case,
+               std::vector<Warning>& warnings) {
+  const SurfaceRecord& surface = result.surfaces.front();
+  const double area = nominal_area(result, contact_case);
+  const std::vector<surfaces::SpectrumRing> rings = rings_of(surface, area);
+  const double spacing =
+      std::max(surface.grid.spacing_x(), surface.grid.spacing_y());
+  const auto floor = surfaces::noise_floor(
+      surfaces::rings_between(rings, 4.0 * std::numbers::pi / std::sqrt(area),
+                              std::numbers::pi / spacing));
+  double whole = 0.0, above = 0.0;
+  for (const surfaces::SpectrumRing& ring : rings) {
+    const double square =
+        ring.wavevector * ring.wavevector * ring.mean_square_height;
+    whole += square;
+    above += floor && ring.wavevector > floor->wavevector ? square : 0.0;
+  }
+  if (!(above > Limits::noise_slope * whole))
+    return;
+  warnings.push_back(
+      {"noise",
+       fmt::format("The map contains noise of its instrument: beyond a "
+                   "wavelength of {:.3g} nm its spectrum is flat, and {:.0f} % "
+                   "of its mean square slope lies there (limit: {:.0f} %).",
+                   2e9 * std::numbers::pi / floor->wavevector,
+                   100.0 * above / whole, 100.0 * Limits::noise_slope),
+       "Noise is pressed as if it were roughness: slope, contact area and "
+       "stiffness are partly those of the instrument. Use cut_off = "
+       "\"reliable\", and a sweep over cut_off to see the area against it."});
 }
 
 void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -246,6 +301,7 @@ std::vector<Warning> warnings_of(const Result& result,
     const SurfaceRecord& first = result.surfaces.front();
     add_resolution(first, warnings);
     if (is_measured) {
+      add_noise(result, contact_case, warnings);
       add_lines(first, warnings);
       add_digits(first, warnings);
       add_tilt(first, warnings);

@@ -16,7 +16,7 @@ namespace asperity::reports {
 /// One assumption that a surface or a method violates.
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
-                           ///< scan_lines, few_digits, tilted, windowed,
+                           ///< scan_lines, few_digits, tilted, noise, windowed,
                            ///< locking, oscillating_heights, recess_touches,
                            ///< no_contact, theory_area or theory_gap
   std::string headline;    ///< one sentence, with the number and its limit
@@ -30,6 +30,7 @@ struct WarningLimits {
   static constexpr double kurtosis_low = 2.0; ///< [1]; a Gaussian surface has 3
   static constexpr double kurtosis_high = 5.0;    ///< [1]
   static constexpr double unresolved_slope = 0.6; ///< share of <|grad h|^2>
+  static constexpr double noise_slope = 0.2;      ///< share of <|grad h|^2>
   static constexpr double rms_slope = 0.5;        ///< [1]
   static constexpr double line_offset = 3.0;      ///< ratio or its inverse [1]
   static constexpr double height_step = 1e-3;     ///< over the rms height [1]

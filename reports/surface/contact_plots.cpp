@@ -1,4 +1,5 @@
 // The figures of the predicted contact of a surface report.
+#include "base/special_numbers.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/surface/surface_figures.hpp"
 #include "reports/surface/surface_quantities.hpp"
@@ -6,8 +7,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace asperity::reports {
+namespace {
+
+/// The area against the shortest wave that is kept; what is not reliable is
+/// shaded.
+Figure cut_off_figure(const PredictedContact& contact) {
+  Figure figure;
+  figure.name = "predicted-cut-off";
+  figure.title = "Predicted contact area against the cut-off";
+  CsvTable table(
+      {"curve", "index", "cut-off [um]", "A/A_0 light [1]", "A/A_0 heavy [1]"});
+  for (const CutOffArea& area : contact.cut_offs)
+    table.add("theory", {0.0, area.wavelength * 1e6, area.light, area.heavy});
+  const double end = 2e6 * std::numbers::pi / contact.wavevector_high;
+  figure.caption = fmt::format(
+      "Contact area by Persson's theory if all waves below a cut-off are "
+      "removed. A resolved area does not change with the last waves; here it "
+      "is that of the reliable range, down to {:.3g} µm. In the shaded part "
+      "the spectrum is not reliable. [surface] cut_off presses the map with "
+      "one of these cut-offs.",
+      end);
+  ChartPanel panel{
+      .x = {.label = "shortest wavelength that is kept [µm]", .is_log = true},
+      .y = {
+          .label = "contact area A / A_0", .is_log = true, .has_powers = true}};
+  panel.curves = {curve(quantity_text(contact.heavy_load, "Pa"),
+                        line("#D55E00", 1.8), 0, 3, 5),
+                  curve(quantity_text(contact.light_load, "Pa"),
+                        line("#0072B2", 1.8), 0, 3, 4)};
+  panel.marks = {{.low = -infinity,
+                  .high = rounded(end, 6),
+                  .color = "#59636e",
+                  .opacity = 0.1}};
+  figure.panels = {std::move(panel)};
+  figure.data = table.text();
+  return figure;
+}
+
+} // namespace
 
 std::vector<Figure> contact_figures(const PredictedContact& contact) {
   Figure separation;
@@ -65,7 +105,10 @@ std::vector<Figure> contact_figures(const PredictedContact& contact) {
                         .has_powers = true},
                   .curves = {drawn}}};
   use_other_units(area.panels.front());
-  return {separation, area};
+  std::vector<Figure> figures{separation, area};
+  if (!contact.cut_offs.empty())
+    figures.push_back(cut_off_figure(contact));
+  return figures;
 }
 
 } // namespace asperity::reports

@@ -20,8 +20,8 @@ std::vector<Figure> figures_of(const surfaces::LineAnalysis& scan);
 /// The spectra of several maps or lines and their mean: stitched-spectrum.
 Figure stitched_figure(const SurfaceReport& report);
 
-/// Predicted separation and contact area: predicted-separation and
-/// predicted-area.
+/// Predicted separation and contact area: predicted-separation,
+/// predicted-area and, of a single map, predicted-cut-off.
 std::vector<Figure> contact_figures(const PredictedContact& contact);
 
 /// C(q) of a map with its confidence band, its limits and the fitted model.

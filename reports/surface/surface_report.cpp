@@ -2,8 +2,10 @@
 
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "theory/persson/persson.hpp"
+#include "theory/persson/pressure_distribution.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace asperity::reports {
@@ -12,12 +14,16 @@ namespace {
 constexpr int contact_loads = 31;
 constexpr double lightest_load = 1e-4; // in E* h'
 
+const surfaces::MapAnalysis* only_map(const SurfaceReport& report) {
+  return report.parts() == 1 && report.maps.size() == 1 ? &report.maps.front()
+                                                        : nullptr;
+}
+
 theory::HeightSpectrum spectrum_for(const SurfaceReport& report) {
-  if (report.parts() == 1 && report.maps.size() == 1) {
-    const surfaces::MapAnalysis& map = report.maps.front();
+  if (const surfaces::MapAnalysis* const map = only_map(report)) {
     std::vector<theory::SpectrumShell> shells;
     for (const surfaces::SpectrumRing& ring :
-         surfaces::rings_between(map.spectrum.rings, 0.0, map.range.high))
+         surfaces::rings_between(map->spectrum.rings, 0.0, map->range.high))
       shells.push_back({ring.wavevector, ring.mean_square_height});
     return theory::HeightSpectrum(std::move(shells));
   }
@@ -32,6 +38,26 @@ theory::HeightSpectrum spectrum_for(const SurfaceReport& report) {
           .isotropic();
   return theory::HeightSpectrum(
       theory::SpectrumFormula{table.density, table.kinks});
+}
+
+/// A/A_0 = erf(sqrt(2) p/(E* h')) with the rms slope h' of all waves down to
+/// each cut-off: G of Eq. (4) is (E* h')^2/8.
+std::vector<CutOffArea>
+areas_of_cut_offs(const std::vector<surfaces::SpectrumRing>& rings,
+                  const PredictedContact& contact) {
+  std::vector<CutOffArea> areas;
+  areas.reserve(rings.size());
+  double mean_square_slope = 0.0;
+  for (const surfaces::SpectrumRing& ring : rings) {
+    mean_square_slope +=
+        ring.wavevector * ring.wavevector * ring.mean_square_height;
+    const double variance =
+        0.125 * std::pow(contact.contact_modulus, 2) * mean_square_slope;
+    areas.push_back({2.0 * std::numbers::pi / ring.wavevector,
+                     theory::area_fraction(contact.light_load, variance),
+                     theory::area_fraction(contact.heavy_load, variance)});
+  }
+  return areas;
 }
 
 } // namespace
@@ -64,6 +90,10 @@ void add_contact(SurfaceReport& report, double contact_modulus, double gamma) {
     contact.loads.push_back(
         {pressure, theory.mean_gap(pressure), theory.area_fraction(pressure)});
   }
+  contact.light_load = 0.01 * scale;
+  contact.heavy_load = 0.1 * scale;
+  if (const surfaces::MapAnalysis* const map = only_map(report))
+    contact.cut_offs = areas_of_cut_offs(map->spectrum.rings, contact);
   report.contact = std::move(contact);
 }
 

@@ -18,6 +18,13 @@ struct PredictedLoad {
   double area_fraction = 0.0;    ///< A/A_0 [1]
 };
 
+/// The contact of a map without the waves that are shorter than a cut-off.
+struct CutOffArea {
+  double wavelength = 0.0; ///< of the cut-off [m]
+  double light = 0.0;      ///< A/A_0 at light_load [1]
+  double heavy = 0.0;      ///< A/A_0 at heavy_load [1]
+};
+
 /// Persson's theory for the measured spectrum.
 struct PredictedContact {
   double contact_modulus = 0.0; ///< E* [Pa]
@@ -29,6 +36,11 @@ struct PredictedContact {
   double decay_length = 0.0;       ///< u_0 of Eq. (18) [m]
   double pressure_prefactor = 0.0; ///< beta of Eq. (19) [1]
   std::vector<PredictedLoad> loads;
+  double light_load = 0.0; ///< 0.01 E* h' [Pa]
+  double heavy_load = 0.0; ///< 0.1 E* h' [Pa]
+  /// Of a single map: from its longest wave to its shortest, also beyond the
+  /// reliable range, which ends at wavevector_high.
+  std::vector<CutOffArea> cut_offs;
 };
 
 struct SurfaceReport {
@@ -54,8 +66,8 @@ void add_stitched(SurfaceReport& report);
 
 /// Evaluates the theory at 31 loads between 1e-4 and 1 E* h'. A single map
 /// enters with all rings up to the end of its reliable range, so that its long
-/// waves count; otherwise the stitched spectrum enters, interpolated between
-/// its rows.
+/// waves count, and the area against the cut-off is computed; otherwise the
+/// stitched spectrum enters, interpolated between its rows.
 /// @param contact_modulus  E* [Pa] > 0
 /// @param gamma            0 < gamma <= 1
 /// @throws std::domain_error  an argument is outside its range

@@ -20,10 +20,11 @@ struct NoiseFloor {
                            ///< [rad/m]
 };
 
-/// Finds the noise floor. The spectrum ends flat if the power law fitted to the
-/// highest octave has an exponent above -1, where a self-affine surface has
-/// -2 - 2 H < -2. The floor is the mean of that octave; it counts only if the
-/// spectrum rises to at least 10 times its value.
+/// Finds the noise floor N. Over the two highest octaves, C = A q^-s + N with 2
+/// <= s <= 4.5 must be more likely than every power law with s >= 2, as
+/// self-affine surfaces have, by 12 in the deviance over the dispersion of the
+/// rings, and N more than half of C at their end. The spectrum must rise to at
+/// least 10 times N.
 /// @param rings  complete rings, ascending
 std::optional<NoiseFloor> noise_floor(const std::vector<SpectrumRing>& rings);
 
@@ -52,7 +53,8 @@ struct ReliableRange {
   double low = 0.0;        ///< [rad/m]
   double high = 0.0;       ///< [rad/m]
   std::string low_reason;  ///< what limits it: "size of the scan"
-  std::string high_reason; ///< "sampling", "radius of the tip", "noise floor"
+  std::string high_reason; ///< "sampling", "radius of the tip", "noise floor",
+                           ///< "noise between scans"
   std::optional<NoiseFloor> noise;
   std::optional<double> tip_wavevector; ///< 2 pi over tip_length [rad/m]
 };
@@ -63,5 +65,14 @@ struct ReliableRange {
 ReliableRange reliable_range(const SpectrumEstimate& spectrum,
                              std::span<const LocalDifferences> scales,
                              std::optional<double> tip_radius);
+
+/// Limits the range by another scan of the same place. Two scans that share the
+/// surface and not their noise differ by twice the noise: C >= 2 N holds where
+/// C of the scan exceeds that of the difference. Shifts between the scans count
+/// as noise. Nothing changes if the maps have different grids, are equal, or
+/// have a correlation below 0.7, as two places of one surface have.
+/// @param scan, repeat  levelled, with mean 0
+void limit_by_repeat(ReliableRange& range, const HeightMap& scan,
+                     const HeightMap& repeat, bool is_periodic);
 
 } // namespace asperity::surfaces

@@ -149,6 +149,18 @@ TEST(SurfaceKinds, MirrorAMapAndUseAWindowedOneOnlyIfConfirmed) {
             "applies only to edges = \"window\"\n");
 }
 
+TEST(SurfaceKinds, CutAMapOffAtAWavelengthOrItsNoise) {
+  const std::string map = "kind = \"measured\"\nfile = \"m\"\n"
+                          "level = \"none\"\ncut_off = ";
+  EXPECT_EQ(surface_of(map + "\"600 nm\"\n").cut_off, 600e-9);
+  EXPECT_EQ(surface_of(map + "\"reliable\"\n").cut_off, 0.0);
+  EXPECT_EQ(mistakes_of(shape_case(map + "0\n")),
+            "  case.toml:6: surface.cut_off = 0, but must be > 0 [m]\n");
+  const std::string mistake = mistakes_of(shape_case(map + "\"relible\"\n"));
+  EXPECT_NE(mistake.find("; or it is \"reliable\""), std::string::npos)
+      << mistake;
+}
+
 TEST(SurfaceKinds, FitAWholeNumberOfWaves) {
   EXPECT_EQ(mistakes_of(shape_case("kind = \"wave-1d\"\nlength = 1.0\n"
                                    "points = 8\namplitude = 1e-3\n"

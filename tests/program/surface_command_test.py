@@ -75,16 +75,21 @@ def check_report(program, folder):
                   "2 GPa", "--tip-radius", "10 nm", "--out", folder / "page")
     assert "contact by Persson's theory" in printed
     page = (folder / "page/report.html").read_text()
-    assert page.count("data:image/svg+xml") == 9 and "could not be drawn" not in page
+    assert page.count("data:image/svg+xml") == 10 and "could not be drawn" not in page
     # All figures can be explored, the map without the library of the curves.
-    assert page.count('<script type="application/json">') == 9
+    assert page.count('<script type="application/json">') == 10
     drawn = {path.stem for path in (folder / "page/figures").glob("*.svg")}
-    assert {"topography", "map-spectrum", "predicted-area"} <= drawn, drawn
+    assert {"topography", "map-spectrum", "predicted-area", "predicted-cut-off"} <= drawn, drawn
     kept = json.loads((folder / "page/surface.json").read_text())
     loads = kept["contact"]["loads"]
     assert len(loads) == 31 and loads[0]["mean_gap"] > loads[-1]["mean_gap"]
     # A/A_0 = erf(sqrt(2) p/(E* h')) at the largest load, p = E* h'
     assert abs(loads[-1]["area_fraction"] - 0.954499736) < 1e-6
+    # Down to the end of the reliable range, the cut-off leaves h', and the light load is E* h'/100.
+    rows = [line.split(",") for line in (folder / "page/figures/predicted-cut-off.csv").read_text().splitlines()[1:]]
+    end = 2e6 * np.pi / kept["maps"][0]["reliable"]["high"]
+    light = [float(row[3]) for row in rows if float(row[2]) >= end * (1 - 1e-6)]
+    assert abs(light[-1] - 0.0159566) < 1e-6 and light[0] > light[-1], light
     # The table is one that a case reads.
     case = folder / "case.toml"
     case.write_text('schema = 1\n[surface]\nkind = "spectrum"\nfile = "page/spectrum.txt"\n'
@@ -114,6 +119,17 @@ def check_several(program, folder):
     assert rows[0]["wavevector"] < 1.2 * one["maps"][0]["reliable"]["low"]
     assert rows[-1]["wavevector"] > 0.8 * two["maps"][0]["reliable"]["high"]
     assert len(both["stitched"]["ratios"]) == 2
+    # Two scans of one place: what they do not share limits the range of both, and a third place none.
+    place, rng = rough(128, 2, 1.0), np.random.default_rng(7)
+    for scan in ("first", "second"):
+        noise = rng.normal(0.0, np.diff(place).std(), place.shape)
+        write_map(folder / f"{scan}.txt", place + (noise + np.roll(noise, 1, 0) + np.roll(noise, 1, 1)) / 3)
+        (folder / f"{scan}.txt").write_text("# Width: 10.0 µm\n# Height: 10.0 µm\n# Value units: nm\n"
+                                            + (folder / f"{scan}.txt").read_text())
+    maps = json.loads(run(program, folder / "first.txt", folder / "second.txt",
+                          folder / "narrow-gwyddion.txt", "--json"))["maps"]
+    reasons = [entry["reliable"]["high_reason"] for entry in maps]
+    assert reasons == ["noise between scans", "noise between scans", "sampling"], reasons
 
 
 def check_line(program, folder):

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
-"""The module asperity.py: dicts as cases, results as arrays.
+"""The module asperity.py: dicts as cases, results as arrays, its installation by pip.
 
 asperity_test.py PROGRAM SOURCE FOLDER: runs small cases in FOLDER, which is emptied first.
 """
 import os
+import re
 import shutil
+import subprocess
 import sys
 import tomllib
+import warnings
 from pathlib import Path
 
 import h5py
@@ -83,6 +86,99 @@ def check_heights(asperity, folder):
     assert not result.folder.exists()
 
 
+def check_press(asperity, folder):
+    """Arrays go in and come out: the wave of the case, and loads that the maps carry."""
+    x = np.arange(32) * 2 * np.pi / 32
+    heights = 2e-9 * np.cos(x)[None, :] * np.ones((32, 1))
+    theirs = asperity.read(folder / "wave")["halfspace"]
+    pressures = theirs.nominal_pressure[0]
+    contact = asperity.press(heights, 1e-6, 2e9 / (1 - 0.3**2), pressures)
+    assert contact.mean_gap.shape == (3,) and contact.units["mean_gap"] == "m"
+    assert contact.units["nominal_pressure"] == "Pa" and contact.units["area_fraction"] == "1"
+    assert np.allclose(contact.mean_gap, theirs.mean_gap[0], atol=1e-14)
+    for step, (pressure, gap) in contact.fields.items():
+        assert np.isclose(pressure.mean(), pressures[step], rtol=1e-12)  # double precision
+        assert np.all(np.abs(gap[pressure > 0]) < 1e-15)
+    wide = np.ma.masked_greater(heights[:16], 1.99e-9)
+    mirrored, same = (asperity.press(h, "1 um", "2 GPa", "1 MPa", level="plane", edges="mirror")
+                      for h in (wide, wide.filled(np.nan)))
+    assert mirrored.mean_gap.shape == (1,) and mirrored.fields[0][0].shape == (32, 64)
+    assert mirrored.mean_gap == same.mean_gap
+    for wrong, words in ((heights[0], "[y, x]"), (heights * np.nan, "all points are missing")):
+        try:
+            asperity.press(wrong, 1e-6, 2e9, 1e6)
+        except (ValueError, asperity.Error) as error:
+            assert words in str(error), error
+        else:
+            raise AssertionError("wrong heights were pressed")
+
+
+def check_sweep(asperity, folder):
+    """The points of a sweep in their order; a case in the same folder is then no sweep."""
+    case = {**CASE, "sweep": {"surface.amplitude": ["1 nm", 2e-9]}}
+    sweep = asperity.run(case, out=folder / "sweep", methods=["halfspace"])
+    assert sweep.values == [{"surface.amplitude": "1 nm"}, {"surface.amplitude": 2e-9}]
+    areas = [point["halfspace"].area_fraction[0, 0] for point in sweep.points]
+    theirs = asperity.read(folder / "wave")["halfspace"]
+    assert areas[0] > areas[1] == theirs.area_fraction[0, 0]
+    assert isinstance(asperity.run(CASE, out=folder / "sweep"), asperity.Result)
+    shutil.rmtree(folder / "sweep/points/001")
+    (folder / "sweep/result.h5").unlink()
+    assert asperity.read(folder / "sweep").points[1] is None
+
+
+def check_command(asperity, folder):
+    """What a command prints; its warnings are those of Python; what cannot be started is named."""
+    assert "wave-1d" in asperity.command("list")
+    program = os.environ["ASPERITY_PROGRAM"]
+    script = folder / "program"
+    script.write_text("#!/bin/sh\necho warning: few digits >&2\n")
+    script.chmod(0o755)
+    os.environ["ASPERITY_PROGRAM"] = str(script)
+    with warnings.catch_warnings(record=True) as seen:
+        warnings.simplefilter("always")
+        asperity.command("list")
+    assert [(str(w.message), w.filename) for w in seen] == [("few digits", __file__)], seen
+    try:
+        asperity.run(CASE)  # exit code 0, but no result
+    except asperity.Error as error:
+        assert "few digits" in str(error)
+    else:
+        raise AssertionError("there is no result")
+    script.chmod(0o644)
+    try:
+        asperity.command("list")
+    except asperity.Error as error:
+        assert str(error).startswith(f"{script} cannot be run: ") and "ASPERITY_PROGRAM" in str(error)
+    else:
+        raise AssertionError("the program was run")
+    os.environ["ASPERITY_PROGRAM"] = program
+
+
+def check_installation(source, folder):
+    """What pip installs finds the script of its checkout, and says what to do if that is gone."""
+    version = tomllib.loads((source / "python/pyproject.toml").read_text())["project"]["version"]
+    assert version == re.search(r"project\(asperity VERSION (\S+)", (source / "CMakeLists.txt").read_text())[1]
+    shutil.copytree(source / "python", folder / "a checkout/python")
+    script = folder / "a checkout/asperity"
+    script.write_text("#!/bin/sh\necho of the checkout\n")
+    script.chmod(0o755)
+    subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index",
+                    "--no-build-isolation", "--root-user-action=ignore", "--target",
+                    folder / "site", folder / "a checkout/python"], check=True)
+    environment = {**os.environ, "PYTHONPATH": str(folder / "site"), "PATH": "/no/such/folder"}
+    del environment["ASPERITY_PROGRAM"]
+
+    def listed():
+        return subprocess.run([sys.executable, "-c", "import asperity; print(asperity.command('list'))"],
+                              env=environment, cwd=folder, text=True, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+
+    assert listed().stdout == "of the checkout\n\n", listed()
+    script.unlink()
+    assert "by the environment variable ASPERITY_PROGRAM" in listed().stderr.splitlines()[-1], listed()
+
+
 def check_options_and_errors(asperity):
     coarse = asperity.run("wave-1d", methods=["halfspace"], overrides={"surface.points": 16})
     assert coarse.heights[0].shape == (16, 16)
@@ -122,6 +218,10 @@ def main(program, source, scratch):
     check_toml(asperity)
     check_run(asperity, folder)
     check_heights(asperity, folder)
+    check_press(asperity, folder)
+    check_sweep(asperity, folder)
+    check_command(asperity, folder)
+    check_installation(Path(source), folder)
     check_options_and_errors(asperity)
 
 

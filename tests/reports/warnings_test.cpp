@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -135,6 +138,44 @@ TEST_F(Warnings, DetectUnresolvedSlopesAndScanLines) {
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
   rough.surface.kind = mechanics::SurfaceKind::measured;
   EXPECT_EQ(kinds(warnings_of(result, rough)), Names{"scan_lines"});
+}
+
+// A flat end of the spectrum is noise in a measured map: from the wavelength at
+// which the surface has its density, with its share of the slope.
+TEST_F(Warnings, DetectTheNoiseOfAMap) {
+  results::SurfaceRecord& surface = result.surfaces[0];
+  const double last = surface.spectrum.back().wavevector;
+  double share = 0.0, whole = 0.0;
+  const auto density = [&](double q) {
+    return std::ranges::find_if(
+               surface.spectrum,
+               [&](const auto& row) { return row.wavevector >= q; })
+        ->spectrum;
+  };
+  const double noise = density(last / 2.5);
+  for (std::size_t i = 1; i < surface.spectrum.size(); ++i) {
+    results::SpectrumPoint& row = surface.spectrum[i];
+    row.spectrum += noise;
+    const double square = std::pow(row.wavevector, 3) * row.spectrum *
+                          (row.wavevector - surface.spectrum[i - 1].wavevector);
+    whole += square;
+    share += row.wavevector > last / 2.5 ? square : 0.0;
+  }
+  EXPECT_EQ(kinds(warnings_of(result, rough)), Names{});
+  rough.surface.kind = mechanics::SurfaceKind::measured;
+
+  const std::vector<Warning> warnings = warnings_of(result, rough);
+
+  ASSERT_EQ(kinds(warnings), Names{"noise"});
+  double wavelength = 0.0, percent = 0.0;
+  ASSERT_EQ(std::sscanf(warnings[0].headline.c_str(),
+                        "The map contains noise of its instrument: beyond a "
+                        "wavelength of %lf nm its spectrum is flat, and %lf %%",
+                        &wavelength, &percent),
+            2)
+      << warnings[0].headline;
+  EXPECT_NEAR(wavelength * last / (5e9 * std::numbers::pi), 1.0, 0.15);
+  EXPECT_NEAR(percent, 100.0 * share / whole, 5.0);
 }
 
 TEST_F(Warnings, AreNoneOfExactShapesOrWithoutASurface) {

@@ -1,7 +1,9 @@
 // Tests of surfaces/measured_map.hpp: the order of the corrections, the limit
 // of missing points, and the messages about them.
 #include "input/input_error.hpp"
+#include "surfaces/maps/self_affine.hpp"
 #include "surfaces/measured_map.hpp"
+#include "surfaces/realization.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -99,8 +102,9 @@ mechanics::SurfaceSpec written(const HeightMap& map, mechanics::Edges edges) {
   surface.edges = edges;
   std::ofstream file(surface.file);
   file.precision(17);
+  const auto columns = static_cast<std::size_t>(map.grid.points_x);
   for (std::size_t i = 0; i < map.heights.size(); ++i)
-    file << map.heights[i] << ((i + 1) % 24 == 0 ? '\n' : ' ');
+    file << map.heights[i] << ((i + 1) % columns == 0 ? '\n' : ' ');
   return surface;
 }
 
@@ -128,6 +132,33 @@ TEST(MeasuredMap, LosesTheWavesBelowItsCutOff) {
         ASSERT_NEAR(found.heights[i], expected.heights[i], 1e-20) << i;
     }
   }
+}
+
+// Waves and white noise have the same density at a wavelength of 6 um: there
+// the map is cut off, to a ring of 20 per decade, and nowhere without noise.
+TEST(MeasuredMap, LosesItsNoiseFloor) {
+  constexpr double q = 2.0 * std::numbers::pi * 1e6; // per um of wavelength
+  const SelfAffineSpectrum spectrum = SelfAffineSpectrum::with_rms_height(
+      {0.8, q / 128.0, q / 32.0, q / 2.1}, 1e-8);
+  HeightMap map =
+      realize(spectrum.isotropic(), {128, 128, 128e-6, 128e-6}, {3, 0});
+  mechanics::SurfaceSpec surface = written(map, mechanics::Edges::periodic);
+  const HeightMap clean = levelled_map(surface);
+  surface.cut_off = 0.0;
+  EXPECT_EQ(measured_map(surface).cut_off, 0.0);
+  EXPECT_EQ(levelled_map(surface).heights, clean.heights);
+
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(
+      0.0, std::sqrt(spectrum(q / 6.0)) * 2.0 * std::numbers::pi / 1e-6);
+  for (double& height : map.heights)
+    height += noise(random);
+  surface = written(map, mechanics::Edges::periodic);
+  surface.cut_off = 0.0;
+  const MeasuredMap found = measured_map(surface);
+  EXPECT_NEAR(found.cut_off, 6e-6, 1e-6);
+  surface.cut_off = found.cut_off;
+  EXPECT_EQ(levelled_map(surface).heights, found.map.heights);
 }
 
 TEST(MeasuredMap, RefusesACutOffAboveItsSides) {

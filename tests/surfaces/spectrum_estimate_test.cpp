@@ -151,6 +151,146 @@ TEST(ReliableRange, EndsAtTheNoiseFloor) {
   EXPECT_EQ(found.high_reason, "noise floor");
 }
 
+/// How an instrument changes the waves of a map: a Gaussian filter whose
+/// standard deviation is given in node spacings.
+HeightMap filtered(const HeightMap& map, double deviation) {
+  const int reach = static_cast<int>(std::ceil(5.0 * deviation));
+  HeightMap result = map;
+  for (const bool is_along_x : {true, false}) {
+    const HeightMap from = result;
+    for (int iy = 0; iy < map.grid.points_y; ++iy)
+      for (int ix = 0; ix < map.grid.points_x; ++ix) {
+        double sum = 0.0, weights = 0.0;
+        for (int k = -reach; k <= reach; ++k) {
+          const int x = is_along_x ? ix + k : ix, y = is_along_x ? iy : iy + k;
+          if (x < 0 || y < 0 || x >= map.grid.points_x ||
+              y >= map.grid.points_y)
+            continue;
+          const double weight = std::exp(-0.5 * k * k / deviation / deviation);
+          sum += weight * from.heights[map.grid.index(x, y)];
+          weights += weight;
+        }
+        result.heights[map.grid.index(ix, iy)] = sum / weights;
+      }
+  }
+  return result;
+}
+
+/// A measured map of 256 x 256 points and what is known of its floor.
+struct NoisyMap {
+  HeightMap map;
+  double density = 0.0;  ///< of the white noise [m^4]
+  double crossing = 0.0; ///< where the surface has this density, too [rad/m]
+};
+
+/// Surface and noise cross at a wavelength of so many spacings.
+NoisyMap noisy_corner(double wavelength, double surface_filter = 0.0) {
+  const SelfAffineSpectrum exact = rough(8, 127);
+  const double crossing = 256.0 / wavelength * unit;
+  NoisyMap result{corner(exact, 256, 1), exact(crossing), crossing};
+  if (surface_filter > 0.0)
+    result.map = filtered(result.map, surface_filter);
+  const HeightMap noise =
+      white_noise(256, 5, std::sqrt(result.density) * 2.0 * pi * 256.0);
+  for (std::size_t i = 0; i < noise.heights.size(); ++i)
+    result.map.heights[i] += noise.heights[i];
+  return result;
+}
+
+ReliableRange range_of(const HeightMap& map) {
+  return reliable_range(estimate_spectrum(map, false), {}, {});
+}
+
+// Also a floor of half an octave is found, which leaves a share of 30 % of the
+// mean square slope to the noise. The limit is a ring of 20 per decade.
+TEST(ReliableRange, FindsAFloorThatIsShort) {
+  for (const double wavelength : {2.5, 3.0, 4.0, 8.0, 16.0}) {
+    const NoisyMap noisy = noisy_corner(wavelength);
+
+    const ReliableRange found = range_of(noisy.map);
+
+    ASSERT_TRUE(found.noise.has_value()) << wavelength;
+    EXPECT_NEAR(found.noise->density / noisy.density, 1.0, 0.12) << wavelength;
+    EXPECT_NEAR(found.high / noisy.crossing, 1.0, 0.2) << wavelength;
+    EXPECT_EQ(found.high_reason, "noise floor");
+  }
+}
+
+// A tilt that levelling has left leaks into the long waves only.
+TEST(ReliableRange, FindsTheFloorOfATiltedMap) {
+  NoisyMap noisy = noisy_corner(3.0);
+  for (int iy = 0; iy < 256; ++iy)
+    for (int ix = 0; ix < 256; ++ix)
+      noisy.map.heights[noisy.map.grid.index(ix, iy)] += 1e-5 * (ix - 2 * iy);
+
+  const ReliableRange found = range_of(noisy.map);
+
+  ASSERT_TRUE(found.noise.has_value());
+  EXPECT_NEAR(found.noise->density / noisy.density, 1.0, 0.12);
+}
+
+// An instrument that rounds the surface before its noise is added: the spectrum
+// falls steeply to the floor, and the surface ends below the crossing.
+TEST(ReliableRange, FindsTheFloorOfARoundedSurface) {
+  const NoisyMap rounded = noisy_corner(4.0, 2.0);
+
+  const ReliableRange found = range_of(rounded.map);
+
+  ASSERT_TRUE(found.noise.has_value());
+  EXPECT_NEAR(found.noise->density / rounded.density, 1.0, 0.05);
+  EXPECT_LT(found.high, 0.6 * rounded.crossing);
+  EXPECT_GT(found.high, 0.3 * rounded.crossing);
+}
+
+// No floor is found in a surface without noise, however its spectrum ends: with
+// any Hurst exponent, rounded by an instrument, or cut off, also if it scatters
+// as the spectrum of a small map does.
+TEST(ReliableRange, FindsNoFloorWithoutNoise) {
+  for (int realization = 0; realization < 10; ++realization) {
+    for (const double hurst : {0.1, 0.5, 1.0}) {
+      const SelfAffineSpectrum exact = SelfAffineSpectrum::with_rms_height(
+          {hurst, 0.5 * unit, 4 * unit, 63.9 * unit}, 1e-3);
+      const HeightMap map = corner(exact, 128, realization);
+      EXPECT_FALSE(range_of(map).noise.has_value()) << hurst;
+      EXPECT_FALSE(range_of(filtered(map, 0.5)).noise.has_value()) << hurst;
+    }
+    EXPECT_FALSE(range_of(corner(rough(4, 30), 128, realization)).noise);
+  }
+  const SelfAffineSpectrum flat = SelfAffineSpectrum::with_rms_height(
+      {0.1, 0.5 * unit, 2 * unit, 15.9 * unit}, 1e-3);
+  for (int realization = 0; realization < 200; ++realization)
+    EXPECT_FALSE(range_of(corner(flat, 32, realization)).noise);
+}
+
+// Two scans of one place tell their noise also where its spectrum is not flat;
+// scans of two places, and a copy of the file, tell nothing.
+TEST(ReliableRange, EndsAtTheNoiseBetweenTwoScans) {
+  const SelfAffineSpectrum exact = rough(8, 127);
+  const HeightMap place = corner(exact, 256, 1);
+  const auto scan = [&](const HeightMap& surface, int realization) {
+    HeightMap map = surface;
+    const HeightMap noise =
+        filtered(white_noise(256, realization,
+                             std::sqrt(exact(32 * unit)) * 2.0 * pi * 256.0),
+                 0.6);
+    for (std::size_t i = 0; i < map.heights.size(); ++i)
+      map.heights[i] += noise.heights[i];
+    remove_mean(map);
+    return map;
+  };
+  const HeightMap first = scan(place, 5);
+  ReliableRange range = range_of(first);
+  ASSERT_FALSE(range.noise.has_value()); // its filter hides it
+  limit_by_repeat(range, first, first, false);
+  limit_by_repeat(range, first, scan(corner(exact, 256, 2), 6), false);
+  EXPECT_EQ(range.high_reason, "sampling");
+
+  limit_by_repeat(range, first, scan(place, 6), false);
+
+  EXPECT_EQ(range.high_reason, "noise between scans");
+  EXPECT_NEAR(range.high / (32 * unit), 1.0, 0.3);
+}
+
 // Neither a self-affine spectrum up to the end nor pure white noise has a
 // floor.
 TEST(ReliableRange, OfACleanSurfaceEndsAtTheSampling) {
