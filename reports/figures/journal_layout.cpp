@@ -21,7 +21,7 @@ constexpr double key_sample = 3.5;    // line or marker, and the blank beside it
 constexpr double key_gap = 1.0;       // between the axis and the legend
 constexpr double letter_width = 0.58; // mean width
 
-constexpr double highest_ratio = 1.3; // times the width
+constexpr double highest_ratio = 1.35; // times the width
 
 /// Number of characters of UTF-8 text.
 double n_letters(const std::string& text) {
@@ -110,7 +110,7 @@ JournalLayout journal_layout(const Figure& figure, double width,
   layout.figure.arrangement = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n"
       "set tmargin at screen {:.4f}\nset bmargin at screen {:.4f}\n"
-      "set xlabel offset 0,0.3\nset ylabel offset 0.2,0\nset key font ',{:g}' "
+      "set xlabel offset 0,0.3\nset ylabel offset 0.65,0\nset key font ',{:g}' "
       "height 0 samplen 1.4 spacing {:.3g} {}\n",
       left / width, 1.0 - right / width, 1.0 - top / layout.height,
       bottom / layout.height, font_size - 1.0, 1.0 / line_height,

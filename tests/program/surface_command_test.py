@@ -72,7 +72,8 @@ def check_report(program, folder):
     map_file = folder / "rough.txt"
     write_map(map_file, rough(96, 1, 1.0))
     printed = run(program, map_file, "--length", "10 um", "--height-unit", "nm", "--contact-modulus",
-                  "2 GPa", "--tip-radius", "10 nm", "--out", folder / "page")
+                  "2 GPa", "--tip-radius", "10 nm", "--out", folder / "page", "--figures", "svg", "--width",
+                  "60mm", "--units", "reduced")
     assert "contact by Persson's theory" in printed
     page = (folder / "page/report.html").read_text()
     assert page.count("data:image/svg+xml") == 10 and "could not be drawn" not in page
@@ -80,6 +81,12 @@ def check_report(program, folder):
     assert page.count('<script type="application/json">') == 10
     drawn = {path.stem for path in (folder / "page/figures").glob("*.svg")}
     assert {"topography", "map-spectrum", "predicted-area", "predicted-cut-off"} <= drawn, drawn
+    # The same figures for a journal, in the units that were asked for.
+    journal = folder / "page/journal"
+    assert {path.stem for path in journal.glob("*.svg")} == drawn, list(journal.iterdir())
+    picture = (journal / "predicted-area.svg").read_text()
+    assert 'width="60mm"' in picture and "MPa" not in picture, picture[:300]
+    assert "MPa" in (folder / "page/figures/predicted-area.svg").read_text()
     kept = json.loads((folder / "page/surface.json").read_text())
     loads = kept["contact"]["loads"]
     assert len(loads) == 31 and loads[0]["mean_gap"] > loads[-1]["mean_gap"]

@@ -1,6 +1,7 @@
 // Verifies the image of a map: its data file places every value where its block
 // lies, in the units that the figure states.
 #include "reports/figures/map_image.hpp"
+#include "reports/figures/map_stacks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,6 +86,21 @@ TEST(MapImage, IsThatOfAMapInMemoryIfItIsReadByPieces) {
     map[i] -= other[i];
   EXPECT_EQ(difference, reduced(grid, map, 3).values);
   EXPECT_EQ(difference.size(), 2U * 2U);
+}
+
+// The colours of the browser end where those on paper do, though its map is
+// finer: one node of 4 in a block of four nodes is 1 on paper.
+TEST(MapImage, HasTheColoursOfThePrintedMapInTheBrowser) {
+  const Grid grid{512, 512, 1e-6, 1e-6};
+  std::vector<double> map(grid.size(), 0.0);
+  map[0] = 4.0;
+  MapStack stack = stack_on(grid);
+
+  const PackedMap packed = add_map(stack, grid, map, 1.0, 512);
+
+  EXPECT_EQ(packed.high, 4.0);
+  EXPECT_EQ(packed.shown_high, 1.0);
+  EXPECT_EQ(packed.shown_high, map_image(grid, map, 1.0).largest);
 }
 
 } // namespace asperity::reports::map_image_test
