@@ -29,9 +29,12 @@ constexpr std::array number_headers{"step",
                                     "estimated_gap_error [m]"};
 
 /// Headers of the columns after these, of a result that has a block with a
-/// yield stress.
+/// yield stress, and of one with adhesion.
 constexpr std::array plastic_headers{"plastic_work [J/m^2]",
                                      "plastic_strain [1]"};
+constexpr std::array adhesive_headers{"adhesive_energy [J/m^2]",
+                                      "repulsive_area [1]", "tensile_area [1]",
+                                      "smallest_stiffness [Pa/m]"};
 
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",
@@ -46,17 +49,24 @@ std::string quoted(const std::string& field) {
   return text + '"';
 }
 
-std::vector<const char*> numbers_of(const Result& result) {
-  std::vector<const char*> headers(number_headers.begin(),
-                                   number_headers.end());
+bool has_number(const Result& result, double CurvePoint::*column) {
   for (const MethodRecord& method : result.methods)
     for (const Curve& curve : method.realizations)
       for (const CurvePoint& point : curve.points)
-        if (std::isfinite(point.plastic_work)) {
-          headers.insert(headers.end(), plastic_headers.begin(),
-                         plastic_headers.end());
-          return headers;
-        }
+        if (std::isfinite(point.*column))
+          return true;
+  return false;
+}
+
+std::vector<const char*> numbers_of(const Result& result) {
+  std::vector<const char*> headers(number_headers.begin(),
+                                   number_headers.end());
+  if (has_number(result, &CurvePoint::plastic_work))
+    headers.insert(headers.end(), plastic_headers.begin(),
+                   plastic_headers.end());
+  if (has_number(result, &CurvePoint::adhesive_energy))
+    headers.insert(headers.end(), adhesive_headers.begin(),
+                   adhesive_headers.end());
   return headers;
 }
 
