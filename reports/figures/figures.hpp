@@ -76,8 +76,9 @@ std::vector<Figure> exact_figures(const ReportEntry& entry);
 std::vector<Figure> magnification_figures(const ReportEntry& entry);
 
 /// Returns the figures of the adhesion study: both branches, the equilibrium,
-/// and the binding energy against h_rms. Nothing is returned if the result has
-/// no table of this study.
+/// and the binding energy against h_rms; and of contact with adhesion, the
+/// pressure on approach and retraction. Nothing is returned if the result has
+/// neither.
 std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 
 /// Returns the figures of the subsurface stress: the stress maxima against the
