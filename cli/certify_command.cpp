@@ -47,7 +47,7 @@ struct Place {
 const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
   if (const auto* half =
           std::get_if<mechanics::HalfspaceSettings>(&method.settings))
-    return &half->contact;
+    return method.is_adhesive() ? nullptr : &half->contact;
   const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
   return fem != nullptr && !methods::is_full_block(method) ? &fem->contact
                                                            : nullptr;

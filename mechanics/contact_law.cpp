@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace asperity::mechanics {
@@ -35,6 +37,61 @@ double no_range(const ContactInterface&) {
   return 0.0;
 }
 
+double exponential_energy(const ContactInterface& own, double gap) {
+  return -own.work_of_adhesion * std::exp(-gap / own.adhesion_range);
+}
+
+double exponential_pressure(const ContactInterface& own, double gap) {
+  return exponential_energy(own, gap) / own.adhesion_range;
+}
+
+double exponential_stiffness(const ContactInterface& own, double gap) {
+  return exponential_pressure(own, gap) / own.adhesion_range;
+}
+
+double everywhere(const ContactInterface&) {
+  return infinity;
+}
+
+/// 1 - g/rho where g < rho
+double depth_in_range(const ContactInterface& own, double gap) {
+  return std::max(0.0, 1.0 - gap / own.adhesion_range);
+}
+
+double dugdale_energy(const ContactInterface& own, double gap) {
+  return -own.work_of_adhesion * depth_in_range(own, gap);
+}
+
+double dugdale_pressure(const ContactInterface& own, double gap) {
+  return gap < own.adhesion_range ? -own.work_of_adhesion / own.adhesion_range
+                                  : 0.0;
+}
+
+double cubic_energy(const ContactInterface& own, double gap) {
+  const double depth = depth_in_range(own, gap);
+  return -own.work_of_adhesion * depth * depth * depth;
+}
+
+double cubic_pressure(const ContactInterface& own, double gap) {
+  const double depth = depth_in_range(own, gap);
+  return -3.0 * own.work_of_adhesion / own.adhesion_range * depth * depth;
+}
+
+double cubic_stiffness(const ContactInterface& own, double gap) {
+  return -6.0 * own.work_of_adhesion /
+         (own.adhesion_range * own.adhesion_range) * depth_in_range(own, gap);
+}
+
+double own_range(const ContactInterface& own) {
+  return own.adhesion_range;
+}
+
+/// The tension of a law with adhesion is largest at the wall.
+template <ContactLawTraits::Function pressure>
+PressureBounds tension_at_wall(const ContactInterface& own) {
+  return {pressure(own, 0.0), infinity};
+}
+
 constexpr std::array all_laws{
     ContactLawTraits{ContactLaw::penalty, "penalty", "penalty", false, true,
                      SurfaceSolver::complementarity, BlockSolver::springs,
@@ -48,6 +105,22 @@ constexpr std::array all_laws{
                      "augmented Lagrangian with a penalty of", true, true,
                      SurfaceSolver::multipliers, BlockSolver::springs, nothing,
                      nothing, nothing, without_tension, no_range},
+    ContactLawTraits{ContactLaw::exponential, "exponential",
+                     "a hard wall with exponential adhesion", true, false,
+                     SurfaceSolver::adhesive, BlockSolver::none,
+                     exponential_energy, exponential_pressure,
+                     exponential_stiffness,
+                     tension_at_wall<exponential_pressure>, everywhere},
+    ContactLawTraits{ContactLaw::dugdale, "dugdale",
+                     "a hard wall with Dugdale's adhesion", true, false,
+                     SurfaceSolver::adhesive, BlockSolver::none, dugdale_energy,
+                     dugdale_pressure, nothing,
+                     tension_at_wall<dugdale_pressure>, own_range},
+    ContactLawTraits{ContactLaw::cubic, "cubic",
+                     "a hard wall with cubic adhesion", true, false,
+                     SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
+                     cubic_pressure, cubic_stiffness,
+                     tension_at_wall<cubic_pressure>, own_range},
 };
 
 double behind_wall(const ContactInterface& own, double gap,
@@ -106,7 +179,8 @@ SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
                     "a slab or a condensed block",
                     traits.name));
   const PressureBounds bounds = traits.pressure_bounds(interface);
-  if (bounds != PressureBounds{})
+  if (traits.surface_solver != SurfaceSolver::adhesive &&
+      bounds != PressureBounds{})
     throw std::domain_error(fmt::format(
         "contact = {}: pressures from {:g} to {:g} Pa, but the solver of this "
         "law assumes that they are >= 0 without an upper bound",
@@ -123,7 +197,14 @@ BlockSolver block_solver_of(const ContactLawTraits& traits) {
 }
 
 ContactInterface ContactSettings::in_si(const Scales& scales) const {
-  return {law, needs_penalty(law) ? penalty.in_si(scales) : 0.0};
+  ContactInterface own{law};
+  if (needs_penalty(law))
+    own.penalty = penalty.in_si(scales);
+  if (is_adhesive(law)) {
+    own.work_of_adhesion = work_of_adhesion;
+    own.adhesion_range = range.in_si(scales);
+  }
+  return own;
 }
 
 } // namespace asperity::mechanics

@@ -15,9 +15,12 @@ namespace asperity::mechanics {
 
 /// The contact laws, in the order of contact_laws().
 enum class ContactLaw {
-  penalty,   ///< p = k * penetration
-  hard,      ///< unilateral contact, complementarity conditions
-  augmented, ///< penalty, its multiplier updated until nothing penetrates
+  penalty,     ///< p = k * penetration
+  hard,        ///< unilateral contact, complementarity conditions
+  augmented,   ///< penalty, its multiplier updated until nothing penetrates
+  exponential, ///< hard wall, attraction W = -w exp(-g/rho)
+  dugdale,     ///< hard wall, uniform tension w/rho up to the gap rho
+  cubic,       ///< hard wall, attraction W = -w (1 - g/rho)^3 up to the gap rho
 };
 
 /// Pressures that a law admits [Pa]. The smallest one is negative for a law
@@ -33,9 +36,23 @@ struct PressureBounds {
 /// depends on the gap g [m], which is negative where the surfaces penetrate.
 /// Laws with a wall admit no g < 0, where all three functions are infinite; at
 /// g = 0, the wall carries any pressure above that of the law.
+///
+/// The laws with adhesion hold W(0) = -w, the work of adhesion of flat faces:
+///
+///     exponential  W = -w exp(-g/rho)            largest tension w/rho
+///     dugdale      W = -w (1 - g/rho), g < rho   w/rho
+///     cubic        W = -w (1 - g/rho)^3, g < rho 3 w/rho
+///
+/// The exponential law is that of numerical work on rough contact, Dugdale's
+/// that of the Maugis-Dugdale theory of a sphere. The cubic law is the lowest
+/// power of 1 - g/rho whose tension and stiffness end without a jump.
+/// @see  L. Pastewka, M. O. Robbins, PNAS 111, 3298 (2014); D. Maugis,
+///       J. Colloid Interface Sci. 150, 243 (1992)
 struct ContactInterface {
   ContactLaw law = ContactLaw::hard;
   double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
+  double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
+  double adhesion_range = 0.0;   ///< rho [m] > 0, likewise
 
   double energy(double gap) const;    ///< W [J/m^2], 0 at infinity
   double pressure(double gap) const;  ///< -W' [Pa]
@@ -51,6 +68,7 @@ enum class SurfaceSolver {
   none,
   complementarity, ///< contact/solvers/solver.hpp
   multipliers,     ///< solve_augmented() of contact/solvers/load_sequence.hpp
+  adhesive,        ///< contact/solvers/adhesive.hpp
 };
 
 /// Solver of a meshed block (fem/newton/contact_newton.hpp).
@@ -97,8 +115,13 @@ inline bool needs_multipliers(ContactLaw law) {
   return has_wall(law) && needs_penalty(law);
 }
 
-/// The solver of a law for surface operators. They all assume pressures >= 0
-/// without an upper bound.
+/// Whether a law has a work of adhesion and a range.
+inline bool is_adhesive(ContactLaw law) {
+  return traits_of(law).surface_solver == SurfaceSolver::adhesive;
+}
+
+/// The solver of a law for surface operators. All but SurfaceSolver::adhesive
+/// assume pressures >= 0 without an upper bound.
 /// @throws std::domain_error  no solver serves the law, or its pressures with
 ///         these parameters have other bounds
 SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
@@ -112,6 +135,8 @@ struct ContactSettings {
   ContactLaw law = ContactLaw::hard;
   Quantity penalty{100.0,
                    ReferenceUnit::contact_modulus_per_spacing}; ///< [Pa/m]
+  double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
+  Quantity range{};              ///< rho [m] > 0, likewise
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 

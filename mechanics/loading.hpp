@@ -15,7 +15,7 @@ enum class Control { nominal_pressure, mean_gap };
 /// The prescribed quantity of one load step in SI units.
 struct LoadTarget {
   Control control = Control::nominal_pressure;
-  double amount = 0.0; ///< p_0 [Pa] > 0, or mean gap [m]
+  double amount = 0.0; ///< p_0 [Pa], > 0 without adhesion, or mean gap [m]
 };
 
 /// [load]: the loading path as steps in the order in which they run. A cycle
@@ -24,6 +24,7 @@ struct LoadingPath {
   Control control = Control::nominal_pressure;
   std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] per step
   std::vector<bool> is_unloading;
+  bool may_be_tensile = false; ///< whether p_0 <= 0 is allowed
 };
 
 } // namespace asperity::mechanics

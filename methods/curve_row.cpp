@@ -2,9 +2,12 @@
 
 #include "base/array_memory.hpp"
 #include "base/field_sums.hpp"
+#include "ranks/node_sums.hpp"
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
 #include "results/observables/row_observer.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +18,52 @@
 
 namespace asperity::methods {
 namespace {
+
+void add_note(results::CurvePoint& row, const std::string& note) {
+  row.note += (row.note.empty() ? "" : "; ") + note;
+}
+
+/// Share of the largest tension of a law from which on a node counts as pulled.
+constexpr double least_tension = 0.01;
+
+/// What adhesion adds to a row.
+void observe_adhesion(results::CurvePoint& row,
+                      const contact::ContactSolution& solution,
+                      const Observation& observation) {
+  const mechanics::ContactInterface& law = *observation.adhesion;
+  const double* const p = solution.pressure.data();
+  const auto mean_of = [&](const auto& value) {
+    return weighted_sum(observation.nodal_weights, solution.gap.size(),
+                        observation.workers, value) /
+           static_cast<double>(
+               observation.workers.all_nodes(solution.gap.size()));
+  };
+  const double pulled = least_tension * law.pressure_bounds().smallest;
+  row.adhesive_energy =
+      solution.is_detached
+          ? 0.0
+          : mean_of([&](std::size_t i) { return law.energy(solution.gap[i]); });
+  row.repulsive_area = mean_of([&](std::size_t i) {
+    return solution.gap[i] <= 0.0 && p[i] > 0.0 ? 1.0 : 0.0;
+  });
+  row.tensile_area =
+      mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
+  row.smallest_stiffness = solution.smallest_stiffness;
+  if (observation.adhesive_step > largest_accurate_step)
+    add_note(row,
+             fmt::format("the grid resolves the range of the adhesion "
+                         "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
+                         observation.adhesive_step, largest_accurate_step));
+}
+
+/// 1 at nodes in contact: with adhesion those whose gap is closed, which may be
+/// in tension.
+std::vector<double> closed_nodes(const std::vector<double>& gap) {
+  std::vector<double> closed(gap.size());
+  std::ranges::transform(gap, closed.begin(),
+                         [](double own) { return own > 0.0 ? 0.0 : 1.0; });
+  return closed;
+}
 
 results::CurvePoint row_of(const contact::ContactSolution& solution,
                            const Observation& observation,
@@ -33,15 +82,19 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                   : results::StepStatus::not_converged;
   row.note = solution.note;
   results::RowObserver observe(row);
+  const bool is_adhesive = observation.adhesion.has_value();
+  const std::vector<double> closed =
+      is_adhesive ? closed_nodes(solution.gap) : std::vector<double>();
+  const std::vector<double>& touching = is_adhesive ? closed : pressure;
   observe("area_fraction", [&] {
-    return results::counted_area_fraction(pressure, weights, workers);
+    return results::counted_area_fraction(touching, weights, workers);
   });
   observe("contact_perimeter", [&] {
-    return results::contact_perimeter(grid, pressure, observation.border,
+    return results::contact_perimeter(grid, touching, observation.border,
                                       workers);
   });
   row.area_fraction_corrected = results::Observed::none;
-  if (observation.resolves_boundary)
+  if (observation.resolves_boundary && !is_adhesive)
     observe("area_fraction_corrected", [&] {
       return results::corrected_area_fraction(grid, pressure, solution.gap,
                                               {observation.contact_modulus,
@@ -55,7 +108,10 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
     row.pressure_centre_x = centre.x;
     row.pressure_centre_y = centre.y;
   }
-  observe_pressure_fits(observe, pressure, weights, workers);
+  if (is_adhesive)
+    observe_adhesion(row, solution, observation);
+  else
+    observe_pressure_fits(observe, pressure, weights, workers);
   observe("elastic_energy", [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,
                                    workers);
@@ -65,10 +121,6 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                    weights, workers);
   });
   return row;
-}
-
-void add_note(results::CurvePoint& row, const std::string& note) {
-  row.note += (row.note.empty() ? "" : "; ") + note;
 }
 
 } // namespace

@@ -4,14 +4,19 @@
 // the same observables.
 
 #include "contact/solvers/solver.hpp"
+#include "mechanics/contact_law.hpp"
 #include "methods/step_solver.hpp"
 #include "methods/surfaces_of_case.hpp"
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
 
+#include <optional>
 #include <span>
 
 namespace asperity::methods {
+
+/// s^2 h/(w E*) of adhesive_step() above which the grid shows in the numbers.
+inline constexpr double largest_accurate_step = 0.25;
 
 /// The properties of the operator behind a solution that the observables need.
 struct Observation {
@@ -28,6 +33,9 @@ struct Observation {
   /// Who adds the sums. If ranks share the rows of the fields, the evaluation
   /// is collective and every rank gets the row of one process.
   Workers workers = 1;
+  /// The contact law, if it has adhesion, and its adhesive_step().
+  std::optional<mechanics::ContactInterface> adhesion = std::nullopt;
+  double adhesive_step = 0.0;
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure

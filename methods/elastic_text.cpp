@@ -11,6 +11,13 @@ using mechanics::HalfspaceSettings;
 
 std::string in_words(const ContactSettings& settings) {
   const mechanics::ContactLawTraits& law = mechanics::traits_of(settings.law);
+  if (mechanics::is_adhesive(settings.law))
+    return fmt::format(
+        "{}, w = {:g} J/m^2, range {:g} {}", law.words,
+        settings.work_of_adhesion, settings.range.value,
+        settings.range.reference == mechanics::ReferenceUnit::si        ? "m"
+        : settings.range.reference == mechanics::ReferenceUnit::spacing ? "h"
+                                                                        : "L");
   if (!law.needs_penalty)
     return law.words;
   const char* unit =

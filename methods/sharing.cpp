@@ -19,7 +19,8 @@ bool is_for_ranks(const cases::MethodSpec& method, const Grid& grid) {
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
   const bool has_columns =
       half != nullptr || (block != nullptr && !is_full_block(method));
-  return has_columns && grid.size() >= least_shared_nodes;
+  return has_columns && !method.is_adhesive() &&
+         grid.size() >= least_shared_nodes;
 }
 
 } // namespace

@@ -51,6 +51,17 @@ void TimedOperator::pressure_estimate(std::span<const float> gap,
   tally_->cpu_time += clock.seconds();
 }
 
+bool TimedOperator::has_inverse() const {
+  return measured_->has_inverse();
+}
+
+void TimedOperator::pressure_of(std::span<const double> displacement,
+                                std::span<double> pressure) {
+  const CpuClock clock(n_threads_);
+  measured_->pressure_of(displacement, pressure);
+  tally_->cpu_time += clock.seconds();
+}
+
 const Grid& TimedOperator::wide_grid() const {
   return measured_->wide_grid();
 }

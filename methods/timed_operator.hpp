@@ -34,6 +34,9 @@ public:
                            std::span<float> displacement_change) override;
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
+  bool has_inverse() const override;
+  void pressure_of(std::span<const double> displacement,
+                   std::span<double> pressure) override;
   const Grid& wide_grid() const override;
   const SharedRows* wide_shared_rows() const override;
   void wide_pressure_estimate(std::span<const float> gap,

@@ -29,10 +29,12 @@ constexpr std::array number_headers{"step",
                                     "estimated_gap_error [m]"};
 
 /// Headers of the columns after these, of a result in which some row has a
-/// number in the first column of the group: of a block with a yield stress, and
-/// of the flow through the gap.
+/// number in the first column of the group: of a block with a yield stress, of
+/// adhesion, and of the flow through the gap.
 const std::vector<std::vector<const char*>> optional_headers{
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
+    {"adhesive_energy [J/m^2]", "repulsive_area [1]", "tensile_area [1]",
+     "smallest_stiffness [Pa/m]"},
     {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",
      "flow_conductance_y [m^3]", "critical_gap_x [m]", "critical_gap_y [m]",
      "leak_rate_x [m^3/s]", "leak_rate_y [m^3/s]", "effective_medium [m^3]"}};

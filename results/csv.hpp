@@ -20,7 +20,9 @@ namespace asperity::results {
 ///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
 ///     certified_gap_error [m],estimated_gap_error [m],status
 ///
-/// If a block has a yield stress, plastic_work [J/m^2],plastic_strain [1] come
+/// If a method has adhesion, adhesive_energy [J/m^2],repulsive_area [1],
+/// tensile_area [1],smallest_stiffness [Pa/m] come before the status. If a
+/// block has a yield stress, plastic_work [J/m^2],plastic_strain [1] come
 /// before the status.
 ///
 /// Two runs of one case by one build give the same bytes. Numbers have the

@@ -65,7 +65,7 @@ void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
   if (const Node* const mesh = table("mesh"))
     read.mesh = read_mesh(part(*mesh), read);
   if (const Node* const load = table("load", true))
-    read.load = read_load(part(*load));
+    read.load = read_load(part(*load), read.methods);
   if (const Node* const study = table("magnification"))
     read.magnification_study = read_magnification_study(part(*study), read);
   if (const Node* const study = table("adhesion"))

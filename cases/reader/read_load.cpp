@@ -4,6 +4,7 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -54,9 +55,16 @@ std::vector<mechanics::Quantity> read_sweep(TableReader part, const Key& key) {
       to_node ? part.quantity_in(*to_node, key) : mechanics::Quantity{};
   const int steps = part.integer("steps");
   const std::optional<int> word = part.word("spacing");
-  if (from.value <= 0.0 || to.value <= 0.0 || steps < 2 || !word)
+  const bool are_positive = from.value > 0.0 && to.value > 0.0;
+  if (!from_node || !to_node || steps < 2 || !word ||
+      !(are_positive || key.range.contains(0.0)))
     return {};
   const auto spacing = static_cast<Spacing>(*word);
+  if (spacing != Spacing::linear && !are_positive) {
+    part.refuse(from.value > 0.0 ? *to_node : *from_node,
+                "must be > 0, or needs spacing = \"linear\"");
+    return {};
+  }
   if (from.reference != to.reference) {
     part.refuse(
         *to_node,
@@ -116,8 +124,19 @@ std::vector<mechanics::Quantity> read_targets(TableReader& table,
   return targets;
 }
 
-mechanics::LoadingPath read_load(TableReader load) {
+void read_pressures(TableReader& load, const Key& key,
+                    mechanics::LoadingPath& program) {
+  Key own = key;
+  if (!program.may_be_tensile)
+    own.range = positive();
+  program.targets = read_targets(load, own);
+}
+
+mechanics::LoadingPath read_load(TableReader load,
+                                 const std::vector<MethodSpec>& methods) {
   mechanics::LoadingPath program;
+  program.may_be_tensile =
+      std::ranges::all_of(methods, &MethodSpec::is_adhesive);
   if (load.has("nominal_pressure") && load.has("mean_gap"))
     load.refuse_both("nominal_pressure", "mean_gap");
   if (load.has("mean_gap"))

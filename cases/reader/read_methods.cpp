@@ -17,6 +17,13 @@ mechanics::ContactSettings read_contact(TableReader& table) {
   table.read(contact);
   if (mechanics::needs_penalty(contact.law))
     table.require("penalty", ", which this contact needs");
+  for (const char* const key : {"work_of_adhesion", "range"})
+    if (mechanics::is_adhesive(contact.law))
+      table.require(key, ", which this contact needs");
+    else if (table.has(key))
+      table.refuse(table.said_by(key),
+                   "needs a contact with adhesion: contact = \"exponential\", "
+                   "\"dugdale\" or \"cubic\"");
   return contact;
 }
 
@@ -123,6 +130,11 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
   halfspace.contact = read_contact(table);
   halfspace.has_free_boundaries = surroundings.has_free_edges;
   table.read(halfspace);
+  if (halfspace.has_free_boundaries &&
+      mechanics::is_adhesive(halfspace.contact.law))
+    table.refuse(table.said_by("contact"),
+                 "this version has no adhesion with free boundaries; "
+                 "boundaries = \"periodic\" allows it");
   if (halfspace.has_free_boundaries && halfspace.thickness)
     table.refuse(table.said_by("thickness"),
                  "free boundaries need a half-space of infinite thickness; "
@@ -132,6 +144,10 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    mechanics::FemSettings& fem) {
   fem.contact = read_contact(table);
+  if (mechanics::is_adhesive(fem.contact.law))
+    table.refuse(table.said_by("contact"),
+                 "only [halfspace] with periodic boundaries has adhesion in "
+                 "this version");
   table.read(fem.block);
   table.read(fem);
   fem.full.uses_case_mesh =

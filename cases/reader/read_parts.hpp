@@ -34,7 +34,11 @@ mechanics::MaterialSpec read_material(TableReader material,
                                       bool is_poisson_needed);
 /// @param read  the case with its surface and material already read
 mechanics::MeshSpec read_mesh(TableReader table, const Case& read);
-mechanics::LoadingPath read_load(TableReader load);
+/// Reads nominal pressures, which are > 0 unless the path may be tensile.
+void read_pressures(TableReader& load, const Key& key,
+                    mechanics::LoadingPath& program);
+mechanics::LoadingPath read_load(TableReader load,
+                                 const std::vector<MethodSpec>& methods);
 /// @param read  the case with its surface and methods already read
 MagnificationStudy read_magnification_study(TableReader table,
                                             const Case& read);

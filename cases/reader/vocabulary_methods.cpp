@@ -1,5 +1,6 @@
 // The rows of [load] and of the methods.
 #include "cases/reader/bound_key.hpp"
+#include "cases/reader/read_parts.hpp"
 
 namespace asperity::cases {
 namespace {
@@ -29,17 +30,38 @@ std::vector<Key> contact_keys() {
   return {
       key<&Contact::law>(
           "contact", mechanics::contact_law_names(),
-          "Penalty, hard (unilateral) or augmented-Lagrangian contact.")
+          "Penalty, hard (unilateral) or augmented-Lagrangian contact, or a "
+          "hard wall with adhesion that falls with the gap g: w exp(-g/range), "
+          "w (1 - g/range) (dugdale) or w (1 - g/range)^3 (cubic). Adhesion "
+          "is available to [halfspace] with periodic boundaries, and its loads "
+          "may be tensile.")
           .shown(),
       key<&Contact::penalty>(
           "penalty", stiffness_per_area(),
           "Penalty stiffness: contact pressure per penetration.",
           needed("100 E*/h", "with contact = \"penalty\" or \"augmented\"; "
                              "ignored with \"hard\"")),
+      key<&Contact::work_of_adhesion>("work_of_adhesion",
+                                      {Dimension::energy_per_area, positive()},
+                                      "Work of adhesion w of flat faces.",
+                                      needed("50 mJ/m^2", "with adhesion"))
+          .hidden(),
+      key<&Contact::range>(
+          "range",
+          {Dimension::length,
+           positive(),
+           {mechanics::ReferenceUnit::length,
+            mechanics::ReferenceUnit::spacing}},
+          "Range of the adhesion. The spacing h of the grid must resolve it: "
+          "with the largest tension s of the law, s^2 h/(w E*) must be <= 1, "
+          "and should be <= 0.25.",
+          needed("2 h", "with adhesion"))
+          .hidden(),
       key<&Contact::tolerance>(
           "tolerance", between(1e-15, 0.01),
           "Complementarity error at which a step has converged, relative to "
-          "h_rms and the nominal pressure."),
+          "h_rms and the nominal pressure; with adhesion the rms correction of "
+          "the gap, relative to h_rms."),
       key<&Contact::max_iterations>("max_iterations", between(1, 10000000),
                                     "Iterations after which a step is stopped "
                                     "and marked as not converged."),
@@ -52,36 +74,40 @@ std::vector<Key> with_contact(std::vector<Key> keys) {
 }
 
 Table load_table() {
-  return {.name = "load",
-          .when = "Always needed.",
-          .description =
-              "The loading path; its steps are computed in the given order.",
-          .keys = {
+  return {
+      .name = "load",
+      .when = "Always needed.",
+      .description =
+          "The loading path; its steps are computed in the given order.",
+      .keys = {
+          read_by<LoadingPath>(
+              read_pressures,
               key<&LoadingPath::targets>(
                   "nominal_pressure",
                   {Dimension::pressure,
-                   positive(),
+                   any_number(),
                    {mechanics::ReferenceUnit::contact_modulus,
                     mechanics::ReferenceUnit::contact_modulus_times_slope}},
-                  "Load divided by the nominal area; h' is the rms slope of "
-                  "the realisation.",
+                  "Load divided by the nominal area, > 0, or any number if "
+                  "all methods have adhesion; h' is the rms slope of the "
+                  "realisation.",
                   needed("{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
                          "spacing = \"log\" }",
-                         "this or mean_gap"))
-                  .shown(),
-              key<&LoadingPath::targets>(
-                  "mean_gap",
-                  {Dimension::length,
-                   positive(),
-                   {mechanics::ReferenceUnit::length,
-                    mechanics::ReferenceUnit::spacing,
-                    mechanics::ReferenceUnit::rms_height}},
-                  "Mean gap between block and surface.",
-                  needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
-                         "this or nominal_pressure")),
-              key("cycle", {"load", "load-unload"},
-                  "Loading, or loading and unloading.", or_else("\"load\"")),
-          }};
+                         "this or mean_gap")))
+              .shown(),
+          key<&LoadingPath::targets>(
+              "mean_gap",
+              {Dimension::length,
+               positive(),
+               {mechanics::ReferenceUnit::length,
+                mechanics::ReferenceUnit::spacing,
+                mechanics::ReferenceUnit::rms_height}},
+              "Mean gap between block and surface.",
+              needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
+                     "this or nominal_pressure")),
+          key("cycle", {"load", "load-unload"},
+              "Loading, or loading and unloading.", or_else("\"load\"")),
+      }};
 }
 
 Table sweep_table() {

@@ -133,6 +133,23 @@ std::vector<ExpectationName> error_names() {
   };
 }
 
+/// Quantities of contact with adhesion.
+std::vector<ExpectationName> adhesion_names() {
+  return {
+      {.name = "pull_off_pressure",
+       .description = "Largest tension -p / E* of the loading path, with "
+                      "adhesion [1]."},
+      {.name = "dissipated_energy",
+       .description = "Work -sum p du of a loading path that ends at the gap "
+                      "where it began, over the work of adhesion [1]."},
+      {.name = "adhesive_wave_error",
+       .description = "Largest |p - p of adhesion without range (JKR)| at "
+                      "equal contact area, over the pressure of full contact "
+                      "without adhesion [1].",
+       .surfaces = {mechanics::SurfaceKind::wave_1d}},
+  };
+}
+
 /// Quantities of the theory and its studies.
 std::vector<ExpectationName> study_names() {
   return {
@@ -178,8 +195,8 @@ std::vector<ExpectationName> solver_names() {
 std::vector<ExpectationName> all_names() {
   std::vector<ExpectationName> all;
   for (const std::vector<ExpectationName>& names :
-       {rough_surface_names(), law_names(), error_names(), study_names(),
-        solver_names()})
+       {rough_surface_names(), law_names(), error_names(), adhesion_names(),
+        study_names(), solver_names()})
     all.insert(all.end(), names.begin(), names.end());
   return all;
 }

@@ -58,6 +58,13 @@ struct MethodSpec {
                       settings);
   }
 
+  /// Returns whether the faces attract each other.
+  bool is_adhesive() const {
+    const auto* const half =
+        std::get_if<mechanics::HalfspaceSettings>(&settings);
+    return half != nullptr && mechanics::is_adhesive(half->contact.law);
+  }
+
   /// Returns whether the method uses [[material.layers]].
   bool uses_layers() const {
     return std::visit([](const auto& own) { return own.uses_layers(); },

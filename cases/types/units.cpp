@@ -55,6 +55,7 @@ const std::vector<Unit>& units() {
       {"GPa", pressure, 1e9},
       {"N", force},
       {"J/m^2", energy_per_area},
+      {"mJ/m^2", energy_per_area, 1.0, 1e3},
       {"J", energy},
       {"eV", energy, electronvolt},
       {"meV", energy, electronvolt, 1e3},

@@ -153,6 +153,16 @@ void FourierOperator::displacement(std::span<const double> pressure,
     exact_.free_scratch();
 }
 
+void FourierOperator::pressure_of(std::span<const double> displacement,
+                                  std::span<double> pressure) {
+  const EvenColumn inverse = [&](int jx, std::span<double> of_jy) {
+    shared_->columns()(jx, of_jy);
+    for (double& value : of_jy)
+      value = value > 0.0 ? 1.0 / value : 0.0; // 0 of the uniform mode
+  };
+  exact_.apply(displacement, inverse, pressure);
+}
+
 void FourierOperator::displacement_change(
     std::span<const float> pressure_change,
     std::span<float> displacement_change) {

@@ -67,6 +67,11 @@ public:
                            std::span<float> displacement_change) override;
   void pressure_estimate(std::span<const float> gap, double local_compliance,
                          std::span<float> pressure) override;
+
+  bool has_inverse() const override { return true; }
+
+  void pressure_of(std::span<const double> displacement,
+                   std::span<double> pressure) override;
   double short_wave_compliance() const override;
 
   bool is_shift_invariant() const override { return true; }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace asperity::contact {
@@ -83,6 +84,17 @@ public:
                                  double local_compliance,
                                  std::span<float> pressure) = 0;
 
+  /// Whether pressure_of() is there: C has an exact inverse.
+  virtual bool has_inverse() const { return false; }
+
+  /// Computes pressure = C^-1 displacement [Pa], both without their means.
+  /// @param displacement  n_nodes() values [m]; its mean is ignored
+  /// @param pressure      n_nodes() values of mean 0, overwritten; the two
+  ///                      fields may be one
+  /// @throws std::logic_error  there is no inverse
+  virtual void pressure_of(std::span<const double> displacement,
+                           std::span<double> pressure);
+
   /// The grid of a periodic surface that contains this one, for the
   /// preconditioner: grid() if it is periodic itself, otherwise a grid of more
   /// points, whose first columns and rows are the nodes of grid().
@@ -119,5 +131,10 @@ public:
   /// The operator of the same block on a coarse_grid(); null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 };
+
+inline void SurfaceOperator::pressure_of(std::span<const double>,
+                                         std::span<double>) {
+  throw std::logic_error("this surface operator has no exact inverse");
+}
 
 } // namespace asperity::contact

@@ -1,6 +1,7 @@
 #include "contact/solvers/load_sequence.hpp"
 
 #include "base/require.hpp"
+#include "contact/solvers/adhesive.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <algorithm>
@@ -121,6 +122,10 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
   require_positive("gap_tolerance", gap_tolerance_, "m");
   if (mechanics::needs_penalty(interface_.law))
     require_positive("penalty", interface_.penalty, "Pa/m");
+  if (solver_ == mechanics::SurfaceSolver::adhesive) {
+    require_positive("work_of_adhesion", interface_.work_of_adhesion, "J/m^2");
+    require_positive("adhesion_range", interface_.adhesion_range, "m");
+  }
 }
 
 bool LoadSequence::has_load(std::span<const double> pressure) const {
@@ -137,6 +142,8 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   if (target.control != control_)
     history_.clear();
   control_ = target.control;
+  if (solver_ == mechanics::SurfaceSolver::adhesive)
+    return solve_with_adhesion(target);
   ContactProblem problem{heights_, local_compliance(),
                          reachable_tolerance(gap_tolerance_, target,
                                              local_compliance(),
@@ -161,6 +168,54 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
   }
   remember(target, solution);
   return solution;
+}
+
+ContactSolution
+LoadSequence::solve_with_adhesion(const mechanics::LoadTarget& target) {
+  std::vector<double> start =
+      history_.empty() ? first_gap(target)
+                       : std::vector<double>(history_.back().state.begin(),
+                                             history_.back().state.end());
+  if (!adhesive_scale_)
+    adhesive_scale_ = adhesive_scale(*elasticity_, heights_);
+  ContactSolution solution = solve_adhesive(
+      *elasticity_,
+      {heights_, interface_, gap_tolerance_, max_iterations_, *adhesive_scale_},
+      target, std::move(start));
+  history_.clear();
+  if (solution.converged)
+    history_.push_back(
+        {target.amount, {solution.gap.begin(), solution.gap.end()}});
+  return solution;
+}
+
+std::vector<double>
+LoadSequence::first_gap(const mechanics::LoadTarget& target) {
+  if (target.control == mechanics::Control::nominal_pressure &&
+      target.amount <= 0.0) {
+    const double highest =
+        chunked_sum<Largest>(heights_.size(), elasticity_->workers(),
+                             [&](std::size_t begin, std::size_t end) {
+                               Largest own;
+                               for (std::size_t i = begin; i < end; ++i)
+                                 own += {heights_[i]};
+                               return own;
+                             })
+            .value;
+    std::vector<double> gap(heights_.size());
+    std::ranges::transform(heights_, gap.begin(), [highest](double height) {
+      return highest - height;
+    });
+    return gap;
+  }
+  const double tolerance =
+      std::max(gap_tolerance_, coarse_accuracy * rms_height());
+  ContactSolution hard =
+      solve_contact_from(coarse_guess(target), *elasticity_,
+                         {heights_, 0.0, tolerance, max_iterations_}, target);
+  for (std::size_t i = 0; i < hard.gap.size(); ++i)
+    hard.gap[i] = hard.pressure[i] > 0.0 ? 0.0 : std::max(0.0, hard.gap[i]);
+  return std::move(hard.gap);
 }
 
 /// The layout is: kind of load, then amount and state of each step.
@@ -188,7 +243,7 @@ void LoadSequence::recall(std::span<const double> memory) {
     for (const double value : state)
       if (!std::isfinite(value))
         refuse_argument("a saved pressure or gap", value, "finite");
-    if (!has_load(state))
+    if (solver_ != mechanics::SurfaceSolver::adhesive && !has_load(state))
       refuse_argument("a saved load", 0.0, "> 0 [Pa] at some node");
     history.push_back({memory[at], std::vector<float>(state.size())});
     std::ranges::transform(

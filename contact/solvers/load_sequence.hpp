@@ -27,6 +27,11 @@ namespace asperity::contact {
 ///   to 1e-3 of the rms height and interpolated.
 ///
 /// The initial guess affects the number of iterations, not the solution.
+///
+/// With adhesion the solution depends on the path, and a step begins with the
+/// gap of the last one. The first step begins with that of hard contact, which
+/// is approached from outside, or from undeformed surfaces that touch if its
+/// nominal pressure is not positive.
 class LoadSequence {
 public:
   /// @param elasticity     C; owned by this object, its scratch is used
@@ -64,10 +69,14 @@ public:
 private:
   struct Step {
     double amount;
-    /// Pressure where > 0 [Pa], otherwise minus the gap [m]. Single precision
-    /// is enough for an initial guess.
+    /// Pressure where > 0 [Pa], otherwise minus the gap [m]; with adhesion the
+    /// gap. Single precision is enough for an initial guess.
     std::vector<float> state;
   };
+
+  ContactSolution solve_with_adhesion(const mechanics::LoadTarget& target);
+  /// The gap from which the first step with adhesion begins [m].
+  std::vector<double> first_gap(const mechanics::LoadTarget& target);
 
   /// Empty if there is none.
   std::vector<double>
@@ -85,6 +94,7 @@ private:
   std::vector<double> heights_;
   std::optional<double> rms_height_; ///< [m], once it was needed
   std::optional<double> error_of_coarse_guess_; ///< likewise
+  std::optional<double> adhesive_scale_;        ///< [Pa/m], likewise
   mechanics::ContactInterface interface_;
   mechanics::SurfaceSolver solver_;
   double gap_tolerance_;

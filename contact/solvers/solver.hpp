@@ -8,6 +8,7 @@
 #include "mechanics/loading.hpp"
 
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ struct ContactProblem {
 };
 
 struct ContactSolution {
-  std::vector<double> pressure;     ///< p [Pa] >= 0
+  std::vector<double> pressure;     ///< p [Pa], >= 0 without adhesion
   std::vector<double> gap;          ///< [m]; -c p where in contact
   std::vector<double> displacement; ///< C p [m], see SurfaceOperator
   double nominal_pressure = 0.0;    ///< mean of p [Pa]
@@ -42,6 +43,10 @@ struct ContactSolution {
   int iterations = 0;     ///< iterations on this grid
   int transforms = 0;     ///< applications of C or its inverse on this grid
   bool converged = false;
+  /// With adhesion: the smallest eigenvalue of the Hessian of the energy per
+  /// area on the nodes with an open gap [Pa/m], up to 10 %; > 0 at a minimum.
+  double smallest_stiffness = std::numeric_limits<double>::quiet_NaN();
+  bool is_detached = false; ///< with adhesion: a tensile load parted the faces
   std::string note; ///< describes unusual events; empty if there were none
 };
 

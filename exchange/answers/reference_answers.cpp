@@ -241,6 +241,10 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
         fmt::format("{}: has a block that is not layered, which no problem can "
                     "describe",
                     contact_case.path));
+  if (method.is_adhesive())
+    throw input::InputError(
+        fmt::format("{}: {} has adhesion, which no problem can describe",
+                    contact_case.path, method.name));
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   if (half != nullptr && half->has_free_boundaries &&

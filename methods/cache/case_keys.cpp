@@ -159,6 +159,7 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
   Node table = table_of(method);
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "contact" || entry.key == "penalty" ||
+           entry.key == "work_of_adhesion" || entry.key == "range" ||
            entry.key == "tolerance" || entry.key == "max_iterations" ||
            entry.key == "magnification" || entry.key == "realizations";
   });

@@ -71,6 +71,13 @@ void add_exact_quantities(const results::Result& result,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
 
+/// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, and
+/// for a one-dimensional wave adhesive_wave_error, over all converged rows.
+void add_adhesion_quantities(const results::Result& result,
+                             const cases::Case& contact_case,
+                             const results::MethodRecord& method,
+                             MethodSummary& summary);
+
 /// Adds, if the method has found them, normal_stiffness_error and
 /// tangential_stiffness_error for a sphere and an upright punch on a clamped
 /// periodic block, after the correction for the strain of the block and the

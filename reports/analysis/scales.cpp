@@ -38,6 +38,8 @@ bool uses_formula(const cases::Case& contact_case,
 bool is_exact_shape(const cases::Case& contact_case) {
   const SurfaceKind kind = contact_case.surface.kind;
   return contact_case.material.is_uniform() &&
+         std::ranges::none_of(contact_case.methods,
+                              &cases::MethodSpec::is_adhesive) &&
          (contact_case.surface.is_indenter() || kind == SurfaceKind::wave_1d ||
           kind == SurfaceKind::wave_2d);
 }

@@ -87,6 +87,13 @@ void attempt(MethodSummary& summary, const char* what, const Work& work) {
   }
 }
 
+bool is_adhesive(const cases::Case& contact_case, const MethodRecord& method) {
+  return std::ranges::any_of(
+      contact_case.methods, [&](const cases::MethodSpec& spec) {
+        return spec.name == method.name && spec.is_adhesive();
+      });
+}
+
 MethodSummary summarize_method(const Result& result,
                                const cases::Case& contact_case,
                                const MethodRecord& method,
@@ -98,7 +105,11 @@ MethodSummary summarize_method(const Result& result,
   summary.description = method.description;
   summary.cost = cost_of(method);
   summary.certified = certified_of(result, method);
-  if (is_exact_shape(contact_case))
+  if (is_adhesive(contact_case, method))
+    attempt(summary, "adhesion", [&] {
+      add_adhesion_quantities(result, contact_case, method, summary);
+    });
+  else if (is_exact_shape(contact_case))
     attempt(summary, "exact solution", [&] {
       add_exact_quantities(result, contact_case, method, summary);
     });

@@ -118,15 +118,59 @@ Figure height_figure(const Table& rows) {
   return figure;
 }
 
+/// The path of contact with adhesion; no series if there is none.
+Figure loop_figure(const results::Result& result) {
+  Figure figure;
+  figure.name = "adhesion-loop";
+  figure.title = "Approach and retraction with adhesion";
+  figure.caption = "The nominal pressure along the loading path of the first "
+                   "realisation; tension is negative. The area between the "
+                   "two curves of a method is the energy that a cycle loses.";
+  const double in_nm = 1e9;
+  CsvTable table({"curve", "index", "u [nm]", "p/E* [1]"});
+  ChartPanel panel{.x = {.label = "mean separation u  [nm]"},
+                   .y = {.label = "p / E*"},
+                   .has_zero_line = true};
+  std::size_t index = 0;
+  for (const results::MethodRecord& method : result.methods)
+    for (const bool is_unloading : {false, true}) {
+      if (method.realizations.empty())
+        continue;
+      const std::string title =
+          method.name + (is_unloading ? ", retraction" : ", approach");
+      bool has_row = false;
+      for (const results::CurvePoint& row : method.realizations.front().points)
+        if (row.is_unloading == is_unloading &&
+            row.status == results::StepStatus::converged &&
+            std::isfinite(row.adhesive_energy)) {
+          table.add(title, {static_cast<double>(index), row.mean_gap * in_nm,
+                            row.nominal_pressure / result.contact_modulus});
+          has_row = true;
+        }
+      if (has_row)
+        panel.add(title, line(is_unloading ? red : blue, 1.6, 1), index++, 3,
+                  4);
+    }
+  figure.data = table.text();
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
 } // namespace
 
 std::vector<Figure> adhesion_figures(const ReportEntry& entry) {
   const Table* rows = entry.result->table("adhesion");
+  std::vector<Figure> figures;
+  if (Figure loop = loop_figure(*entry.result);
+      !loop.panels.front().curves.empty())
+    figures.push_back(std::move(loop));
   if (rows == nullptr)
-    return {};
-  return {branches_figure(*rows),
-          equilibrium_figure(*rows, entry.result->table("adhesion-flip")),
-          height_figure(*rows)};
+    return figures;
+  figures.push_back(branches_figure(*rows));
+  figures.push_back(
+      equilibrium_figure(*rows, entry.result->table("adhesion-flip")));
+  figures.push_back(height_figure(*rows));
+  return figures;
 }
 
 } // namespace asperity::reports

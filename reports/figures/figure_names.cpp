@@ -8,6 +8,7 @@ const std::vector<std::string>& figure_names() {
   static const std::vector<std::string> names = {"adhesion-branches",
                                                  "adhesion-equilibrium",
                                                  "adhesion-height",
+                                                 "adhesion-loop",
                                                  "area-coefficient",
                                                  "area-pressure",
                                                  "area-theory",

@@ -81,8 +81,9 @@ std::vector<Figure> exact_figures(const ReportEntry& entry);
 std::vector<Figure> magnification_figures(const ReportEntry& entry);
 
 /// Returns the figures of the adhesion study: both branches, the equilibrium,
-/// and the binding energy against h_rms. Nothing is returned if the result has
-/// no table of this study.
+/// and the binding energy against h_rms; and of contact with adhesion, the
+/// pressure on approach and retraction. Nothing is returned if the result has
+/// neither.
 std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 
 /// Plots the leak rate against the nominal pressure, by Reynolds' equation, by

@@ -32,7 +32,11 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"gamma_energy", "γ", "by the energy", false},
       {"kappa", "κ", "of the corrected area", false},
       {"gap_deviation", "u against theory", "largest, in h_rms", true},
-      {"area_excess", "area against theory", "counted, light load", true}};
+      {"area_excess", "area against theory", "counted, light load", true},
+      {"pull_off_pressure", "pull-off", "largest tension, in E*", false},
+      {"dissipated_energy", "dissipated", "over the work of adhesion", false},
+      {"adhesive_wave_error", "load at equal area",
+       "largest error, in p* of full contact", false}};
   static const std::vector<Column> exact{
       {"mean_gap_error", "mean gap", "largest error, in amplitudes", false},
       {"area_error", "contact fraction", "largest error", false},

@@ -23,7 +23,7 @@ inline MapRows rows_of_map(const MapView& map) {
 
 /// The maps of one load step.
 struct FieldRows {
-  MapRows pressure; ///< [Pa] >= 0
+  MapRows pressure; ///< [Pa] >= 0 without adhesion
   MapRows gap;      ///< [m]
 };
 

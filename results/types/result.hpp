@@ -79,6 +79,13 @@ struct CurvePoint {
   double leak_rate_x = not_given;
   double leak_rate_y = not_given;
   double effective_medium = not_given;
+  /// Of laws with adhesion: <W(g)> <= 0 per nominal area [J/m^2]; nodes under
+  /// pressure, and nodes in tension of at least 1 % of the law's largest [1];
+  /// smallest eigenvalue of the energy's Hessian per area [Pa/m].
+  double adhesive_energy = not_given;
+  double repulsive_area = not_given;
+  double tensile_area = not_given;
+  double smallest_stiffness = not_given;
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""
@@ -90,7 +97,7 @@ struct CurvePoint {
 struct Fields {
   int step = 0;
   double nominal_pressure = 0.0; ///< [Pa]
-  std::vector<double> pressure;  ///< [Pa] >= 0
+  std::vector<double> pressure;  ///< [Pa] >= 0 without adhesion
   std::vector<double> gap; ///< [m], negative where a penalty contact penetrates
                            ///< or atoms are closer than their contact distance
   Grid grid = {};

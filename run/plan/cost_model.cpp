@@ -31,6 +31,8 @@ constexpr double iterations_exponent = 0.2;
 constexpr double decades_at_512 = 8.0;
 constexpr double decades_of_contact = 3.0;
 constexpr double augmented_factor = 2.5; ///< docs/numerics/solver.md: 2 to 3
+constexpr double adhesive_factor = 9.0;  ///< docs/numerics/adhesion.md, in
+                                         ///< double precision
 constexpr double q2_factor = 1.25; ///< 4 x 4 blocks: 2.67 s instead of 2.13 s
 
 constexpr double program_time = 0.3;     ///< a run without any work [s]
@@ -75,6 +77,9 @@ constexpr double more_arrays_of_free = 7.0;
 /// 16 bytes per node, nodal areas 8, and the spectra of the node classes 6.
 constexpr double more_arrays_of_q2 = 4.0;
 constexpr double doubles_per_atom = 60.0;
+/// Likewise, with adhesion: the fields in double precision, the pairs of L-BFGS
+/// and the vectors of the test for a minimum.
+constexpr double more_arrays_of_adhesion = 10.0;
 constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
 double nodes(const Grid& grid) {
@@ -106,14 +111,19 @@ MethodCost cost_on_face(const mechanics::ContactSettings& contact,
                         const CostInput& input) {
   const auto& [contact_case, method, grid, rates, ranks] = input;
   MethodCost cost;
-  const double law =
-      mechanics::needs_multipliers(contact.law) ? augmented_factor : 1.0;
+  const double law = mechanics::needs_multipliers(contact.law)
+                         ? augmented_factor
+                     : mechanics::is_adhesive(contact.law) ? adhesive_factor
+                                                           : 1.0;
   cost.unknowns = nodes(grid);
   cost.setup_time = rates.iteration_time(grid);
   cost.step_time = law *
                    iterations_per_step(contact_case.surface, contact, grid) *
                    rates.iteration_time(grid);
-  cost.memory = arrays_per_job * sizeof(double) * nodes(grid);
+  cost.memory =
+      (arrays_per_job +
+       (mechanics::is_adhesive(contact.law) ? more_arrays_of_adhesion : 0.0)) *
+      sizeof(double) * nodes(grid);
   return cost;
 }
 

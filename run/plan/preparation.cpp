@@ -47,6 +47,7 @@ struct ArgumentKey {
 constexpr std::array argument_keys{
     ArgumentKey{"depth", "", "depth"},
     ArgumentKey{"growth", "", "growth"},
+    ArgumentKey{"range", "", "range"},
     ArgumentKey{"surface_thickness", "", "surface_cell_depth"},
     ArgumentKey{"thickness", "", "thickness"},
     ArgumentKey{"cutoff", "", "cutoff"},
@@ -116,11 +117,32 @@ private:
   void examine(const mechanics::WinklerSettings&) {}
 
   void examine(const mechanics::HalfspaceSettings& half) {
+    if (mechanics::is_adhesive(half.contact.law))
+      attempt([&] { require_resolved(half.contact.in_si(scales_)); });
     if (!half.has_free_boundaries && case_.material.poisson_ratio)
       attempt([&] {
         contact::compliance_function(
             methods::continuum_of(*method_, case_.material, scales_));
       });
+  }
+
+  /// Whether the grid resolves the range of an adhesion.
+  void require_resolved(const mechanics::ContactInterface& contact) const {
+    constexpr double largest = 1.0;
+    const double step = methods::adhesive_step(
+        contact, case_.material.contact_modulus, scales_.spacing);
+    if (step <= largest)
+      return;
+    const double factor = step / largest;
+    refuse_argument(
+        "range", contact.adhesion_range,
+        fmt::format(
+            "at least {:.3g} m with this spacing, or surface.points at "
+            "least {} with this range: s^2 h/(w E*) = {:.3g}, with the "
+            "largest tension s of the law, must be at most {:g}",
+            contact.adhesion_range * std::sqrt(factor),
+            static_cast<long long>(std::ceil(pressed_.points_x * factor)), step,
+            largest));
   }
 
   void examine(const FemSettings& fem) {

@@ -20,6 +20,8 @@ const std::set<std::string> shipped = {
     "hertz",       "layered", "polymer", "polymer-nominal",
     "self-affine", "wave-1d", "wave-2d"};
 
+const std::set<std::string> adhesive = {"adhesive-rough", "adhesive-wave"};
+
 // Full 3-D blocks, which are also read with their quick.set.
 const std::set<std::string> full_blocks = {
     "elastic-sphere", "hertz-3d",  "hertz-adaptive",
@@ -105,6 +107,7 @@ TEST(ShippedCases, AreFolders) {
   std::set<std::string> expected = shipped;
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(full_blocks.begin(), full_blocks.end());
+  expected.insert(adhesive.begin(), adhesive.end());
   expected.insert({"board", "gamma", "paper", "peers", "sweep-hurst"});
 
   EXPECT_TRUE(has_folders("cases", expected));
@@ -199,6 +202,17 @@ TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
     EXPECT_GE(read.methods.size(), 2U) << name;
     EXPECT_EQ(read.surface.points, 512) << name;
     EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
+    EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
+  }
+}
+
+TEST(ShippedCases, OfAdhesionAreApproachedAndParted) {
+  for (const std::string& name : adhesive) {
+    const Case read = shipped_case(name);
+
+    EXPECT_TRUE(read.methods.at(0).is_adhesive()) << name;
+    EXPECT_TRUE(read.load.is_unloading.back()) << name;
+    EXPECT_FALSE(read.expectations.empty()) << name;
     EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
 }

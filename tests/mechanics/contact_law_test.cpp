@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Law : public testing::TestWithParam<ContactLawTraits> {
 protected:
-  ContactInterface interface { GetParam().law, 3.0 };
+  ContactInterface interface { GetParam().law, 3.0, 0.8, 1.3 };
 
   /// Gaps on both sides of 0 and of the range, in units of which the parameters
   /// above are of order 1. None lies at a jump of a derivative.

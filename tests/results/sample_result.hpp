@@ -70,6 +70,10 @@ inline CurvePoint sample_point(int step) {
   point.von_mises_depth = 1e-6 / (29 + step);
   point.plastic_work = 1e-3 / (59 + step);
   point.plastic_strain = 1e-2 / (61 + step);
+  point.adhesive_energy = -1e-3 / (67 + step);
+  point.repulsive_area = 1.0 / (71 + step);
+  point.tensile_area = 1.0 / (73 + step);
+  point.smallest_stiffness = 1e12 / (79 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
@@ -106,6 +110,10 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.von_mises_depth, b.von_mises_depth);
   EXPECT_PRED2(is_same, a.plastic_work, b.plastic_work);
   EXPECT_PRED2(is_same, a.plastic_strain, b.plastic_strain);
+  EXPECT_PRED2(is_same, a.adhesive_energy, b.adhesive_energy);
+  EXPECT_PRED2(is_same, a.repulsive_area, b.repulsive_area);
+  EXPECT_PRED2(is_same, a.tensile_area, b.tensile_area);
+  EXPECT_PRED2(is_same, a.smallest_stiffness, b.smallest_stiffness);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);

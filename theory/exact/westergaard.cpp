@@ -47,6 +47,20 @@ double WestergaardContact::mean_gap(double nominal_pressure) const {
   return amplitude_ * sum;
 }
 
+double WestergaardContact::adhesive_pressure(double area_fraction,
+                                             double work_of_adhesion) const {
+  require_not_negative("work_of_adhesion", work_of_adhesion, "J/m^2");
+  if (!(area_fraction >= 0.0 && area_fraction < 1.0))
+    refuse_argument("area_fraction", area_fraction, ">= 0 and < 1 [1]");
+  const double modulus =
+      full_contact_pressure_ * wavelength_ / (pi * amplitude_);
+  const double alpha = std::numbers::sqrt2 / pi * wavelength_ / amplitude_ *
+                       std::sqrt(work_of_adhesion / (modulus * wavelength_));
+  const double angle = 0.5 * pi * area_fraction;
+  return full_contact_pressure_ * (std::sin(angle) * std::sin(angle) -
+                                   alpha * std::sqrt(std::tan(angle)));
+}
+
 double WestergaardContact::contact_stiffness(double nominal_pressure) const {
   const double ratio = reduced_pressure(nominal_pressure);
   return full_contact_pressure_ / (amplitude_ * std::abs(std::log(ratio)));

@@ -30,6 +30,18 @@ public:
   /// Separation of the mean planes, D (1 - P + P ln P) [m]; 0 in full contact.
   double mean_gap(double nominal_pressure) const;
 
+  /// The load with adhesion of no range (JKR), as a function of the area:
+  ///
+  ///     p/p* = sin^2(pi A/2) - alpha sqrt(tan(pi A/2)),
+  ///     alpha = (2^(1/2)/pi) (lambda/D) (w/(E* lambda))^(1/2)
+  ///
+  /// It falls without bound towards full contact, which then holds any tension
+  /// below the strength of the faces.
+  /// @param area_fraction     A [1] 0 <= A < 1
+  /// @param work_of_adhesion  w [J/m^2] >= 0
+  /// @see  K. L. Johnson, Int. J. Solids Struct. 32, 423 (1995)
+  double adhesive_pressure(double area_fraction, double work_of_adhesion) const;
+
   /// -dp/d(mean gap) = p*/(D ln(1/P)) [Pa/m], infinite in full contact, 0 at
   /// zero load.
   double contact_stiffness(double nominal_pressure) const;

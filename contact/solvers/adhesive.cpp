@@ -1,0 +1,315 @@
+#include "contact/solvers/adhesive.hpp"
+
+#include "contact/solvers/adhesive_state.hpp"
+#include "contact/solvers/lowest_mode.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+// A tour: solve_adhesive() below is the loop. AdhesiveState holds the gap, the
+// residual and the free nodes, and finds what a step does to the energy
+// (adhesive_state.hpp). Quasi-Newton directions are in Directions, here, and
+// lowest_mode.hpp tells a minimum from a saddle.
+
+namespace asperity::contact {
+namespace {
+
+constexpr std::size_t n_pairs = 4;
+
+/// Share of the first order of a step that the energy must fall by (Armijo).
+constexpr double least_fall = 1e-4;
+constexpr double shortening = 0.4;
+constexpr int most_trials = 25;
+
+/// Saddles that are left before the solver gives up.
+constexpr int most_saddles = 20;
+/// Largest change of a gap on the way from a saddle, relative to the range.
+constexpr double leap_from_saddle = 0.1;
+
+/// A change of the gap [m] and that of the gradient [Pa].
+struct Pair {
+  std::vector<float> step, bend;
+};
+
+/// L-BFGS directions on the free nodes.
+class QuasiNewton {
+public:
+  explicit QuasiNewton(std::size_t nodes) : r_(nodes), direction_(nodes) {}
+
+  /// The direction -H r, where H is M with the corrections of the pairs, as
+  /// far as these have a positive curvature on the free nodes of now.
+  std::span<const double> direction(AdhesiveState& state) {
+    state.residual(r_);
+    std::array<Products, n_pairs> of{};
+    for (std::size_t k = 0; k < n_used_; ++k) { // newest first
+      of[k] = products(state, pair(k));
+      if (!(of[k].curvature > 0.0))
+        continue;
+      of[k].share = dot(state, pair(k).step, r_) / of[k].curvature;
+      add(state, -of[k].share, pair(k).bend, of[k].mean_bend, r_);
+    }
+    state.precondition(r_, direction_);
+    for (std::size_t k = n_used_; k-- > 0;) {
+      if (!(of[k].curvature > 0.0))
+        continue;
+      const double share =
+          of[k].share - dot(state, pair(k).bend, direction_) / of[k].curvature;
+      add(state, share, pair(k).step, of[k].mean_step, direction_);
+    }
+    state.each([&](std::size_t i) { direction_[i] = -direction_[i]; });
+    return direction_;
+  }
+
+  /// rms(F M r) [m]
+  double error(AdhesiveState& state) {
+    state.residual(r_);
+    state.precondition(r_, r_);
+    return state.rms(r_);
+  }
+
+  /// Adopts the last step of a state as the newest pair.
+  void take(AdhesiveState& state) {
+    newest_ = (newest_ + 1) % n_pairs;
+    n_used_ = std::min(n_pairs, n_used_ + 1);
+    Pair& own = pairs_.at(newest_);
+    own.step.resize(r_.size());
+    own.bend.resize(r_.size());
+    state.take(own.step, own.bend);
+  }
+
+  bool has_pairs() const { return n_used_ > 0; }
+
+  void forget() { n_used_ = 0; }
+
+private:
+  struct Products {
+    double curvature = 0.0;                  ///< step . bend
+    double mean_step = 0.0, mean_bend = 0.0; ///< under gap control
+    double share = 0.0;
+  };
+
+  const Pair& pair(std::size_t age) const {
+    return pairs_.at((newest_ + n_pairs - age) % n_pairs);
+  }
+
+  /// The products of a pair as restrict_to_free() would leave it.
+  static Products products(const AdhesiveState& state, const Pair& pair) {
+    const auto [product, step, bend] =
+        chunked_sum<SeveralSums<3>>(
+            pair.step.size(), state.workers,
+            [f = state.free.data(), s = pair.step.data(),
+             y = pair.bend.data()](std::size_t begin, std::size_t end) {
+              SeveralSums<3> own;
+              for (std::size_t i = begin; i < end; ++i)
+                if (f[i] != 0) {
+                  const double own_step = s[i];
+                  const double own_bend = y[i];
+                  own.values[0] += own_step * own_bend;
+                  own.values[1] += own_step;
+                  own.values[2] += own_bend;
+                }
+              return own;
+            })
+            .values;
+    if (!state.by_gap() || state.n_free == 0.0)
+      return {product, 0.0, 0.0, 0.0};
+    return {product - step * bend / state.n_free, step / state.n_free,
+            bend / state.n_free, 0.0};
+  }
+
+  static double dot(const AdhesiveState& state, std::span<const float> of_pair,
+                    std::span<const double> field) {
+    return state.sum([a = of_pair.data(), b = field.data()](std::size_t i) {
+      return static_cast<double>(a[i]) * b[i];
+    });
+  }
+
+  static void add(const AdhesiveState& state, double factor,
+                  std::span<const float> of_pair, double mean,
+                  std::span<double> field) {
+    state.each([=, &state](std::size_t i) {
+      if (state.free[i] != 0)
+        field[i] += factor * (static_cast<double>(of_pair[i]) - mean);
+    });
+  }
+
+  std::vector<double> r_, direction_;
+  std::array<Pair, n_pairs> pairs_;
+  std::size_t newest_ = 0, n_used_ = 0;
+};
+
+/// Shortens a step until the energy falls. Returns false if it does not.
+bool falls(AdhesiveState& state, std::span<const double> direction,
+           double length, double share) {
+  for (int trial = 0; trial < most_trials; ++trial) {
+    const AdhesiveState::Change change = state.try_step(direction, length);
+    if (change.energy < 0.0 && change.energy <= share * change.slope)
+      return true;
+    length *= shortening;
+  }
+  return false;
+}
+
+/// Leaves a saddle along the eigenvector, to the side where the energy falls.
+bool leave_saddle(AdhesiveState& state, std::vector<double>& mode) {
+  const double largest =
+      chunked_sum<Largest>(mode.size(), state.workers,
+                           [&](std::size_t begin, std::size_t end) {
+                             Largest own;
+                             for (std::size_t i = begin; i < end; ++i)
+                               own += {std::abs(mode[i])};
+                             return own;
+                           })
+          .value;
+  const double leap =
+      leap_from_saddle * state.problem.law.adhesion_range / largest;
+  for (const double sign : {1.0, -1.0})
+    if (falls(state, mode, sign * leap, 0.0)) {
+      state.take();
+      return true;
+    }
+  return false;
+}
+
+/// How a minimisation ended.
+struct End {
+  double error = std::numeric_limits<double>::infinity(); ///< rms(F M r) [m]
+  double smallest_stiffness = std::numeric_limits<double>::quiet_NaN();
+  bool converged = false;
+  std::string note = {};
+};
+
+/// Goes downhill until the residual is small, the surfaces part, or the
+/// iterations end.
+void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
+              End& end) {
+  end.converged = false;
+  while (!state.is_detached()) {
+    std::span<const double> direction = directions.direction(state);
+    const double size = state.rms(direction);
+    if (!(size > state.problem.gap_tolerance)) {
+      end.error = directions.error(state);
+      end.converged = end.error <= state.problem.gap_tolerance;
+      if (end.converged || !std::isfinite(size))
+        return;
+      direction = directions.direction(state);
+    }
+    if (iterations == state.problem.max_iterations)
+      break;
+    if (!falls(state, direction, 1.0, least_fall)) {
+      if (!directions.has_pairs())
+        break;
+      directions.forget();
+      continue;
+    }
+    directions.take(state);
+    ++iterations;
+  }
+  if (!state.is_detached())
+    end.error = directions.error(state);
+}
+
+ContactSolution solution_of(AdhesiveState&& state) {
+  ContactSolution answer;
+  const std::size_t nodes = state.gap.size();
+  const double n = state.n_nodes();
+  answer.is_detached = state.is_detached();
+  answer.pressure.assign(nodes, 0.0);
+  answer.displacement.assign(nodes, 0.0);
+  const double* const h = state.problem.heights.data();
+  const double mean_height = state.sum([=](std::size_t i) { return h[i]; }) / n;
+  if (answer.is_detached) {
+    const double level =
+        state.least_gap +
+        chunked_sum<Largest>(nodes, state.workers,
+                             [=](std::size_t begin, std::size_t end) {
+                               Largest own;
+                               for (std::size_t i = begin; i < end; ++i)
+                                 own += {h[i]};
+                               return own;
+                             })
+            .value;
+    state.each([&](std::size_t i) { state.gap[i] = level - h[i]; });
+  }
+  answer.mean_gap =
+      state.sum([g = state.gap.data()](std::size_t i) { return g[i]; }) / n;
+  if (!answer.is_detached)
+    state.each([&](std::size_t i) {
+      answer.pressure[i] = state.elastic[i] + state.load;
+      answer.displacement[i] =
+          state.gap[i] + h[i] - answer.mean_gap - mean_height;
+    });
+  answer.nominal_pressure =
+      state.sum([p = answer.pressure.data()](std::size_t i) { return p[i]; }) /
+      n;
+  answer.gap = std::move(state.gap);
+  answer.transforms = state.transforms;
+  return answer;
+}
+
+} // namespace
+
+double adhesive_scale(SurfaceOperator& elasticity,
+                      std::span<const double> heights) {
+  std::vector<double> pressure(heights.size());
+  elasticity.pressure_of(heights, pressure);
+  const Workers workers = elasticity.workers();
+  const double mean = weighted_sum({}, heights, workers) /
+                      static_cast<double>(workers.all_nodes(heights.size()));
+  const double square = weighted_sum({}, heights.size(), workers,
+                                     [=, h = heights.data()](std::size_t i) {
+                                       return (h[i] - mean) * (h[i] - mean);
+                                     });
+  const double scale = weighted_dot({}, heights, pressure, workers) / square;
+  return scale > 0.0 && std::isfinite(scale)
+             ? scale
+             : 1.0 / (16.0 * elasticity.short_wave_compliance());
+}
+
+ContactSolution solve_adhesive(SurfaceOperator& elasticity,
+                               const AdhesiveProblem& problem,
+                               const mechanics::LoadTarget& target,
+                               std::vector<double> start) {
+  AdhesiveState state(elasticity, problem, target, std::move(start));
+  QuasiNewton directions(state.gap.size());
+  int iterations = 0;
+  End end;
+  for (int saddles = 0;; ++saddles) {
+    minimise(state, directions, iterations, end);
+    if (!end.converged)
+      break;
+    LowestMode mode = lowest_mode(state);
+    end.smallest_stiffness = mode.eigenvalue;
+    if (!mode.is_saddle)
+      break;
+    if (saddles == most_saddles || !leave_saddle(state, mode.vector)) {
+      end.converged = false;
+      end.note = "the energy has a saddle here, from which no way leads down";
+      break;
+    }
+    directions.forget();
+  }
+  ContactSolution answer = solution_of(std::move(state));
+  answer.iterations = iterations;
+  answer.gap_error = answer.is_detached ? 0.0 : end.error;
+  answer.converged = end.converged || answer.is_detached;
+  answer.smallest_stiffness = end.smallest_stiffness;
+  answer.note = end.note;
+  if (answer.is_detached)
+    answer.note = fmt::format(
+        "detached: the contact does not hold a nominal pressure of {:.4g} Pa",
+        target.amount);
+  else if (!answer.converged && answer.note.empty())
+    answer.note = fmt::format(
+        "not converged after {} iterations: a correction of the gap of {:.3g} "
+        "m remains (rms)",
+        iterations, end.error);
+  return answer;
+}
+
+} // namespace asperity::contact

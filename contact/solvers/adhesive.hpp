@@ -1,0 +1,65 @@
+#pragma once
+
+// The contact of an elastic surface and a rigid counter-surface that attract
+// each other: local minima of the energy over the gap.
+
+#include "contact/solvers/solver.hpp"
+#include "mechanics/contact_law.hpp"
+
+#include <span>
+#include <vector>
+
+namespace asperity::contact {
+
+struct AdhesiveProblem {
+  std::span<const double> heights; ///< h [m], elasticity.n_nodes() values
+  mechanics::ContactInterface law; ///< of SurfaceSolver::adhesive
+  double gap_tolerance = 0.0;      ///< of the rms correction of the gap [m] > 0
+  int max_iterations = 2000;
+  /// k_c [Pa/m] > 0, see below: adhesive_scale() of the heights.
+  double preconditioner_stiffness = 0.0;
+};
+
+/// k_c = <h, K h> / <h, h> [Pa/m], the stiffness of the waves that have most of
+/// the heights; that of short waves divided by 16 for a flat surface. Costs one
+/// application of K.
+double adhesive_scale(SurfaceOperator& elasticity,
+                      std::span<const double> heights);
+
+/// Find the gap g >= 0 that is a local minimum of the energy per nominal area
+///
+///     U(g) = <v, K v>/2 + <W(g)> + p_0 <g>,   v = g + h - <g + h>
+///
+/// with K = C^-1, or of the first two terms under the condition that <g> is the
+/// prescribed mean gap, whose multiplier is p_0. The pressure is p = K v + p_0:
+/// the law's -W'(g) where the gap is open, and at least that where the wall
+/// carries a load. Loads by pressure may be tensile, p_0 <= 0.
+///
+/// With w > 0 there may be several minima. The solver goes downhill from
+/// `start`, and reports a neighbouring one. Each iteration is one of L-BFGS
+/// with four pairs on the free nodes, those with an open gap or a negative
+/// residual r = K v + W' + p_0; its initial matrix is M = (K + k_c)^-1. The
+/// step is clipped at the wall, shortened until the exact energy has fallen
+/// (Armijo), and thus no iteration raises the energy. It has converged if the
+/// rms of M r on the free nodes is at most gap_tolerance. LOBPCG then looks for
+/// the smallest eigenvalue of the Hessian K + W'' of the free nodes; where it
+/// is negative (a saddle), the solver goes along the eigenvector and on from
+/// there.
+///
+/// A tensile load that the law cannot carry at the smallest gap of the surface
+/// ends with ContactSolution::is_detached.
+///
+/// @param elasticity  must have_inverse() and nodes of equal areas
+/// @param start       gap [m] >= 0, n_nodes() values; under gap control it is
+///                    shifted to the prescribed mean where the gap is open
+/// @throws std::domain_error  a size or a number is outside its range, a mean
+///         gap is <= 0, or the operator has no inverse
+/// @see  J. Nocedal, S. J. Wright, Numerical Optimization (2006), ch. 7;
+///       A. V. Knyazev, SIAM J. Sci. Comput. 23, 517 (2001);
+///       docs/numerics/adhesion.md
+ContactSolution solve_adhesive(SurfaceOperator& elasticity,
+                               const AdhesiveProblem& problem,
+                               const mechanics::LoadTarget& target,
+                               std::vector<double> start);
+
+} // namespace asperity::contact

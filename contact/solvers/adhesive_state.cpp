@@ -1,0 +1,272 @@
+#include "contact/solvers/adhesive_state.hpp"
+
+#include "base/require.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace asperity::contact {
+namespace {
+
+/// Changes of the gap, relative to the range, up to which the change of W is
+/// found from the mean of W' at both ends. Its error is of third order, and it
+/// does not cancel.
+constexpr double small_change = 1e-4;
+
+/// Starts are nowhere negative: a gap in roundoff of the wall is closed.
+std::vector<double> checked_start(const SurfaceOperator& elasticity,
+                                  const AdhesiveProblem& problem,
+                                  const mechanics::LoadTarget& target,
+                                  std::vector<double> start) {
+  const auto require_size = [&](const char* name, std::size_t size) {
+    if (size != elasticity.n_nodes())
+      refuse_argument(name, static_cast<double>(size), "the number of nodes");
+  };
+  require_size("heights.size()", problem.heights.size());
+  require_size("start.size()", start.size());
+  if (!elasticity.has_inverse() || !elasticity.nodal_weights().empty())
+    refuse_argument("adhesion", problem.law.work_of_adhesion,
+                    "left to surfaces whose compliance has an exact inverse, "
+                    "and whose nodes have equal areas");
+  require_positive("gap_tolerance", problem.gap_tolerance, "m");
+  require_positive("preconditioner_stiffness", problem.preconditioner_stiffness,
+                   "Pa/m");
+  require_positive("work_of_adhesion", problem.law.work_of_adhesion, "J/m^2");
+  require_positive("adhesion_range", problem.law.adhesion_range, "m");
+  if (target.control == mechanics::Control::mean_gap)
+    require_positive("mean_gap", target.amount, "m");
+  else if (!std::isfinite(target.amount))
+    refuse_argument("nominal_pressure", target.amount, "finite [Pa]");
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    require_not_negative("start", start[i], "m");
+    if (!std::isfinite(problem.heights[i]))
+      refuse_argument("heights", problem.heights[i], "finite [m]");
+  }
+  return start;
+}
+
+} // namespace
+
+AdhesiveState::AdhesiveState(SurfaceOperator& elasticity_,
+                             const AdhesiveProblem& problem_,
+                             const mechanics::LoadTarget& target_,
+                             std::vector<double> start)
+    : elasticity(elasticity_),
+      problem(problem_),
+      target(target_),
+      workers(elasticity_.workers()),
+      gap(checked_start(elasticity_, problem_, target_, std::move(start))),
+      elastic(gap.size()),
+      gradient(gap.size()),
+      free(gap.size()),
+      next_gap_(gap.size()),
+      next_elastic_(gap.size()),
+      scratch_(gap.size()) {
+  if (by_gap()) {
+    const double* const g = gap.data();
+    const bool has_open =
+        sum([=](std::size_t i) { return g[i] > 0.0 ? 1.0 : 0.0; }) > 0.0;
+    each([&](std::size_t i) { free[i] = !has_open || g[i] > 0.0 ? 1 : 0; });
+    restore_mean(gap);
+  }
+  find_elastic(gap, elastic);
+  find_free();
+}
+
+double AdhesiveState::rms(std::span<const double> field) const {
+  return std::sqrt(dot(field, field) / n_nodes());
+}
+
+void AdhesiveState::find_elastic(std::span<const double> from,
+                                 std::span<double> answer) {
+  each([&, h = problem.heights.data()](std::size_t i) {
+    answer[i] = from[i] + h[i];
+  });
+  elasticity.pressure_of(answer, answer);
+  ++transforms;
+}
+
+void AdhesiveState::find_free() {
+  const mechanics::ContactInterface& law = problem.law;
+  each([&](std::size_t i) { gradient[i] = elastic[i] - law.pressure(gap[i]); });
+  const double* const g = gap.data();
+  const double* const r = gradient.data();
+  if (by_gap()) {
+    const auto [open, total] =
+        chunked_sum<SeveralSums<2>>(gap.size(), workers,
+                                    [=](std::size_t begin, std::size_t end) {
+                                      SeveralSums<2> own;
+                                      for (std::size_t i = begin; i < end; ++i)
+                                        if (g[i] > 0.0) {
+                                          own.values[0] += 1.0;
+                                          own.values[1] += r[i];
+                                        }
+                                      return own;
+                                    })
+            .values;
+    load = -total / open;
+  } else {
+    load = target.amount;
+  }
+  each([&](std::size_t i) {
+    free[i] = g[i] > 0.0 || r[i] + load < 0.0 ? 1 : 0;
+  });
+  n_free = sum(
+      [f = free.data()](std::size_t i) { return static_cast<double>(f[i]); });
+  least_gap = -chunked_sum<Largest>(gap.size(), workers,
+                                    [=](std::size_t begin, std::size_t end) {
+                                      Largest own;
+                                      for (std::size_t i = begin; i < end; ++i)
+                                        own += {-g[i]};
+                                      return own;
+                                    })
+                   .value;
+}
+
+void AdhesiveState::residual(std::span<double> answer) const {
+  each([&](std::size_t i) { answer[i] = gradient[i] + load; });
+  restrict_to_free(answer);
+}
+
+void AdhesiveState::restrict_to_free(std::span<double> field) const {
+  const std::uint8_t* const f = free.data();
+  const double mean = by_gap() && n_free > 0.0
+                          ? sum([=, x = field.data()](std::size_t i) {
+                              return f[i] != 0 ? x[i] : 0.0;
+                            }) / n_free
+                          : 0.0;
+  each([=, x = field.data()](std::size_t i) {
+    x[i] = f[i] != 0 ? x[i] - mean : 0.0;
+  });
+}
+
+// M = (K + k)^-1 = (1 - (C + 1/k)^-1 / k) / k. The mean of the inverse is
+// arbitrary, and that of M is 1/k.
+void AdhesiveState::precondition(std::span<const double> field,
+                                 std::span<double> answer) {
+  const double stiffness = problem.preconditioner_stiffness;
+  each([&](std::size_t i) { scratch_[i] = static_cast<float>(field[i]); });
+  elasticity.pressure_estimate(scratch_, 1.0 / stiffness, scratch_);
+  ++transforms;
+  const double mean = sum([s = scratch_.data()](std::size_t i) {
+                        return static_cast<double>(s[i]);
+                      }) /
+                      n_nodes();
+  each([&](std::size_t i) {
+    answer[i] =
+        (field[i] - (static_cast<double>(scratch_[i]) - mean) / stiffness) /
+        stiffness;
+  });
+  restrict_to_free(answer);
+}
+
+void AdhesiveState::apply_hessian(std::span<const double> field,
+                                  std::span<double> answer) {
+  elasticity.pressure_of(field, answer);
+  ++transforms;
+  each([&](std::size_t i) {
+    answer[i] += problem.law.stiffness(gap[i]) * field[i];
+  });
+  restrict_to_free(answer);
+}
+
+// The mean of max(0, g - shift) falls with the shift and is convex, so that
+// Newton's method ends after as many steps as there are breaks between.
+void AdhesiveState::restore_mean(std::span<double> moved) const {
+  constexpr int most_steps = 100;
+  const double wanted = target.amount * n_nodes();
+  const double* const g = moved.data();
+  const std::uint8_t* const f = free.data();
+  double shift = 0.0;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto [total, open] =
+        chunked_sum<SeveralSums<2>>(moved.size(), workers,
+                                    [=](std::size_t begin, std::size_t end) {
+                                      SeveralSums<2> own;
+                                      for (std::size_t i = begin; i < end; ++i)
+                                        if (f[i] != 0 && g[i] > shift) {
+                                          own.values[0] += g[i] - shift;
+                                          own.values[1] += 1.0;
+                                        }
+                                      return own;
+                                    })
+            .values;
+    const double change = (total - wanted) / std::max(1.0, open);
+    shift += change;
+    if (std::abs(change) <= 1e-15 * (target.amount + std::abs(shift)))
+      break;
+  }
+  each([=, x = moved.data()](std::size_t i) {
+    if (f[i] != 0)
+      x[i] = std::max(0.0, x[i] - shift);
+  });
+}
+
+AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
+                                              double length) {
+  each([&](std::size_t i) {
+    next_gap_[i] =
+        free[i] == 0 ? gap[i] : std::max(0.0, gap[i] + length * direction[i]);
+  });
+  if (by_gap())
+    restore_mean(next_gap_);
+  find_elastic(next_gap_, next_elastic_);
+  const mechanics::ContactInterface& law = problem.law;
+  const double range = law.range();
+  const double small = small_change * law.adhesion_range;
+  const auto change_of_law = [&](std::size_t i, double by) {
+    const bool is_smooth = (gap[i] < range) == (next_gap_[i] < range);
+    if (std::abs(by) < small && is_smooth)
+      return -0.5 * by * (law.pressure(gap[i]) + law.pressure(next_gap_[i]));
+    return law.energy(next_gap_[i]) - law.energy(gap[i]);
+  };
+  const auto [energy, slope] =
+      chunked_sum<SeveralSums<2>>(
+          gap.size(), workers,
+          [&](std::size_t begin, std::size_t end) {
+            SeveralSums<2> own;
+            for (std::size_t i = begin; i < end; ++i) {
+              const double by = next_gap_[i] - gap[i];
+              if (by == 0.0)
+                continue;
+              own.values[0] +=
+                  by * (0.5 * (elastic[i] + next_elastic_[i]) + load) +
+                  change_of_law(i, by);
+              own.values[1] += by * (gradient[i] + load);
+            }
+            return own;
+          })
+          .values;
+  return {energy / n_nodes(), slope / n_nodes()};
+}
+
+void AdhesiveState::take(std::span<float> step, std::span<float> bend) {
+  each([&](std::size_t i) {
+    step[i] = static_cast<float>(next_gap_[i] - gap[i]);
+  });
+  next_elastic_.swap(elastic);
+  std::vector<double>& before = next_elastic_; // is free until the next step
+  before.swap(gradient);
+  gap.swap(next_gap_);
+  find_free();
+  each([&](std::size_t i) {
+    bend[i] = static_cast<float>(gradient[i] - before[i]);
+  });
+}
+
+void AdhesiveState::take() {
+  gap.swap(next_gap_);
+  elastic.swap(next_elastic_);
+  find_free();
+}
+
+// The tension of a law falls with the gap: where the smallest gap cannot carry
+// p_0, no node can, and a larger distance has less energy.
+bool AdhesiveState::is_detached() const {
+  return !by_gap() && target.amount <= 0.0 && least_gap > 0.0 &&
+         -problem.law.pressure(least_gap) <= -target.amount &&
+         (target.amount < 0.0 || least_gap >= problem.law.range());
+}
+
+} // namespace asperity::contact

@@ -1,0 +1,112 @@
+#pragma once
+
+// The fields of an adhesive contact, and the products of vectors of free nodes
+// that its minimisation and its test for a minimum need.
+
+#include "contact/solvers/adhesive.hpp"
+#include "ranks/node_sums.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asperity::contact {
+
+/// The gap with the residual and the free nodes that follow from it.
+/// Fields have the nodes of this process; the calls are collective.
+class AdhesiveState {
+public:
+  AdhesiveState(SurfaceOperator& elasticity_, const AdhesiveProblem& problem_,
+                const mechanics::LoadTarget& target_,
+                std::vector<double> start);
+
+  SurfaceOperator& elasticity;
+  const AdhesiveProblem& problem;
+  const mechanics::LoadTarget& target;
+  Workers workers;
+
+  std::vector<double> gap;        ///< g [m] >= 0
+  std::vector<double> elastic;    ///< K v [Pa], mean 0
+  std::vector<double> gradient;   ///< K v + W'(g) [Pa]
+  std::vector<std::uint8_t> free; ///< 1 for an open gap or a negative residual
+  double load = 0.0;              ///< p_0 [Pa], or its present estimate
+  double n_free = 0.0;
+  double least_gap = 0.0; ///< [m]
+  int transforms = 0;
+
+  bool by_gap() const { return target.control == mechanics::Control::mean_gap; }
+
+  /// Number of nodes on all ranks.
+  double n_nodes() const {
+    return static_cast<double>(workers.all_nodes(gap.size()));
+  }
+
+  /// Sum over all nodes of all ranks.
+  template <class Term>
+  double sum(const Term& term) const {
+    return weighted_sum({}, gap.size(), workers, term);
+  }
+
+  /// Calls of(i) for all nodes of this process.
+  template <class Of>
+  void each(const Of& of) const {
+    chunked(gap.size(), workers.threads,
+            [&](std::size_t begin, std::size_t end) {
+              for (std::size_t i = begin; i < end; ++i)
+                of(i);
+            });
+  }
+
+  double dot(std::span<const double> a, std::span<const double> b) const {
+    return sum(
+        [a = a.data(), b = b.data()](std::size_t i) { return a[i] * b[i]; });
+  }
+
+  double rms(std::span<const double> field) const;
+
+  /// r where a node is free, otherwise 0, and without the mean under gap
+  /// control.
+  void residual(std::span<double> answer) const;
+
+  /// Sets nodes that are not free to 0 and, under gap control, the mean of the
+  /// free ones.
+  void restrict_to_free(std::span<double> field) const;
+
+  /// answer = M field [m] on the free nodes.
+  /// @param field  [Pa], as restrict_to_free() leaves it
+  void precondition(std::span<const double> field, std::span<double> answer);
+
+  /// answer = (K + W'') field [Pa] on the free nodes.
+  void apply_hessian(std::span<const double> field, std::span<double> answer);
+
+  /// What a step changes.
+  struct Change {
+    double energy = 0.0; ///< of U [J/m^2]
+    double slope = 0.0;  ///< <r, change of the gap>, its first order [J/m^2]
+  };
+
+  /// Finds the state behind a step, which take() makes that of this object.
+  /// @param direction  [m], as restrict_to_free() leaves it
+  Change try_step(std::span<const double> direction, double length);
+
+  /// Adopts the last state of try_step().
+  /// @param step    change of the gap [m], overwritten
+  /// @param bend    change of the gradient [Pa], overwritten
+  void take(std::span<float> step, std::span<float> bend);
+  void take();
+
+  /// Whether no node can carry the prescribed tensile load any more.
+  bool is_detached() const;
+
+private:
+  /// Shifts the free nodes of a gap to the prescribed mean gap.
+  void restore_mean(std::span<double> moved) const;
+  /// From the gap: K v.
+  void find_elastic(std::span<const double> from, std::span<double> answer);
+  void find_free();
+
+  std::vector<double> next_gap_, next_elastic_;
+  std::vector<float> scratch_;
+};
+
+} // namespace asperity::contact

@@ -1,0 +1,99 @@
+// Tests of the keys of contact with adhesion.
+#include "tests/cases/case_samples.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace asperity::cases::adhesion_case_test {
+
+/// A wave of a half-space with further keys, under given loads.
+std::string sticky(const std::string& keys, const std::string& load) {
+  return "schema = 1\n[surface]\nkind = \"wave-1d\"\nlength = 1e-6\n"
+         "points = 64\namplitude = 1e-8\nwavelength = \"1 length\"\n"
+         "[material]\ncontact_modulus = \"2 GPa\"\npoisson_ratio = 0.3\n"
+         "[load]\n" +
+         load + "\n[halfspace]\n" + keys;
+}
+
+const std::string law = "contact = \"exponential\"\n"
+                        "work_of_adhesion = \"50 mJ/m^2\"\nrange = \"0.5 h\"\n";
+const std::string pressed = "nominal_pressure = \"1 MPa\"";
+
+void expect_mistake(const std::string& text, const std::string& words) {
+  const std::string answer = mistakes_of(text);
+  EXPECT_NE(answer.find(words), std::string::npos) << answer;
+}
+
+TEST(AdhesionCase, ReadsTheLaw) {
+  const Case read = read_case_text(sticky(law, pressed), "it/case.toml");
+
+  const auto& contact =
+      std::get<mechanics::HalfspaceSettings>(read.methods.at(0).settings)
+          .contact;
+  const mechanics::ContactInterface found =
+      contact.in_si({.length = 1e-6, .spacing = 4e-9});
+  EXPECT_EQ(found.law, mechanics::ContactLaw::exponential);
+  EXPECT_EQ(found.work_of_adhesion, 0.05);
+  EXPECT_DOUBLE_EQ(found.adhesion_range, 2e-9);
+  EXPECT_TRUE(read.methods.at(0).is_adhesive());
+}
+
+TEST(AdhesionCase, MayBePulled) {
+  const Case listed = read_case_text(
+      sticky(law, "nominal_pressure = [\"1 MPa\", 0, \"-1 MPa\"]"),
+      "it/case.toml");
+  const Case swept = read_case_text(
+      sticky(law, "nominal_pressure = { from = \"1 MPa\", to = \"-1 MPa\", "
+                  "steps = 3, spacing = \"linear\" }"),
+      "it/case.toml");
+
+  for (const Case& read : {listed, swept}) {
+    ASSERT_EQ(read.load.targets.size(), 3U);
+    EXPECT_EQ(read.load.targets[1].value, 0.0);
+    EXPECT_EQ(read.load.targets[2].value, -1e6);
+  }
+}
+
+TEST(AdhesionCase, IsPulledByEqualStepsOnly) {
+  expect_mistake(sticky(law, "nominal_pressure = { from = \"1 MPa\", to = "
+                             "\"-1 MPa\", steps = 3, spacing = \"log\" }"),
+                 "load.nominal_pressure.to = \"-1 MPa\", but must be > 0, or "
+                 "needs spacing = \"linear\"");
+}
+
+TEST(AdhesionCase, IsNeededForTension) {
+  expect_mistake(sticky("contact = \"hard\"\n",
+                        "nominal_pressure = [\"1 MPa\", \"-1 MPa\"]"),
+                 "load.nominal_pressure = \"-1 MPa\", but must be > 0 [Pa]");
+  expect_mistake(sticky(law + "[winkler]\nstiffness = \"0.05 E*/h\"\n",
+                        "nominal_pressure = 0"),
+                 "load.nominal_pressure = 0, but must be > 0 [Pa]");
+}
+
+TEST(AdhesionCase, NeedsItsKeys) {
+  expect_mistake(sticky("contact = \"dugdale\"\nrange = \"1 nm\"\n", pressed),
+                 "halfspace.work_of_adhesion is missing, which this contact "
+                 "needs");
+  expect_mistake(sticky("work_of_adhesion = \"50 mJ/m^2\"\n", pressed),
+                 "halfspace.work_of_adhesion = \"50 mJ/m^2\", but needs a "
+                 "contact with adhesion: contact = \"exponential\", "
+                 "\"dugdale\" or \"cubic\"");
+  expect_mistake(sticky("contact = \"cubic\"\nrange = -1\n"
+                        "work_of_adhesion = \"50 mJ/m^2\"\n",
+                        pressed),
+                 "halfspace.range = -1, but must be > 0 [m]");
+}
+
+TEST(AdhesionCase, IsRefusedWhereNoSolverHasIt) {
+  expect_mistake(sticky(law + "boundaries = \"free\"\n", pressed),
+                 "halfspace.contact = \"exponential\", but this version has no "
+                 "adhesion with free boundaries");
+  expect_mistake(sticky("\n[fem]\n" + law, pressed),
+                 "fem.contact = \"exponential\", but only [halfspace] with "
+                 "periodic boundaries has adhesion in this version");
+}
+
+} // namespace asperity::cases::adhesion_case_test
