@@ -93,44 +93,44 @@ reports::Figure error_figure(const BoardProblem& problem) {
   return figure;
 }
 
-reports::Figure mesh_figure(const BoardProblem& problem) {
+reports::Figure mesh_figure(const BoardProblem& problem, MeshCost cost) {
+  const bool is_time = cost == MeshCost::time;
+  const std::string words = is_time ? "CPU time" : "memory";
   reports::Figure figure;
-  figure.name = "mesh-" + reports::file_word(problem.problem.name);
-  figure.title = "Distance from the continuum against CPU time and memory";
+  figure.name = (is_time ? "mesh-time-" : "mesh-memory-") +
+                reports::file_word(problem.problem.name);
+  figure.title = "Distance from the continuum against " + words;
   figure.caption =
-      "Largest distance of the stated mean gaps from the continuum's, against "
-      "CPU time (median) and peak memory. Only answers to all loads whose "
-      "times were measured in a named run.";
+      "Largest distance of the stated mean gaps from the continuum's, "
+      "against " +
+      words + (is_time ? " (median)" : " (peak)") +
+      ". Only answers to all loads whose times were measured in a named run.";
   figure.problem =
       "no certified answer to all loads states how its CPU time was measured";
-  reports::CsvTable table(
-      {"code", "index", "cpu_time [s]", "error [h_rms]", "peak_memory [MB]"});
-  const reports::ChartAxis error{.label = "|u - u_{continuum}| / h_{rms}",
-                                 .is_log = true,
-                                 .has_powers = true};
-  reports::ChartPanel time{
-      .x = {.label = "CPU time [s]", .is_log = true, .has_powers = true},
-      .y = error};
-  reports::ChartPanel memory{
-      .x = {.label = "memory [MB]", .is_log = true, .has_powers = true},
-      .y = error};
+  const std::string unit = is_time ? "CPU time [s]" : "memory [MB]";
+  reports::CsvTable table({"code", "index", unit, "error [h_rms]"});
+  reports::ChartPanel panel{
+      .x = {.label = unit, .is_log = true, .has_powers = true},
+      .y = {.label = "|u - u_{continuum}| / h_{rms}",
+            .is_log = true,
+            .has_powers = true}};
   std::size_t index = 0;
   for (const BoardEntry& entry : problem.entries)
     if (has_point(entry) && entry.continuum_error > 0.0) {
       const std::string label = entry.code + " " + entry.version +
                                 (entry.accuracy == "best" ? ", best" : "");
-      table.add(label, {static_cast<double>(index), entry.cpu_time,
-                        entry.continuum_error, 1e-6 * entry.peak_memory});
-      const auto style =
-          reports::markers(reports::method_color(index),
-                           entry.accuracy == "best" ? 7 : 6, 0.9, 1.4);
-      time.add(label, style, index, 3, 4);
-      memory.add("", style, index, 5, 4);
+      table.add(label, {static_cast<double>(index),
+                        is_time ? entry.cpu_time : 1e-6 * entry.peak_memory,
+                        entry.continuum_error});
+      panel.add(label,
+                reports::markers(reports::method_color(index),
+                                 entry.accuracy == "best" ? 7 : 6, 0.9, 1.4),
+                index, 3, 4);
       figure.problem.clear();
       ++index;
     }
   figure.data = table.text();
-  figure.panels = {std::move(time), std::move(memory)};
+  figure.panels = {std::move(panel)};
   return figure;
 }
 

@@ -15,8 +15,10 @@ reports::Figure surface_figure(const exchange::Problem& problem);
 /// entry has a time.
 reports::Figure error_figure(const BoardProblem& problem);
 
-/// Distance from the continuum against CPU time and memory of the same entries,
-/// one colour per code, version and element. Its problem is set likewise.
-reports::Figure mesh_figure(const BoardProblem& problem);
+enum class MeshCost { time, memory };
+
+/// Distance from the continuum against a cost of the same entries, one colour
+/// per code, version and element. Its problem is set likewise.
+reports::Figure mesh_figure(const BoardProblem& problem, MeshCost cost);
 
 } // namespace asperity::exchange

@@ -77,7 +77,9 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   page.sections.push_back(std::move(ranked));
   BoardSection meshed{"On the mesh", mesh_note, mesh_table(problem)};
   if (!meshed.table.rows.empty()) {
-    meshed.figures.push_back(reports::draw(mesh_figure(problem), figures));
+    for (const MeshCost cost : {MeshCost::time, MeshCost::memory})
+      meshed.figures.push_back(
+          reports::draw(mesh_figure(problem, cost), figures));
     page.sections.push_back(std::move(meshed));
   }
   BoardSection failed{"Answers that are not certified",
@@ -148,6 +150,21 @@ constexpr const char* submit_note =
     "certifies it. Put it into submissions/<problem>/<code>/<version> beside "
     "the problems, and open a pull request: docs/submit.md leads through it.";
 
+/// Adds problems without an answer and sorts all by name.
+void add_open_problems(const std::vector<std::string>& open,
+                       BoardTable& problems) {
+  for (const std::string& name : open)
+    problems.rows.push_back({{name, "", "", "no answer yet"},
+                             number_cell(not_a_number, ""),
+                             number_cell(0.0, "{:.0f}"),
+                             number_cell(0.0, "{:.0f}"),
+                             error_cell(not_a_number),
+                             error_cell(not_a_number)});
+  std::ranges::sort(problems.rows, {}, [](const std::vector<BoardCell>& row) {
+    return row.front().text;
+  });
+}
+
 BoardPage front_page(const std::vector<BoardProblem>& board,
                      const std::vector<std::string>& open) {
   BoardPage page;
@@ -190,16 +207,7 @@ BoardPage front_page(const std::vector<BoardProblem>& board,
          least("default"),
          least("best")});
   }
-  for (const std::string& name : open)
-    problems.rows.push_back({{name, "", "", "no answer yet"},
-                             number_cell(not_a_number, ""),
-                             number_cell(0.0, "{:.0f}"),
-                             number_cell(0.0, "{:.0f}"),
-                             error_cell(not_a_number),
-                             error_cell(not_a_number)});
-  std::ranges::sort(problems.rows, {}, [](const std::vector<BoardCell>& row) {
-    return row.front().text;
-  });
+  add_open_problems(open, problems);
   page.sections.push_back({"Problems", problems_note, problems});
   BoardTable list;
   list.heads = {head("Code", "", false), head("Answers"), head("Certified")};
