@@ -159,8 +159,7 @@ void put_units(Figure& figure, const FigureScales& scales) {
 bool is_spaced_logarithmically(std::vector<double> numbers) {
   std::erase_if(numbers, [](double number) { return !(number > 0.0); });
   std::ranges::sort(numbers);
-  const auto [first, last] = std::ranges::unique(numbers);
-  numbers.erase(first, last);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   if (numbers.size() < 3)
     return false;
   double least = infinity, largest = 0.0; // ratios of neighbours, logarithms
