@@ -210,6 +210,17 @@ public:
                               const mechanics::LoadTarget& load,
                               const BlockContact& contact) = 0;
 
+  /// What solve() starts from, as numbers: the plastic strain, and what it
+  /// takes to continue bit for bit; empty for an elastic block, whose solution
+  /// does not depend on the steps before.
+  virtual std::vector<double> memory() const { return {}; }
+
+  /// Continues from the memory of an equal block.
+  /// @param memory  read on rank 0 only
+  /// @return        false if it is not that of an equal block on as many ranks;
+  ///                nothing has then changed
+  virtual bool recall(std::span<const double> memory) { return memory.empty(); }
+
   /// The stiffness of the contact of the last solution, for unchanged nodes in
   /// contact: one linear solve per direction. Zeros without contact.
   /// @throws std::domain_error  contact is not node-wise, there are two bodies,
