@@ -107,8 +107,9 @@ public:
 
   SavedState state() const override { return saved_state(atoms_->state()); }
 
-  void restore(const StateReader& state) override {
+  bool restore(const StateReader& state) override {
     atoms_->restore(state.all());
+    return true;
   }
 
 private:

@@ -122,6 +122,12 @@ public:
            ".pvd";
   }
 
+  SavedState state() const override { return saved_state(block_->memory()); }
+
+  bool restore(const StateReader& state) override {
+    return block_->recall(state.next ? state.all() : std::vector<double>());
+  }
+
 private:
   void find_stiffness(StepAnswer& answer) {
     const fem::ContactStiffness stiffness = block_->stiffness();

@@ -112,9 +112,10 @@ public:
             }};
   }
 
-  void restore(const StateReader& state) override {
+  bool restore(const StateReader& state) override {
     const SharedRows* const rows = observation_.workers.rows;
     sequence_.recall(rows == nullptr ? state.all() : own_memory(*rows, state));
+    return true;
   }
 
   double saved_setup_time() const override { return saved_setup_time_; }

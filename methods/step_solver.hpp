@@ -48,10 +48,12 @@ struct SavedState {
   results::MapRows numbers; ///< passes all of them, in their order
 };
 
+/// Numbers that every rank has, of which rank 0 alone takes them.
 inline SavedState saved_state(std::vector<double> numbers) {
   const std::size_t count = numbers.size();
   return {count, [kept = std::move(numbers)](const results::TakeValues& take) {
-            take(kept);
+            if (take)
+              take(kept);
           }};
 }
 
@@ -94,7 +96,9 @@ public:
   virtual SavedState state() const { return {}; }
 
   /// Restores the state of an equal solver.
-  virtual void restore(const StateReader& state) { static_cast<void>(state); }
+  /// @return  false if it cannot, because the state is that of other ranks;
+  ///          nothing has then changed
+  virtual bool restore(const StateReader& state) { return state.count == 0; }
 
   /// Returns the additional CPU time that set-up would have taken without the
   /// cached parts of an earlier run [s].

@@ -317,8 +317,8 @@ bool MethodJob::go_to(methods::StepSolver& solver, std::size_t next,
   });
   if (found > next) {
     state.count = root_.value([&] { return state.count; });
-    solver.restore(state);
-    next = found;
+    if (solver.restore(state))
+      next = found;
   }
   if (next < step)
     fmt::print("{}, realization {}: steps {} to {} are computed again, because "

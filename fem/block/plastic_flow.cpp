@@ -85,6 +85,32 @@ void PlasticFlow::subtract_force(const Cell& cell, const CellHistory& history,
                                                            force);
 }
 
+// Of each cell the number of its points with a history, and these.
+void PlasticFlow::save(std::vector<double>& numbers) const {
+  for (const CellHistory& cell : before_) {
+    numbers.push_back(static_cast<double>(cell.size()));
+    for (const PointHistory& point : cell) {
+      numbers.insert(numbers.end(), point.plastic_strain.begin_raw(),
+                     point.plastic_strain.end_raw());
+      numbers.push_back(point.equivalent);
+    }
+  }
+}
+
+void PlasticFlow::restore(std::span<const double> numbers) {
+  auto next = numbers.begin();
+  for (CellHistory& cell : before_) {
+    cell.resize(static_cast<std::size_t>(*next++));
+    for (PointHistory& point : cell) {
+      std::copy_n(next, point.plastic_strain.n_independent_components,
+                  point.plastic_strain.begin_raw());
+      next += point.plastic_strain.n_independent_components;
+      point.equivalent = *next++;
+    }
+  }
+  now_ = before_;
+}
+
 void PlasticFlow::subtract_from(std::vector<CellStrains::Strain>& strains,
                                 const Cell& cell) const {
   const CellHistory& history = now_[cell->active_cell_index()];

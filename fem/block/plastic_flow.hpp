@@ -47,6 +47,13 @@ public:
   /// Ends the load step at the last displacement.
   void end_step() { before_ = now_; }
 
+  /// Appends the plastic strain at the end of the last load step, of all cells
+  /// that this rank follows. Not collective.
+  void save(std::vector<double>& numbers) const;
+
+  /// Restores what save() of an equal block appended. Not collective.
+  void restore(std::span<const double> numbers);
+
   /// Subtracts the plastic strain at the last displacement from the strain at
   /// the quadrature points of a cell.
   void subtract_from(std::vector<CellStrains::Strain>& strains,

@@ -87,6 +87,9 @@ public:
   virtual LinearSolution solve(Vector& unknowns, const Vector& forces,
                                double tolerance, int most_iterations) = 0;
 
+  /// Renews at the next use what was set up for an earlier contact.
+  virtual void forget() {}
+
   /// Replaces the moduli of some cells of this rank by tangents, and gives all
   /// others their moduli again. The preconditioner stays elastic.
   /// @param cells  in the order of the active cells of this rank, each once
@@ -151,6 +154,13 @@ public:
   /// As MatrixFreeBlock::set_tangents.
   void set_tangents(std::span<const CellTangents> cells) {
     matrix_free_->set_tangents(cells);
+  }
+
+  /// Lets the solutions of a block without a matrix depend on the next contact
+  /// state alone, and not on those before.
+  void forget() {
+    is_set_ = false;
+    matrix_free_->forget();
   }
 
   /// Sets the contact state. The call is free if nothing has changed.

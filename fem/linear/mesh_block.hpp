@@ -71,6 +71,8 @@ public:
   LinearSolution solve(Vector& unknowns, const Vector& forces, double tolerance,
                        int most_iterations) override;
 
+  void forget() override { correction_->renew(); }
+
   int setups() const override { return correction_->setups(); }
 
   std::string name() const override {

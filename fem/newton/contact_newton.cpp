@@ -51,6 +51,49 @@ void ContactNewton::start_from(ContactStart start) {
   state_.follow_displacement();
 }
 
+std::vector<double> ContactNewton::memory() const {
+  if (state_.flow() == nullptr)
+    return {};
+  std::vector<double> numbers{
+      static_cast<double>(state_.displacement.locally_owned_size()),
+      static_cast<double>(state_.pressure.size()), state_.rigid_gap,
+      state_.highest, carried_};
+  for (const Vector* field :
+       {&state_.displacement, &step_.response_to_approach()})
+    numbers.insert(numbers.end(), field->begin(), field->end());
+  numbers.insert(numbers.end(), state_.pressure.begin(), state_.pressure.end());
+  state_.flow()->save(numbers);
+  return numbers;
+}
+
+bool ContactNewton::recall(std::span<const double> memory) {
+  constexpr std::size_t head = 5;
+  const std::size_t unknowns = state_.displacement.locally_owned_size();
+  const std::size_t points = state_.pressure.size();
+  const bool fits = state_.flow() != nullptr &&
+                    memory.size() >= head + 2 * unknowns + points &&
+                    memory[0] == static_cast<double>(unknowns) &&
+                    memory[1] == static_cast<double>(points);
+  if (dealii::Utilities::MPI::min(fits ? 1 : 0, MPI_COMM_WORLD) == 0)
+    return false;
+  state_.rigid_gap = memory[2];
+  state_.highest = memory[3];
+  carried_ = memory[4];
+  auto take = [rest = memory.subspan(head)](std::size_t count) mutable {
+    const std::span<const double> taken = rest.first(count);
+    rest = rest.subspan(count);
+    return taken;
+  };
+  std::ranges::copy(take(unknowns), state_.displacement.begin());
+  std::ranges::copy(take(unknowns), step_.response_to_approach().begin());
+  std::ranges::copy(take(points), state_.pressure.begin());
+  state_.flow()->restore(memory.subspan(head + 2 * unknowns + points));
+  // The set-up of the solver then belongs to the steps before.
+  solver_.set_contact(std::vector<double>(points, 0.0),
+                      ContactSet(points, false));
+  return true;
+}
+
 /// Writes area, load, mean gap, energies and the place of the resultant force.
 void ContactNewton::add_up(const BlockContact& contact,
                            BlockSolution& answer) const {
@@ -168,6 +211,7 @@ void ContactNewton::search_flow(double height_scale,
                                 const BlockContact& contact,
                                 BlockSolution& answer) {
   constexpr double smallest_part = 1.0 / 64.0;
+  solver_.forget(); // so that a run that is resumed has the same bits
   const double start = carried_;
   const double way = load.amount - start;
   double done = 0.0;

@@ -59,6 +59,14 @@ public:
              const mechanics::LoadTarget& load, const BlockContact& contact,
              BlockSolution& answer);
 
+  /// What the next load step of a block that flows starts from, as numbers of
+  /// this rank; empty for an elastic block, which has no history.
+  std::vector<double> memory() const;
+
+  /// Continues from the memory of an equal block with the same results, bit for
+  /// bit. Returns false, and changes nothing, if it is that of other ranks.
+  bool recall(std::span<const double> memory);
+
   /// Replaces the state from which the next solution starts.
   void start_from(ContactStart start);
 

@@ -58,6 +58,9 @@ public:
   /// As ContactNewton::response_to_approach().
   const Vector& response_to_approach() const { return by_approach_; }
 
+  /// The same, from which the next step starts to find its own.
+  Vector& response_to_approach() { return by_approach_; }
+
   double approach_stiffness() const { return approach_stiffness_; }
 
 private:

@@ -3,6 +3,7 @@
 #include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/require.hpp"
+#include "fem/block/all_ranks.hpp"
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
 #include "fem/linear/lattice_preconditioner.hpp"
@@ -295,6 +296,38 @@ BlockSolution MeshedBlock::solve_contact(std::span<const double> heights,
     answer.gap[i] +=
         newton_.state().rigid_gap - (heights[i] - newton_.state().highest);
   return answer;
+}
+
+// The number of ranks, how many numbers each has, and these.
+std::vector<double> MeshedBlock::memory() const {
+  const std::vector<double> own = newton_.memory();
+  const std::vector<double> numbers = of_all_ranks(own);
+  std::vector<double> memory;
+  if (numbers.empty())
+    return memory;
+  const std::vector<double> counts =
+      of_all_ranks(std::vector<double>{static_cast<double>(own.size())});
+  memory.reserve(1 + counts.size() + numbers.size());
+  memory.push_back(static_cast<double>(counts.size()));
+  memory.insert(memory.end(), counts.begin(), counts.end());
+  memory.insert(memory.end(), numbers.begin(), numbers.end());
+  return memory;
+}
+
+bool MeshedBlock::recall(std::span<const double> memory) {
+  const auto rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const std::vector<double> all =
+      of_all_ranks(rank == 0 ? std::vector<double>(memory.begin(), memory.end())
+                             : std::vector<double>());
+  const auto ranks = static_cast<std::size_t>(n_ranks());
+  if (all.size() <= ranks || all.front() != static_cast<double>(ranks))
+    return false;
+  const std::span<const double> counts = std::span(all).subspan(1, ranks);
+  const double before =
+      std::accumulate(counts.begin(), counts.begin() + rank, 0.0);
+  return newton_.recall(
+      std::span(all).subspan(1 + ranks + static_cast<std::size_t>(before),
+                             static_cast<std::size_t>(counts[rank])));
 }
 
 std::unique_ptr<FullBlock> make_full_block(const BlockProblem& problem) {

@@ -35,6 +35,9 @@ public:
                       const mechanics::LoadTarget& load,
                       const BlockContact& contact) override;
 
+  std::vector<double> memory() const override;
+  bool recall(std::span<const double> memory) override;
+
   /// solve() without the estimate of the error.
   BlockSolution solve_contact(std::span<const double> heights,
                               const mechanics::LoadTarget& load,

@@ -264,6 +264,47 @@ TEST(PlasticBlock, LeavesAnImprintOfASphere) {
             (1.0 + 1e-9) * law.yield_stress);
 }
 
+/// Presses a flat block on a wave, with a load relative to its modulus.
+BlockSolution press_wave(MeshedBlock& block, double load) {
+  const Grid& grid = block.grid();
+  std::vector<double> heights(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      heights[grid.index(ix, iy)] =
+          2e-2 * length * std::cos(2.0 * M_PI * ix / grid.points_x);
+  return block.solve(
+      heights, {mechanics::Control::nominal_pressure, load * soft_modulus},
+      {mechanics::ContactLaw::hard, 1e3 * soft_modulus / length, 1e-9, 200});
+}
+
+// A block that takes the memory of an equal one goes on from there bit for bit,
+// with the geometric and with the algebraic multigrid, whose hierarchy the
+// first block has set up for another contact.
+TEST(PlasticBlock, GoesOnFromItsMemory) {
+  const Plasticity law{0.01 * soft_modulus, 0.1 * soft_modulus};
+  for (const bool is_shaken : {false, true}) {
+    const BlockProblem problem = flat_block(is_shaken, law);
+    MeshedBlock block(problem);
+    MeshedBlock resumed(problem);
+    EXPECT_FALSE(resumed.recall({}));
+    const BlockSolution half = press_wave(block, 0.02);
+    ASSERT_GT(half.plastic_work, 0.0);
+
+    ASSERT_TRUE(resumed.recall(block.memory()));
+    EXPECT_EQ(block.memory(), resumed.memory());
+    const BlockSolution full = press_wave(block, 0.03);
+    const BlockSolution again = press_wave(resumed, 0.03);
+
+    ASSERT_TRUE(full.converged) << full.note;
+    EXPECT_GT(full.plastic_work, half.plastic_work);
+    EXPECT_EQ(full.pressure, again.pressure);
+    EXPECT_EQ(full.gap, again.gap);
+    EXPECT_EQ(full.plastic_work, again.plastic_work);
+    EXPECT_EQ(full.linear_iterations, again.linear_iterations);
+    EXPECT_EQ(block.memory(), resumed.memory());
+  }
+}
+
 TEST(PlasticBlock, RefusesWhatItDoesNotCompute) {
   BlockProblem problem = flat_block(false, {1e6, 0.0});
   MeshedBlock block(problem);

@@ -11,6 +11,28 @@
 
 namespace asperity::program::resume_test {
 
+/// A sphere that leaves an imprint, in steps of a tenth of a second.
+const std::string flowing_case = R"(schema = 1
+title = "imprint"
+[surface]
+kind = "sphere"
+length = "1 um"
+points = 16
+radius = "5 length"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = { from = "1e-3 E*", to = "4e-3 E*", steps = 12, spacing = "linear" }
+[fem]
+element = "Q2"
+contact = "hard"
+solver = "full"
+yield_stress = "0.01 E*"
+[report]
+fields = 1
+)";
+
 class Resume : public ProgramTest {
 protected:
   Resume() { write("small.toml", small_case); }
@@ -81,6 +103,49 @@ protected:
 TEST_F(Resume, KillsAtAnyMomentChangeNoBit) {
   expect_same_bits_after(14, "theory,halfspace");
   expect_same_bits_after(3, "fem"); // loads deal.II, half a second each time
+}
+
+// A block that flows depends on the steps before. A run of it that is killed
+// after a step goes on from the plastic strain that the cache has; where that
+// file is cut off, the step is computed again.
+TEST_F(Resume, ABlockThatFlowsGoesOnFromItsPlasticStrain) {
+  namespace fs = std::filesystem;
+  write("small.toml", flowing_case);
+  methods_ = "fem";
+  ASSERT_EQ(run("run small.toml --no-cache --no-report --methods fem --out "
+                "whole")
+                .exit_code,
+            0);
+  whole_ = results::read_result(folder / "whole");
+  ASSERT_GT(
+      whole_.methods.front().realizations.front().points.back().plastic_work,
+      0.0);
+  const auto states = [&] {
+    std::vector<fs::path> found;
+    if (fs::exists(folder / "cache-killed"))
+      for (const auto& entry : fs::directory_iterator(folder / "cache-killed"))
+        if (entry.path().extension() == ".state")
+          found.push_back(entry.path());
+    return found;
+  };
+  for (const bool is_cut_off : {false, true}) {
+    ChildProcess child(command("killed", true));
+    while (states().empty() && !child.has_ended(0.005)) {
+    }
+    child.kill();
+    child.wait();
+    ASSERT_FALSE(states().empty());
+    if (is_cut_off)
+      for (const fs::path& state : states())
+        fs::resize_file(state, fs::file_size(state) / 2);
+    ASSERT_EQ(run_child(command("killed", true)).end.exit_code, 0);
+    const std::string said = text_of(folder / "killed.log");
+    EXPECT_EQ(said.find("computed again") != std::string::npos, is_cut_off)
+        << said;
+    tests::expect_same_bits(whole_, results::read_result(folder / "killed"));
+    fs::remove_all(folder / "killed");
+    fs::remove_all(folder / "cache-killed");
+  }
 }
 
 // Where the state after a step is lost, the steps before it are computed again;
