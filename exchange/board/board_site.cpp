@@ -46,6 +46,16 @@ constexpr const char* mesh_note =
     "continuum's, with the uncertainty of the latter: the error that a user "
     "of these elements has. Same order as above.";
 
+BoardSection mesh_section(const BoardProblem& problem,
+                          const fs::path& figures) {
+  BoardSection meshed{"On the mesh", mesh_note, mesh_table(problem)};
+  if (!meshed.table.rows.empty())
+    for (const MeshCost cost : {MeshCost::time, MeshCost::memory})
+      meshed.figures.push_back(
+          reports::draw(mesh_figure(problem, cost), figures));
+  return meshed;
+}
+
 BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
   const std::string folder = "problems/" + problem.problem.name + "/";
   BoardPage page;
@@ -75,13 +85,9 @@ BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
       ranking(problem)};
   ranked.figures.push_back(reports::draw(error_figure(problem), figures));
   page.sections.push_back(std::move(ranked));
-  BoardSection meshed{"On the mesh", mesh_note, mesh_table(problem)};
-  if (!meshed.table.rows.empty()) {
-    for (const MeshCost cost : {MeshCost::time, MeshCost::memory})
-      meshed.figures.push_back(
-          reports::draw(mesh_figure(problem, cost), figures));
+  BoardSection meshed = mesh_section(problem, figures);
+  if (!meshed.table.rows.empty())
     page.sections.push_back(std::move(meshed));
-  }
   BoardSection failed{"Answers that are not certified",
                       "A mistake was recognised, a claim does not hold, or the "
                       "submission cannot be read.",
