@@ -114,7 +114,6 @@ public:
     panel_.x = {.label = "nominal pressure  [MPa]", .is_log = true};
     panel_.y = {
         .label = "leak rate  [m^3/s]", .is_log = true, .has_powers = true};
-    panel_.free_corner = "top right";
     figure.panels = {std::move(panel_)};
     figure.data = table_.text();
     return figure;
