@@ -52,9 +52,10 @@ std::vector<double> rows_of(const SharedRows& rows, Height height) {
 template <class Height>
 std::vector<double> rows_about_centre(const SharedRows& rows, Height height) {
   const Grid& grid = rows.grid();
+  const int centre_x = grid.points_x / 2, centre_y = grid.points_y / 2;
   return rows_of(rows, [&](int ix, int iy) {
-    return height((ix - grid.points_x / 2) * grid.spacing_x(),
-                  (iy - grid.points_y / 2) * grid.spacing_y());
+    return height((ix - centre_x) * grid.spacing_x(),
+                  (iy - centre_y) * grid.spacing_y());
   });
 }
 

@@ -69,7 +69,7 @@ TEST_F(Warnings, NameCurvesWithoutContact) {
     for (results::Curve& curve : method.realizations) {
       curve.fields.clear();
       for (results::CurvePoint& point : curve.points) {
-        point.nominal_pressure = 0.0;
+        point.nominal_pressure = point.area_fraction = 0.0;
         point.mean_gap = 5.0 * result.surfaces[0].rms_height;
       }
     }
