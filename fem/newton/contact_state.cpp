@@ -193,10 +193,10 @@ double ContactState::largest_force() const {
 double ContactState::unbalanced() {
   find_imbalance();
   const double largest = largest_force();
-  const double norm = imbalance.l2_norm();
-  if (!std::isfinite(norm))
+  // A sum propagates a NaN; the maximum norm need not.
+  if (!std::isfinite(imbalance.l2_norm()))
     return std::numeric_limits<double>::infinity();
-  return largest > 0.0 ? norm / largest : 0.0;
+  return largest > 0.0 ? imbalance.linfty_norm() / largest : 0.0;
 }
 
 double ContactState::rounding_force() const {
@@ -209,7 +209,7 @@ double ContactState::rounding_force() const {
   rounding.compress(dealii::VectorOperation::insert);
   Vector forces(rounding);
   solver_.multiply(forces, rounding);
-  return forces.l2_norm();
+  return forces.linfty_norm();
 }
 
 double ContactState::violation(double compliance) const {

@@ -121,15 +121,12 @@ struct ContactState {
 
   double largest_force() const; ///< maximum of a p over the points [N]
 
-  /// The l2 norm of the imbalance, relative to the largest contact force [1].
-  /// With N nodes on the contact surface and L in depth, the imbalance is for a
-  /// wave of the surface a pressure of at most sqrt(2 L / N) times that. Its
-  /// largest force bounds it L times less well: those below a point add up.
+  /// The largest unbalanced force, relative to the largest contact force [1].
   double unbalanced();
 
-  /// The l2 norm of the nodal forces [N] by which displacements differ that
-  /// differ by half a unit in the last place, with signs from the bits of their
-  /// values. No solution in double precision is balanced much better.
+  /// The largest nodal force [N] by which displacements differ that differ by
+  /// half a unit in the last place, with signs from the bits of their values.
+  /// No solution in double precision is balanced much better.
   double rounding_force() const;
 
   /// The violation of the contact law [m]: the largest |gap + c p| in contact,
