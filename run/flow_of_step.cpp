@@ -92,15 +92,17 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
       critical{"is_critical", "1", {}};
   const int side =
       (std::max(grid.points_x, grid.points_y) - 1) / most_points + 1;
-  for (int iy = 0; flow.percolates && iy + side <= grid.points_y; iy += side)
-    for (int ix = 0; ix + side <= grid.points_x; ix += side) {
+  for (int iy = 0; flow.percolates && iy < grid.points_y; iy += side)
+    for (int ix = 0; ix < grid.points_x; ix += side) {
+      const int end_x = std::min(ix + side, grid.points_x);
+      const int end_y = std::min(iy + side, grid.points_y);
       double sum = 0.0;
-      for (int jy = iy; jy < iy + side; ++jy)
-        for (int jx = ix; jx < ix + side; ++jx)
+      for (int jy = iy; jy < end_y; ++jy)
+        for (int jx = ix; jx < end_x; ++jx)
           sum += flow.flux[grid.index(jx, jy)];
-      x.values.push_back((ix + 0.5 * (side - 1)) * grid.spacing_x());
-      y.values.push_back((iy + 0.5 * (side - 1)) * grid.spacing_y());
-      flux.values.push_back(sum / (side * side));
+      x.values.push_back(0.5 * (ix + end_x - 1) * grid.spacing_x());
+      y.values.push_back(0.5 * (iy + end_y - 1) * grid.spacing_y());
+      flux.values.push_back(sum / ((end_x - ix) * (end_y - iy)));
       critical.values.push_back(flow.critical_x / side == ix / side &&
                                         flow.critical_y / side == iy / side
                                     ? 1.0
