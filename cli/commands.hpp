@@ -37,6 +37,7 @@ struct RunCommand {
   std::string length = {};          ///< of map files that state none, "20 um"
   std::string height_unit = {};     ///< of such files, "nm"
   std::string flow = {};            ///< fluid in the gap, "water"
+  std::string friction = {};        ///< coefficient of friction
   bool is_dry = false;              ///< print the plan without running anything
   bool has_pdf = false;             ///< also print the report
   std::string part = {}; ///< "3/8": only this share; empty: everything
@@ -44,7 +45,7 @@ struct RunCommand {
 
 struct ReportCommand {
   std::vector<std::string> paths; ///< results, or their folders
-  std::string out;      ///< empty: beside a single result, or out/comparison
+  std::string out; ///< empty: beside a single result, or out/comparison
   ReportForms forms;
   std::vector<std::string> labels; ///< names of the results, in order
 };

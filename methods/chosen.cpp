@@ -65,6 +65,9 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
   std::set<std::size_t> steps;
   for (std::size_t k = 0; k < wanted; ++k)
     steps.insert((2 * k + 1) * n_steps / (2 * wanted));
+  if (wanted > 0 && contact_case.friction_study)
+    steps.insert(contact_case.friction_study->map_steps.begin(),
+                 contact_case.friction_study->map_steps.end());
   return steps;
 }
 

@@ -37,7 +37,7 @@ std::vector<int> realizations_of(const cases::Case& contact_case,
                                  const std::set<int>& only);
 
 /// Returns the load steps whose fields are saved, spread evenly over the
-/// loading path.
+/// loading path, and those of the tangential traction.
 std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);
 
 /// Returns true for [fem] with solver = "full".

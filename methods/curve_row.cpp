@@ -102,6 +102,10 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                                observation.border},
                                               workers);
     });
+  if (observation.border == results::Border::free)
+    row.mean_displacement =
+        weighted_sum(weights, solution.displacement, workers) /
+        static_cast<double>(workers.all_nodes(solution.displacement.size()));
   if (observation.has_middle) {
     const results::PressureCentre centre =
         results::pressure_centre(grid, pressure, weights, workers);

@@ -72,6 +72,8 @@ void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
     read.adhesion_study = read_adhesion_study(part(*study), read);
   if (const Node* const study = table("flow"))
     read.flow_study = read_flow_study(part(*study), read);
+  if (const Node* const study = table("friction"))
+    read.friction_study = read_friction_study(part(*study), read);
   if (const Node* const report = table("report"))
     part(*report).read(read.report);
   if (read.report.stress_inside && material != nullptr &&

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace asperity::cases {
@@ -60,6 +62,87 @@ double read_reference_wavevector(TableReader& table,
   return surface.wavevector_roll_off;
 }
 
+/// Whether the loads are nominal pressures that rise.
+bool has_rising_loads(const mechanics::LoadingPath& load) {
+  return load.control == mechanics::Control::nominal_pressure &&
+         !load.targets.empty() &&
+         std::ranges::none_of(load.is_unloading, std::identity()) &&
+         std::ranges::is_sorted(load.targets, {}, &mechanics::Quantity::value);
+}
+
+/// A pressure in the unit of the loads; nothing if that needs the surface.
+std::optional<mechanics::Quantity> like_loads(const mechanics::Quantity& load,
+                                              const Case& read) {
+  const mechanics::ReferenceUnit unit = read.load.targets.back().reference;
+  if (load.reference == unit)
+    return load;
+  using mechanics::ReferenceUnit;
+  if (load.reference == ReferenceUnit::contact_modulus_times_slope ||
+      unit == ReferenceUnit::contact_modulus_times_slope ||
+      !(read.material.contact_modulus > 0.0))
+    return {};
+  const mechanics::Scales scales{.contact_modulus =
+                                     read.material.contact_modulus};
+  const double one = mechanics::Quantity{1.0, unit}.in_si(scales);
+  return mechanics::Quantity{load.in_si(scales) / one, unit};
+}
+
+/// Adds a load step, unless there is one: before the first larger load.
+void add_step(mechanics::LoadingPath& load, const mechanics::Quantity& step) {
+  constexpr double same = 1e-12;
+  auto next = load.targets.begin();
+  while (next != load.targets.end() && next->value < step.value * (1.0 - same))
+    ++next;
+  if (next != load.targets.end() && next->value <= step.value * (1.0 + same))
+    return;
+  load.targets.insert(next, step);
+  load.is_unloading.push_back(false);
+}
+
+/// The steps of this load and of the lighter one nearest to its half.
+std::vector<std::size_t> steps_of_traction(const mechanics::LoadingPath& load,
+                                           double full) {
+  std::size_t pressed = 0;
+  while (pressed + 1 < load.targets.size() &&
+         load.targets[pressed].value < full)
+    ++pressed;
+  if (pressed == 0)
+    return {};
+  std::size_t eased = 0;
+  for (std::size_t i = 1; i < pressed; ++i)
+    if (std::abs(load.targets[i].value - 0.5 * full) <
+        std::abs(load.targets[eased].value - 0.5 * full))
+      eased = i;
+  return {eased, pressed};
+}
+
+/// Adds the load steps of the normal load and of the tangential loads.
+void add_friction_steps(TableReader& table, FrictionStudy& study, Case& read) {
+  for (const char* const key : {"normal_load", "tangential_load"})
+    if (table.has(key) && !has_rising_loads(read.load)) {
+      table.refuse(table.said_by(key),
+                   "needs a [load] by nominal pressures that only rise");
+      return;
+    }
+  if (!has_rising_loads(read.load))
+    return;
+  mechanics::Quantity full = read.load.targets.back();
+  if (study.normal_load) {
+    const auto own = like_loads(*study.normal_load, read);
+    if (!own) {
+      table.refuse(table.said_by("normal_load"),
+                   "must be in E* h' where the loads are, and only there: the "
+                   "slope h' of the surface is not known before the run");
+      return;
+    }
+    full = *own;
+    add_step(read.load, full);
+  }
+  for (const mechanics::Quantity& share : study.tangential_loads)
+    add_step(read.load, {full.value * (1.0 - share.value), full.reference});
+  study.map_steps = steps_of_traction(read.load, full.value * (1.0 - 1e-12));
+}
+
 } // namespace
 
 MagnificationStudy read_magnification_study(TableReader table,
@@ -92,6 +175,21 @@ FlowStudy read_flow_study(TableReader table, const Case& read) {
   if (study.length.has_value() != study.width.has_value())
     table.complain_missing(study.length ? "width" : "length",
                            ": a seal has both");
+  return study;
+}
+
+FrictionStudy read_friction_study(TableReader table, Case& read) {
+  FrictionStudy study;
+  table.read(study);
+  if (std::ranges::none_of(read.methods, [&](const MethodSpec& method) {
+        return has_partial_slip(method, read.material);
+      }))
+    table.complain(table.node(),
+                   "needs a [theory] or a [halfspace] without thickness and "
+                   "adhesion, on a uniform material");
+  if (!read.material.poisson_ratio)
+    table.complain(table.node(), "needs material.poisson_ratio");
+  add_friction_steps(table, study, read);
   return study;
 }
 

@@ -8,6 +8,7 @@ using Magnification = MagnificationStudy;
 using Adhesion = AdhesionStudy;
 using Leak = LeakStudy;
 using Flow = FlowStudy;
+using Friction = FrictionStudy;
 
 constexpr const char* for_theory =
     "Optional; needs a [theory] whose spectrum is the formula.";
@@ -132,6 +133,37 @@ Table flow_table() {
       }};
 }
 
+Table friction_table() {
+  return {
+      .name = "friction",
+      .when = "Optional; needs a [theory] or a [halfspace] without thickness "
+              "and adhesion, and material.poisson_ratio.",
+      .description =
+          "Partial slip under a normal load and tangential loads up to "
+          "sliding, from the lighter normal loads of the case "
+          "(docs/numerics/friction.md).",
+      .keys = {
+          key<&Friction::coefficient>("coefficient", positive(),
+                                      "Coefficient of friction mu.",
+                                      needed("0.5")),
+          key<&Friction::normal_load>(
+              "normal_load",
+              {Dimension::pressure,
+               positive(),
+               {mechanics::ReferenceUnit::contact_modulus,
+                mechanics::ReferenceUnit::contact_modulus_times_slope}},
+              "Normal load P over the nominal area. It becomes a load step, "
+              "unless it is one.",
+              eg("10 MPa", "default: the largest load")),
+          key<&Friction::tangential_loads>(
+              "tangential_load", inside(0.0, 1.0),
+              "Tangential loads Q over that of sliding mu P. Each adds the "
+              "load step P - Q/mu, unless the case has it.",
+              eg("[0.5, 0.9]",
+                 "default: those that belong to the loads of the case")),
+      }};
+}
+
 } // namespace
 
 Table case_sweep_table() {
@@ -151,7 +183,8 @@ Table case_sweep_table() {
 }
 
 std::vector<Table> study_tables() {
-  return {magnification_table(), leak_table(), adhesion_table(), flow_table()};
+  return {magnification_table(), leak_table(), adhesion_table(), flow_table(),
+          friction_table()};
 }
 
 } // namespace asperity::cases

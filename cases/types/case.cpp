@@ -16,4 +16,15 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
   return nullptr;
 }
 
+bool has_partial_slip(const MethodSpec& method,
+                      const mechanics::MaterialSpec& material) {
+  if (!material.is_uniform() || method.is_adhesive())
+    return false;
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  return half != nullptr ? !half->thickness.has_value()
+                         : std::holds_alternative<mechanics::TheorySettings>(
+                               method.settings);
+}
+
 } // namespace asperity::cases

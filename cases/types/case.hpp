@@ -59,9 +59,15 @@ struct Case {
   std::optional<MagnificationStudy> magnification_study;
   std::optional<AdhesionStudy> adhesion_study;
   std::optional<FlowStudy> flow_study;
+  std::optional<FrictionStudy> friction_study;
   ReportSpec report;
   std::vector<Expectation> expectations;
 };
+
+/// Returns whether partial slip follows from the normal contact of a method:
+/// that of a theory, or of a uniform half-space without adhesion.
+bool has_partial_slip(const MethodSpec& method,
+                      const mechanics::MaterialSpec& material);
 
 /// Returns the theory that evaluates the studies: the first one that uses the
 /// formula of the spectrum, or the first one if the surface is measured; null

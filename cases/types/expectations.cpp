@@ -124,6 +124,12 @@ std::vector<ExpectationName> error_names() {
        .description = "Largest relative error of Mindlin's tangential "
                       "stiffness, 8 a G/(2 - nu); needs [fem] stiffness [1].",
        .surfaces = {sphere, punch}},
+      {.name = "partial_slip_error",
+       .description = "Largest error of the displacement of a tangential load, "
+                      "over that at which the contact slides, and of the area "
+                      "that sticks, over that of the contact; needs [friction] "
+                      "and free boundaries [1].",
+       .surfaces = {sphere}},
       {.name = "moment_error",
        .description = "Largest relative error of the moment of a tilted punch "
                       "whose whole end is in contact [1].",

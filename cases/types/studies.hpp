@@ -2,11 +2,12 @@
 
 // The studies of a case besides its curve: the contact at a range of
 // magnifications and adhesion by the theory (Secs. 8 and 9 of Yang and Persson,
-// 2008), and the flow through the gap of each load step. Plain data, part of a
-// Case.
+// 2008), the flow through the gap of each load step, and partial slip. Plain
+// data, part of a Case.
 
 #include "mechanics/quantity.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,18 @@ struct FlowStudy {
 
   /// Width over length; 1 if they are not given.
   double aspect() const { return width.value_or(1.0) / length.value_or(1.0); }
+};
+
+/// [friction]: partial slip under one normal load of the case.
+struct FrictionStudy {
+  double coefficient = 0.0; ///< mu [1] > 0
+  /// P, nominal [Pa] > 0; none: the largest load.
+  std::optional<mechanics::Quantity> normal_load;
+  /// Q/(mu P) [1] of tangential loads that get load steps of their own.
+  std::vector<mechanics::Quantity> tangential_loads;
+  /// The load steps of P and of the lighter load nearest to P/2, whose maps give
+  /// that of the traction; empty unless the loads are pressures that rise.
+  std::vector<std::size_t> map_steps = {};
 };
 
 } // namespace asperity::cases

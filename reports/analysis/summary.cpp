@@ -3,6 +3,7 @@
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"
+#include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/analysis/study_quantities.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -123,6 +124,10 @@ MethodSummary summarize_method(const Result& result,
       add_claim_quantities(result, contact_case, method, reference, summary);
     });
   }
+  if (contact_case.friction_study)
+    attempt(summary, "partial slip", [&] {
+      add_slip_quantities(result, contact_case, method, summary);
+    });
   if (contact_case.material.is_uniform())
     attempt(summary, "stiffness", [&] {
       add_stiffness_quantities(result, contact_case, method, summary);

@@ -24,6 +24,7 @@ const std::vector<std::string>& figure_names() {
                                                  "magnification-parts",
                                                  "magnification-separation",
                                                  "maps-",
+                                                 "partial-slip",
                                                  "pressure-difference-",
                                                  "pressure-distribution-",
                                                  "pressure-gap",
@@ -32,6 +33,7 @@ const std::vector<std::string>& figure_names() {
                                                  "stress-inside",
                                                  "stress-section-",
                                                  "surface",
+                                                 "traction-",
                                                  "two-faces"};
   return names;
 }

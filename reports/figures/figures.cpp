@@ -111,8 +111,8 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
 /// Returns the figures of the studies of one result; the group is empty if the
 /// result has none.
 FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
-                          bool is_one_of_many) {
-  FigureGroup group{"Magnification, adhesion and flow", "", {}};
+                          std::span<const Series> series, bool is_one_of_many) {
+  FigureGroup group{"Magnification, adhesion, flow and friction", "", {}};
   if (is_one_of_many) {
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
@@ -122,6 +122,9 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
   add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
   add(group.figures, "leak-rate", [&] { return flow_figure(entry); });
   add(group.figures, "flux", [&] { return flux_figures(entry); });
+  add(group.figures, "partial-slip",
+      [&] { return slip_figure(entry, index, series); });
+  add(group.figures, "traction", [&] { return traction_figures(entry); });
   return group;
 }
 
@@ -134,7 +137,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
   groups.push_back(shared_curves(entries, series));
   for (std::size_t i = 0; i < entries.size(); ++i) {
     groups.push_back(figures_of_one(entries[i], i, has_many));
-    groups.push_back(study_figures(entries[i], i, has_many));
+    groups.push_back(study_figures(entries[i], i, series, has_many));
   }
   FigureGroup differences{"Differences of the pressures", "", {}};
   add(differences.figures, "pressure-difference",

@@ -91,6 +91,16 @@ std::vector<Figure> adhesion_figures(const ReportEntry& entry);
 /// unless the case has [flow] and some flow was computed.
 std::optional<Figure> flow_figure(const ReportEntry& entry);
 
+/// Returns displacement and sticking area against the tangential load; none
+/// without [friction] or a method with partial slip.
+/// @param index  of the entry, as in Series::entry
+std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
+                                  std::span<const Series> series);
+
+/// Returns maps of the tangential traction, for each method with partial slip
+/// whose heaviest load and a lighter one have saved maps.
+std::vector<Figure> traction_figures(const ReportEntry& entry);
+
 /// Shows the flux through the gap of the heaviest saved map that is not sealed,
 /// with its narrowest place, one figure per method.
 std::vector<Figure> flux_figures(const ReportEntry& entry);

@@ -45,6 +45,8 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"von_mises_error", "von Mises", "largest relative", false},
       {"von_mises_depth_error", "depth of von Mises maximum",
        "largest relative", false},
+      {"partial_slip_error", "partial slip",
+       "largest, over sliding displacement or contact", false},
       {"moment_error", "moment", "largest relative", false},
       {"normal_stiffness_error", "normal stiffness", "largest relative", false},
       {"tangential_stiffness_error", "tangential stiffness", "largest relative",
@@ -305,6 +307,11 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   const List stiffnesses = stiffness_rows(*entry.result);
   page.set("has_stiffness", !stiffnesses.empty());
   page.set("stiffness", stiffnesses);
+  const List slips = slip_rows(entry);
+  page.set("has_slips", !slips.empty());
+  page.set("slips", slips);
+  if (!slips.empty())
+    page.set("slip_note", slip_note(entry));
   const List boundaries = boundary_rows(entry);
   page.set("has_boundaries", !boundaries.empty());
   page.set("boundaries", boundaries);

@@ -18,62 +18,68 @@ struct Source {
   const char* entry; // BibTeX behind the key
 };
 
-constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
+constexpr std::array sources{
+    Source{"yang2008", R"(@article{yang2008,
   author = {Yang, C. and Persson, B. N. J.},
   title = {Contact mechanics: contact area and interfacial separation from small contact to full contact},
   journal = {J. Phys.: Condens. Matter}, volume = {20}, pages = {215214}, year = {2008},
   doi = {10.1088/0953-8984/20/21/215214}
 })"},
-                             Source{"persson2001", R"(@article{persson2001,
+    Source{"persson2001", R"(@article{persson2001,
   author = {Persson, B. N. J.},
   title = {Theory of rubber friction and contact mechanics},
   journal = {J. Chem. Phys.}, volume = {115}, pages = {3840--3861}, year = {2001},
   doi = {10.1063/1.1388626}
 })"},
-                             Source{"persson2002", R"(@article{persson2002,
+    Source{"persson2002", R"(@article{persson2002,
   author = {Persson, B. N. J.},
   title = {Adhesion between an elastic body and a randomly rough hard surface},
   journal = {Eur. Phys. J. E}, volume = {8}, pages = {385--401}, year = {2002},
   doi = {10.1140/epje/i2002-10025-1}
 })"},
-                             Source{"polonsky1999", R"(@article{polonsky1999,
+    Source{"ciavarella1998", R"(@article{ciavarella1998,
+  author = {Ciavarella, M.},
+  title = {Tangential loading of general three-dimensional contacts},
+  journal = {J. Appl. Mech.}, volume = {65}, pages = {998--1003}, year = {1998}
+})"},
+    Source{"polonsky1999", R"(@article{polonsky1999,
   author = {Polonsky, I. A. and Keer, L. M.},
   title = {A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques},
   journal = {Wear}, volume = {231}, pages = {206--219}, year = {1999},
   doi = {10.1016/S0043-1648(99)00113-1}
 })"},
-                             Source{"yastrebov2017", R"(@article{yastrebov2017,
+    Source{"yastrebov2017", R"(@article{yastrebov2017,
   author = {Yastrebov, V. A. and Anciaux, G. and Molinari, J.-F.},
   title = {On the accurate computation of the true contact-area in mechanical contact of random rough surfaces},
   journal = {Tribol. Int.}, volume = {114}, pages = {161--171}, year = {2017},
   doi = {10.1016/j.triboint.2017.04.023},
   eprint = {1701.02727}, archiveprefix = {arXiv}
 })"},
-                             Source{"yang2006", R"(@article{yang2006,
+    Source{"yang2006", R"(@article{yang2006,
   author = {Yang, C. and Tartaglino, U. and Persson, B. N. J.},
   title = {A multiscale molecular dynamics approach to contact mechanics},
   journal = {Eur. Phys. J. E}, volume = {19}, pages = {47--58}, year = {2006},
   doi = {10.1140/epje/e2006-00004-9}
 })"},
-                             Source{"johnson1985", R"(@book{johnson1985,
+    Source{"johnson1985", R"(@book{johnson1985,
   author = {Johnson, K. L.},
   title = {Contact Mechanics},
   publisher = {Cambridge University Press}, year = {1985},
   doi = {10.1017/CBO9781139171731}
 })"},
-                             Source{"frigo2005", R"(@article{frigo2005,
+    Source{"frigo2005", R"(@article{frigo2005,
   author = {Frigo, M. and Johnson, S. G.},
   title = {The Design and Implementation of {FFTW3}},
   journal = {Proc. IEEE}, volume = {93}, number = {2}, pages = {216--231}, year = {2005},
   doi = {10.1109/JPROC.2004.840301}
 })"},
-                             Source{"arndt2021", R"(@article{arndt2021,
+    Source{"arndt2021", R"(@article{arndt2021,
   author = {Arndt, D. and Bangerth, W. and Davydov, D. and Heister, T. and Heltai, L. and Kronbichler, M. and Maier, M. and Pelteret, J.-P. and Turcksin, B. and Wells, D.},
   title = {The {deal.II} finite element library: Design, features, and insights},
   journal = {Comput. Math. Appl.}, volume = {81}, pages = {407--422}, year = {2021},
   doi = {10.1016/j.camwa.2020.02.022}
 })"},
-                             Source{"thompson2022", R"(@article{thompson2022,
+    Source{"thompson2022", R"(@article{thompson2022,
   author = {Thompson, A. P. and Aktulga, H. M. and Berger, R. and Bolintineanu, D. S. and Brown, W. M. and Crozier, P. S. and {in 't Veld}, P. J. and Kohlmeyer, A. and Moore, S. G. and Nguyen, T. D. and Shan, R. and Stevens, M. J. and Tranchida, J. and Trott, C. and Plimpton, S. J.},
   title = {{LAMMPS} - a flexible simulation tool for particle-based materials modeling at the atomic, meso, and continuum scales},
   journal = {Comput. Phys. Commun.}, volume = {271}, pages = {108171}, year = {2022},
@@ -184,6 +190,11 @@ std::string study_sentences(const cases::Case& contact_case) {
         contact_case.flow_study->viscosity,
         contact_case.flow_study->pressure_drop,
         contact_case.flow_study->aspect());
+  if (contact_case.friction_study)
+    text += fmt::format(
+        " Partial slip with the friction coefficient {:g} follows from two "
+        "normal contacts [ciavarella1998].",
+        contact_case.friction_study->coefficient);
   return text;
 }
 

@@ -59,6 +59,13 @@ kainjow::mustache::list boundary_rows(const ReportEntry& entry);
 /// more than 1e-6 of the side off the middle.
 kainjow::mustache::list stiffness_rows(const results::Result& result);
 
+/// Lists partial slip by tangential load and method, means over the
+/// realisations (reports/analysis/partial_slip.hpp).
+kainjow::mustache::list slip_rows(const ReportEntry& entry);
+
+/// What the rows mean for a case with [friction].
+std::string slip_note(const ReportEntry& entry);
+
 /// Lists pressure, load, contact area and mean gap of the first method that is
 /// no theory in the units of a laboratory, with 95 % intervals over the
 /// realisations.

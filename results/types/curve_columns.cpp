@@ -72,6 +72,7 @@ constexpr std::array all_columns{
     column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m"),
     column<&CurvePoint::pressure_centre_x>("pressure_centre_x", "m", any),
     column<&CurvePoint::pressure_centre_y>("pressure_centre_y", "m", any),
+    column<&CurvePoint::mean_displacement>("mean_displacement", "m", any),
     column<&CurvePoint::von_mises>("von_mises", "Pa"),
     column<&CurvePoint::von_mises_depth>("von_mises_depth", "m"),
     column<&CurvePoint::plastic_work>("plastic_work", "J/m^2"),

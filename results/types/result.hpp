@@ -57,6 +57,10 @@ struct CurvePoint {
   /// surface continues periodically and has no middle, or without contact.
   double pressure_centre_x = not_given;
   double pressure_centre_y = not_given;
+  /// Mean displacement of the surface from far points [m]: the approach of far
+  /// points changes by its change less that of mean_gap. NaN, stands for 0: the
+  /// surface continues periodically, and displacements have no mean.
+  double mean_displacement = not_given;
   double von_mises = not_given;       ///< maximum in the full 3-D block [Pa]
   double von_mises_depth = not_given; ///< depth of this maximum [m]
   /// Of the full 3-D block with a yield stress: the work of plastic flow so

@@ -33,7 +33,7 @@ edges = "mirror"
 
 [material]
 contact_modulus = {modulus}
-poisson_ratio = 0.3 # needed by [fem] only
+poisson_ratio = 0.3 # needed by [fem] and [friction] only
 
 [load]
 # Twelve steps of equal ratios of the contact area; h' is the rms slope.

@@ -100,6 +100,9 @@ Entries surroundings_of(const std::string& table) {
        {"halfspace.contact=hard",
         "flow={ viscosity = 1e-3, pressure_drop = 1e4, length = 1e-3, width = "
         "1e-2 }"}},
+      {"friction",
+       {"halfspace.contact=hard", "material.poisson_ratio=0.3",
+        "friction={ coefficient = 0.5, tangential_load = 0.5 }"}},
       {"material", block},
       {"material.counter", both(block, second_body)},
       {"material.inclusion", both(block, ball)},
