@@ -18,9 +18,9 @@
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
 #include "run/arguments/case_library.hpp"
-#include "run/arguments/fluids.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
+#include "run/arguments/physics.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
@@ -206,14 +206,18 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
 }
 
 /// The overrides of a run, with those that --length and --height-unit give a
-/// map whose file does not state them, and those of --flow and --friction.
+/// map whose file does not state them, and those of --flow, --work-of-adhesion
+/// and --friction.
 /// @param has_maps_only  the words are maps, or folders of them
 std::vector<std::string> overrides_of(const RunCommand& command,
                                       bool has_maps_only) {
   std::vector<std::string> overrides =
       run::map_overrides(command.length, command.height_unit);
+  const auto is_case = [&](const std::string& word) {
+    return !has_maps_only && !run::is_map_file(word);
+  };
   for (const std::string& word : command.cases)
-    if (!overrides.empty() && !has_maps_only && !run::is_map_file(word))
+    if (!overrides.empty() && is_case(word))
       throw input::InputError(fmt::format(
           "--length and --height-unit apply only to measured maps, but {} is a "
           "case: please use --set {}",
@@ -221,6 +225,11 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   if (!command.flow.empty())
     for (std::string& flow : run::flow_overrides(command.flow))
       overrides.push_back(std::move(flow));
+  if (!command.work_of_adhesion.empty())
+    for (std::string& adhesion :
+         run::adhesion_overrides(command.work_of_adhesion,
+                                 std::ranges::none_of(command.cases, is_case)))
+      overrides.push_back(std::move(adhesion));
   if (!command.friction.empty())
     overrides.push_back("friction.coefficient=" + command.friction);
   overrides.insert(overrides.end(), command.overrides.begin(),

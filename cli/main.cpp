@@ -58,6 +58,10 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
                       "fluid that leaks through the gap: water, air, or a\n"
                       "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
                       "100 kPa or flow.pressure_drop");
+  command->add_option(
+      "--work-of-adhesion", run.work_of_adhesion,
+      "of the faces of a half-space, e.g. \"50 mJ/m^2\"; a map\n"
+      "is pressed and pulled off");
   command->add_option("--friction", run.friction,
                       "coefficient of friction, for partial slip under the\n"
                       "largest load");

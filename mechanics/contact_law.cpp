@@ -196,13 +196,39 @@ BlockSolver block_solver_of(const ContactLawTraits& traits) {
   return traits.block_solver;
 }
 
+double ContactInterface::grid_number(double contact_modulus,
+                                     double spacing) const {
+  const double tension = pressure_bounds().smallest;
+  return tension * tension * spacing / (work_of_adhesion * contact_modulus);
+}
+
+double tabor_parameter(const ContactInterface& law, double contact_modulus,
+                       const Roughness& roughness) {
+  const double length = law.work_of_adhesion / contact_modulus;
+  return std::cbrt(length * length / roughness.rms_curvature) /
+         law.adhesion_range;
+}
+
+double stickiness(const ContactInterface& law, double contact_modulus,
+                  const Roughness& roughness) {
+  const double slope = roughness.rms_slope;
+  const double range = law.adhesion_range;
+  return 0.5 * slope * contact_modulus * range / law.work_of_adhesion *
+         std::pow(slope * slope / (2.0 * roughness.rms_curvature * range),
+                  2.0 / 3.0);
+}
+
 ContactInterface ContactSettings::in_si(const Scales& scales) const {
   ContactInterface own{law};
   if (needs_penalty(law))
     own.penalty = penalty.in_si(scales);
   if (is_adhesive(law)) {
     own.work_of_adhesion = work_of_adhesion;
-    own.adhesion_range = range.in_si(scales);
+    own.adhesion_range = 1.0;
+    const double unit =
+        std::sqrt(own.grid_number(scales.contact_modulus, scales.spacing) /
+                  accurate_grid_number);
+    own.adhesion_range = range ? range->in_si(scales) : unit;
   }
   return own;
 }

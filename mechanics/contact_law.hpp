@@ -7,6 +7,7 @@
 #include "mechanics/quantity.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,7 +51,7 @@ struct PressureBounds {
 ///       J. Colloid Interface Sci. 150, 243 (1992)
 struct ContactInterface {
   ContactLaw law = ContactLaw::hard;
-  double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
+  double penalty = 0.0;          ///< k [Pa/m] > 0; not used by hard contact
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
   double adhesion_range = 0.0;   ///< rho [m] > 0, likewise
 
@@ -59,9 +60,36 @@ struct ContactInterface {
   double stiffness(double gap) const; ///< W'' [Pa/m]
   PressureBounds pressure_bounds() const;
   double range() const; ///< smallest gap beyond which W = 0 [m] >= 0
+  /// s^2 h/(w E*) of a law with adhesion, with its largest tension s: the
+  /// spacing h of the grid over the length in which the tension acts at the
+  /// edge of a contact [1].
+  double grid_number(double contact_modulus, double spacing) const;
   /// Compliance 1/k [m/Pa] of a linear penalty; 0 for a law with a wall.
   double local_compliance() const;
 };
+
+/// The height statistics by which adhesion is judged.
+struct Roughness {
+  double rms_slope = 0.0;     ///< h', both directions [1] > 0
+  double rms_curvature = 0.0; ///< of half the Laplacian [1/m] > 0
+};
+
+/// (w^2/(E*^2 kappa rho^3))^{1/3} with the rms curvature kappa: Tabor's
+/// parameter of a peak with this curvature. Small: attraction acts around the
+/// contact (DMT); large: within it (JKR).
+double tabor_parameter(const ContactInterface& law, double contact_modulus,
+                       const Roughness& roughness);
+
+/// h' E* rho/(2 w) (h'^2/(h'' rho))^{2/3}, h'' = 2 kappa: below 1 the faces
+/// stick, if the range is short against 16/3 h'^2/h''.
+/// @see  L. Pastewka, M. O. Robbins, PNAS 111, 3298 (2014)
+double stickiness(const ContactInterface& law, double contact_modulus,
+                  const Roughness& roughness);
+
+/// Grid number up to which adhesion is accurate, and from which on its numbers
+/// are those of the grid.
+inline constexpr double accurate_grid_number = 0.25;
+inline constexpr double largest_grid_number = 1.0;
 
 /// Solver of a surface operator: half-space, slab or condensed block.
 enum class SurfaceSolver {
@@ -136,7 +164,9 @@ struct ContactSettings {
   Quantity penalty{100.0,
                    ReferenceUnit::contact_modulus_per_spacing}; ///< [Pa/m]
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
-  Quantity range{};              ///< rho [m] > 0, likewise
+  /// rho [m] > 0, likewise; none: the shortest that the grid resolves, with
+  /// ContactInterface::grid_number() = accurate_grid_number.
+  std::optional<Quantity> range = {};
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 

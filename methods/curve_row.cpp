@@ -48,12 +48,13 @@ void observe_adhesion(results::CurvePoint& row,
   });
   row.tensile_area =
       mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
-  row.smallest_stiffness = solution.smallest_stiffness;
-  if (observation.adhesive_step > largest_accurate_step)
-    add_note(row,
-             fmt::format("the grid resolves the range of the adhesion "
-                         "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
-                         observation.adhesive_step, largest_accurate_step));
+  if (std::isfinite(solution.smallest_stiffness)) // not without an open node
+    row.smallest_stiffness = solution.smallest_stiffness;
+  if (observation.grid_number > mechanics::accurate_grid_number * (1.0 + 1e-9))
+    add_note(row, fmt::format("the grid resolves the range of the adhesion "
+                              "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
+                              observation.grid_number,
+                              mechanics::accurate_grid_number));
 }
 
 /// 1 at nodes in contact: with adhesion those whose gap is closed, which may be

@@ -15,9 +15,6 @@
 
 namespace asperity::methods {
 
-/// s^2 h/(w E*) of adhesive_step() above which the grid shows in the numbers.
-inline constexpr double largest_accurate_step = 0.25;
-
 /// The properties of the operator behind a solution that the observables need.
 struct Observation {
   std::span<const double> nodal_weights; ///< as in contact::SurfaceOperator
@@ -33,9 +30,9 @@ struct Observation {
   /// Who adds the sums. If ranks share the rows of the fields, the evaluation
   /// is collective and every rank gets the row of one process.
   Workers workers = 1;
-  /// The contact law, if it has adhesion, and its adhesive_step().
+  /// The contact law, if it has adhesion, and its grid_number().
   std::optional<mechanics::ContactInterface> adhesion = std::nullopt;
-  double adhesive_step = 0.0;
+  double grid_number = 0.0;
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure

@@ -40,13 +40,6 @@ results::AreaCoefficients area_coefficients(const FemSettings& settings) {
              : results::q2_area_coefficients;
 }
 
-double adhesive_step(const mechanics::ContactInterface& contact,
-                     double contact_modulus, double spacing) {
-  const double tension = contact.pressure_bounds().smallest;
-  return tension * tension * spacing /
-         (contact.work_of_adhesion * contact_modulus);
-}
-
 SolverFactory::SolverFactory(const mechanics::MaterialSpec& material,
                              Cache& cache, const CaseKeys& keys)
     : material_(material), cache_(cache), keys_(keys) {}
@@ -74,9 +67,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.has_middle = surface.has_middle;
   if (method.is_adhesive()) {
     observation.adhesion = setting.interface;
-    observation.adhesive_step =
-        adhesive_step(setting.interface, surface.scales.contact_modulus,
-                      surface.scales.spacing);
+    observation.grid_number = setting.interface.grid_number(
+        surface.scales.contact_modulus, surface.scales.spacing);
   }
   const Grid& grid = surface.record.grid;
   if (has_free_boundaries(method))

@@ -27,15 +27,6 @@ MethodDescription describe(const mechanics::FemSettings& settings);
 results::AreaCoefficients
 area_coefficients(const mechanics::FemSettings& settings);
 
-/// s^2 h/(w E*) with the largest tension s of a law: the spacing over the
-/// length of the zone at the edge of a contact where the law acts. From about
-/// 1.2 on, a node is unstable alone.
-/// @param contact          with adhesion
-/// @param contact_modulus  E* [Pa]
-/// @param spacing          h [m]
-double adhesive_step(const mechanics::ContactInterface& contact,
-                     double contact_modulus, double spacing);
-
 /// Describes how a method treats a block that is not uniform: the layers that
 /// it uses, or that it ignores them. The text is empty for a uniform block.
 std::string material_text(const cases::MethodSpec& method,

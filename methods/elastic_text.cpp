@@ -11,13 +11,19 @@ using mechanics::HalfspaceSettings;
 
 std::string in_words(const ContactSettings& settings) {
   const mechanics::ContactLawTraits& law = mechanics::traits_of(settings.law);
-  if (mechanics::is_adhesive(settings.law))
-    return fmt::format(
-        "{}, w = {:g} J/m^2, range {:g} {}", law.words,
-        settings.work_of_adhesion, settings.range.value,
-        settings.range.reference == mechanics::ReferenceUnit::si        ? "m"
-        : settings.range.reference == mechanics::ReferenceUnit::spacing ? "h"
-                                                                        : "L");
+  if (mechanics::is_adhesive(settings.law)) {
+    using mechanics::ReferenceUnit;
+    const std::string range =
+        !settings.range
+            ? "the shortest that the grid resolves"
+            : fmt::format("{:g} {}", settings.range->value,
+                          settings.range->reference == ReferenceUnit::si ? "m"
+                          : settings.range->reference == ReferenceUnit::spacing
+                              ? "h"
+                              : "L");
+    return fmt::format("{}, w = {:g} J/m^2, range {}", law.words,
+                       settings.work_of_adhesion, range);
+  }
   if (!law.needs_penalty)
     return law.words;
   const char* unit =

@@ -17,10 +17,10 @@ mechanics::ContactSettings read_contact(TableReader& table) {
   table.read(contact);
   if (mechanics::needs_penalty(contact.law))
     table.require("penalty", ", which this contact needs");
+  if (mechanics::is_adhesive(contact.law))
+    table.require("work_of_adhesion", ", which this contact needs");
   for (const char* const key : {"work_of_adhesion", "range"})
-    if (mechanics::is_adhesive(contact.law))
-      table.require(key, ", which this contact needs");
-    else if (table.has(key))
+    if (!mechanics::is_adhesive(contact.law) && table.has(key))
       table.refuse(table.said_by(key),
                    "needs a contact with adhesion: contact = \"exponential\", "
                    "\"dugdale\" or \"cubic\"");

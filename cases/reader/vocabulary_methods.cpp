@@ -55,7 +55,7 @@ std::vector<Key> contact_keys() {
           "Range of the adhesion. The spacing h of the grid must resolve it: "
           "with the largest tension s of the law, s^2 h/(w E*) must be <= 1, "
           "and should be <= 0.25.",
-          needed("2 h", "with adhesion"))
+          eg("2 h", "default: the shortest with s^2 h/(w E*) = 0.25"))
           .hidden(),
       key<&Contact::tolerance>(
           "tolerance", between(1e-15, 0.01),

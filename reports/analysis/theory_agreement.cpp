@@ -207,7 +207,10 @@ std::vector<Warning> theory_disagreements(const results::Result& result,
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* const theory =
         reference_theory(result, contact_case, method);
+    const auto spec = std::ranges::find(contact_case.methods, method.name,
+                                        &cases::MethodSpec::name);
     if (theory == nullptr || method.kind == "theory" ||
+        (spec != contact_case.methods.end() && spec->is_adhesive()) ||
         method.realizations.empty() || theory->realizations.empty())
       continue;
     const Comparison compared{result, contact_case, method, *theory};

@@ -125,7 +125,7 @@ Figure area_figure(std::span<const Series> series, const FigureScales& scales) {
     add_area_band(panel, one.rows, series_color(one));
   }
   if (panel.curves.empty())
-    figure.problem = "no load step converged";
+    figure.problem = "no load step with a pressure above 0 converged";
   figure.caption = area_caption(fitted) + joined_words(series);
   if (!panel.bands.empty())
     figure.caption += " Bands: 95 % interval of the mean area over the "

@@ -120,7 +120,7 @@ Figure pressure_gap_figure(std::span<const Series> series,
   }
   figure.caption += joined_words(series);
   if (panel.curves.empty())
-    figure.problem = "no load step converged";
+    figure.problem = "no load step with a pressure above 0 converged";
   figure.panels = {std::move(panel)};
   figure.data = table.text();
   return figure;

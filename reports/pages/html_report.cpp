@@ -268,7 +268,10 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
-  page.set("answer", physical_sentence(entry));
+  const std::string answer =
+      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
+  page.set("has_answer", !answer.empty());
+  page.set("answer", answer);
   const List physical = physical_rows(entry);
   page.set("has_physical", !physical.empty());
   page.set("physical", physical);

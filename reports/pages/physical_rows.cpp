@@ -74,6 +74,44 @@ std::string with_interval(const Estimate& number, double scale) {
                          : "");
 }
 
+/// Pull-off and stickiness of a method with adhesion; otherwise nothing.
+std::string adhesive_sentence(const ReportEntry& entry,
+                              const results::MethodRecord& method) {
+  const cases::Case& contact_case = *entry.contact_case;
+  const auto spec = std::ranges::find(contact_case.methods, method.name,
+                                      &cases::MethodSpec::name);
+  const auto summary = std::ranges::find(entry.summary.methods, method.name,
+                                         &MethodSummary::name);
+  const results::SurfaceRecord* const surface =
+      surface_of(*entry.result, method, 0);
+  if (spec == contact_case.methods.end() || !spec->is_adhesive() ||
+      summary == entry.summary.methods.end() || surface == nullptr)
+    return "";
+  const double modulus = entry.result->contact_modulus;
+  const mechanics::ContactInterface law =
+      std::get<mechanics::HalfspaceSettings>(spec->settings)
+          .contact.in_si({.contact_modulus = modulus,
+                          .length = surface->grid.length_x,
+                          .spacing = surface->grid.spacing_x(),
+                          .rms_height = surface->rms_height,
+                          .rms_slope = surface->rms_slope});
+  const auto tension = summary->quantities.find("pull_off_pressure");
+  std::string words =
+      fmt::format(" Adhesion of {:.3g} mJ/m² acts over {:.3g} "
+                  "nm",
+                  1e3 * law.work_of_adhesion, 1e9 * law.adhesion_range);
+  if (tension != summary->quantities.end() && tension->second.has_value())
+    words += fmt::format(": the largest tension of the path is {}",
+                         in_unit(tension->second.value * modulus, "Pa"));
+  const double criterion =
+      stickiness(law, modulus, {surface->rms_slope, surface->rms_curvature});
+  if (std::isfinite(criterion) && criterion > 0.0)
+    words += fmt::format("; the criterion of Pastewka and Robbins (2014) is "
+                         "{:.3g}, below 1 where faces stick",
+                         criterion);
+  return words + ".";
+}
+
 } // namespace
 
 kainjow::mustache::list physical_rows(const ReportEntry& entry) {
@@ -100,7 +138,7 @@ std::string physical_sentence(const ReportEntry& entry) {
     return "";
   const std::vector<PhysicalLoad> loads = physical_loads(*method);
   if (loads.empty())
-    return "";
+    return adhesive_sentence(entry, *method);
   const auto at = [&](std::size_t i, const char* format) {
     return fmt::format(fmt::runtime(format), in_unit(loads[i].pressure, "Pa"),
                        100.0 * loads[i].area.value, 1e9 * loads[i].gap.value);
@@ -111,7 +149,8 @@ std::string physical_sentence(const ReportEntry& entry) {
     words += at(loads.size() / 2, "; at {}, {:.3g} % and {:.3g} nm");
   if (loads.size() > 1)
     words += at(loads.size() - 1, "; at {}, {:.3g} % and {:.3g} nm");
-  return fmt::format("{} ({}).", words, method->name);
+  return fmt::format("{} ({}).{}", words, method->name,
+                     adhesive_sentence(entry, *method));
 }
 
 } // namespace asperity::reports

@@ -140,6 +140,30 @@ void add_material(std::vector<DerivedNumber>& numbers,
       "rms pressure E* h'_rms/2 of full contact");
 }
 
+/// Adds by what the adhesion of a method is judged.
+void add_adhesion(std::vector<DerivedNumber>& numbers,
+                  const std::vector<MethodSpec>& methods,
+                  const KnownSurface& known) {
+  for (const MethodSpec& method : methods) {
+    if (!method.is_adhesive() || !(known.scales.spacing > 0.0))
+      continue;
+    const mechanics::ContactInterface law =
+        std::get<mechanics::HalfspaceSettings>(method.settings)
+            .contact.in_si(known.scales);
+    const double modulus = known.scales.contact_modulus;
+    const mechanics::Roughness rough{known.rms_slope, known.rms_curvature};
+    add(numbers, "adhesion_range", law.adhesion_range, "m",
+        "rho of " + method.name);
+    add(numbers, "adhesion_grid_number",
+        law.grid_number(modulus, known.scales.spacing), "1",
+        "s^2 h/(w E*); above 0.25 the grid resolves the range coarsely");
+    add(numbers, "tabor_parameter", tabor_parameter(law, modulus, rough), "1",
+        "(w^2/(E*^2 kappa rho^3))^{1/3} with the rms curvature kappa");
+    add(numbers, "stickiness", stickiness(law, modulus, rough), "1",
+        "of Pastewka and Robbins (2014); the faces stick below 1");
+  }
+}
+
 std::vector<DescribedLoad> loads_of(const mechanics::LoadingPath& load,
                                     const KnownSurface& known) {
   const bool is_pressure = load.control == mechanics::Control::nominal_pressure;
@@ -184,6 +208,7 @@ CaseDescription describe_case(const cases::Case& contact_case,
   add_surface(description.derived, known);
   add_wavevectors(description.derived, contact_case, known);
   add_material(description.derived, contact_case.material, known);
+  add_adhesion(description.derived, methods, known);
   description.loads = loads_of(contact_case.load, known);
   return description;
 }

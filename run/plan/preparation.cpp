@@ -128,21 +128,26 @@ private:
 
   /// Whether the grid resolves the range of an adhesion.
   void require_resolved(const mechanics::ContactInterface& contact) const {
-    constexpr double largest = 1.0;
-    const double step = methods::adhesive_step(
-        contact, case_.material.contact_modulus, scales_.spacing);
+    constexpr double largest = mechanics::largest_grid_number;
+    const double step =
+        contact.grid_number(case_.material.contact_modulus, scales_.spacing);
     if (step <= largest)
       return;
     const double factor = step / largest;
+    const std::string finer =
+        case_.surface.kind == mechanics::SurfaceKind::measured
+            ? fmt::format("a map with a spacing of at most {:.3g} m",
+                          scales_.spacing / factor)
+            : fmt::format("surface.points at least {}",
+                          static_cast<long long>(
+                              std::ceil(pressed_.points_x * factor)));
     refuse_argument(
         "range", contact.adhesion_range,
-        fmt::format(
-            "at least {:.3g} m with this spacing, or surface.points at "
-            "least {} with this range: s^2 h/(w E*) = {:.3g}, with the "
-            "largest tension s of the law, must be at most {:g}",
-            contact.adhesion_range * std::sqrt(factor),
-            static_cast<long long>(std::ceil(pressed_.points_x * factor)), step,
-            largest));
+        fmt::format("at least {:.3g} m with this spacing, or {} with this "
+                    "range: s^2 h/(w E*) = {:.3g}, with the largest tension s "
+                    "of the law, must be at most {:g}",
+                    contact.adhesion_range * std::sqrt(factor), finer, step,
+                    largest));
   }
 
   void examine(const FemSettings& fem) {
@@ -270,13 +275,15 @@ private:
                                   ? fmt::format("{} is not given", path)
                                   : fmt::format("{} = {}", path, written(node));
     const std::string is =
-        is_own ? fmt::format("{} {}",
-                             node.is_table() ? " and is" : ", which is", value)
-               : fmt::format(": {}{} = {}",
-                             path.starts_with(method_->name + ".")
-                                 ? ""
-                                 : method_->name + ": ",
-                             refused.name, value);
+        is_own && !node.is_table() && written(node) == value ? ""
+        : is_own
+            ? fmt::format("{} {}", node.is_table() ? " and is" : ", which is",
+                          value)
+            : fmt::format(": {}{} = {}",
+                          path.starts_with(method_->name + ".")
+                              ? ""
+                              : method_->name + ": ",
+                          refused.name, value);
     mistakes_.add(node.place, fmt::format("{}{}, but must be {}", found, is,
                                           refused.range));
   }

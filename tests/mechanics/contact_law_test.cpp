@@ -88,6 +88,31 @@ INSTANTIATE_TEST_SUITE_P(
     All, Law, testing::ValuesIn(contact_laws().begin(), contact_laws().end()),
     [](const auto& law) { return std::string(law.param.name); });
 
+// w h/(rho^2 E*) of the exponential law and Dugdale's, nine times that of the
+// cubic one.
+TEST(Adhesion, HasTheShortestRangeThatTheGridResolves) {
+  const Scales scales{.contact_modulus = 2e9, .spacing = 5e-9};
+  ContactSettings settings{.law = ContactLaw::dugdale,
+                           .work_of_adhesion = 0.05};
+  EXPECT_NEAR(settings.in_si(scales).adhesion_range,
+              std::sqrt(0.05 * 5e-9 / (0.25 * 2e9)), 1e-22);
+  settings.law = ContactLaw::cubic;
+  const ContactInterface cubic = settings.in_si(scales);
+  EXPECT_NEAR(cubic.adhesion_range, 3.0 * std::sqrt(0.05 * 5e-9 / (0.25 * 2e9)),
+              1e-22);
+  EXPECT_NEAR(cubic.grid_number(2e9, 5e-9), 0.25, 1e-14);
+  settings.range = Quantity{2.0, ReferenceUnit::spacing};
+  EXPECT_NEAR(settings.in_si(scales).adhesion_range, 1e-8, 1e-22);
+}
+
+// Scales of a sphere of radius R, kappa = 1/R, whose parameters are 2 and 3.
+TEST(Adhesion, IsJudgedByTheRoughness) {
+  const ContactInterface law{ContactLaw::exponential, 0.0, 8.0, 2.0};
+  EXPECT_NEAR(tabor_parameter(law, 1.0, {0.3, 1.0}), 2.0, 1e-14);
+  EXPECT_NEAR(stickiness(law, 10.0, {0.2, 0.01}), 0.2 * 10.0 * 2.0 / 16.0 * 1.0,
+              1e-14);
+}
+
 ContactLawTraits with_tension() {
   ContactLawTraits traits = traits_of(ContactLaw::hard);
   traits.name = "sticky";

@@ -1,4 +1,4 @@
-#include "run/arguments/fluids.hpp"
+#include "run/arguments/physics.hpp"
 
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
@@ -26,6 +26,20 @@ std::vector<std::string> flow_overrides(const std::string& fluid) {
   (void)positive_quantity("--flow", viscosity, cases::Dimension::viscosity);
   return {"flow.viscosity=\"" + viscosity + "\"",
           "flow.pressure_drop=\"100 kPa\""};
+}
+
+std::vector<std::string> adhesion_overrides(const std::string& work,
+                                            bool has_map) {
+  (void)positive_quantity("--work-of-adhesion", work,
+                          cases::Dimension::energy_per_area);
+  std::vector<std::string> overrides{"halfspace.contact=\"exponential\"",
+                                     "halfspace.work_of_adhesion=\"" + work +
+                                         '"'};
+  if (has_map)
+    overrides.emplace_back(
+        R"(load={ mean_gap = { from = "4 h_rms", to = "0.5 h_rms", )"
+        R"(steps = 15, spacing = "linear" }, cycle = "load-unload" })");
+  return overrides;
 }
 
 } // namespace asperity::run

@@ -1,0 +1,26 @@
+#pragma once
+
+// Overrides of a case by which a command adds a physical effect to it.
+
+#include <string>
+#include <vector>
+
+namespace asperity::run {
+
+/// A fluid flows through the gap, under a pressure drop of 100 kPa. Viscosities
+/// at 25 C and 100 kPa.
+/// @param fluid  "water", "air", or a viscosity, "0.1 Pa s"
+/// @throws input::InputError  it is none of them
+/// @see  W. M. Haynes (ed.), CRC Handbook of Chemistry and Physics
+std::vector<std::string> flow_overrides(const std::string& fluid);
+
+/// The faces of a half-space attract each other by the exponential law, over
+/// the shortest range that the grid resolves. A map gets a path by mean gap,
+/// from 4 h_rms to 0.5 h_rms and back.
+/// @param work     of adhesion, "50 mJ/m^2"
+/// @param has_map  the case is that of a map; others keep their loads
+/// @throws input::InputError  it is no work of adhesion
+std::vector<std::string> adhesion_overrides(const std::string& work,
+                                            bool has_map);
+
+} // namespace asperity::run

@@ -1,0 +1,66 @@
+// Adhesion as a user asks for it: by an option for a map, and up to full
+// contact.
+#include "tests/program/program.hpp"
+#include "tests/rough_case.hpp"
+
+namespace asperity::program::adhesion_test {
+namespace {
+
+using AdhesionTest = ProgramTest;
+
+/// A map of one bump, in nm.
+std::string bump() {
+  std::string text;
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 16; ++x)
+      text += (x > 5 && x < 10 && y > 5 && y < 10 ? "4 " : "0 ") +
+              std::string(x == 15 ? "\n" : "");
+  return text;
+}
+
+} // namespace
+
+TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
+  write("map.txt", bump());
+  const std::string command =
+      "run map.txt --length \"1 um\" --height-unit nm --contact-modulus \"2 "
+      "GPa\" --work-of-adhesion ";
+  const Ended pulled = run(command + "\"50 mJ/m^2\" --out pulled");
+  ASSERT_EQ(pulled.exit_code, 0) << pulled.output;
+  const std::string page = text_of(folder / "pulled/report.html");
+  EXPECT_NE(page.find("Adhesion of 50 mJ/m² acts over 2.5 nm: the largest "
+                      "tension of the path is"),
+            std::string::npos);
+  EXPECT_NE(page.find("criterion of Pastewka and Robbins"), std::string::npos);
+  EXPECT_TRUE(
+      std::filesystem::exists(folder / "pulled/figures/adhesion-loop.svg"));
+
+  const Ended wrong = run(command + "\"50 mJ\"");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_NE(wrong.output.find("--work-of-adhesion = \"50 mJ\" has the unknown "
+                              "unit \"mJ\""),
+            std::string::npos)
+      << wrong.output;
+  const Ended fine = run(command + "\"50 mJ/m^2\" --set halfspace.range=1e-9");
+  EXPECT_EQ(fine.exit_code, 2);
+  EXPECT_NE(fine.output.find("halfspace.range = 1e-09, but must be at least"),
+            std::string::npos)
+      << fine.output;
+  EXPECT_NE(fine.output.find("or a map with a spacing of at most 4e-08 m"),
+            std::string::npos)
+      << fine.output;
+}
+
+// Without an open node there is no smallest stiffness, and the result can be
+// read.
+TEST_F(AdhesionTest, FullContactIsAResult) {
+  write("full.toml", tests::rough_case("Full", 32, "[ \"0.01 E*\", \"1 E*\" ]",
+                                       "[halfspace]\ncontact = \"cubic\"\n"
+                                       "work_of_adhesion = \"50 mJ/m^2\"\n"));
+  const Ended full = run("run full.toml --out full");
+  ASSERT_EQ(full.exit_code, 0) << full.output;
+  EXPECT_NE(full.output.find("A = 100.000 %"), std::string::npos)
+      << full.output;
+}
+
+} // namespace asperity::program::adhesion_test
