@@ -45,12 +45,9 @@ struct Place {
 
 /// The contact law of a method whose answer is that of one surface operator.
 const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
-  if (const auto* half =
-          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
-    return method.is_adhesive() ? nullptr : &half->contact;
-  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
-  return fem != nullptr && !methods::is_full_block(method) ? &fem->contact
-                                                           : nullptr;
+  return method.is_adhesive() || methods::is_full_block(method)
+             ? nullptr
+             : method.contact();
 }
 
 /// Certifies the fields of one result.

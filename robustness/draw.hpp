@@ -51,6 +51,9 @@ enum class Stream {
   counter,
   counter_radius,
   counter_stiffness,
+  adhesion,
+  grid_number,
+  adhesive_law,
 };
 
 /// The random numbers of one instance.

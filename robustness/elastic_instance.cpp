@@ -15,13 +15,6 @@ namespace {
 
 constexpr int max_iterations = 2000;
 
-/// Unit ratios of the second runs of metamorphic pairs, for length and
-/// pressure. The binary ones are powers of two, the decimal ones powers of ten.
-constexpr double binary_length = 0x1p+20;
-constexpr double binary_pressure = 0x1p-17;
-constexpr double decimal_length = 1e-3;
-constexpr double decimal_pressure = 1e6;
-
 /// The results of one pass along the loading path.
 struct Pass {
   std::vector<contact::ContactSolution> solutions;
@@ -92,12 +85,6 @@ Pass run_pass(const Instance& instance, int threads, InstanceReport& report) {
   return pass;
 }
 
-bool is_scaled(const std::vector<double>& first,
-               const std::vector<double>& second, double ratio) {
-  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
-                    [ratio](double a, double b) { return a * ratio == b; });
-}
-
 void compare(const Instance& instance, const Pass& first, const Pass& second,
              double length_ratio, double pressure_ratio,
              InstanceReport& report) {
@@ -156,6 +143,12 @@ void run_pair(const Instance& instance, const Pass& first,
 }
 
 } // namespace
+
+bool is_scaled(std::span<const double> first, std::span<const double> second,
+               double ratio) {
+  return std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                    [ratio](double a, double b) { return a * ratio == b; });
+}
 
 bool may_lose_contact(const Instance& instance) {
   constexpr double plate = 0.05; // thickness [lengths]

@@ -143,6 +143,10 @@ struct Instance {
                                   ///< block [1] > 0
 
   double penalty = 100.0; ///< k, in E*/h [1] > 0; ignored by hard contact
+  /// Of laws with adhesion: w over k_c h_rms^2/2, some energy of full
+  /// conformity, and s^2 h/(w E*) [1] > 0.
+  double adhesion = 0.1;
+  double grid_number = 0.25;
   /// Nominal pressure in units of E* h' [1], or mean gap in units of h_rms [1].
   double load = 0.01;
   double gamma = 0.45; ///< of the theory [1]

@@ -106,10 +106,31 @@ Instance within_reach_of_a_case(Instance instance) {
   return instance;
 }
 
+/// Restricts adhesion to what has a solver for it, in the library: half-spaces,
+/// slabs and condensed blocks of first order, at a positive mean gap or a load
+/// that presses first.
+Instance with_adhesion_settings(Instance instance) {
+  if (!mechanics::is_adhesive(instance.law))
+    return instance;
+  if (instance.family != Family::halfspace && instance.family != Family::slab &&
+      instance.family != Family::condensed_q1)
+    instance.law = mechanics::ContactLaw::hard;
+  if (!mechanics::is_adhesive(instance.law))
+    return instance;
+  instance.has_free_boundaries = false;
+  instance.path = Path::library;
+  if (instance.relation == MetamorphicRelation::decimal_units)
+    instance.relation = MetamorphicRelation::none; // bits decide on jumps
+  if (instance.control == mechanics::Control::mean_gap)
+    instance.load = std::max(instance.load, 1e-3);
+  return instance;
+}
+
 } // namespace
 
 Instance within_reach(Instance instance) {
   const bool is_full = instance.family == Family::full_block;
+  instance = with_adhesion_settings(instance);
   if (instance.family != Family::halfspace ||
       instance.control == mechanics::Control::mean_gap)
     instance.has_free_boundaries = false;

@@ -129,6 +129,10 @@ std::string text_of(const Instance& instance) {
   words += name_of(instance.law);
   if (mechanics::needs_penalty(instance.law))
     words += fmt::format(" of {:.17g} E*/h", instance.penalty);
+  if (mechanics::is_adhesive(instance.law))
+    words += fmt::format(" of {:.17g} times the energy of conformity, with the "
+                         "grid number {:.17g}",
+                         instance.adhesion, instance.grid_number);
   words += instance.control == mechanics::Control::nominal_pressure
                ? fmt::format(", {} to {:.17g} E* h'", name_of(instance.program),
                              instance.load)

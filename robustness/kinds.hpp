@@ -17,9 +17,22 @@ namespace asperity::robustness {
 /// default of a case.
 constexpr double relative_tolerance = 1e-8;
 
+/// Unit ratios of the second runs of metamorphic pairs, for length and
+/// pressure. The binary ones are powers of two, the decimal ones powers of ten.
+inline constexpr double binary_length = 0x1p+20;
+inline constexpr double binary_pressure = 0x1p-17;
+inline constexpr double decimal_length = 1e-3;
+inline constexpr double decimal_pressure = 1e6;
+
+/// Whether each number of the second field is that of the first times the
+/// ratio, to the last bit.
+bool is_scaled(std::span<const double> first, std::span<const double> second,
+               double ratio);
+
 /// Each of these functions runs an instance of its family and fills in the
 /// report. A refusal is thrown as an exception, as the modules throw it.
 void run_elastic(const Instance& instance, InstanceReport& report);
+void run_adhesive(const Instance& instance, InstanceReport& report);
 void run_full_block(const Instance& instance, InstanceReport& report);
 void run_theory(const Instance& instance, InstanceReport& report);
 void run_atoms(const Instance& instance, InstanceReport& report);

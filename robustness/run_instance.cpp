@@ -21,6 +21,8 @@ void run_family(const Instance& instance, InstanceReport& report) {
   case Family::flawed:
     return run_flawed(instance, report);
   default:
+    if (mechanics::is_adhesive(instance.law))
+      return run_adhesive(instance, report);
     return run_elastic(instance, report);
   }
 }

@@ -22,13 +22,6 @@ constexpr double rounding_of_a_field = 64.0 * eps;
 using contact::ContactSolution;
 using mechanics::LoadTarget;
 
-double largest(std::span<const double> field) {
-  double most = 0.0;
-  for (const double value : field)
-    most = std::max(most, std::abs(value));
-  return most;
-}
-
 std::optional<Failure> verify_finite(const ContactSolution& solution) {
   for (const auto* field :
        {&solution.pressure, &solution.gap, &solution.displacement})
@@ -143,6 +136,13 @@ double energy_of(const AskedContact& asked, const ContactSolution& solution) {
 }
 
 } // namespace
+
+double largest(std::span<const double> field) {
+  double most = 0.0;
+  for (const double value : field)
+    most = std::max(most, std::abs(value));
+  return most;
+}
 
 double gap_rounding(const AskedContact& asked,
                     const ContactSolution& solution) {

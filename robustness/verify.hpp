@@ -23,6 +23,9 @@ struct Failure {
 using Displace = std::function<void(std::span<const double> pressure,
                                     std::span<double> displacement)>;
 
+/// The largest magnitude in a field.
+double largest(std::span<const double> field);
+
 /// The contact problem that was posed.
 struct AskedContact {
   std::span<const double> heights;    ///< [m]

@@ -144,12 +144,14 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
 void read_settings(TableReader& table, const MethodSurroundings& surroundings,
                    mechanics::FemSettings& fem) {
   fem.contact = read_contact(table);
-  if (mechanics::is_adhesive(fem.contact.law))
-    table.refuse(table.said_by("contact"),
-                 "only [halfspace] with periodic boundaries has adhesion in "
-                 "this version");
   table.read(fem.block);
   table.read(fem);
+  if (mechanics::is_adhesive(fem.contact.law) &&
+      (fem.solver == mechanics::FemSolver::full ||
+       fem.block.element != mechanics::Element::q1))
+    table.refuse(table.said_by("contact"),
+                 "only blocks with element = \"Q1\" and solver = \"condensed\" "
+                 "have adhesion in this version");
   fem.full.uses_case_mesh =
       fem.solver == mechanics::FemSolver::full && surroundings.has_mesh;
   table.read(fem.full);

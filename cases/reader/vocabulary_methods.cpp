@@ -33,8 +33,9 @@ std::vector<Key> contact_keys() {
           "Penalty, hard (unilateral) or augmented-Lagrangian contact, or a "
           "hard wall with adhesion that falls with the gap g: w exp(-g/range), "
           "w (1 - g/range) (dugdale) or w (1 - g/range)^3 (cubic). Adhesion "
-          "is available to [halfspace] with periodic boundaries, and its loads "
-          "may be tensile.")
+          "is available to [halfspace] with periodic boundaries and to "
+          "condensed "
+          "[fem] with element = \"Q1\", and its loads may be tensile.")
           .shown(),
       key<&Contact::penalty>(
           "penalty", stiffness_per_area(),

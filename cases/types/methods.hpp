@@ -58,11 +58,17 @@ struct MethodSpec {
                       settings);
   }
 
+  /// Returns the contact of a half-space or block; null for others.
+  const mechanics::ContactSettings* contact() const {
+    if (const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings))
+      return &half->contact;
+    const auto* const block = std::get_if<mechanics::FemSettings>(&settings);
+    return block != nullptr ? &block->contact : nullptr;
+  }
+
   /// Returns whether the faces attract each other.
   bool is_adhesive() const {
-    const auto* const half =
-        std::get_if<mechanics::HalfspaceSettings>(&settings);
-    return half != nullptr && mechanics::is_adhesive(half->contact.law);
+    return contact() != nullptr && mechanics::is_adhesive(contact()->law);
   }
 
   /// Returns whether the method uses [[material.layers]].

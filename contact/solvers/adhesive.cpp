@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 // A tour: solve_adhesive() below is the loop. AdhesiveState holds the gap, the
@@ -24,7 +25,13 @@ constexpr std::size_t n_pairs = 4;
 /// Share of the first order of a step that the energy must fall by (Armijo).
 constexpr double least_fall = 1e-4;
 constexpr double shortening = 0.4;
+/// Of the step while no curvature is known.
+constexpr double lengthening = 2.0;
 constexpr int most_trials = 25;
+
+/// k_c over the stiffness of short waves: M is a difference in single
+/// precision, of which this share is left for them.
+constexpr double softest = 1e-4;
 
 /// Saddles that are left before the solver gives up.
 constexpr int most_saddles = 20;
@@ -46,10 +53,12 @@ public:
   std::span<const double> direction(AdhesiveState& state) {
     state.residual(r_);
     std::array<Products, n_pairs> of{};
+    has_curvature_ = false;
     for (std::size_t k = 0; k < n_used_; ++k) { // newest first
       of[k] = products(state, pair(k));
       if (!(of[k].curvature > 0.0))
         continue;
+      has_curvature_ = true;
       of[k].share = dot(state, pair(k).step, r_) / of[k].curvature;
       add(state, -of[k].share, pair(k).bend, of[k].mean_bend, r_);
     }
@@ -62,6 +71,16 @@ public:
       add(state, share, pair(k).step, of[k].mean_step, direction_);
     }
     state.each([&](std::size_t i) { direction_[i] = -direction_[i]; });
+    return direction_;
+  }
+
+  /// The direction -r over the stiffness of the shortest waves: that of a step
+  /// whose projection lowers the energy, where that of M r may not.
+  std::span<const double> steepest(AdhesiveState& state) {
+    const double compliance =
+        state.elasticity.short_wave_compliance() / (2.0 * std::numbers::sqrt2);
+    state.residual(direction_);
+    state.each([&](std::size_t i) { direction_[i] *= -compliance; });
     return direction_;
   }
 
@@ -83,6 +102,10 @@ public:
   }
 
   bool has_pairs() const { return n_used_ > 0; }
+
+  /// Whether some pair had a positive curvature in the last direction(), so
+  /// that its length is a guess of the distance to a minimum.
+  bool has_curvature() const { return has_curvature_; }
 
   void forget() { n_used_ = 0; }
 
@@ -141,6 +164,7 @@ private:
   std::vector<double> r_, direction_;
   std::array<Pair, n_pairs> pairs_;
   std::size_t newest_ = 0, n_used_ = 0;
+  bool has_curvature_ = false;
 };
 
 /// Shortens a step until the energy falls. Returns false if it does not.
@@ -189,6 +213,7 @@ struct End {
 void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
               End& end) {
   end.converged = false;
+  double stride = 1.0;
   while (!state.is_detached()) {
     std::span<const double> direction = directions.direction(state);
     const double size = state.rms(direction);
@@ -201,11 +226,20 @@ void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
     }
     if (iterations == state.problem.max_iterations)
       break;
-    if (!falls(state, direction, 1.0, least_fall)) {
-      if (!directions.has_pairs())
-        break;
+    // Where the energy is concave along the way, no length is known: the faces
+    // jump into contact or part. They do not pass their range in one step.
+    stride = directions.has_curvature()
+                 ? 1.0
+                 : std::clamp(state.problem.law.adhesion_range / size, 1.0,
+                              lengthening * stride);
+    if (!falls(state, direction, stride, least_fall)) {
+      stride = 1.0;
+      const bool had_pairs = directions.has_pairs();
       directions.forget();
-      continue;
+      if (had_pairs)
+        continue;
+      if (!falls(state, directions.steepest(state), 1.0, 0.0))
+        break;
     }
     directions.take(state);
     ++iterations;
@@ -266,9 +300,10 @@ double adhesive_scale(SurfaceOperator& elasticity,
                                        return (h[i] - mean) * (h[i] - mean);
                                      });
   const double scale = weighted_dot({}, heights, pressure, workers) / square;
+  const double short_waves = 1.0 / elasticity.short_wave_compliance();
   return scale > 0.0 && std::isfinite(scale)
-             ? scale
-             : 1.0 / (16.0 * elasticity.short_wave_compliance());
+             ? std::max(scale, softest * short_waves)
+             : short_waves / 16.0;
 }
 
 ContactSolution solve_adhesive(SurfaceOperator& elasticity,
@@ -285,6 +320,11 @@ ContactSolution solve_adhesive(SurfaceOperator& elasticity,
       break;
     LowestMode mode = lowest_mode(state);
     end.smallest_stiffness = mode.eigenvalue;
+    if (std::isnan(mode.eigenvalue)) {
+      end.converged = false;
+      end.note = "the smallest eigenvalue of the Hessian was not found";
+      break;
+    }
     if (!mode.is_saddle)
       break;
     if (saddles == most_saddles || !leave_saddle(state, mode.vector)) {

@@ -21,8 +21,8 @@ struct AdhesiveProblem {
 };
 
 /// k_c = <h, K h> / <h, h> [Pa/m], the stiffness of the waves that have most of
-/// the heights; that of short waves divided by 16 for a flat surface. Costs one
-/// application of K.
+/// the heights, but at least 1e-4 of that of short waves; that of short waves
+/// divided by 16 for a flat surface. Costs one application of K.
 double adhesive_scale(SurfaceOperator& elasticity,
                       std::span<const double> heights);
 

@@ -142,11 +142,18 @@ void AdhesiveState::restrict_to_free(std::span<double> field) const {
 }
 
 // M = (K + k)^-1 = (1 - (C + 1/k)^-1 / k) / k. The mean of the inverse is
-// arbitrary, and that of M is 1/k.
+// arbitrary, and that of M is 1/k. In single precision the field is of order 1,
+// because stiffnesses of small surfaces are 1e20 Pa/m and more.
 void AdhesiveState::precondition(std::span<const double> field,
                                  std::span<double> answer) {
   const double stiffness = problem.preconditioner_stiffness;
-  each([&](std::size_t i) { scratch_[i] = static_cast<float>(field[i]); });
+  const double size = rms(field);
+  const double unit = size > 0.0 && std::isfinite(size)
+                          ? std::ldexp(1.0, std::ilogb(size))
+                          : 1.0;
+  each([&](std::size_t i) {
+    scratch_[i] = static_cast<float>(field[i] / unit);
+  });
   elasticity.pressure_estimate(scratch_, 1.0 / stiffness, scratch_);
   ++transforms;
   const double mean = sum([s = scratch_.data()](std::size_t i) {
@@ -154,9 +161,9 @@ void AdhesiveState::precondition(std::span<const double> field,
                       }) /
                       n_nodes();
   each([&](std::size_t i) {
-    answer[i] =
-        (field[i] - (static_cast<double>(scratch_[i]) - mean) / stiffness) /
-        stiffness;
+    answer[i] = (field[i] -
+                 (static_cast<double>(scratch_[i]) - mean) * unit / stiffness) /
+                stiffness;
   });
   restrict_to_free(answer);
 }
@@ -206,11 +213,12 @@ void AdhesiveState::restore_mean(std::span<double> moved) const {
 AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
                                               double length) {
   each([&](std::size_t i) {
-    next_gap_[i] =
-        free[i] == 0 ? gap[i] : std::max(0.0, gap[i] + length * direction[i]);
+    next_gap_[i] = free[i] == 0 ? gap[i] : gap[i] + length * direction[i];
   });
   if (by_gap())
     restore_mean(next_gap_);
+  else
+    each([&](std::size_t i) { next_gap_[i] = std::max(0.0, next_gap_[i]); });
   find_elastic(next_gap_, next_elastic_);
   const mechanics::ContactInterface& law = problem.law;
   const double range = law.range();

@@ -99,7 +99,8 @@ public:
   bool is_detached() const;
 
 private:
-  /// Shifts the free nodes of a gap to the prescribed mean gap.
+  /// Projects the free nodes of a gap on gaps >= 0 of the prescribed mean: shifts
+  /// them and clips them at the wall.
   void restore_mean(std::span<double> moved) const;
   /// From the gap: K v.
   void find_elastic(std::span<const double> from, std::span<double> answer);

@@ -17,7 +17,7 @@ adhesion_of(const cases::Case& contact_case,
             const results::MethodRecord& method) {
   for (const cases::MethodSpec& spec : contact_case.methods)
     if (spec.name == method.name && spec.is_adhesive())
-      return &std::get<mechanics::HalfspaceSettings>(spec.settings).contact;
+      return spec.contact();
   return nullptr;
 }
 

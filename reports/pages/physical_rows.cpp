@@ -89,12 +89,11 @@ std::string adhesive_sentence(const ReportEntry& entry,
     return "";
   const double modulus = entry.result->contact_modulus;
   const mechanics::ContactInterface law =
-      std::get<mechanics::HalfspaceSettings>(spec->settings)
-          .contact.in_si({.contact_modulus = modulus,
-                          .length = surface->grid.length_x,
-                          .spacing = surface->grid.spacing_x(),
-                          .rms_height = surface->rms_height,
-                          .rms_slope = surface->rms_slope});
+      spec->contact()->in_si({.contact_modulus = modulus,
+                              .length = surface->grid.length_x,
+                              .spacing = surface->grid.spacing_x(),
+                              .rms_height = surface->rms_height,
+                              .rms_slope = surface->rms_slope});
   const auto tension = summary->quantities.find("pull_off_pressure");
   std::string words =
       fmt::format(" Adhesion of {:.3g} mJ/m² acts over {:.3g} "

@@ -148,8 +148,7 @@ void add_adhesion(std::vector<DerivedNumber>& numbers,
     if (!method.is_adhesive() || !(known.scales.spacing > 0.0))
       continue;
     const mechanics::ContactInterface law =
-        std::get<mechanics::HalfspaceSettings>(method.settings)
-            .contact.in_si(known.scales);
+        method.contact()->in_si(known.scales);
     const double modulus = known.scales.contact_modulus;
     const mechanics::Roughness rough{known.rms_slope, known.rms_curvature};
     add(numbers, "adhesion_range", law.adhesion_range, "m",

@@ -153,6 +153,8 @@ private:
   void examine(const FemSettings& fem) {
     const bool is_full = fem.solver == mechanics::FemSolver::full;
     attempt([&] { examine_mesh(fem, is_full && fem.full.uses_case_mesh); });
+    if (mechanics::is_adhesive(fem.contact.law))
+      attempt([&] { require_resolved(fem.contact.in_si(scales_)); });
     if (!is_full)
       return;
     attempt([&] { examine_moduli(fem); });

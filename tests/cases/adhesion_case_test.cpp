@@ -91,9 +91,10 @@ TEST(AdhesionCase, IsRefusedWhereNoSolverHasIt) {
   expect_mistake(sticky(law + "boundaries = \"free\"\n", pressed),
                  "halfspace.contact = \"exponential\", but this version has no "
                  "adhesion with free boundaries");
-  expect_mistake(sticky("\n[fem]\n" + law, pressed),
-                 "fem.contact = \"exponential\", but only [halfspace] with "
-                 "periodic boundaries has adhesion in this version");
+  expect_mistake(sticky("\n[fem]\nelement = \"Q2\"\n" + law, pressed),
+                 "fem.contact = \"exponential\", but only blocks with element "
+                 "= \"Q1\" and solver = \"condensed\" have adhesion in this "
+                 "version");
 }
 
 } // namespace asperity::cases::adhesion_case_test

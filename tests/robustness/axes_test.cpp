@@ -59,8 +59,10 @@ TEST(Axes, FilterListsTheChoices) {
     InstanceFilter("law=soft");
     FAIL();
   } catch (const std::domain_error& error) {
-    EXPECT_STREQ(error.what(), "only = law=soft, but must be one of: "
-                               "law=penalty, law=hard, law=augmented");
+    EXPECT_STREQ(error.what(),
+                 "only = law=soft, but must be one of: "
+                 "law=penalty, law=hard, law=augmented, law=exponential, "
+                 "law=dugdale, law=cubic");
   }
   EXPECT_THROW(InstanceFilter("colour=red"), std::domain_error);
 }

@@ -50,6 +50,20 @@ TEST(Slice, RefusesEveryFlaw) {
     }
 }
 
+// Adhesion whose stiffness exceeds single precision (2352), whose faces jump
+// into contact from afar (9007), and whose mean gap is far below that of the
+// step before (14410).
+TEST(Slice, SolvesAdhesion) {
+  for (const auto& [seed, index] :
+       {std::pair(39, 2352), std::pair(38, 9007), std::pair(39, 14410)}) {
+    const InstanceReport report =
+        run_instance(draw_instance(static_cast<std::uint64_t>(seed), index));
+
+    EXPECT_EQ(report.outcome, Outcome::verified)
+        << seed << " " << index << " " << report.check << ": " << report.reason;
+  }
+}
+
 // Thin slabs with a free far boundary, for which both iterations stagnate: the
 // active set of the solver solves them.
 TEST(Slice, SolvesPlates) {

@@ -1,0 +1,257 @@
+// Runs a half-space or slab whose faces attract each other, and verifies that
+// each state is a minimum of the energy.
+#include "base/field_sums.hpp"
+#include "contact/solvers/adhesive.hpp"
+#include "contact/solvers/load_sequence.hpp"
+#include "robustness/kinds.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace asperity::robustness {
+namespace {
+
+using contact::ContactSolution;
+using mechanics::ContactInterface;
+using mechanics::LoadTarget;
+
+constexpr int most_iterations = 5000;
+constexpr double adhesive_rounding =
+    1e-12; ///< of sums and transforms, relative
+
+double mean(std::span<const double> field) {
+  return results::weighted_mean(field, {});
+}
+
+/// The problem of an instance, and what its states are verified by.
+struct AdhesiveRun {
+  Grid grid;
+  InstanceSurface surface;
+  std::unique_ptr<contact::SurfaceOperator> elasticity;
+  ContactInterface law;
+  double scale = 0.0; ///< k_c [Pa/m]
+
+  double gap_tolerance() const {
+    return relative_tolerance * surface.height_scale;
+  }
+
+  /// <v, K v>/2 + <W(g)> + p_0 <g> [J/m^2]
+  double energy(const std::vector<double>& gap, double nominal) const {
+    std::vector<double> raised = gap;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      raised[i] += surface.map.heights[i];
+    std::vector<double> pressure(gap.size());
+    elasticity->pressure_of(raised, pressure);
+    const double level = mean(raised);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      sum += 0.5 * pressure[i] * (raised[i] - level) + law.energy(gap[i]) +
+             nominal * gap[i];
+    return sum / static_cast<double>(gap.size());
+  }
+};
+
+AdhesiveRun adhesive_run(const Instance& instance, int threads) {
+  AdhesiveRun run;
+  run.grid = grid_of(instance);
+  run.surface = surface_of(instance, run.grid);
+  run.elasticity = operator_of(instance, run.grid, threads);
+  run.scale = contact::adhesive_scale(*run.elasticity, run.surface.map.heights);
+  const double height = run.surface.height_scale;
+  run.law = mechanics::ContactSettings{.law = instance.law,
+                                       .work_of_adhesion = instance.adhesion *
+                                                           0.5 * run.scale *
+                                                           height * height}
+                .in_si({.contact_modulus = instance.contact_modulus,
+                        .spacing = run.grid.spacing_x()});
+  run.law.adhesion_range *=
+      std::sqrt(mechanics::accurate_grid_number / instance.grid_number);
+  return run;
+}
+
+/// The path of the instance, and beyond a load to a tension at which no node
+/// can hold the block.
+std::vector<LoadTarget> adhesive_targets(const Instance& instance,
+                                         const AdhesiveRun& run) {
+  std::vector<LoadTarget> targets =
+      targets_of(instance, run.surface.height_scale);
+  if (instance.control == mechanics::Control::nominal_pressure) {
+    const double tension = run.law.pressure_bounds().smallest;
+    for (const double share : {0.0, 0.01, 1.01})
+      targets.push_back({instance.control, share * tension});
+  }
+  return targets;
+}
+
+std::optional<Failure> verify_law(const AdhesiveRun& run,
+                                  const ContactSolution& found) {
+  // The rms of M r is at most the tolerance, M = 1/(K + k_c). The shortest
+  // waves of the grid are 2 sqrt 2 times as short as those of the compliance.
+  const double stiffest =
+      2.0 * std::numbers::sqrt2 / run.elasticity->short_wave_compliance() +
+      run.scale;
+  const double allowed =
+      run.gap_tolerance() * stiffest *
+          std::sqrt(static_cast<double>(found.gap.size())) +
+      adhesive_rounding *
+          (largest(found.pressure) - run.law.pressure_bounds().smallest);
+  for (std::size_t i = 0; i < found.gap.size(); ++i) {
+    const double gap = found.gap[i];
+    const double off = found.pressure[i] - run.law.pressure(gap);
+    if (gap < 0.0)
+      return Failure{"wall", fmt::format("a gap of {:.3g} m", gap)};
+    if (off < -allowed || (gap > 0.0 && off > allowed))
+      return Failure{"law",
+                     fmt::format("at the gap {:.3g} m, p differs from -W' by "
+                                 "{:.3g} Pa, allowed {:.3g} Pa",
+                                 gap, off, allowed)};
+  }
+  return {};
+}
+
+std::optional<Failure> verify_fields(const AdhesiveRun& run,
+                                     const LoadTarget& target,
+                                     const ContactSolution& found) {
+  if (!all_finite(found.pressure) || !all_finite(found.gap))
+    return Failure{"finite", "a field holds a number that is not finite"};
+  const bool by_pressure =
+      target.control == mechanics::Control::nominal_pressure;
+  const double asked = found.is_detached ? 0.0
+                       : by_pressure     ? target.amount
+                                         : found.nominal_pressure;
+  const double nominal = mean(found.pressure);
+  if (std::abs(nominal - asked) > adhesive_rounding * largest(found.pressure))
+    return Failure{"balance",
+                   fmt::format("mean pressure {:.17g} Pa instead of {:.17g} Pa",
+                               nominal, asked)};
+  if (!by_pressure &&
+      std::abs(mean(found.gap) - target.amount) >
+          adhesive_rounding * (target.amount + largest(found.gap)))
+    return Failure{"balance", fmt::format("mean gap {:.17g} m instead of "
+                                          "{:.17g} m",
+                                          mean(found.gap), target.amount)};
+  std::vector<double> displacement(found.gap.size());
+  run.elasticity->displacement(found.pressure, displacement);
+  const std::vector<double>& heights = run.surface.map.heights;
+  const double level = mean(found.gap) + mean(heights);
+  const double allowed =
+      adhesive_rounding * (largest(found.gap) + largest(heights) +
+                           largest(found.pressure) / run.scale);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const double off = found.gap[i] + heights[i] - level - displacement[i];
+    if (std::abs(off) > allowed)
+      return Failure{"gap field", fmt::format("C p differs from the gap by "
+                                              "{:.3g} m, allowed {:.3g} m",
+                                              off, allowed)};
+  }
+  return {};
+}
+
+/// Whether the state is a minimum, and below the state where the solver began
+/// under the same load.
+std::optional<Failure> verify_minimum(const AdhesiveRun& run,
+                                      const LoadTarget& target,
+                                      const ContactSolution& found,
+                                      const std::vector<double>& begun) {
+  if (found.smallest_stiffness < -1e-3 * run.scale)
+    return Failure{"minimum",
+                   fmt::format("the smallest eigenvalue of the Hessian is "
+                               "{:.3g} Pa/m",
+                               found.smallest_stiffness)};
+  if (begun.empty() || target.control == mechanics::Control::mean_gap)
+    return {};
+  const double before = run.energy(begun, target.amount);
+  const double after = run.energy(found.gap, target.amount);
+  const double allowed =
+      1e-10 * (std::abs(before) + std::abs(after) + run.law.work_of_adhesion);
+  if (after > before + allowed)
+    return Failure{"energy", fmt::format("rises by {:.3g} J/m^2, allowed "
+                                         "{:.3g} J/m^2",
+                                         after - before, allowed)};
+  return {};
+}
+
+std::optional<Failure> verify_adhesive(const AdhesiveRun& run,
+                                       const LoadTarget& target,
+                                       const ContactSolution& found,
+                                       const std::vector<double>& begun) {
+  if (auto failure = verify_fields(run, target, found))
+    return failure;
+  if (found.is_detached) {
+    if (target.amount <= 0.0)
+      return {};
+    return Failure{"detached", "under a load that presses"};
+  }
+  if (target.control == mechanics::Control::nominal_pressure &&
+      target.amount < run.law.pressure_bounds().smallest)
+    return Failure{"detached", "a tension beyond the law is held"};
+  if (auto failure = verify_law(run, found))
+    return failure;
+  return verify_minimum(run, target, found, begun);
+}
+
+std::vector<ContactSolution>
+adhesive_pass(const Instance& instance, int threads, InstanceReport& report) {
+  const AdhesiveRun run = adhesive_run(instance, threads);
+  contact::LoadSequence sequence(run.elasticity->clone(),
+                                 run.surface.map.heights, run.law,
+                                 run.gap_tolerance(), most_iterations);
+  std::vector<ContactSolution> found;
+  for (const LoadTarget& target : adhesive_targets(instance, run)) {
+    ContactSolution solution = sequence.solve(target);
+    report.iterations += solution.iterations;
+    if (!solution.converged) {
+      report.outcome = Outcome::not_converged;
+      report.reason = solution.note;
+      return {};
+    }
+    const std::vector<double> begun = found.empty() || found.back().is_detached
+                                          ? std::vector<double>()
+                                          : found.back().gap;
+    if (const auto failure = verify_adhesive(run, target, solution, begun)) {
+      fail(report, *failure);
+      return {};
+    }
+    found.push_back(std::move(solution));
+  }
+  const ContactSolution& asked = found[load_step(instance)];
+  report.area = static_cast<double>(std::ranges::count(asked.gap, 0.0)) /
+                static_cast<double>(asked.gap.size());
+  report.reduced_gap = asked.mean_gap / run.surface.height_scale;
+  return found;
+}
+
+} // namespace
+
+void run_adhesive(const Instance& instance, InstanceReport& report) {
+  const std::vector<ContactSolution> first = adhesive_pass(instance, 1, report);
+  const bool by_units = instance.relation == MetamorphicRelation::binary_units;
+  if (first.empty() ||
+      (!by_units && instance.relation != MetamorphicRelation::threads))
+    return;
+  Instance pair = instance;
+  const double length = by_units ? binary_length : 1.0;
+  const double pressure = by_units ? binary_pressure : 1.0;
+  pair.length *= length;
+  pair.contact_modulus *= pressure;
+  const std::vector<ContactSolution> second =
+      adhesive_pass(pair, by_units ? 1 : instance.threads, report);
+  if (second.empty()) {
+    report.reason = "second run of the pair: " + report.reason;
+    return;
+  }
+  report.has_pair = report.has_same_bits = true;
+  for (std::size_t i = 0; i < first.size(); ++i)
+    report.has_same_bits =
+        report.has_same_bits &&
+        is_scaled(first[i].pressure, second[i].pressure, pressure) &&
+        is_scaled(first[i].gap, second[i].gap, length);
+  if (!report.has_same_bits)
+    fail(report, {"metamorphic pair", "the bits of both runs differ"});
+}
+
+} // namespace asperity::robustness
