@@ -44,6 +44,8 @@ MagnificationStudy read_magnification_study(TableReader table,
                                             const Case& read);
 AdhesionStudy read_adhesion_study(TableReader table, const Case& read);
 FlowStudy read_flow_study(TableReader table, const Case& read);
+SpotsStudy read_spots_study(TableReader table, const Case& read);
+ConductanceStudy read_conductance_study(TableReader table, const Case& read);
 /// Reads report.fields: a number, "none" or "all".
 void read_fields(TableReader& report, const Key& key, ReportSpec& spec);
 /// @param read  the case with its methods and studies already read

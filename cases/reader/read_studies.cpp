@@ -60,6 +60,22 @@ double read_reference_wavevector(TableReader& table,
   return surface.wavevector_roll_off;
 }
 
+void require_fields(TableReader& table, const Case& read,
+                    const std::string& what) {
+  if (std::ranges::none_of(read.methods, &MethodSpec::has_fields))
+    table.complain(table.node(), "needs a method with a " + what +
+                                     ": [halfspace], [fem] or [md]");
+}
+
+/// Both bodies have a property, or neither.
+void require_both(TableReader& table, const std::string& key) {
+  const std::string counter = "counter_" + key;
+  if (table.has(key) != table.has(counter))
+    table.complain_missing(table.has(key) ? counter : key,
+                           ": both bodies conduct; a body of the same material "
+                           "has the same value");
+}
+
 } // namespace
 
 MagnificationStudy read_magnification_study(TableReader table,
@@ -86,12 +102,26 @@ AdhesionStudy read_adhesion_study(TableReader table, const Case& read) {
 FlowStudy read_flow_study(TableReader table, const Case& read) {
   FlowStudy study;
   table.read(study);
-  if (std::ranges::none_of(read.methods, &MethodSpec::has_fields))
-    table.complain(table.node(), "needs a method with a gap: [halfspace], "
-                                 "[fem] or [md]");
+  require_fields(table, read, "gap");
   if (study.length.has_value() != study.width.has_value())
     table.complain_missing(study.length ? "width" : "length",
                            ": a seal has both");
+  return study;
+}
+
+SpotsStudy read_spots_study(TableReader table, const Case& read) {
+  SpotsStudy study;
+  table.read(study);
+  require_fields(table, read, "contact map");
+  return study;
+}
+
+ConductanceStudy read_conductance_study(TableReader table, const Case& read) {
+  ConductanceStudy study;
+  table.read(study);
+  require_fields(table, read, "contact map");
+  require_both(table, "thermal_conductivity");
+  require_both(table, "resistivity");
   return study;
 }
 

@@ -2,8 +2,8 @@
 
 // The studies of a case besides its curve: the contact at a range of
 // magnifications and adhesion by the theory (Secs. 8 and 9 of Yang and Persson,
-// 2008), and the flow through the gap of each load step. Plain data, part of a
-// Case.
+// 2008), and, of each load step, the flow through the gap, the spots of contact
+// and what they conduct. Plain data, part of a Case.
 
 #include "mechanics/quantity.hpp"
 
@@ -53,6 +53,21 @@ struct FlowStudy {
 
   /// Width over length; 1 if they are not given.
   double aspect() const { return width.value_or(1.0) / length.value_or(1.0); }
+};
+
+/// [spots]: the clusters of contact and of the gap.
+struct SpotsStudy {
+  int smallest = 10; ///< nodes of the smallest cluster in a dimension >= 1
+};
+
+/// [conductance]: two bodies that exchange heat and current through the contact
+/// alone.
+struct ConductanceStudy {
+  /// Of the block and of the body on it.
+  std::optional<double> thermal_conductivity;         ///< [W/(m K)] > 0
+  std::optional<double> counter_thermal_conductivity; ///< [W/(m K)] > 0
+  std::optional<double> resistivity;                  ///< [Ohm m] > 0
+  std::optional<double> counter_resistivity;          ///< [Ohm m] > 0
 };
 
 } // namespace asperity::cases

@@ -112,7 +112,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
 /// result has none.
 FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
                           bool is_one_of_many) {
-  FigureGroup group{"Magnification, adhesion and flow", "", {}};
+  FigureGroup group{"Magnification, adhesion, flow and conductance", "", {}};
   if (is_one_of_many) {
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
@@ -122,6 +122,8 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
   add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
   add(group.figures, "leak-rate", [&] { return flow_figure(entry); });
   add(group.figures, "flux", [&] { return flux_figures(entry); });
+  add(group.figures, "conductance", [&] { return conductance_figure(entry); });
+  add(group.figures, "spots", [&] { return spot_figures(entry); });
   return group;
 }
 

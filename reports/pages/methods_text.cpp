@@ -36,6 +36,12 @@ constexpr std::array sources{Source{"yang2008", R"(@article{yang2008,
   journal = {Eur. Phys. J. E}, volume = {8}, pages = {385--401}, year = {2002},
   doi = {10.1140/epje/i2002-10025-1}
 })"},
+                             Source{"barber2003", R"(@article{barber2003,
+  author = {Barber, J. R.},
+  title = {Bounds on the electrical resistance between contacting elastic rough bodies},
+  journal = {Proc. R. Soc. Lond. A}, volume = {459}, pages = {53--66}, year = {2003},
+  doi = {10.1098/rspa.2002.1038}
+})"},
                              Source{"polonsky1999", R"(@article{polonsky1999,
   author = {Polonsky, I. A. and Keer, L. M.},
   title = {A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques},
@@ -184,6 +190,10 @@ std::string study_sentences(const cases::Case& contact_case) {
         contact_case.flow_study->viscosity,
         contact_case.flow_study->pressure_drop,
         contact_case.flow_study->aspect());
+  if (contact_case.conductance_study)
+    text += " The conductance and the incremental normal stiffness are those "
+            "of a rigid punch on the nodes in contact, by Barber's analogy "
+            "[barber2003].";
   return text;
 }
 

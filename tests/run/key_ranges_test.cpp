@@ -100,6 +100,11 @@ Entries surroundings_of(const std::string& table) {
        {"halfspace.contact=hard",
         "flow={ viscosity = 1e-3, pressure_drop = 1e4, length = 1e-3, width = "
         "1e-2 }"}},
+      {"conductance",
+       {"halfspace.contact=hard",
+        "conductance={ thermal_conductivity = 1.0, "
+        "counter_thermal_conductivity = 1.0, resistivity = 1.0, "
+        "counter_resistivity = 1.0 }"}},
       {"material", block},
       {"material.counter", both(block, second_body)},
       {"material.inclusion", both(block, ball)},
