@@ -46,6 +46,13 @@ public:
                                    const SurfaceOfCase& surface,
                                    int realization, const Resources& resources);
 
+  /// Returns the operator behind a half-space or condensed method.
+  std::unique_ptr<contact::SurfaceOperator>
+  operator_of(const cases::MethodSpec& method, const SurfaceOfCase& surface,
+              int threads) {
+    return elastic_.operator_of(method, surface, threads);
+  }
+
 private:
   const cases::Case& case_;
   SolverFactory elastic_;

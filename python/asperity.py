@@ -92,7 +92,8 @@ class Method:
 
 
 class Result:
-    """A result file. `result["fem"]` is a Method; iterating gives the names of the methods."""
+    """A result file. `result["fem"]` is a Method; iterating gives the names of the methods.
+    `tables["leak"]["mass_flow"]` is a column of a table of docs/reference/results.md."""
 
     def __init__(self, folder, exit_code=0):
         self.folder, self.exit_code = Path(folder), exit_code
@@ -106,6 +107,22 @@ class Result:
             self.rms_height = np.array([surfaces[r].attrs["rms_height"] for r in first])  # [m]
             self.rms_slope = np.array([surfaces[r].attrs["rms_slope"] for r in first])
             self.heights = [surfaces[r]["heights"][()] for r in first if "heights" in surfaces[r]]
+            self.tables = {name: {column: values[()] for column, values in table.items()}
+                           for name, table in file.get("tables", {}).items()}
+
+    def flux(self, method):
+        """The flow along x through the gap of a method, of a case with [flow], at the heaviest
+        saved load at which the gap is not sealed: x [m] and y [m] of the columns and rows, the flow
+        per width |q| over its mean Q/W, [y, x], and the place (x, y) [m] that is narrowest on the
+        widest path. Sides of more than 256 points are averaged over squares."""
+        try:
+            table = self.tables[f"flow-{method}"]
+        except KeyError:
+            raise KeyError(f"{method} has no flux: its case needs [flow] and [report] fields, and a "
+                           "saved load at which the gap is not sealed") from None
+        x, y = np.unique(table["x"]), np.unique(table["y"])
+        at = np.flatnonzero(table["is_critical"])[0]
+        return x, y, table["flux"].reshape(len(y), len(x)), (table["x"][at], table["y"][at])
 
     def __getitem__(self, name):
         try:

@@ -30,7 +30,8 @@ constexpr std::array number_headers{"step",
 
 /// Headers of the columns after these, of a result in which some row has a
 /// number in the first column of the group: of free boundaries, of a block with
-/// a yield stress, of adhesion, and of the flow through the gap.
+/// a yield stress, of adhesion, of the flow through the gap, of spots, and of
+/// conductance.
 const std::vector<std::vector<const char*>> optional_headers{
     {"mean_displacement [m]"},
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
@@ -38,7 +39,14 @@ const std::vector<std::vector<const char*>> optional_headers{
      "smallest_stiffness [Pa/m]"},
     {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",
      "flow_conductance_y [m^3]", "critical_gap_x [m]", "critical_gap_y [m]",
-     "leak_rate_x [m^3/s]", "leak_rate_y [m^3/s]", "effective_medium [m^3]"}};
+     "leak_rate_x [m^3/s]", "leak_rate_y [m^3/s]", "effective_medium [m^3]"},
+    {"spot_count [1]", "largest_spot [m^2]", "spot_dimension [1]",
+     "spots_percolate_x [1]", "spots_percolate_y [1]", "spot_radii [1/m]",
+     "gap_count [1]", "largest_gap [m^2]", "gap_dimension [1]",
+     "gap_percolates_x [1]", "gap_percolates_y [1]"},
+    {"relative_conductance [1/m]", "normal_stiffness [N/m]",
+     "thermal_conductance [W/(m^2 K)]",
+     "electrical_conductance [1/(Ohm m^2)]"}};
 
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",

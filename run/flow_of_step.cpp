@@ -16,14 +16,6 @@
 namespace asperity::run {
 namespace {
 
-std::vector<double> map_of(const results::MapRows& rows) {
-  std::vector<double> map;
-  rows([&](std::span<const double> values) {
-    map.insert(map.end(), values.begin(), values.end());
-  });
-  return map;
-}
-
 flow::NetworkSolution solved(const flow::Network& network) {
   return fem::load_fem_module().solved_network(network);
 }
@@ -118,11 +110,6 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
 void add_flow(const cases::FlowStudy& study, const ClosedNodes& closed,
               methods::StepAnswer& answer) {
   results::CurvePoint& row = answer.row;
-  if (answer.rows && row.status == results::StepStatus::converged) {
-    answer.pressure = map_of(answer.rows->pressure);
-    answer.gap = map_of(answer.rows->gap);
-    answer.rows = {};
-  }
   if (row.status != results::StepStatus::converged || answer.gap.empty())
     return;
   const std::vector<double> gap = flow::open_gap(

@@ -6,6 +6,7 @@
 #include "methods/chosen.hpp"
 #include "methods/curve_row.hpp"
 #include "methods/theory_method.hpp"
+#include "run/contact_studies.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 
@@ -158,6 +159,8 @@ void MethodJob::take(std::size_t step, results::Change kept,
   row.is_unloading = context_.contact_case.load.is_unloading[step];
   if (context_.contact_case.flow_study)
     set_leak_rates(*context_.contact_case.flow_study, row);
+  if (context_.contact_case.conductance_study)
+    set_conductances(*context_.contact_case.conductance_study, row);
   context_.tally.failed_steps += has_failed(row);
   for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
@@ -350,8 +353,7 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
       context_.progress, activity_text(fmt::format("step {}", step)));
   methods::StepTarget target =
       target_of(context_.contact_case.load, step, surface.scales);
-  target.needs_maps =
-      needs_maps(step) || context_.contact_case.flow_study.has_value();
+  target.needs_maps = needs_maps(step) || needs_all_maps(context_.contact_case);
   methods::StepAnswer answer = solver.solve(target);
   methods::distrust_non_finite(answer);
   CurvePoint row = answer.row;
@@ -384,11 +386,7 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
     answer.rows->gap = root_.shared(answer.rows->gap);
   }
   root_.act([&] {
-    if (context_.contact_case.flow_study)
-      add_flow(*context_.contact_case.flow_study,
-               closed_nodes(method_, context_.surfaces.of(method_, realization_)
-                                         .scales.rms_height),
-               answer);
+    study(answer);
     if (!needs_maps(static_cast<std::size_t>(answer.row.step))) {
       free_memory(answer.pressure, answer.gap);
       answer.rows = {};
@@ -400,6 +398,22 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
     state = {}; // its memory
     record(std::move(change));
   });
+}
+
+/// Adds to the row of a step what the case asks of its maps.
+void MethodJob::study(methods::StepAnswer& answer) {
+  const cases::Case& contact_case = context_.contact_case;
+  if (!needs_all_maps(contact_case))
+    return;
+  hold_maps(answer);
+  const methods::SurfaceOfCase& surface =
+      context_.surfaces.of(method_, realization_);
+  add_contact_studies({contact_case, method_, surface, context_.solvers,
+                       context_.pool.threads_per_job()},
+                      answer);
+  if (contact_case.flow_study)
+    add_flow(*contact_case.flow_study,
+             closed_nodes(method_, surface.scales.rms_height), answer);
 }
 
 methods::Resources MethodJob::resources() const {

@@ -61,6 +61,7 @@ private:
   void record(results::Change change);
   void keep_and_record(methods::StepSolver& solver, methods::StepAnswer& answer,
                        double setup_time);
+  void study(methods::StepAnswer& answer);
   void describe_found(const std::string& found);
   void compute_theory(const std::vector<std::size_t>& steps);
   void compute_elastic(const std::vector<std::size_t>& steps);

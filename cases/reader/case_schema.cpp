@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace asperity::cases {
 namespace {
@@ -26,7 +27,7 @@ void bound(Json& schema, const Range& range) {
 std::string escaped(const std::string& symbol) {
   std::string pattern;
   for (const char letter : symbol) {
-    if (letter == '*' || letter == '^' || letter == '/')
+    if (std::string_view("*^/()").find(letter) != std::string_view::npos)
       pattern += '\\';
     pattern += letter;
   }

@@ -74,6 +74,10 @@ void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
     read.flow_study = read_flow_study(part(*study), read);
   if (const Node* const study = table("friction"))
     read.friction_study = read_friction_study(part(*study), read);
+  if (const Node* const study = table("spots"))
+    read.spots_study = read_spots_study(part(*study), read);
+  if (const Node* const study = table("conductance"))
+    read.conductance_study = read_conductance_study(part(*study), read);
   if (const Node* const report = table("report"))
     part(*report).read(read.report);
   if (read.report.stress_inside && material != nullptr &&

@@ -47,6 +47,8 @@ FlowStudy read_flow_study(TableReader table, const Case& read);
 
 /// Adds the load steps of tangential loads to those of the case.
 FrictionStudy read_friction_study(TableReader table, Case& read);
+SpotsStudy read_spots_study(TableReader table, const Case& read);
+ConductanceStudy read_conductance_study(TableReader table, const Case& read);
 /// Reads report.fields: a number, "none" or "all".
 void read_fields(TableReader& report, const Key& key, ReportSpec& spec);
 /// @param read  the case with its methods and studies already read

@@ -143,6 +143,22 @@ void add_friction_steps(TableReader& table, FrictionStudy& study, Case& read) {
   study.map_steps = steps_of_traction(read.load, full.value * (1.0 - 1e-12));
 }
 
+void require_fields(TableReader& table, const Case& read,
+                    const std::string& what) {
+  if (std::ranges::none_of(read.methods, &MethodSpec::has_fields))
+    table.complain(table.node(), "needs a method with a " + what +
+                                     ": [halfspace], [fem] or [md]");
+}
+
+/// Both bodies have a property, or neither.
+void require_both(TableReader& table, const std::string& key) {
+  const std::string counter = "counter_" + key;
+  if (table.has(key) != table.has(counter))
+    table.complain_missing(table.has(key) ? counter : key,
+                           ": both bodies conduct; a body of the same material "
+                           "has the same value");
+}
+
 } // namespace
 
 MagnificationStudy read_magnification_study(TableReader table,
@@ -169,9 +185,7 @@ AdhesionStudy read_adhesion_study(TableReader table, const Case& read) {
 FlowStudy read_flow_study(TableReader table, const Case& read) {
   FlowStudy study;
   table.read(study);
-  if (std::ranges::none_of(read.methods, &MethodSpec::has_fields))
-    table.complain(table.node(), "needs a method with a gap: [halfspace], "
-                                 "[fem] or [md]");
+  require_fields(table, read, "gap");
   if (study.length.has_value() != study.width.has_value())
     table.complain_missing(study.length ? "width" : "length",
                            ": a seal has both");
@@ -190,6 +204,22 @@ FrictionStudy read_friction_study(TableReader table, Case& read) {
   if (!read.material.poisson_ratio)
     table.complain(table.node(), "needs material.poisson_ratio");
   add_friction_steps(table, study, read);
+  return study;
+}
+
+SpotsStudy read_spots_study(TableReader table, const Case& read) {
+  SpotsStudy study;
+  table.read(study);
+  require_fields(table, read, "contact map");
+  return study;
+}
+
+ConductanceStudy read_conductance_study(TableReader table, const Case& read) {
+  ConductanceStudy study;
+  table.read(study);
+  require_fields(table, read, "contact map");
+  require_both(table, "thermal_conductivity");
+  require_both(table, "resistivity");
   return study;
 }
 

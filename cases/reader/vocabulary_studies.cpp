@@ -9,6 +9,8 @@ using Adhesion = AdhesionStudy;
 using Leak = LeakStudy;
 using Flow = FlowStudy;
 using Friction = FrictionStudy;
+using Spots = SpotsStudy;
+using Conductance = ConductanceStudy;
 
 constexpr const char* for_theory =
     "Optional; needs a [theory] whose spectrum is the formula.";
@@ -164,6 +166,61 @@ Table friction_table() {
       }};
 }
 
+Table spots_table() {
+  return {
+      .name = "spots",
+      .when = "Optional; needs a method with a contact map.",
+      .description =
+          "The spots of contact of each load step, and the connected parts of "
+          "its gap (docs/numerics/conductance.md): their number, the largest, "
+          "whether they percolate, and the dimension by area and perimeter.",
+      .keys = {
+          key<&Spots::smallest>(
+              "smallest", between(1, 1000000),
+              "Nodes of the smallest cluster that counts in a dimension."),
+      }};
+}
+
+template <auto member>
+Key conductivity_key(const char* name, const char* description,
+                     const char* example) {
+  return key<member>(name, Dimension::thermal_conductivity, description,
+                     eg(example, "default: no thermal_conductance"));
+}
+
+template <auto member>
+Key resistivity_key(const char* name, const char* description,
+                    const char* example) {
+  return key<member>(name, Dimension::resistivity, description,
+                     eg(example, "default: no electrical_conductance"));
+}
+
+Table conductance_table() {
+  return {
+      .name = "conductance",
+      .when = "Optional; needs a method with a contact map.",
+      .description =
+          "Heat and current through the spots of contact of each load step, "
+          "and the incremental normal stiffness of the contact "
+          "(docs/numerics/conductance.md).",
+      .keys = {
+          conductivity_key<&Conductance::thermal_conductivity>(
+              "thermal_conductivity", "Thermal conductivity of the block.",
+              "0.2 W/(m K)"),
+          conductivity_key<&Conductance::counter_thermal_conductivity>(
+              "counter_thermal_conductivity",
+              "Thermal conductivity of the body on it, also of a rigid one.",
+              "16 W/(m K)"),
+          resistivity_key<&Conductance::resistivity>(
+              "resistivity", "Electrical resistivity of the block.",
+              "17 nOhm m"),
+          resistivity_key<&Conductance::counter_resistivity>(
+              "counter_resistivity",
+              "Electrical resistivity of the body on it, also of a rigid one.",
+              "24 nOhm m"),
+      }};
+}
+
 } // namespace
 
 Table case_sweep_table() {
@@ -183,7 +240,8 @@ Table case_sweep_table() {
 }
 
 std::vector<Table> study_tables() {
-  return {magnification_table(), leak_table(), adhesion_table(), flow_table(),
+  return {magnification_table(), leak_table(),  adhesion_table(),
+          flow_table(),          spots_table(), conductance_table(),
           friction_table()};
 }
 

@@ -60,6 +60,8 @@ struct Case {
   std::optional<AdhesionStudy> adhesion_study;
   std::optional<FlowStudy> flow_study;
   std::optional<FrictionStudy> friction_study;
+  std::optional<SpotsStudy> spots_study;
+  std::optional<ConductanceStudy> conductance_study;
   ReportSpec report;
   std::vector<Expectation> expectations;
 };

@@ -92,6 +92,19 @@ const std::vector<ExpectationName>& quantities_at_load() {
                       "both directions; needs [flow] and a step at this load "
                       "[1].",
        .needs_theory = true},
+      {.name = "curve_stiffness_ratio",
+       .description = "-dp/du of the curve over the stiffness of the standing "
+                      "contact; needs [conductance] and a step at this load "
+                      "[1]."},
+      {.name = "spot_stiffness_ratio",
+       .description = "Stiffness of the spots as circles alone over that of "
+                      "the standing contact; needs [conductance], [spots] and "
+                      "a step at this load [1]."},
+      {.name = "theory_stiffness_ratio",
+       .description = "-dp/du of theory over the stiffness of the standing "
+                      "contact; needs [conductance] and a step at this load "
+                      "[1].",
+       .needs_theory = true},
   };
   return names;
 }

@@ -2,8 +2,8 @@
 
 // The studies of a case besides its curve: the contact at a range of
 // magnifications and adhesion by the theory (Secs. 8 and 9 of Yang and Persson,
-// 2008), the flow through the gap of each load step, and partial slip. Plain
-// data, part of a Case.
+// 2008), and, of each load step, the flow through the gap, the spots of contact
+// and what they conduct, and partial slip. Plain data, part of a Case.
 
 #include "mechanics/quantity.hpp"
 
@@ -63,9 +63,24 @@ struct FrictionStudy {
   std::optional<mechanics::Quantity> normal_load;
   /// Q/(mu P) [1] of tangential loads that get load steps of their own.
   std::vector<mechanics::Quantity> tangential_loads;
-  /// The load steps of P and of the lighter load nearest to P/2, whose maps give
-  /// that of the traction; empty unless the loads are pressures that rise.
+  /// The load steps of P and of the lighter load nearest to P/2, whose maps
+  /// give that of the traction; empty unless the loads are pressures that rise.
   std::vector<std::size_t> map_steps = {};
+};
+
+/// [spots]: the clusters of contact and of the gap.
+struct SpotsStudy {
+  int smallest = 10; ///< nodes of the smallest cluster in a dimension >= 1
+};
+
+/// [conductance]: two bodies that exchange heat and current through the contact
+/// alone.
+struct ConductanceStudy {
+  /// Of the block and of the body on it.
+  std::optional<double> thermal_conductivity;         ///< [W/(m K)] > 0
+  std::optional<double> counter_thermal_conductivity; ///< [W/(m K)] > 0
+  std::optional<double> resistivity;                  ///< [Ohm m] > 0
+  std::optional<double> counter_resistivity;          ///< [Ohm m] > 0
 };
 
 } // namespace asperity::cases

@@ -70,6 +70,9 @@ const std::vector<Unit>& units() {
       {"kg/m^3", density},
       {"Pa s", viscosity},
       {"mPa s", viscosity, 1.0, 1e3},
+      {"W/(m K)", thermal_conductivity},
+      {"Ohm m", resistivity},
+      {"nOhm m", resistivity, 1.0, 1e9},
       {"1/m", wavevector},
       {"Pa/m", stiffness},
       {"E*", pressure, 1.0, 1.0, mechanics::ReferenceUnit::contact_modulus},
@@ -114,6 +117,10 @@ std::string dimension_name(Dimension dimension) {
     return "density";
   case Dimension::viscosity:
     return "viscosity";
+  case Dimension::thermal_conductivity:
+    return "thermal conductivity";
+  case Dimension::resistivity:
+    return "resistivity";
   }
   return "";
 }

@@ -12,20 +12,22 @@
 namespace asperity::cases {
 
 enum class Dimension {
-  none,            ///< [1]
-  length,          ///< [m]
-  pressure,        ///< [Pa]
-  wavevector,      ///< [1/m], 2 pi over a wavelength
-  stiffness,       ///< [Pa/m], pressure over penetration
-  force,           ///< [N]
-  energy_per_area, ///< [J/m^2]
-  energy,          ///< [J]
-  mass,            ///< [kg]
-  time,            ///< [s]
-  rate,            ///< [1/s]
-  temperature,     ///< [K]
-  density,         ///< [kg/m^3]
-  viscosity,       ///< [Pa s]
+  none,                 ///< [1]
+  length,               ///< [m]
+  pressure,             ///< [Pa]
+  wavevector,           ///< [1/m], 2 pi over a wavelength
+  stiffness,            ///< [Pa/m], pressure over penetration
+  force,                ///< [N]
+  energy_per_area,      ///< [J/m^2]
+  energy,               ///< [J]
+  mass,                 ///< [kg]
+  time,                 ///< [s]
+  rate,                 ///< [1/s]
+  temperature,          ///< [K]
+  density,              ///< [kg/m^3]
+  viscosity,            ///< [Pa s]
+  thermal_conductivity, ///< [W/(m K)]
+  resistivity,          ///< [Ohm m]
 };
 
 /// A unit as it is written in a case file. A number in this unit has the value

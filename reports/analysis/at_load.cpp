@@ -39,6 +39,31 @@ double log_flow(const results::Curve& curve, double pressure,
   return not_a_number;
 }
 
+/// The row of the loading branch at a load, or null.
+const CurvePoint* row_at(const results::Curve& curve, double pressure) {
+  for (const CurvePoint& row : curve.points)
+    if (!row.is_unloading &&
+        std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6)
+      return &row;
+  return nullptr;
+}
+
+/// Another stiffness over that of the standing contact; NaN without a step at
+/// this load.
+double stiffness_ratio(const std::string& quantity, double pressure,
+                       const results::Curve& curve,
+                       const results::Curve* theory, double contact_modulus) {
+  const CurvePoint* const own = row_at(curve, pressure);
+  const CurvePoint* const other =
+      quantity.starts_with("theory") ? row_at(*theory, pressure) : own;
+  if (own == nullptr || other == nullptr)
+    return not_a_number;
+  return quantity.starts_with("spot")
+             ? 2.0 * own->spot_radii / own->relative_conductance
+             : other->contact_stiffness / contact_modulus /
+                   own->relative_conductance;
+}
+
 /// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
@@ -51,6 +76,9 @@ double number_at(const std::string& quantity, double pressure,
                     &CurvePoint::leak_rate_y) -
            log_flow(*theory, pressure, &CurvePoint::leak_rate_x,
                     &CurvePoint::leak_rate_y);
+  if (quantity.ends_with("stiffness_ratio"))
+    return stiffness_ratio(quantity, pressure, curve, theory,
+                           scales.contact_modulus);
   const CurveFunction function(curve.points, area_column(quantity));
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;

@@ -112,7 +112,8 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
 /// result has none.
 FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
                           std::span<const Series> series, bool is_one_of_many) {
-  FigureGroup group{"Magnification, adhesion, flow and friction", "", {}};
+  FigureGroup group{
+      "Magnification, adhesion, flow, conductance and friction", "", {}};
   if (is_one_of_many) {
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
@@ -125,6 +126,8 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
   add(group.figures, "partial-slip",
       [&] { return slip_figure(entry, index, series); });
   add(group.figures, "traction", [&] { return traction_figures(entry); });
+  add(group.figures, "conductance", [&] { return conductance_figure(entry); });
+  add(group.figures, "spots", [&] { return spot_figures(entry); });
   return group;
 }
 

@@ -105,6 +105,16 @@ std::vector<Figure> traction_figures(const ReportEntry& entry);
 /// with its narrowest place, one figure per method.
 std::vector<Figure> flux_figures(const ReportEntry& entry);
 
+/// Plots what the contact conducts, and its stiffness by the standing contact,
+/// by the curve and by the theory, against the nominal pressure. Nothing is
+/// returned unless the case has [conductance].
+std::optional<Figure> conductance_figure(const ReportEntry& entry);
+
+/// Plot the numbers of the spots of contact and of the parts of the gap against
+/// their size, one figure per method with saved maps. Nothing is returned
+/// unless the case has [spots].
+std::vector<Figure> spot_figures(const ReportEntry& entry);
+
 /// Returns the figures of the subsurface stress: the stress maxima against the
 /// load, and one section per method. Nothing is returned if the result has no
 /// tables of it.

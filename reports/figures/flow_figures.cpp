@@ -1,62 +1,16 @@
 #include "reports/figures/figures.hpp"
+#include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 
 namespace asperity::reports {
 namespace {
 
 using results::CurvePoint;
-
-/// Flows at one load over the realisations and both directions. Their mean is
-/// the geometric one.
-struct FlowSpread {
-  double pressure = 0.0; ///< nominal [Pa], of the first realisation
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
-  double sum_of_logarithms = 0.0;
-  int count = 0;
-  int sealed = 0;
-
-  void add(double flow) {
-    if (flow == 0.0)
-      ++sealed;
-    if (!(flow > 0.0))
-      return;
-    low = std::min(low, flow);
-    high = std::max(high, flow);
-    sum_of_logarithms += std::log(flow);
-    ++count;
-  }
-
-  double mean() const { return std::exp(sum_of_logarithms / count); }
-};
-
-/// By the number of the load step.
-using FlowCurve = std::map<int, FlowSpread>;
-
-/// @param flows  of a row [m^3/s], one or several
-template <class Flows>
-FlowCurve flow_curve(const results::MethodRecord& method, const Flows& flows) {
-  FlowCurve curve;
-  for (const results::Curve& realization : method.realizations)
-    for (const CurvePoint& row : realization.points)
-      if (row.nominal_pressure > 0.0 && !row.is_unloading) {
-        FlowSpread& at = curve[row.step];
-        at.pressure = at.pressure > 0.0 ? at.pressure : row.nominal_pressure;
-        for (const double flow : flows(row))
-          at.add(flow);
-      }
-  std::erase_if(curve, [](const auto& at) {
-    return at.second.count + at.second.sealed == 0;
-  });
-  return curve;
-}
 
 class FlowFigure {
 public:
@@ -65,36 +19,37 @@ public:
   }
 
   void add_theory(const results::MethodRecord& method) {
-    add(method.name + ", effective medium", line("#222222", 1.6),
-        flow_curve(method, [](const CurvePoint& row) {
-          return std::array{row.leak_rate_x};
-        }));
-    add(method.name + ", critical junction", line("#222222", 1.2, 2),
-        flow_curve(method, [&](const CurvePoint& row) {
-          return std::array{rate_ * std::pow(row.critical_gap_x, 3.0)};
-        }));
+    panel_.add(method.name + ", effective medium", line("#222222", 1.6),
+               spread_curve(method, [](const CurvePoint& row, std::size_t) {
+                 return std::array{row.leak_rate_x};
+               }));
+    panel_.add(method.name + ", critical junction", line("#222222", 1.2, 2),
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return std::array{rate_ * std::pow(row.critical_gap_x, 3.0)};
+               }));
   }
 
   void add_numbers(const results::MethodRecord& method, std::size_t color) {
     Series as_series;
     as_series.kind = method.kind;
     as_series.color = color;
-    const FlowCurve leaks = flow_curve(method, [](const CurvePoint& row) {
-      return std::array{row.leak_rate_x, row.leak_rate_y};
-    });
-    add(method.name + ", Reynolds", point_style(as_series), leaks);
-    add(method.name + ", effective medium of its gaps",
-        line(series_color(as_series), 1.0, 3),
-        flow_curve(method, [&](const CurvePoint& row) {
-          return std::array{rate_ * row.effective_medium};
-        }));
+    const SpreadCurve leaks =
+        spread_curve(method, [](const CurvePoint& row, std::size_t) {
+          return std::array{row.leak_rate_x, row.leak_rate_y};
+        });
+    panel_.add(method.name + ", Reynolds", point_style(as_series), leaks);
+    panel_.add(method.name + ", effective medium of its gaps",
+               line(series_color(as_series), 1.0, 3),
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return std::array{rate_ * row.effective_medium};
+               }));
     for (const auto& [step, at] : leaks) {
-      sealed_ += at.sealed;
-      all_ += at.sealed + at.count;
+      sealed_ += at.zeros;
+      all_ += at.zeros + at.count;
     }
   }
 
-  bool is_empty() const { return panel_.curves.empty(); }
+  bool is_empty() const { return panel_.is_empty(); }
 
   Figure take() && {
     Figure figure;
@@ -111,42 +66,14 @@ public:
           " {} of {} maps are sealed: no path joins the sides. They are not in "
           "the means.",
           sealed_, all_);
-    panel_.x = {.label = "nominal pressure  [MPa]", .is_log = true};
-    panel_.y = {
-        .label = "leak rate  [m^3/s]", .is_log = true, .has_powers = true};
-    figure.panels = {std::move(panel_)};
-    figure.data = table_.text();
+    panel_.move_to(figure, "leak rate  [m^3/s]");
     return figure;
   }
 
 private:
-  void add(const std::string& label, CurveStyle style, const FlowCurve& flows) {
-    const bool has_spread = style.has_markers;
-    std::size_t rows = 0;
-    for (const auto& [step, at] : flows) {
-      if (at.count == 0)
-        continue;
-      table_.add(label,
-                 {static_cast<double>(next_), at.pressure * 1e-6, at.mean(),
-                  at.low, at.high, static_cast<double>(at.sealed)});
-      ++rows;
-    }
-    if (rows == 0)
-      return;
-    ChartCurve& curve = panel_.add(label, std::move(style), next_++, 3, 4);
-    if (has_spread) {
-      curve.low = 5;
-      curve.high = 6;
-    }
-  }
-
   double rate_; ///< leak rate over the conductance of a square [1/s]
-  std::size_t next_ = 0;
   int sealed_ = 0, all_ = 0;
-  CsvTable table_{{"curve", "index", "p [MPa]", "leak rate [m^3/s]",
-                   "least leak rate [m^3/s]", "largest leak rate [m^3/s]",
-                   "sealed maps [1]"}};
-  ChartPanel panel_;
+  SpreadPanel panel_{"leak rate [m^3/s]", 1.0, "sealed maps [1]"};
 };
 
 constexpr double least_flux = 1e-3; // drawn, over the mean

@@ -42,6 +42,12 @@ constexpr std::array sources{
   title = {Tangential loading of general three-dimensional contacts},
   journal = {J. Appl. Mech.}, volume = {65}, pages = {998--1003}, year = {1998}
 })"},
+    Source{"barber2003", R"(@article{barber2003,
+  author = {Barber, J. R.},
+  title = {Bounds on the electrical resistance between contacting elastic rough bodies},
+  journal = {Proc. R. Soc. Lond. A}, volume = {459}, pages = {53--66}, year = {2003},
+  doi = {10.1098/rspa.2002.1038}
+})"},
     Source{"polonsky1999", R"(@article{polonsky1999,
   author = {Polonsky, I. A. and Keer, L. M.},
   title = {A numerical method for solving rough contact problems based on the multi-level multi-summation and conjugate gradient techniques},
@@ -195,6 +201,10 @@ std::string study_sentences(const cases::Case& contact_case) {
         " Partial slip with the friction coefficient {:g} follows from two "
         "normal contacts [ciavarella1998].",
         contact_case.friction_study->coefficient);
+  if (contact_case.conductance_study)
+    text += " The conductance and the incremental normal stiffness are those "
+            "of a rigid punch on the nodes in contact, by Barber's analogy "
+            "[barber2003].";
   return text;
 }
 

@@ -21,7 +21,7 @@ std::string distance(double metres, double side) {
 
 bool is_shown(const CurvePoint& point, double side) {
   return point.status == results::StepStatus::converged &&
-         (std::isfinite(point.normal_stiffness) ||
+         (std::isfinite(point.tangential_stiffness) || // of a full block
           std::hypot(point.pressure_centre_x, point.pressure_centre_y) >
               1e-6 * side);
 }

@@ -51,7 +51,9 @@ struct CurvePoint {
   int preconditioner_setups = 0;       ///< or factorisations, likewise
   double unknowns = not_given;         ///< of the full 3-D block [1]
   double memory = not_given;           ///< matrix and preconditioner [bytes]
-  double normal_stiffness = not_given; ///< of the contact, full 3-D block [N/m]
+  /// Of the nodes in contact [N/m]; full 3-D block: against its clamped far
+  /// boundary; surface methods: against the mean gap.
+  double normal_stiffness = not_given;
   double tangential_stiffness = not_given; ///< likewise, nodes that stick [N/m]
   /// Place of the resultant force from the middle of the surface [m]; NaN: the
   /// surface continues periodically and has no middle, or without contact.
@@ -83,6 +85,27 @@ struct CurvePoint {
   double leak_rate_x = not_given;
   double leak_rate_y = not_given;
   double effective_medium = not_given;
+  /// Of the clusters of contact and of the gap (observables/clusters.hpp):
+  /// their number, the area of the largest [m^2], the dimension by area and
+  /// perimeter, whether one goes around the map, and the sum of the radii of
+  /// circles of the areas of the spots, per nominal area [1/m].
+  double spot_count = not_given;
+  double largest_spot = not_given;
+  double spot_dimension = not_given;
+  double spots_percolate_x = not_given;
+  double spots_percolate_y = not_given;
+  double spot_radii = not_given;
+  double gap_count = not_given;
+  double largest_gap = not_given;
+  double gap_dimension = not_given;
+  double gap_percolates_x = not_given;
+  double gap_percolates_y = not_given;
+  /// Of the spots of contact between two half-spaces, per nominal area: the
+  /// conductance over the harmonic mean of the conductivities [1/m], and that
+  /// of heat [W/(m^2 K)] and current [1/(Ohm m^2)].
+  double relative_conductance = not_given;
+  double thermal_conductance = not_given;
+  double electrical_conductance = not_given;
   /// Of laws with adhesion: <W(g)> <= 0 per nominal area [J/m^2]; nodes under
   /// pressure, and nodes in tension of at least 1 % of the law's largest [1];
   /// smallest eigenvalue of the energy's Hessian per area [Pa/m].

@@ -57,6 +57,10 @@ constexpr double magnification_time = 5.5e-3;
 /// case `seal` took 85 s [s], and one at 1024^2 444 MB [bytes].
 constexpr double flow_time = 5e-6;
 constexpr double flow_memory = 430.0;
+/// Of spots and conductance of one map, per node: those of 36 maps of the case
+/// `conductance` took 4.6 s with two linear solves for each [s] [bytes].
+constexpr double contact_study_time = 5e-7;
+constexpr double contact_study_memory = 150.0;
 constexpr double adhesion_time = 0.45e-6; ///< per ratio and step squared [s]
 
 /// Number of planes in the search of the strongest point of a map, at 512^2 in
@@ -239,6 +243,12 @@ MethodCost cost_of(const cases::Case& contact_case,
     const double n = nodes(methods::pressed_grid(contact_case, method, grid));
     cost.step_time += rates.relative_time() * flow_time * n;
     cost.memory += flow_memory * n;
+  }
+  if ((contact_case.spots_study || contact_case.conductance_study) &&
+      method.has_fields()) {
+    const double n = nodes(methods::pressed_grid(contact_case, method, grid));
+    cost.step_time += rates.relative_time() * contact_study_time * n;
+    cost.memory += contact_study_memory * n;
   }
   return cost;
 }

@@ -193,6 +193,30 @@ def check_options_and_errors(asperity):
             raise AssertionError("a wrong case was run")
 
 
+def check_flux(asperity, folder):
+    """Along the valleys of a wave the flux is u^3 over its mean, exactly, and the widest path is
+    that of the largest gap."""
+    y = np.arange(32) * 2 * np.pi / 32
+    case = {**CASE, "surface": {"heights": 2e-9 * np.cos(y)[:, None] * np.ones((32, 48)),
+                                "length": "1.5 um", "level": "none", "edges": "periodic"},
+            "halfspace": {"contact": "hard"}, "report": {"fields": "all", "precision": "double"},
+            "flow": {"viscosity": 1e-3, "pressure_drop": 1e4}, "expect": {}}
+    result = asperity.run(case, out=folder / "flux")
+    pressure, gap = result["halfspace"].fields[2]
+    cubed = np.where(pressure > 0, 0, gap)**3
+    x, y, flux, narrowest = result.flux("halfspace")
+    assert flux.shape == (len(y), len(x)) == (32, 48)
+    assert np.allclose(flux, cubed / cubed.mean(), atol=1e-6)
+    assert np.isclose(narrowest[1], y[np.argmax(gap[:, 0])])
+    assert np.isclose(x[1], 1.5e-6 / 48) and "flow-halfspace" in result.tables
+    try:
+        result.flux("theory")
+    except KeyError as error:
+        assert "needs [flow]" in str(error)
+    else:
+        raise AssertionError("the theory has no flux")
+
+
 def check_missing_package():
     """Without h5py the module says what to install."""
     sys.modules["h5py"] = None  # import then raises ImportError
@@ -219,6 +243,7 @@ def main(program, source, scratch):
     check_run(asperity, folder)
     check_heights(asperity, folder)
     check_press(asperity, folder)
+    check_flux(asperity, folder)
     check_sweep(asperity, folder)
     check_command(asperity, folder)
     check_installation(Path(source), folder)

@@ -37,6 +37,8 @@ TEST_F(StiffnessRows, AreAbsentWithoutAStiffness) {
   for (results::MethodRecord& method : result.methods)
     for (results::CurvePoint& point : method.realizations.front().points)
       point.pressure_centre_x = point.pressure_centre_y = 0.0;
+  // A surface method has the stiffness of a standing contact, of no block.
+  result.methods[1].realizations.front().points.front().normal_stiffness = 2e5;
   write(result);
 
   EXPECT_EQ(text_of(folder / "report.html")

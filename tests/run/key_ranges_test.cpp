@@ -103,6 +103,11 @@ Entries surroundings_of(const std::string& table) {
       {"friction",
        {"halfspace.contact=hard", "material.poisson_ratio=0.3",
         "friction={ coefficient = 0.5, tangential_load = 0.5 }"}},
+      {"conductance",
+       {"halfspace.contact=hard",
+        "conductance={ thermal_conductivity = 1.0, "
+        "counter_thermal_conductivity = 1.0, resistivity = 1.0, "
+        "counter_resistivity = 1.0 }"}},
       {"material", block},
       {"material.counter", both(block, second_body)},
       {"material.inclusion", both(block, ball)},

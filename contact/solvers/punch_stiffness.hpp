@@ -1,0 +1,46 @@
+#pragma once
+
+// The stiffness of a contact whose nodes stay in contact: that of a rigid punch
+// which is bonded to them along the normal.
+
+#include "contact/operators/surface_operator.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace asperity::contact {
+
+struct PunchStiffness {
+  /// K = -dp_0/d(mean gap) [Pa/m]: the change of the mean pressure per approach
+  /// of the punch. Infinite if all nodes of a periodic surface are in hard
+  /// contact, 0 without contact.
+  double stiffness = 0.0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Solves for the change of pressure q, of mean 1, on the nodes in contact
+///
+///     (C + c) q = 1/K  there,   q = 0 elsewhere,
+///
+/// by preconditioned conjugate gradients in double precision. q has no sign: it
+/// is the change of the pressure in a small further approach, in which no node
+/// comes into contact or leaves it. K is <q>^2/<q (C + c) q>, which a wrong q
+/// only makes too small, and whose error is of second order in that of q.
+///
+/// By Barber's analogy of elasticity and conduction, the contact of two bodies
+/// with the resistivities rho_1 and rho_2 has the conductance
+/// 2 K/(E* (rho_1 + rho_2)) per nominal area: J. R. Barber, Proc. R. Soc. A
+/// 459, 53 (2003).
+///
+/// @param is_in_contact     n_nodes() values, 0: not in contact
+/// @param local_compliance  c [m/Pa] >= 0
+/// @throws std::domain_error  the size is wrong
+/// @par Accuracy  1e-9 of K for the discrete problem; that of the border of the
+///                contact, first order in the spacing. Bitwise the same on any
+///                number of threads and ranks.
+PunchStiffness punch_stiffness(SurfaceOperator& elasticity,
+                               std::span<const std::uint8_t> is_in_contact,
+                               double local_compliance = 0.0);
+
+} // namespace asperity::contact

@@ -1,0 +1,208 @@
+#include "reports/figures/figures.hpp"
+#include "reports/figures/load_spread.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "results/observables/clusters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace asperity::reports {
+namespace {
+
+using results::CurvePoint;
+
+constexpr double per_millimetre = 1e3; // [1/m]
+
+class ConductanceFigure {
+public:
+  explicit ConductanceFigure(const ReportEntry& entry) : entry_(entry) {}
+
+  void add_theory(const results::MethodRecord& method) {
+    panel_.add(method.name + ", -dp/du", line("#222222", 1.6),
+               curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return row.contact_stiffness / modulus();
+               }));
+  }
+
+  void add_numbers(const results::MethodRecord& method, std::size_t color) {
+    Series as_series;
+    as_series.kind = method.kind;
+    as_series.color = color;
+    const std::string own = series_color(as_series);
+    panel_.add(method.name + ", standing contact", point_style(as_series),
+               curve(method, [](const CurvePoint& row, std::size_t) {
+                 return row.relative_conductance;
+               }));
+    panel_.add(method.name + ", -dp/du of the curve", line(own, 1.4),
+               curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return row.contact_stiffness / modulus();
+               }));
+    panel_.add(method.name + ", spots as circles alone", line(own, 1.0, 2),
+               curve(method, [](const CurvePoint& row, std::size_t) {
+                 return 2.0 * row.spot_radii;
+               }));
+    panel_.add(method.name + ", Barber's lower bound", line(own, 1.0, 3),
+               curve(method, [&](const CurvePoint& row, std::size_t r) {
+                 const results::SurfaceRecord* const surface =
+                     surface_of(*entry_.result, method, r);
+                 return surface == nullptr
+                            ? 0.0
+                            : row.nominal_pressure /
+                                  (surface->highest - row.mean_gap) / modulus();
+               }));
+  }
+
+  bool is_empty() const { return panel_.is_empty(); }
+
+  Figure take() && {
+    Figure figure;
+    figure.name = "conductance";
+    figure.title = "Conductance and stiffness against load";
+    figure.caption =
+        "Conductance over conductivity, G/k, which is the incremental normal "
+        "stiffness K over E*, both per nominal area. Markers: of the "
+        "standing contact, the geometric mean over realisations; bars span "
+        "their range. Lines: the slope of the curve of pressure against mean "
+        "gap, which lies between the loads, that of the theory, the spots as "
+        "circles of their areas that do not disturb each other, and "
+        "Barber's lower bound p/(h_max - u).";
+    const CurvePoint unit = unit_row();
+    if (unit.thermal_conductance > 0.0)
+      figure.caption += fmt::format(" 1/mm is {:.4g} W/(m^2 K).",
+                                    unit.thermal_conductance * per_millimetre);
+    if (unit.electrical_conductance > 0.0)
+      figure.caption +=
+          fmt::format(" 1/mm is {:.4g} per Ohm m^2.",
+                      unit.electrical_conductance * per_millimetre);
+    panel_.move_to(figure, "K/E^* = G/k  [1/mm]");
+    return figure;
+  }
+
+private:
+  double modulus() const { return entry_.result->contact_modulus; }
+
+  template <class Number>
+  SpreadCurve curve(const results::MethodRecord& method,
+                    const Number& number) const {
+    return spread_curve(method, [&](const CurvePoint& row, std::size_t r) {
+      return std::array{number(row, r)};
+    });
+  }
+
+  /// The conductances over the relative one, of the first row that has them.
+  CurvePoint unit_row() const {
+    for (const results::MethodRecord& method : entry_.result->methods)
+      for (const results::Curve& realization : method.realizations)
+        for (CurvePoint row : realization.points)
+          if (row.relative_conductance > 0.0) {
+            row.thermal_conductance /= row.relative_conductance;
+            row.electrical_conductance /= row.relative_conductance;
+            return row;
+          }
+    return {};
+  }
+
+  const ReportEntry& entry_;
+  SpreadPanel panel_{"G/k [1/mm]", per_millimetre};
+};
+
+/// The clusters of a saved map.
+std::vector<results::Cluster> clusters_of(const ReportEntry& entry,
+                                          const results::MethodRecord& method,
+                                          const results::Fields& map,
+                                          bool is_gap) {
+  const bool by_pressure =
+      (method.kind == "halfspace" || method.kind == "fem") &&
+      std::ranges::none_of(
+          entry.contact_case->methods, [&](const cases::MethodSpec& one) {
+            return one.name == method.name && one.is_adhesive();
+          });
+  std::vector<std::uint8_t> set;
+  set.reserve(map.grid.size());
+  results::each_piece(
+      std::array{map.pressure_map(), map.gap_map()},
+      [&](std::size_t, const auto& values) {
+        for (const std::uint8_t touches : results::contact_set(
+                 by_pressure ? values[0] : std::span<const double>(),
+                 values[1]))
+          set.push_back(is_gap ? touches ^ 1U : touches);
+      });
+  const bool is_free = has_free_boundaries(*entry.contact_case, method) ||
+                       has_free_sides(*entry.contact_case, method);
+  return results::find_clusters(map.grid, set,
+                                is_free ? results::Border::free
+                                        : results::Border::periodic);
+}
+
+/// Adds how many clusters have at least an area, one row for each area.
+void add_sizes(std::vector<results::Cluster> clusters, const std::string& label,
+               CurveStyle style, ChartPanel& panel, CsvTable& table) {
+  if (clusters.empty())
+    return;
+  std::ranges::sort(clusters, std::ranges::greater{}, &results::Cluster::area);
+  const std::size_t index = panel.curves.size();
+  for (std::size_t i = 0; i < clusters.size(); ++i)
+    if (i + 1 == clusters.size() || clusters[i + 1].area < clusters[i].area)
+      table.add(label, {static_cast<double>(index), clusters[i].area * 1e12,
+                        static_cast<double>(i + 1)});
+  panel.add(label, std::move(style), index, 3, 4);
+}
+
+} // namespace
+
+std::optional<Figure> conductance_figure(const ReportEntry& entry) {
+  if (!entry.contact_case->conductance_study)
+    return std::nullopt;
+  ConductanceFigure figure(entry);
+  std::size_t color = 0;
+  for (const results::MethodRecord& method : entry.result->methods) {
+    if (method.kind == "theory")
+      figure.add_theory(method);
+    else
+      figure.add_numbers(method, color++);
+  }
+  if (figure.is_empty())
+    return std::nullopt;
+  return std::move(figure).take();
+}
+
+std::vector<Figure> spot_figures(const ReportEntry& entry) {
+  std::vector<Figure> figures;
+  if (!entry.contact_case->spots_study)
+    return figures;
+  for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
+    Figure figure;
+    figure.name = "spots-" + file_word(method->name);
+    figure.title = "Sizes of the spots of contact, " + method->name;
+    figure.caption =
+        "Number of clusters of at least this area, of nodes that are joined by "
+        "their four neighbours, on saved maps of the first realisation: solid "
+        "lines, spots of contact; dashed lines, parts of the gap.";
+    CsvTable table({"clusters", "index", "area [um^2]", "number [1]"});
+    ChartPanel panel;
+    const std::vector<const results::Fields*> maps = whole_maps(*method);
+    const FigureScales scales = method_scales(entry, *method);
+    std::size_t load = 0;
+    for (const std::size_t i : three_of(maps.size())) {
+      const std::string words = load_text(scales, maps[i]->nominal_pressure);
+      add_sizes(clusters_of(entry, *method, *maps[i], false),
+                "contact, " + words, line(load_color(load), 1.6), panel, table);
+      add_sizes(clusters_of(entry, *method, *maps[i], true), "gap, " + words,
+                line(load_color(load), 1.2, 2), panel, table);
+      ++load;
+    }
+    if (panel.curves.empty())
+      continue;
+    panel.x = {.label = "area  [µm^2]", .is_log = true, .has_powers = true};
+    panel.y = {.label = "number of at least this area", .is_log = true};
+    figure.panels = {std::move(panel)};
+    figure.data = table.text();
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,62 @@
+#pragma once
+
+// The clusters of a map: spots of contact, or the connected parts of the gap.
+
+#include "results/observables/observables.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace asperity::results {
+
+/// A set of nodes that are joined by their four neighbours.
+struct Cluster {
+  std::size_t nodes = 0;
+  double area = 0.0; ///< of the cells of its nodes [m^2]
+  /// Length of the edges between its cells and others [m], as
+  /// contact_perimeter(): longer than a smooth curve, by 4/pi on average.
+  double perimeter = 0.0;
+  /// Whether it surrounds the periodic map in x and y: following it returns to
+  /// the same node a period further. With a free border: whether it joins the
+  /// opposite sides.
+  bool spans_x = false, spans_y = false;
+};
+
+/// Finds the clusters of the nodes inside a set, those across a periodic border
+/// included. Two nodes are joined if they are neighbours in x or y, since cells
+/// that share a corner alone exchange neither heat nor fluid: flow/reynolds.hpp
+/// joins the gap in the same way. Where four cells meet as on a chessboard,
+/// neither the set nor its complement is thus joined.
+///
+/// @param is_inside  grid.size() values, 0 outside
+/// @return  in the order of their first nodes
+/// @throws std::domain_error  the size of the map is not that of the grid
+std::vector<Cluster> find_clusters(const Grid& grid,
+                                   std::span<const std::uint8_t> is_inside,
+                                   Border border);
+
+/// 1 at nodes in contact: under pressure, or, without pressures, where the gap
+/// is <= 0.
+std::vector<std::uint8_t> contact_set(std::span<const double> pressure,
+                                      std::span<const double> gap);
+
+/// Numbers of all clusters of a set.
+struct ClusterNumbers {
+  double count = 0.0;
+  double largest = 0.0; ///< area of the largest one [m^2]
+  /// D of perimeter ~ area^(D/2), by least squares of the logarithms over the
+  /// clusters of at least `smallest` nodes that do not span the map: 1 for
+  /// smooth ones, and about 2 for ragged ones whose parts are as wide as a
+  /// cell. NaN: fewer than 10, or all of one size.
+  double dimension = Observed::none;
+  bool percolates_x = false, percolates_y = false; ///< whether any one spans
+  /// Sum of the radii of circles of the same areas [m].
+  double radii = 0.0;
+};
+
+ClusterNumbers cluster_numbers(std::span<const Cluster> clusters,
+                               std::size_t smallest);
+
+} // namespace asperity::results

@@ -1,0 +1,176 @@
+#include "run/contact_studies.hpp"
+
+#include "base/special_numbers.hpp"
+#include "contact/operators/free_halfspace.hpp"
+#include "contact/operators/halfspace.hpp"
+#include "contact/solvers/punch_stiffness.hpp"
+#include "methods/chosen.hpp"
+#include "methods/continuum_block.hpp"
+#include "results/observables/clusters.hpp"
+#include "results/observables/row_observer.hpp"
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace asperity::run {
+namespace {
+
+using results::Border;
+
+std::vector<double> map_of(const results::MapRows& rows) {
+  std::vector<double> map;
+  rows([&](std::span<const double> values) {
+    map.insert(map.end(), values.begin(), values.end());
+  });
+  return map;
+}
+
+Border border_of(const cases::MethodSpec& method) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  const bool is_free = (half != nullptr && half->has_free_boundaries) ||
+                       (fem != nullptr && methods::is_full_block(method) &&
+                        fem->full.sides == mechanics::BlockSides::free);
+  return is_free ? Border::free : Border::periodic;
+}
+
+/// The contact law of a method with a surface operator; none for others, and
+/// with adhesion, whose contact does not stand still.
+std::optional<mechanics::ContactSettings>
+law_of(const cases::MethodSpec& method) {
+  if (method.is_adhesive() || methods::is_full_block(method))
+    return std::nullopt;
+  if (const auto* half =
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
+    return half->contact;
+  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings))
+    return fem->contact;
+  return std::nullopt;
+}
+
+results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
+                               std::span<const std::uint8_t> set,
+                               double local_compliance) {
+  const contact::PunchStiffness found =
+      contact::punch_stiffness(elasticity, set, local_compliance);
+  if (!found.converged)
+    return {results::Observed::none, "the linear solver did not converge"};
+  if (found.stiffness == infinity)
+    return {results::Observed::none, "all nodes are in contact"};
+  return found.stiffness;
+}
+
+/// Whether the operator of a method is that of the half-space with E*.
+bool is_halfspace(const StudiedMethod& studied) {
+  const mechanics::ElasticBlock block = methods::continuum_of(
+      studied.method, studied.contact_case.material, studied.surface.scales);
+  return std::holds_alternative<mechanics::HalfspaceSettings>(
+             studied.method.settings) &&
+         block.layers.empty() && std::isinf(block.thickness);
+}
+
+/// The half-space with E* = 1 Pa.
+std::unique_ptr<contact::SurfaceOperator>
+unit_halfspace(const Grid& grid, Border border, int threads) {
+  if (border == Border::free)
+    return std::make_unique<contact::FreeHalfspace>(grid, 1.0, threads);
+  return contact::halfspace_operator(grid, {1.0, 0.0, infinity}, threads)
+      .clone();
+}
+
+void add_conductance(const StudiedMethod& studied, const Grid& grid,
+                     std::span<const std::uint8_t> set,
+                     results::CurvePoint& row) {
+  results::RowObserver observe(row);
+  observe("relative_conductance", [&] {
+    const auto halfspace =
+        unit_halfspace(grid, border_of(studied.method), studied.threads);
+    return stiffness_of(*halfspace, set, 0.0);
+  });
+  if (const auto law = law_of(studied.method)) {
+    const double compliance =
+        law->in_si(studied.surface.scales).local_compliance();
+    observe("normal_stiffness", [&]() -> results::Observed {
+      if (compliance == 0.0 && is_halfspace(studied))
+        return row.relative_conductance *
+               studied.contact_case.material.contact_modulus * grid.area();
+      const auto elasticity = studied.solvers.operator_of(
+          studied.method, studied.surface, studied.threads);
+      results::Observed found = stiffness_of(*elasticity, set, compliance);
+      found.value *= grid.area();
+      return found;
+    });
+  }
+  set_conductances(*studied.contact_case.conductance_study, row);
+}
+
+void add_spots(const cases::SpotsStudy& study, const Grid& grid, Border border,
+               std::vector<std::uint8_t> set, results::CurvePoint& row) {
+  const auto smallest = static_cast<std::size_t>(study.smallest);
+  const results::ClusterNumbers spots = results::cluster_numbers(
+      results::find_clusters(grid, set, border), smallest);
+  for (std::uint8_t& is_inside : set)
+    is_inside ^= 1U;
+  const results::ClusterNumbers gaps = results::cluster_numbers(
+      results::find_clusters(grid, set, border), smallest);
+  row.spot_count = spots.count;
+  row.largest_spot = spots.largest;
+  row.spot_dimension = spots.dimension;
+  row.spots_percolate_x = spots.percolates_x ? 1.0 : 0.0;
+  row.spots_percolate_y = spots.percolates_y ? 1.0 : 0.0;
+  row.spot_radii = spots.radii / grid.area();
+  row.gap_count = gaps.count;
+  row.largest_gap = gaps.largest;
+  row.gap_dimension = gaps.dimension;
+  row.gap_percolates_x = gaps.percolates_x ? 1.0 : 0.0;
+  row.gap_percolates_y = gaps.percolates_y ? 1.0 : 0.0;
+}
+
+} // namespace
+
+bool needs_all_maps(const cases::Case& contact_case) {
+  return contact_case.flow_study || contact_case.spots_study ||
+         contact_case.conductance_study;
+}
+
+void hold_maps(methods::StepAnswer& answer) {
+  if (!answer.rows)
+    return;
+  answer.pressure = map_of(answer.rows->pressure);
+  answer.gap = map_of(answer.rows->gap);
+  answer.rows = {};
+}
+
+void add_contact_studies(const StudiedMethod& studied,
+                         methods::StepAnswer& answer) {
+  const cases::Case& contact_case = studied.contact_case;
+  results::CurvePoint& row = answer.row;
+  if (row.status != results::StepStatus::converged || answer.gap.empty())
+    return;
+  const bool by_pressure =
+      law_of(studied.method) || methods::is_full_block(studied.method);
+  const std::vector<std::uint8_t> set = results::contact_set(
+      by_pressure ? answer.pressure : std::vector<double>(), answer.gap);
+  if (contact_case.spots_study)
+    add_spots(*contact_case.spots_study, answer.grid, border_of(studied.method),
+              set, row);
+  if (contact_case.conductance_study)
+    add_conductance(studied, answer.grid, set, row);
+}
+
+void set_conductances(const cases::ConductanceStudy& study,
+                      results::CurvePoint& row) {
+  if (study.thermal_conductivity)
+    row.thermal_conductance = row.relative_conductance * 2.0 /
+                              (1.0 / *study.thermal_conductivity +
+                               1.0 / *study.counter_thermal_conductivity);
+  if (study.resistivity)
+    row.electrical_conductance =
+        row.relative_conductance * 2.0 /
+        (*study.resistivity + *study.counter_resistivity);
+}
+
+} // namespace asperity::run

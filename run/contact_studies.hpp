@@ -1,0 +1,45 @@
+#pragma once
+
+// What the contact of a load step consists of and conducts, for [spots] and
+// [conductance] of a case.
+
+#include "cases/types/case.hpp"
+#include "methods/methods.hpp"
+
+#include <vector>
+
+namespace asperity::run {
+
+/// Whether a study of a case reads the maps of every load step.
+bool needs_all_maps(const cases::Case& contact_case);
+
+/// Brings maps that ranks hold into the answer. On rank 0.
+void hold_maps(methods::StepAnswer& answer);
+
+/// A method on a surface, of which a case asks for studies.
+struct StudiedMethod {
+  const cases::Case& contact_case;
+  const cases::MethodSpec& method;
+  const methods::SurfaceOfCase& surface;
+  methods::MethodFactory& solvers; ///< for the operator of the method
+  int threads = 1;
+};
+
+/// Adds to the row of a step with maps the numbers of its clusters
+/// (results/observables/clusters.hpp) and what its contact conducts
+/// (contact/solvers/punch_stiffness.hpp). Contact is where the pressure is > 0,
+/// with adhesion and for atoms where the gap is <= 0. The conductance is that
+/// between two half-spaces, whatever the method is; the normal stiffness is
+/// that of the operator of a surface method without adhesion. Both are omitted
+/// if the step has not converged; the note of the row says what cannot be
+/// determined.
+void add_contact_studies(const StudiedMethod& studied,
+                         methods::StepAnswer& answer);
+
+/// Sets the conductances of heat and current of a row by its relative
+/// conductance and the conductivities, which are the harmonic means
+/// 2 k_1 k_2/(k_1 + k_2) and 2/(rho_1 + rho_2).
+void set_conductances(const cases::ConductanceStudy& study,
+                      results::CurvePoint& row);
+
+} // namespace asperity::run

@@ -1,0 +1,121 @@
+// [spots] and [conductance] of a case: columns of the curve, the cache, and
+// mistakes.
+#include "tests/program/program.hpp"
+
+#include <map>
+#include <numbers>
+#include <sstream>
+
+namespace asperity::program::conductance_test {
+namespace {
+
+/// The sphere of Hertz, pressed once on a half-space.
+const std::string sphere = R"(schema = 1
+title = "Conductance"
+[surface]
+kind = "sphere"
+radius = "1 mm"
+length = "100 um"
+points = 64
+[material]
+contact_modulus = "2 GPa"
+[load]
+nominal_pressure = ["2 MPa", "8 MPa"]
+)";
+
+const std::string free_halfspace = R"([halfspace]
+contact = "hard"
+boundaries = "free"
+)";
+
+std::string heat(const std::string& conductivity) {
+  return "[conductance]\nthermal_conductivity = \"" + conductivity +
+         "\"\ncounter_thermal_conductivity = \"20 W/(m K)\"\n"
+         "resistivity = \"20 nOhm m\"\ncounter_resistivity = \"60 nOhm m\"\n";
+}
+
+/// The numbers of a column of curves.csv, whose methods are all one.
+std::vector<double> column_of(const std::string& csv, const std::string& name) {
+  std::vector<double> column;
+  std::size_t place = 0;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');)
+      cells.push_back(cell);
+    if (place > 0)
+      column.push_back(std::stod(cells.at(place)));
+    for (std::size_t i = 0; place == 0 && i < cells.size(); ++i)
+      place = cells[i] == name ? i : 0;
+  }
+  return column;
+}
+
+using ConductanceTest = ProgramTest;
+
+// One spot of radius a has the stiffness 2 E* a and Holm's conductance 2 a k.
+// Tolerance: the border of the spot is a staircase of 4 % of its radius.
+TEST_F(ConductanceTest, OfASphereIsThatOfHolm) {
+  const std::string text = sphere + free_halfspace + "[spots]\n";
+  write("poor.toml", text + heat("5 W/(m K)"));
+  write("good.toml", text + heat("20 W/(m K)"));
+  const Ended poor = run("run poor.toml --out poor");
+  ASSERT_EQ(poor.exit_code, 0) << poor.output;
+  const Ended good = run("run good.toml --out good");
+  ASSERT_EQ(good.exit_code, 0) << good.output;
+  EXPECT_NE(good.output.find("2 steps: 0 computed, 2 from the cache"),
+            std::string::npos)
+      << good.output;
+  const std::string csv = text_of(folder / "poor/curves.csv");
+  const std::string other = text_of(folder / "good/curves.csv");
+  const auto radii = column_of(csv, "spot_radii [1/m]");
+  const auto relative = column_of(csv, "relative_conductance [1/m]");
+  const auto stiffness = column_of(csv, "normal_stiffness [N/m]");
+  const auto thermal = column_of(csv, "thermal_conductance [W/(m^2 K)]");
+  const auto better = column_of(other, "thermal_conductance [W/(m^2 K)]");
+  const auto electrical =
+      column_of(csv, "electrical_conductance [1/(Ohm m^2)]");
+  ASSERT_EQ(relative.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_NEAR(relative[i] / (2.0 * radii[i]), 1.0, 0.02);
+    EXPECT_DOUBLE_EQ(stiffness[i], relative[i] * 2e9 * 1e-8);
+    EXPECT_DOUBLE_EQ(thermal[i], relative[i] * 8.0); // 2/(1/5 + 1/20)
+    EXPECT_DOUBLE_EQ(better[i], relative[i] * 20.0);
+    EXPECT_DOUBLE_EQ(electrical[i], relative[i] * 2.0 / 80e-9);
+    EXPECT_EQ(column_of(csv, "spot_count [1]")[i], 1.0);
+    EXPECT_NEAR(std::numbers::pi * radii[i] * radii[i] * 1e-8 /
+                    column_of(csv, "area_fraction [1]")[i],
+                1.0, 1e-9);
+    // The gap of a free border reaches its sides, the spot none.
+    EXPECT_EQ(column_of(csv, "spots_percolate_x [1]")[i], 0.0);
+    EXPECT_EQ(column_of(csv, "gap_percolates_y [1]")[i], 1.0);
+  }
+  for (const char* figure : {"conductance", "spots-halfspace"})
+    EXPECT_TRUE(std::filesystem::exists(folder / "poor/figures" /
+                                        (std::string(figure) + ".svg")))
+        << figure;
+}
+
+TEST_F(ConductanceTest, MistakesAreAnswered) {
+  const auto answer = [&](const std::string& text) {
+    write("wrong.toml", sphere + text);
+    const Ended ended = run("run wrong.toml");
+    EXPECT_EQ(ended.exit_code, 2) << ended.output;
+    return ended.output;
+  };
+  EXPECT_NE(answer(free_halfspace + "[conductance]\nresistivity = 2e-8\n")
+                .find("counter_resistivity is missing"),
+            std::string::npos);
+  EXPECT_NE(answer(free_halfspace + "[conductance]\nresistivity = \"2 Pa s\"\n")
+                .find("nOhm m"),
+            std::string::npos);
+  EXPECT_NE(answer(free_halfspace + "[spots]\nsmallest = 0\n").find("smallest"),
+            std::string::npos);
+  EXPECT_NE(answer("[theory]\ngamma = 0.42\nspectrum = \"surface\"\n[spots]\n")
+                .find("needs a method with a contact map"),
+            std::string::npos);
+}
+
+} // namespace
+} // namespace asperity::program::conductance_test
