@@ -7,6 +7,7 @@
 #include "mechanics/quantity.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -53,6 +54,9 @@ struct ContactInterface {
   double penalty = 0.0; ///< k [Pa/m] > 0; not used by hard contact
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
   double adhesion_range = 0.0;   ///< rho [m] > 0, likewise
+  /// H [Pa] > 0, of hard contact: the largest pressure, at which the surface
+  /// yields and keeps an imprint.
+  double hardness = std::numeric_limits<double>::infinity();
 
   double energy(double gap) const;    ///< W [J/m^2], 0 at infinity
   double pressure(double gap) const;  ///< -W' [Pa]
@@ -121,7 +125,8 @@ inline bool is_adhesive(ContactLaw law) {
 }
 
 /// The solver of a law for surface operators. All but SurfaceSolver::adhesive
-/// assume pressures >= 0 without an upper bound.
+/// assume pressures >= 0, and all but SurfaceSolver::complementarity that they
+/// have no upper bound.
 /// @throws std::domain_error  no solver serves the law, or its pressures with
 ///         these parameters have other bounds
 SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
@@ -137,6 +142,7 @@ struct ContactSettings {
                    ReferenceUnit::contact_modulus_per_spacing}; ///< [Pa/m]
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
   Quantity range{};              ///< rho [m] > 0, likewise
+  std::optional<Quantity> hardness = {}; ///< H [Pa] > 0, of hard contact
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 
