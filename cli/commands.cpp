@@ -206,7 +206,7 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
 }
 
 /// The overrides of a run, with those that --length and --height-unit give a
-/// map whose file does not state them, and those of --flow.
+/// map whose file does not state them, and those of --flow and --hardness.
 /// @param has_maps_only  the words are maps, or folders of them
 std::vector<std::string> overrides_of(const RunCommand& command,
                                       bool has_maps_only) {
@@ -221,6 +221,11 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   if (!command.flow.empty())
     for (std::string& flow : run::flow_overrides(command.flow))
       overrides.push_back(std::move(flow));
+  if (!command.hardness.empty()) {
+    overrides.push_back("halfspace.hardness=\"" + command.hardness + "\"");
+    if (has_maps_only)
+      overrides.push_back("theory.hardness=\"" + command.hardness + "\"");
+  }
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return overrides;

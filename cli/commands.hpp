@@ -37,6 +37,7 @@ struct RunCommand {
   std::string length = {};          ///< of map files that state none, "20 um"
   std::string height_unit = {};     ///< of such files, "nm"
   std::string flow = {};            ///< fluid in the gap, "water"
+  std::string hardness = {};        ///< largest contact pressure, "2 GPa"
   bool is_dry = false;              ///< print the plan without running anything
   bool has_pdf = false;             ///< also print the report
   std::string part = {}; ///< "3/8": only this share; empty: everything

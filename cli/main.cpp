@@ -58,6 +58,9 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
                       "fluid that leaks through the gap: water, air, or a\n"
                       "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
                       "100 kPa or flow.pressure_drop");
+  command->add_option("--hardness", run.hardness,
+                      "largest contact pressure of the half-space and of\n"
+                      "the theory of a map, e.g. \"2 GPa\"");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,

@@ -1,3 +1,4 @@
+#include "cases/types/units.hpp"
 #include "methods/elastic_method.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +19,10 @@ std::string in_words(const ContactSettings& settings) {
         settings.range.reference == mechanics::ReferenceUnit::si        ? "m"
         : settings.range.reference == mechanics::ReferenceUnit::spacing ? "h"
                                                                         : "L");
+  if (settings.hardness)
+    return fmt::format(
+        "{}, hardness {}", law.words,
+        cases::write_quantity(*settings.hardness, cases::Dimension::pressure));
   if (!law.needs_penalty)
     return law.words;
   const char* unit =

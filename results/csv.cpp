@@ -30,9 +30,10 @@ constexpr std::array number_headers{"step",
 
 /// Headers of the columns after these, of a result in which some row has a
 /// number in the first column of the group: of a block with a yield stress, of
-/// adhesion, and of the flow through the gap.
+/// a hardness, of adhesion, and of the flow through the gap.
 const std::vector<std::vector<const char*>> optional_headers{
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
+    {"plastic_area [1]"},
     {"adhesive_energy [J/m^2]", "repulsive_area [1]", "tensile_area [1]",
      "smallest_stiffness [Pa/m]"},
     {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",

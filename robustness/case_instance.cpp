@@ -82,6 +82,10 @@ Instance instance_of_case(const cases::Case& contact_case) {
       throw input::InputError(
           contact_case.path + ": " + method.name +
           " has adhesion, for which this version has no random problems");
+    else if (method.hardness())
+      throw input::InputError(
+          contact_case.path + ": " + method.name +
+          " has a hardness, for which this version has no random problems");
   Instance instance;
   take_surface(contact_case.surface, instance);
   instance.contact_modulus = contact_case.material.contact_modulus;

@@ -39,6 +39,14 @@ double log_flow(const results::Curve& curve, double pressure,
   return not_a_number;
 }
 
+/// The plastic area of the first step at a load; NaN without one.
+double plastic_area(const results::Curve& curve, double pressure) {
+  for (const CurvePoint& row : curve.points)
+    if (std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6)
+      return row.plastic_area;
+  return not_a_number;
+}
+
 /// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
@@ -51,6 +59,8 @@ double number_at(const std::string& quantity, double pressure,
                     &CurvePoint::leak_rate_y) -
            log_flow(*theory, pressure, &CurvePoint::leak_rate_x,
                     &CurvePoint::leak_rate_y);
+  if (quantity == "plastic_area")
+    return plastic_area(curve, pressure);
   const CurveFunction function(curve.points, area_column(quantity));
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;

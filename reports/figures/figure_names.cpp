@@ -24,6 +24,7 @@ const std::vector<std::string>& figure_names() {
                                                  "magnification-parts",
                                                  "magnification-separation",
                                                  "maps-",
+                                                 "plastic-area",
                                                  "pressure-difference-",
                                                  "pressure-distribution-",
                                                  "pressure-gap",
