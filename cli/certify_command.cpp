@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -31,6 +32,7 @@ constexpr double claimed_error = 1e-3;
 struct Model {
   std::unique_ptr<contact::SurfaceOperator> elasticity;
   double local_compliance = 0.0; ///< [m/Pa]
+  double hardness = infinity;    ///< [Pa]
 };
 
 /// Where a field is in a result.
@@ -159,8 +161,9 @@ private:
       as_submitted(record, "no bound exists for this method");
       return std::nullopt;
     }
+    const mechanics::ContactInterface contact = law->in_si(surface.scales);
     return Model{exchange::operator_of(*case_, method, surface),
-                 law->in_si(surface.scales).local_compliance()};
+                 contact.local_compliance(), contact.hardness};
   }
 
   /// Reads the pressure of one step and certifies it.
@@ -170,12 +173,16 @@ private:
     const auto row = std::ranges::find(curve.points, fields.step,
                                        &results::CurvePoint::step);
     const bool has_row = row != curve.points.end();
+    if (std::isfinite(model.hardness) && has_row && row->is_unloading)
+      throw std::domain_error(
+          "the imprint on which the surface is unloaded is not saved");
     const std::vector<double> pressure = fields.pressure_map().whole();
     exchange::CertifiedField field = exchange::certified(
         *model.elasticity,
         {heights, model.local_compliance,
          has_row ? row->nominal_pressure : fields.nominal_pressure, pressure,
-         has_row && place.has_numbers ? row->mean_gap : not_a_number},
+         has_row && place.has_numbers ? row->mean_gap : not_a_number,
+         model.hardness},
         place.rms_height, claimed_error);
     field.method = place.method;
     field.realization = place.realization;

@@ -206,8 +206,8 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
 }
 
 /// The overrides of a run, with those that --length and --height-unit give a
-/// map whose file does not state them, and those of --flow, --work-of-adhesion
-/// and --friction.
+/// map whose file does not state them, and those of --flow, --work-of-adhesion,
+/// --friction and --hardness.
 /// @param has_maps_only  the words are maps, or folders of them
 std::vector<std::string> overrides_of(const RunCommand& command,
                                       bool has_maps_only) {
@@ -232,6 +232,11 @@ std::vector<std::string> overrides_of(const RunCommand& command,
       overrides.push_back(std::move(adhesion));
   if (!command.friction.empty())
     overrides.push_back("friction.coefficient=" + command.friction);
+  if (!command.hardness.empty()) {
+    overrides.push_back("halfspace.hardness=\"" + command.hardness + "\"");
+    if (has_maps_only)
+      overrides.push_back("theory.hardness=\"" + command.hardness + "\"");
+  }
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return overrides;

@@ -39,6 +39,7 @@ struct RunCommand {
   std::string flow = {};             ///< fluid in the gap, "water"
   std::string work_of_adhesion = {}; ///< of [halfspace], "50 mJ/m^2"
   std::string friction = {};         ///< coefficient of friction
+  std::string hardness = {};         ///< largest contact pressure, "2 GPa"
   bool is_dry = false;   ///< print the plan without running anything
   bool has_pdf = false;  ///< also print the report
   std::string part = {}; ///< "3/8": only this share; empty: everything

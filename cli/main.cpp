@@ -65,6 +65,9 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
   command->add_option("--friction", run.friction,
                       "coefficient of friction, for partial slip under the\n"
                       "largest load");
+  command->add_option("--hardness", run.hardness,
+                      "largest contact pressure of the half-space and of\n"
+                      "the theory of a map, e.g. \"2 GPa\"");
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,

@@ -33,6 +33,10 @@ PressureBounds without_tension(const ContactInterface&) {
   return {};
 }
 
+PressureBounds up_to_hardness(const ContactInterface& own) {
+  return {0.0, own.hardness};
+}
+
 double no_range(const ContactInterface&) {
   return 0.0;
 }
@@ -100,7 +104,7 @@ constexpr std::array all_laws{
     ContactLawTraits{ContactLaw::hard, "hard", "hard (unilateral) contact",
                      true, false, SurfaceSolver::complementarity,
                      BlockSolver::wall, nothing, nothing, nothing,
-                     without_tension, no_range},
+                     up_to_hardness, no_range},
     ContactLawTraits{ContactLaw::augmented, "augmented",
                      "augmented Lagrangian with a penalty of", true, true,
                      SurfaceSolver::multipliers, BlockSolver::springs, nothing,
@@ -178,7 +182,9 @@ SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
         fmt::format("contact = {}: this law is not available for a half-space, "
                     "a slab or a condensed block",
                     traits.name));
-  const PressureBounds bounds = traits.pressure_bounds(interface);
+  PressureBounds bounds = traits.pressure_bounds(interface);
+  if (traits.surface_solver == SurfaceSolver::complementarity)
+    bounds.largest = infinity;
   if (traits.surface_solver != SurfaceSolver::adhesive &&
       bounds != PressureBounds{})
     throw std::domain_error(fmt::format(
@@ -230,6 +236,8 @@ ContactInterface ContactSettings::in_si(const Scales& scales) const {
                   accurate_grid_number);
     own.adhesion_range = range ? range->in_si(scales) : unit;
   }
+  if (hardness)
+    own.hardness = hardness->in_si(scales);
   return own;
 }
 

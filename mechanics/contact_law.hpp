@@ -54,6 +54,9 @@ struct ContactInterface {
   double penalty = 0.0;          ///< k [Pa/m] > 0; not used by hard contact
   double work_of_adhesion = 0.0; ///< w [J/m^2] > 0, of laws with adhesion
   double adhesion_range = 0.0;   ///< rho [m] > 0, likewise
+  /// H [Pa] > 0, of hard contact: the largest pressure, at which the surface
+  /// yields and keeps an imprint.
+  double hardness = std::numeric_limits<double>::infinity();
 
   double energy(double gap) const;    ///< W [J/m^2], 0 at infinity
   double pressure(double gap) const;  ///< -W' [Pa]
@@ -149,7 +152,8 @@ inline bool is_adhesive(ContactLaw law) {
 }
 
 /// The solver of a law for surface operators. All but SurfaceSolver::adhesive
-/// assume pressures >= 0 without an upper bound.
+/// assume pressures >= 0, and all but SurfaceSolver::complementarity that they
+/// have no upper bound.
 /// @throws std::domain_error  no solver serves the law, or its pressures with
 ///         these parameters have other bounds
 SurfaceSolver surface_solver_of(const ContactLawTraits& traits,
@@ -167,6 +171,7 @@ struct ContactSettings {
   /// rho [m] > 0, likewise; none: the shortest that the grid resolves, with
   /// ContactInterface::grid_number() = accurate_grid_number.
   std::optional<Quantity> range = {};
+  std::optional<Quantity> hardness = {}; ///< H [Pa] > 0, of hard contact
   double tolerance = 1e-8; ///< of complementarity, relative to h_rms and p_0
   int max_iterations = 2000;
 

@@ -22,6 +22,9 @@ struct TheorySettings {
   double gamma = 0.0; ///< 0 < gamma <= 1, parameter of the loss factor
   TheorySpectrum spectrum = TheorySpectrum::formula;
   LossFactor loss_factor = LossFactor::yang_persson;
+  /// H [Pa] > 0, the second absorbing boundary of the stress: of the areas
+  /// only.
+  std::optional<Quantity> hardness = {};
 
   static constexpr const char* kind = "theory";
 

@@ -57,6 +57,22 @@ void observe_adhesion(results::CurvePoint& row,
                               mechanics::accurate_grid_number));
 }
 
+/// What a hardness adds to a row.
+void observe_hardness(results::CurvePoint& row,
+                      const contact::ContactSolution& solution,
+                      const Observation& observation) {
+  const double* const p = solution.pressure.data();
+  row.plastic_area =
+      weighted_sum(observation.nodal_weights, solution.pressure.size(),
+                   observation.workers,
+                   [=, hardness = observation.hardness](std::size_t i) {
+                     return p[i] >= hardness ? 1.0 : 0.0;
+                   }) /
+      static_cast<double>(
+          observation.workers.all_nodes(solution.pressure.size()));
+  row.plastic_work = observation.hardness * solution.mean_imprint;
+}
+
 /// 1 at nodes in contact: with adhesion those whose gap is closed, which may be
 /// in tension.
 std::vector<double> closed_nodes(const std::vector<double>& gap) {
@@ -95,7 +111,11 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                       workers);
   });
   row.area_fraction_corrected = results::Observed::none;
-  if (observation.resolves_boundary && !is_adhesive)
+  if (std::isfinite(observation.hardness))
+    observe_hardness(row, solution, observation);
+  // Neither the edge of the contact nor the distribution are elastic.
+  const bool has_yielded = row.plastic_work > 0.0 || row.plastic_area > 0.0;
+  if (observation.resolves_boundary && !is_adhesive && !has_yielded)
     observe("area_fraction_corrected", [&] {
       return results::corrected_area_fraction(grid, pressure, solution.gap,
                                               {observation.contact_modulus,
@@ -115,7 +135,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   }
   if (is_adhesive)
     observe_adhesion(row, solution, observation);
-  else
+  else if (!has_yielded)
     observe_pressure_fits(observe, pressure, weights, workers);
   observe("elastic_energy", [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,

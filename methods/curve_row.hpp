@@ -10,6 +10,7 @@
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
 
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -33,6 +34,7 @@ struct Observation {
   /// The contact law, if it has adhesion, and its grid_number().
   std::optional<mechanics::ContactInterface> adhesion = std::nullopt;
   double grid_number = 0.0;
+  double hardness = std::numeric_limits<double>::infinity(); ///< H [Pa]
 };
 
 /// Evaluates the two contact areas that follow from fits to the pressure

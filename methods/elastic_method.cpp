@@ -65,6 +65,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.contact_modulus =
       boundary_modulus(continuum, surface.scales.spacing);
   observation.has_middle = surface.has_middle;
+  observation.hardness = setting.interface.hardness;
   if (method.is_adhesive()) {
     observation.adhesion = setting.interface;
     observation.grid_number = setting.interface.grid_number(

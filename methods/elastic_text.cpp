@@ -1,3 +1,4 @@
+#include "cases/types/units.hpp"
 #include "methods/elastic_method.hpp"
 
 #include <fmt/format.h>
@@ -24,6 +25,10 @@ std::string in_words(const ContactSettings& settings) {
     return fmt::format("{}, w = {:g} J/m^2, range {}", law.words,
                        settings.work_of_adhesion, range);
   }
+  if (settings.hardness)
+    return fmt::format(
+        "{}, hardness {}", law.words,
+        cases::write_quantity(*settings.hardness, cases::Dimension::pressure));
   if (!law.needs_penalty)
     return law.words;
   const char* unit =

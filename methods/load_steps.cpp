@@ -16,7 +16,7 @@ namespace asperity::methods {
 namespace {
 
 /// Passes the memory of all ranks to rank 0, with whole fields: a number, then
-/// a number and a field for each step.
+/// a number and a field for the imprint, if there is one, and for each step.
 void pass_memory(const SharedRows& rows, std::span<const double> own,
                  const results::TakeValues& take) {
   const bool takes = rows.ranks()->rank() == 0;
@@ -36,7 +36,7 @@ std::vector<double> own_memory(const SharedRows& rows,
   const std::size_t steps =
       memory.count == 0 ? 0 : (memory.count - 1) / (nodes + 1);
   if (memory.count != 0 &&
-      (steps < 1 || steps > 2 || memory.count != 1 + steps * (nodes + 1)))
+      (steps < 1 || steps > 3 || memory.count != 1 + steps * (nodes + 1)))
     throw std::domain_error("a saved state has another number of nodes");
   std::vector<double> own(memory.count == 0 ? 0
                                             : 1 + steps * (rows.size() + 1));
@@ -144,11 +144,12 @@ private:
               // that the problem is convex
     results::RowObserver observe(answer.row);
     observe("certified_gap_error", [&] {
-      return contact::check_field(sequence_.elasticity(),
-                                  {sequence_.heights(),
-                                   observation_.local_compliance,
-                                   answer.row.nominal_pressure, answer.pressure,
-                                   answer.row.mean_gap})
+      return contact::check_field(
+                 sequence_.elasticity(),
+                 {sequence_.heights(), observation_.local_compliance,
+                  answer.row.nominal_pressure, answer.pressure,
+                  answer.row.mean_gap + sequence_.mean_imprint(),
+                  observation_.hardness})
           .mean_gap_error;
     });
   }

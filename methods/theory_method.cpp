@@ -2,11 +2,14 @@
 
 #include "base/cpu_clock.hpp"
 #include "base/special_numbers.hpp"
+#include "cases/types/units.hpp"
 #include "results/observables/row_observer.hpp"
 #include "theory/persson/persson.hpp"
+#include "theory/persson/plastic_contact.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 
@@ -38,6 +41,21 @@ const char* law_words(mechanics::LossFactor loss_factor) {
     return " with the loss factor of Xu et al.";
   }
   return "";
+}
+
+/// The areas of a row between two absorbing boundaries.
+void yield(results::CurvePoint& row, const theory::PerssonContact& contact,
+           double hardness) {
+  row.area_fraction = row.area_fraction_corrected = not_a_number;
+  results::RowObserver observe(row);
+  observe("plastic_area", [&] {
+    const theory::PlasticShares shares = theory::plastic_shares(
+        row.nominal_pressure, contact.stress_variance(row.nominal_pressure),
+        hardness);
+    row.area_fraction = row.area_fraction_corrected =
+        std::min(1.0, shares.elastic + shares.plastic);
+    return std::clamp(shares.plastic, 0.0, 1.0);
+  });
 }
 
 results::CurvePoint row_at(const theory::PerssonContact& contact,
@@ -88,8 +106,13 @@ results::CurvePoint row_at_gap(const theory::PerssonContact& contact,
 
 MethodDescription describe(const mechanics::TheorySettings& settings) {
   return {"theory",
-          fmt::format("Persson's theory{}, gamma = {:g}, spectrum {}",
+          fmt::format("Persson's theory{}, gamma = {:g}{}, spectrum {}",
                       law_words(settings.loss_factor), settings.gamma,
+                      settings.hardness
+                          ? ", hardness " + cases::write_quantity(
+                                                *settings.hardness,
+                                                cases::Dimension::pressure)
+                          : std::string(),
                       settings.spectrum == mechanics::TheorySpectrum::formula
                           ? "by the formula"
                           : "measured on the surface"),
@@ -110,6 +133,8 @@ theory_rows(const mechanics::TheorySettings& settings,
     const bool by_gap = load.control == mechanics::Control::mean_gap;
     results::CurvePoint row =
         by_gap ? row_at_gap(contact, target) : row_at(contact, target);
+    if (settings.hardness && std::isfinite(row.nominal_pressure))
+      yield(row, contact, settings.hardness->in_si(scales));
     row.step = static_cast<int>(step);
     row.is_unloading = load.is_unloading[step];
     row.cpu_time = clock.seconds();

@@ -29,12 +29,13 @@ constexpr std::array number_headers{"step",
                                     "estimated_gap_error [m]"};
 
 /// Headers of the columns after these, of a result in which some row has a
-/// number in the first column of the group: of free boundaries, of a block with
-/// a yield stress, of adhesion, of the flow through the gap, of spots, and of
-/// conductance.
+/// number in the first column of the group: of free boundaries, of a hardness,
+/// of a block with a yield stress, of adhesion, of the flow through the gap, of
+/// spots, and of conductance.
 const std::vector<std::vector<const char*>> optional_headers{
     {"mean_displacement [m]"},
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
+    {"plastic_area [1]"},
     {"adhesive_energy [J/m^2]", "repulsive_area [1]", "tensile_area [1]",
      "smallest_stiffness [Pa/m]"},
     {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",

@@ -22,7 +22,8 @@ namespace asperity::results {
 ///
 /// If a method has adhesion, adhesive_energy [J/m^2],repulsive_area [1],
 /// tensile_area [1],smallest_stiffness [Pa/m] come before the status. If a
-/// block has a yield stress, plastic_work [J/m^2],plastic_strain [1] come
+/// block has a yield stress or a hardness, plastic_work
+/// [J/m^2],plastic_strain [1] and with the latter plastic_area [1] come
 /// before the status.
 ///
 /// Two runs of one case by one build give the same bytes. Numbers have the

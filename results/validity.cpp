@@ -202,8 +202,16 @@ void check_step(const std::string& place, bool has_equal_weights,
   const std::string row = fmt::format(", step {}", fields.step);
   check(place + "/curve/nominal_pressure" + row, point.nominal_pressure,
         pressure.value, 10.0 * pressure.size, "Pa", "its pressure map has");
-  check(place + "/curve/mean_gap" + row, point.mean_gap, gap.value, gap.size,
-        "m", "its gap map has");
+  // An imprint is not in the map. Its mean depth is plastic_work/H, with H not
+  // below p_0.
+  const bool is_imprinted =
+      std::isfinite(point.plastic_area) && point.plastic_work > 0.0;
+  const double deepest =
+      is_imprinted ? point.plastic_work / point.nominal_pressure : 0.0;
+  if (std::isfinite(gap.value))
+    check_follows({place + "/curve/mean_gap" + row, point.mean_gap, "m"},
+                  {gap.value - deepest, gap.value}, single_precision * gap.size,
+                  "its gap map has", findings);
 }
 
 void check_curve(const std::string& place, const MethodRecord& method,

@@ -1,5 +1,6 @@
 #include "robustness/case_instance.hpp"
 
+#include "input/input_error.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -76,6 +77,11 @@ void take_method(const mechanics::WinklerSettings& /*springs*/,
 } // namespace
 
 Instance instance_of_case(const cases::Case& contact_case) {
+  for (const cases::MethodSpec& method : contact_case.methods)
+    if (method.hardness())
+      throw input::InputError(
+          contact_case.path + ": " + method.name +
+          " has a hardness, for which this version has no random problems");
   Instance instance;
   take_surface(contact_case.surface, instance);
   instance.contact_modulus = contact_case.material.contact_modulus;

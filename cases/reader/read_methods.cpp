@@ -135,6 +135,9 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
     table.refuse(table.said_by("contact"),
                  "this version has no adhesion with free boundaries; "
                  "boundaries = \"periodic\" allows it");
+  if (halfspace.contact.hardness &&
+      halfspace.contact.law != mechanics::ContactLaw::hard)
+    table.refuse(table.said_by("hardness"), "needs contact = \"hard\"");
   if (halfspace.has_free_boundaries && halfspace.thickness)
     table.refuse(table.said_by("thickness"),
                  "free boundaries need a half-space of infinite thickness; "

@@ -199,8 +199,8 @@ FrictionStudy read_friction_study(TableReader table, Case& read) {
         return has_partial_slip(method, read.material);
       }))
     table.complain(table.node(),
-                   "needs a [theory] or a [halfspace] without thickness and "
-                   "adhesion, on a uniform material");
+                   "needs a [theory] or a [halfspace] without thickness, "
+                   "adhesion and hardness, on a uniform material");
   if (!read.material.poisson_ratio)
     table.complain(table.node(), "needs material.poisson_ratio");
   add_friction_steps(table, study, read);

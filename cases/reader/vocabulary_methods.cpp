@@ -131,6 +131,13 @@ Table sweep_table() {
           }};
 }
 
+Values hardness_values() {
+  return {Dimension::pressure,
+          positive(),
+          {mechanics::ReferenceUnit::contact_modulus,
+           mechanics::ReferenceUnit::contact_modulus_times_slope}};
+}
+
 Table theory_table() {
   return {
       .name = "theory",
@@ -150,6 +157,13 @@ Table theory_table() {
               "(2017) or Xu et al. (2024), which also enlarge the contact "
               "area. The tables [magnification] and [adhesion] need the first.",
               or_else("\"yang-persson\"")),
+          key<&Theory::hardness>(
+              "hardness", hardness_values(),
+              "Second absorbing boundary of the stress, for elastic and "
+              "plastic area. Mean gap, energy and stiffness remain those of "
+              "elastic contact.",
+              eg("2 GPa", "default: the surface is elastic"))
+              .hidden(),
           key<&Theory::spectrum>(
               "spectrum", {"formula", "surface"},
               "The case's own spectrum, or the one measured on the same "
@@ -169,6 +183,13 @@ Table halfspace_table() {
               "thickness", by_the_grid(), "Thickness of the slab.",
               eg("1 length", "default: infinitely thick")),
           top_key<&Halfspace::far_boundary>(),
+          key<&Contact::hardness>(
+              "hardness", hardness_values(),
+              "Largest contact pressure, with contact = \"hard\": the surface "
+              "sinks where it is reached and keeps the imprint along the "
+              "path. Nominal pressures must not be larger.",
+              eg("2 GPa", "default: the surface is elastic"))
+              .hidden(),
           key<&Halfspace::has_free_boundaries>(
               "boundaries", {"periodic", "free"},
               "Whether the surface continues periodically, or is pressed once "

@@ -138,8 +138,8 @@ Table flow_table() {
 Table friction_table() {
   return {
       .name = "friction",
-      .when = "Optional; needs a [theory] or a [halfspace] without thickness "
-              "and adhesion, and material.poisson_ratio.",
+      .when = "Optional; needs a [theory] or a [halfspace] without thickness, "
+              "adhesion and hardness, and material.poisson_ratio.",
       .description =
           "Partial slip under a normal load and tangential loads up to "
           "sliding, from the lighter normal loads of the case "

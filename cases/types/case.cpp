@@ -18,7 +18,7 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
 
 bool has_partial_slip(const MethodSpec& method,
                       const mechanics::MaterialSpec& material) {
-  if (!material.is_uniform() || method.is_adhesive())
+  if (!material.is_uniform() || method.is_adhesive() || method.hardness())
     return false;
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);

@@ -67,7 +67,7 @@ struct Case {
 };
 
 /// Returns whether partial slip follows from the normal contact of a method:
-/// that of a theory, or of a uniform half-space without adhesion.
+/// that of a theory, or of a uniform half-space without adhesion and hardness.
 bool has_partial_slip(const MethodSpec& method,
                       const mechanics::MaterialSpec& material);
 

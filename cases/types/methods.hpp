@@ -71,6 +71,15 @@ struct MethodSpec {
     return contact() != nullptr && mechanics::is_adhesive(contact()->law);
   }
 
+  /// Returns the largest pressure of the method; none if it is elastic.
+  std::optional<mechanics::Quantity> hardness() const {
+    if (const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings))
+      return half->contact.hardness;
+    const auto* const theory =
+        std::get_if<mechanics::TheorySettings>(&settings);
+    return theory != nullptr ? theory->hardness : std::nullopt;
+  }
+
   /// Returns whether the method uses [[material.layers]].
   bool uses_layers() const {
     return std::visit([](const auto& own) { return own.uses_layers(); },

@@ -80,6 +80,10 @@ const std::vector<ExpectationName>& quantities_at_load() {
        .description = "Area by Eq. (21) of Yang and Persson (2008) from the "
                       "fit, over that of theory, minus 1 [1].",
        .needs_theory = true},
+      {.name = "plastic_area",
+       .description = "Area at the hardness; needs a hardness and a step at "
+                      "this load [1].",
+       .theory_answers = true},
       {.name = "reduced_mean_gap",
        .description = "u / h_rms [1].",
        .theory_answers = true},

@@ -32,14 +32,17 @@ EnergyMeans energy_means(const Feasible& answer, const Weighted& weighted,
 
 struct SeparationAndLoad {
   double separation, load;
+  double hardness; ///< less the precision of stored fields
 };
 
 /// Fills area, complementarity and penetration at a separation.
 void find_gap_errors(const Feasible& answer, const Weighted& weighted,
-                     const SeparationAndLoad& at, FieldCheck& check) {
+                     const Workers& workers, const SeparationAndLoad& at,
+                     FieldCheck& check) {
   const std::size_t nodes = answer.pressure.size();
   const auto gap = [&](std::size_t i) {
-    return at.separation - answer.excess(i);
+    const double own = at.separation - answer.excess(i);
+    return answer.pressure[i] >= at.hardness ? std::max(0.0, own) : own;
   };
   const std::array<double, 3> means =
       weighted.means<3>(nodes, [&](std::size_t i) {
@@ -51,7 +54,11 @@ void find_gap_errors(const Feasible& answer, const Weighted& weighted,
   check.area_fraction = means[0];
   check.complementarity = means[1] / at.load;
   check.rms_penetration = std::sqrt(means[2]);
-  check.largest_penetration = std::max(0.0, answer.separation - at.separation);
+  check.largest_penetration =
+      std::isfinite(at.hardness)
+          ? std::max(0.0, largest_term(nodes, workers,
+                                       [&](std::size_t i) { return -gap(i); }))
+          : std::max(0.0, answer.separation - at.separation);
 }
 
 /// C 1: the displacement of a uniform pressure 1 [m/Pa]. Empty on a periodic
@@ -104,12 +111,41 @@ double separation_error(const Feasible& answer, const PressureMeans& means,
   return work / means.pressure;
 }
 
+/// The part b = p (1 - p/H) of the pressure that can grow and fall: its means,
+/// and the separation at which it does no work on the gap.
+struct ElasticPart {
+  PressureMeans means;
+  double separation; ///< [m]
+};
+
+ElasticPart elastic_part(SurfaceOperator& elasticity,
+                         const SubmittedField& problem, const Feasible& answer,
+                         const Weighted& weighted) {
+  const std::size_t nodes = answer.pressure.size();
+  std::vector<double> part(nodes), displacement(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const double p = answer.pressure[i];
+    part[i] = p * std::max(0.0, 1.0 - p / problem.hardness);
+  }
+  elasticity.displacement(part, displacement);
+  for (std::size_t i = 0; i < nodes; ++i)
+    displacement[i] += problem.local_compliance * part[i];
+  const PressureMeans means = means_of(weighted, part, displacement);
+  if (!(means.pressure > 0.0))
+    throw std::domain_error("no node has a pressure between 0 and the "
+                            "hardness, so that any separation is possible");
+  const double work = weighted.mean(
+      nodes, [&](std::size_t i) { return part[i] * answer.excess(i); });
+  return {means, work / means.pressure};
+}
+
 ContactSolution solve(SurfaceOperator& elasticity,
                       const SubmittedField& problem,
                       std::span<const double> heights, double tolerance,
                       std::span<const double> first_guess) {
   return solve_contact(
-      elasticity, {heights, problem.local_compliance, tolerance, 500},
+      elasticity,
+      {heights, problem.local_compliance, tolerance, 500, problem.hardness},
       {mechanics::Control::nominal_pressure, problem.nominal_pressure},
       first_guess);
 }
@@ -228,14 +264,24 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   const Feasible answer =
       feasible(elasticity, submitted, pressure_of(submitted));
   const EnergyMeans means = energy_means(answer, weighted, submitted.heights);
-  const double separation = means.pressure_excess / load;
-  check.mean_gap = separation + answer.lift - means.height;
   const double twice_stored = means.pressure_displacement;
+  PressureMeans by{twice_stored, load, answer.lift + compliance * load};
+  double separation = means.pressure_excess / load;
+  if (std::isfinite(submitted.hardness)) {
+    const ElasticPart part =
+        elastic_part(elasticity, submitted, answer, weighted);
+    by = part.means;
+    separation = part.separation;
+  }
+  check.mean_gap = separation + answer.lift - means.height;
   check.elastic_energy =
       0.5 * (twice_stored - compliance * means.square_pressure);
   check.duality_gap = duality_gap(answer, means.pressure_excess, load);
   check.pressure_error = std::sqrt(2.0 * check.duality_gap / twice_stored);
-  find_gap_errors(answer, weighted, {separation, load}, check);
+  constexpr double stored = 1e-6; // a pressure in single precision
+  find_gap_errors(answer, weighted, workers,
+                  {separation, load, (1.0 - stored) * submitted.hardness},
+                  check);
   const double deviation = std::isfinite(submitted.mean_gap)
                                ? std::abs(submitted.mean_gap - check.mean_gap) +
                                      2.0 * answer.roundoff
@@ -243,10 +289,7 @@ FieldCheck check_field(SurfaceOperator& elasticity,
   const double of_uniform =
       compliance + mean_or_0(weighted, uniform_displacement(elasticity));
   check.mean_gap_error =
-      deviation +
-      separation_error(answer,
-                       {twice_stored, load, answer.lift + compliance * load},
-                       check.duality_gap, of_uniform);
+      deviation + separation_error(answer, by, check.duality_gap, of_uniform);
   return check;
 }
 
@@ -270,6 +313,30 @@ Feasible solved_further(SurfaceOperator& elasticity,
              : answer;
 }
 
+/// The bounds with a hardness, by (3) alone.
+/// @param answer  solved further
+SeparationBounds bounds_by_pressure(SurfaceOperator& elasticity,
+                                    const SubmittedField& submitted,
+                                    const Feasible& answer,
+                                    const Weighted& weighted) {
+  const ElasticPart part =
+      elastic_part(elasticity, submitted, answer, weighted);
+  SeparationBounds bounds;
+  bounds.polished_gap =
+      duality_gap(answer, weighted, submitted.nominal_pressure);
+  const double of_uniform =
+      submitted.local_compliance +
+      mean_or_0(weighted, uniform_displacement(elasticity));
+  const double error =
+      4.0 * answer.roundoff +
+      separation_error(answer, part.means, bounds.polished_gap, of_uniform);
+  const double mean_gap =
+      part.separation + answer.lift - weighted.mean_of(submitted.heights);
+  bounds.low = mean_gap - error;
+  bounds.high = mean_gap + error;
+  return bounds;
+}
+
 } // namespace
 
 SeparationBounds bound_separation(SurfaceOperator& elasticity,
@@ -280,6 +347,9 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const double load = submitted.nominal_pressure;
   const double mean_height = weighted.mean_of(submitted.heights);
   const auto mean_gap_by = [&](const Feasible& pressed) { // U_p
+    if (std::isfinite(submitted.hardness))
+      return elastic_part(elasticity, submitted, pressed, weighted).separation +
+             pressed.lift - mean_height;
     return pressed.pressure_excess(weighted) / load + pressed.lift -
            mean_height;
   };
@@ -290,6 +360,14 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   SeparationBounds bounds;
   answer = solved_further(elasticity, submitted, weighted, std::move(answer),
                           bounds.solver_iterations);
+  if (std::isfinite(submitted.hardness)) {
+    const int iterations = bounds.solver_iterations;
+    bounds = bounds_by_pressure(elasticity, submitted, answer, weighted);
+    bounds.solver_iterations = iterations;
+    bounds.error = std::max(std::abs(claimed - bounds.low),
+                            std::abs(bounds.high - claimed));
+    return bounds;
+  }
   bounds.polished_gap = duality_gap(answer, weighted, load);
   std::vector<double> uniform = uniform_displacement(elasticity);
   const double of_uniform =

@@ -23,27 +23,29 @@ struct SubmittedField {
   std::span<const double> pressure; ///< p, as submitted [Pa]; may have tension
   /// Weighted mean of the gap, as submitted [m]; NaN: not submitted.
   double mean_gap = std::numeric_limits<double>::quiet_NaN();
+  double hardness = std::numeric_limits<double>::infinity(); ///< H [Pa]
 };
 
 /// What one application of the operator tells of a field. Tension is cut off
 /// and the mean is scaled to p_0 before it is applied; the two defects are
-/// counted here.
+/// counted here. With a hardness, nodes that carry it may overlap.
 struct FieldCheck {
   double load_error = 0.0;      ///< (<p> - p_0)/p_0 as submitted [1]
   double largest_tension = 0.0; ///< -min p as submitted [Pa] >= 0
   std::size_t nodes_in_tension = 0;
   double area_fraction = 0.0; ///< weighted part of the nodes with p > 0 [1]
   /// Mean gap by the pressure, <p, h - C p - c p>/p_0 - <h>: the one at which p
-  /// does no work on the gap [m].
+  /// does no work on the gap [m]; with a hardness H, p (1 - p/H) does none.
   double mean_gap = 0.0;
   double largest_penetration = 0.0; ///< max(-g) at that separation [m] >= 0
   double rms_penetration = 0.0;     ///< over all nodes [m]
   /// <p, |g|>/p_0 at that separation: the mean gap under the pressure [m].
   double complementarity = 0.0;
   double elastic_energy = 0.0; ///< <p, C p>/2 [J/m^2]
-  /// G = <p, g> with the smallest u for which g >= 0 everywhere, plus the
-  /// allowance for roundoff [J/m^2]: E(p) - E(p*) <= G for the potential
-  /// E(p) = <p, C p + c p>/2 - <h, p> and its minimiser p*.
+  /// G = <p, g> with the smallest u for which g >= 0 everywhere, with a
+  /// hardness <p, g+> + <H - p, g-> with the best u, plus the allowance for
+  /// roundoff [J/m^2]: E(p) - E(p*) <= G for the potential E(p) = <p, C p + c
+  /// p>/2 - <h, p> and its minimiser p*.
   double duality_gap = 0.0;
   /// sqrt(2 G/<p, C p + c p>): bounds |p - p*|/|p| in the energy norm [1].
   double pressure_error = 0.0;
@@ -71,7 +73,8 @@ struct SeparationBounds {
 ///                    have the own rows, and every rank gets the bits of one
 ///                    process.
 /// @throws std::domain_error  sizes differ, a number is not finite or outside
-///                            its range, or no node has a pressure > 0
+///                            its range, no node has a pressure > 0, or none
+///                            has one between 0 and the hardness
 FieldCheck check_field(SurfaceOperator& elasticity,
                        const SubmittedField& submitted);
 

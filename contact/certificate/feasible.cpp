@@ -1,6 +1,7 @@
 #include "contact/certificate/feasible.hpp"
 
 #include "base/require.hpp"
+#include "contact/solvers/starting_pressure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +13,26 @@ namespace asperity::contact {
 namespace {
 
 /// Cuts off tension and scales the mean to p_0.
-void project(std::vector<double>& pressure, const Weighted& weighted,
-             double mean_pressure, const Workers& workers) {
+void project(std::vector<double>& pressure, SurfaceOperator& elasticity,
+             const SubmittedField& problem) {
+  const Workers workers = elasticity.workers();
+  const Weighted weighted(elasticity.nodal_weights(), workers);
   const double mean_value = weighted.mean(pressure.size(), [&](std::size_t i) {
     return std::max(pressure[i], 0.0);
   });
   if (!(mean_value > 0.0))
     throw std::domain_error(
         "no node of the submitted field has a pressure > 0");
-  const double factor = mean_pressure / mean_value;
+  if (std::isfinite(problem.hardness)) {
+    for (double& value : pressure)
+      value = std::max(value, 0.0);
+    scale_to_target(
+        elasticity,
+        {mechanics::Control::nominal_pressure, problem.nominal_pressure},
+        problem.hardness, pressure);
+    return;
+  }
+  const double factor = problem.nominal_pressure / mean_value;
   chunked(pressure.size(), workers.threads,
           [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
@@ -48,6 +60,28 @@ double roundoff_of(const LargestValues& largest, std::size_t nodes) {
   return 8.0 * epsilon *
          std::log2(static_cast<double>(std::max<std::size_t>(nodes, 2))) *
          (largest.displacement.value + largest.height.value);
+}
+
+/// The separation at which this share of the nodes overlaps, by bisection: the
+/// one with the smallest G, see docs/numerics/certificate.md.
+double separation_above(const Feasible& answer, const Weighted& weighted,
+                        const Workers& workers, double share) {
+  const std::size_t nodes = answer.pressure.size();
+  double high = largest_term(nodes, workers,
+                             [&](std::size_t i) { return answer.excess(i); });
+  double low = -largest_term(nodes, workers,
+                             [&](std::size_t i) { return -answer.excess(i); });
+  const double accuracy = 1e-15 * (high - low);
+  while (high - low > accuracy) {
+    const double middle = 0.5 * (low + high);
+    if (!(middle > low && middle < high))
+      break;
+    const double above = weighted.mean(nodes, [&](std::size_t i) {
+      return answer.excess(i) > middle ? 1.0 : 0.0;
+    });
+    (above > share ? low : high) = middle;
+  }
+  return high;
 }
 
 } // namespace
@@ -85,6 +119,9 @@ Defects sound_or_refused(const SurfaceOperator& elasticity,
     throw std::domain_error("heights and pressure must be finite");
   require_positive("nominal_pressure", submitted.nominal_pressure, "Pa");
   require_not_negative("local_compliance", submitted.local_compliance, "m/Pa");
+  if (std::isfinite(submitted.hardness))
+    require_between("nominal_pressure", submitted.nominal_pressure, 0.0,
+                    submitted.hardness, "Pa");
   return defects;
 }
 
@@ -110,14 +147,19 @@ void displace(SurfaceOperator& elasticity, const SubmittedField& problem,
         return own;
       });
   answer.separation = largest.excess.value;
+  if (std::isfinite(problem.hardness)) {
+    const double share = problem.nominal_pressure / problem.hardness;
+    answer.separation = separation_above(answer, weighted, workers, share);
+    answer.sunk_load = problem.hardness * weighted.mean(nodes, [&](auto i) {
+      return std::max(0.0, answer.excess(i) - answer.separation);
+    });
+  }
   answer.roundoff = roundoff_of(largest, workers.all_nodes(nodes));
 }
 
 Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
                   std::vector<double> submitted) {
-  const Workers workers = elasticity.workers();
-  const Weighted weighted(elasticity.nodal_weights(), workers);
-  project(submitted, weighted, problem.nominal_pressure, workers);
+  project(submitted, elasticity, problem);
   Feasible answer;
   answer.pressure = std::move(submitted);
   answer.heights = problem.heights;
@@ -128,7 +170,9 @@ Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
 double duality_gap(const Feasible& answer, double pressure_excess,
                    double mean_pressure) {
   const double gap = answer.separation * mean_pressure - pressure_excess;
-  return std::max(gap, 0.0) + 2.0 * answer.roundoff * mean_pressure;
+  const double roundoff = answer.sunk_load > 0.0 ? 4.0 : 2.0;
+  return std::max(gap + answer.sunk_load, 0.0) +
+         roundoff * answer.roundoff * mean_pressure;
 }
 
 double duality_gap(const Feasible& answer, const Weighted& weighted,

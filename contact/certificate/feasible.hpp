@@ -55,14 +55,16 @@ struct Feasible {
   std::vector<double> displacement; ///< (C + c) p [m]
   std::span<const double> heights;  ///< of the problem
   double lift = 0.0;       ///< mean of C p; 0 on a periodic surface [m]
-  double separation = 0.0; ///< smallest u with gap >= 0 everywhere [m]
+  double separation = 0.0; ///< smallest u with gap >= 0 everywhere; with a
+                           ///< hardness the one with the smallest G [m]
+  double sunk_load = 0.0;  ///< H times the mean overlap there [J/m^2]
   double roundoff = 0.0;   ///< of any value of displacement [m]
 
   double excess(std::size_t i) const { ///< h - (C + c) p of a node [m]
     return heights[i] - displacement[i];
   }
 
-  double gap(std::size_t i) const { ///< g >= 0 at that separation [m]
+  double gap(std::size_t i) const { ///< g at that separation [m]
     return separation - excess(i);
   }
 
@@ -73,7 +75,8 @@ struct Feasible {
   }
 };
 
-/// Cuts off tension, scales the mean to p_0 and applies the operator once.
+/// Cuts off tension, and pressures above a hardness, scales the mean to p_0 and
+/// applies the operator once.
 /// @param problem    whose heights must outlive the result
 /// @param submitted  pressure, as in SubmittedField; it is changed in place
 /// @throws std::domain_error  no node has a pressure > 0
@@ -84,7 +87,8 @@ Feasible feasible(SurfaceOperator& elasticity, const SubmittedField& problem,
 void displace(SurfaceOperator& elasticity, const SubmittedField& problem,
               Feasible& answer);
 
-/// G = <p, g> with its allowance for roundoff [J/m^2].
+/// G = <p, g>, with a hardness plus H times the mean overlap, and its allowance
+/// for roundoff [J/m^2].
 /// @param pressure_excess  <p, excess>
 double duality_gap(const Feasible& answer, double pressure_excess,
                    double mean_pressure);

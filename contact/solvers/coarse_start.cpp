@@ -1,8 +1,7 @@
 #include "base/parallel_rows.hpp"
 #include "contact/solvers/load_sequence.hpp"
-#include "contact/solvers/node_kernels.hpp"
+#include "contact/solvers/starting_pressure.hpp"
 #include "ranks/node_sums.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -202,16 +201,20 @@ std::span<double> own_rows(const SharedRows& rows, std::span<double> field) {
 }
 
 /// The pressure where there is one, otherwise minus a pressure that would close
-/// the gap if it varied on the scale of the grid. Interpolation finds the
-/// boundary of the contact between the two.
+/// the gap if it varied on the scale of the grid; at the hardness, plus the one
+/// that would lift the imprint. Interpolation finds the boundary of the contact
+/// between the two.
 /// @param compliance  [m/Pa] of such a pressure
 std::vector<double> signed_pressure(ContactSolution&& solution,
-                                    double compliance) {
+                                    double compliance, double hardness) {
   std::vector<double> field = std::move(solution.pressure);
   const double stiffness = 1.0 / compliance;
   for (std::size_t i = 0; i < field.size(); ++i) {
     const double open = -stiffness * std::max(0.0, solution.gap[i]);
-    field[i] = field[i] > 0.0 ? field[i] : open;
+    const double sunk = -stiffness * std::min(0.0, solution.gap[i]);
+    field[i] = field[i] >= hardness ? hardness + sunk
+               : field[i] > 0.0     ? field[i]
+                                    : open;
   }
   return field;
 }
@@ -274,53 +277,6 @@ void add_short_waves(const SurfaceOperator& elasticity,
           });
 }
 
-/// The load of the positive part of field - level, and the number of its nodes.
-TwoSums load_above(const SurfaceOperator& elasticity,
-                   std::span<const double> field, double level) {
-  return with_weights(elasticity.nodal_weights(), [&](const auto weight) {
-    return chunked_sum<TwoSums>(
-        field.size(), elasticity.workers(),
-        [=, f = field.data()](std::size_t begin, std::size_t end) {
-          return TwoSums{{sum_in_lanes(begin, end,
-                                       [=](std::size_t i) {
-                                         return weight[i] *
-                                                std::max(0.0, f[i] - level);
-                                       }),
-                          sum_in_lanes(begin, end, [=](std::size_t i) {
-                            return f[i] > level ? weight[i] : 0.0;
-                          })}};
-        });
-  });
-}
-
-/// The number to subtract from the field so that its positive part has the load
-/// that is prescribed, to 1e-3: the bodies are moved apart or together. By
-/// Newton's method, because that load is a convex function of the number.
-double level_of_load(const SurfaceOperator& elasticity,
-                     const mechanics::LoadTarget& target,
-                     std::span<const double> field) {
-  if (target.control != mechanics::Control::nominal_pressure)
-    return 0.0;
-  constexpr int most_steps = 8;
-  const Workers workers = elasticity.workers();
-  const double wanted =
-      target.amount * static_cast<double>(workers.all_nodes(field.size()));
-  double level = 0.0;
-  for (int step = 0; step < most_steps; ++step) {
-    const auto [load, nodes] = load_above(elasticity, field, level).values;
-    if (std::abs(load - wanted) <= 1e-3 * wanted)
-      break;
-    if (nodes > 0.0)
-      level += (load - wanted) / nodes;
-    else // from here on some nodes carry at least the load
-      level =
-          rank_max(workers.rows != nullptr ? workers.rows->ranks() : nullptr,
-                   *std::ranges::max_element(field)) -
-          wanted;
-  }
-  return level;
-}
-
 } // namespace
 
 std::vector<double> coarse_start(const SurfaceOperator& elasticity,
@@ -344,9 +300,10 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
       coarse_problem, target);
   if (!std::isfinite(solution.gap_error))
     return {};
-  std::vector<double> field =
-      signed_pressure(std::move(solution), elasticity.short_wave_compliance() +
-                                               problem.local_compliance);
+  std::vector<double> field = signed_pressure(
+      std::move(solution),
+      elasticity.short_wave_compliance() + problem.local_compliance,
+      problem.hardness);
   const std::span<double> own = own_rows(coarse_rows, field);
   const bool is_periodic = elasticity.is_periodic();
   const int threads = elasticity.threads();
@@ -361,11 +318,7 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
     multiply_by_punch(fine_rows, false, threads, start);
   add_short_waves(elasticity, problem,
                   on_fine_rows(own_rows(coarse_rows, heights)), start);
-  const double level = level_of_load(elasticity, target, start);
-  chunked(start.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      start[i] = std::max(0.0, start[i] - level);
-  });
+  press_to_load(elasticity, target, problem.hardness, start);
   return start;
 }
 

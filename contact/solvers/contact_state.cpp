@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -98,6 +99,7 @@ NodeFields ContactState::fields() {
   fields.lowest = lowest_.data();
   fields.compliance = problem.local_compliance;
   fields.product_scale = product_scale();
+  fields.hardness = problem.hardness;
   return fields;
 }
 
@@ -135,7 +137,7 @@ void ContactState::update_residual() {
   if (is_computed_) {
     computed_error_ = gap_error;
   } else if (is_converged() || gap_error < recurrence_range * computed_error_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
+    scale_to_target(elasticity, target, problem.hardness, pressure);
     compute_gap();
     measure_residual();
     computed_error_ = gap_error;
@@ -143,9 +145,12 @@ void ContactState::update_residual() {
 }
 
 void ContactState::measure_residual() {
-  rigid_distance = by_pressure()
-                       ? -contact_sums_.values[0] / contact_sums_.values[1]
-                       : target.amount + mean_height_;
+  if (!by_pressure())
+    rigid_distance = target.amount + mean_height_;
+  else if (contact_sums_.values[1] > 0.0 || !problem.has_hardness())
+    rigid_distance = -contact_sums_.values[0] / contact_sums_.values[1];
+  else
+    rigid_distance = separation_at_bounds();
   // A block without pressure whose lowest gap is not negative stays inactive.
   for (std::size_t block = 0; block < active.size(); ++block)
     active[block] |=
@@ -166,18 +171,104 @@ void ContactState::advance(float step, std::span<float> direction,
   clear_inactive(active, change_written_, change_);
   NodeFields all = fields();
   all.direction = direction.data();
-  const auto [pressure_sum, cut] =
-      sum<TwoSums>([&](const NodeRange& range) {
-        return advance_nodes(all, range, static_cast<double>(step));
-      }).values;
+  Advance way{static_cast<double>(step)};
+  const bool is_scaled =
+      !(problem.has_hardness() && by_pressure()) || stays_below(all, way);
+  if (!is_scaled)
+    way.factor = load_factor(all, way.step);
+  if (!std::isfinite(way.factor)) {
+    press_more_nodes();
+    return;
+  }
+  const auto [pressure_sum, cut] = sum<TwoSums>([&](const NodeRange& range) {
+                                     return advance_nodes(all, range, way);
+                                   }).values;
   if (cut > 0.0) {
-    restore_load(pressure_sum);
+    if (is_scaled)
+      restore_load(pressure_sum);
     elasticity.displacement_change(change_, compliance_direction);
     ++transforms;
     add_to_gap(1.0, compliance_direction);
   } else {
     add_to_gap(-static_cast<double>(step), compliance_direction);
   }
+}
+
+AdvancedLoad ContactState::load_after(const NodeFields& all,
+                                      const Advance& way) const {
+  return sum<AdvancedLoad>(
+      [&](const NodeRange& range) { return sum_advanced(all, range, way); });
+}
+
+/// Whether a step reaches the hardness nowhere, also if the load is restored by
+/// scaling: it is then a step of hard contact.
+bool ContactState::stays_below(const NodeFields& all,
+                               const Advance& way) const {
+  const AdvancedLoad after = load_after(all, way);
+  const double scale =
+      load_scale(target, workers.all_nodes(pressure.size()), after.load);
+  return after.cut == 0.0 ||
+         after.largest * std::max(1.0, scale) < problem.hardness;
+}
+
+/// The factor of a step at which the load is the prescribed one, by Newton's
+/// method, because the load is a concave function of it. Infinite if all nodes
+/// that wish for a pressure have the hardness and carry less than the load.
+double ContactState::load_factor(const NodeFields& all, double step) const {
+  constexpr int most_rounds = 100;
+  constexpr double roundoff = 1e-13;
+  const double wanted =
+      target.amount * static_cast<double>(workers.all_nodes(pressure.size()));
+  double low = 0.0;
+  double high = std::numeric_limits<double>::infinity();
+  Advance way{step};
+  for (int round = 0; round < most_rounds; ++round) {
+    const AdvancedLoad now = load_after(all, way);
+    const double missing = wanted - now.load;
+    if (std::abs(missing) <= roundoff * wanted)
+      break;
+    (missing > 0.0 ? low : high) = way.factor;
+    way.factor += missing / now.slope;
+    if (way.factor > low && way.factor < high)
+      continue;
+    if (!std::isfinite(high))
+      return high;
+    way.factor = 0.5 * (low + high);
+  }
+  return way.factor;
+}
+
+/// The pressure of springs under all nodes, as stiff as the surface against
+/// waves on the scale of the grid: nodes with the smallest gaps get the load
+/// that the others cannot carry at the hardness.
+void ContactState::press_more_nodes() {
+  const double stiffness =
+      1.0 / (elasticity.short_wave_compliance() + problem.local_compliance);
+  for (std::size_t i = 0; i < pressure.size(); ++i)
+    pressure[i] -= stiffness * (raw_gap[i] + rigid_distance +
+                                problem.local_compliance * pressure[i]);
+  press_to_load(elasticity, target, problem.hardness, pressure);
+  set_pressure(std::move(pressure));
+}
+
+/// The separation if every node has either no pressure or the hardness: where
+/// the former do not overlap and the latter have no gap.
+double ContactState::separation_at_bounds() const {
+  const auto largest_of = [&](bool is_open) {
+    return chunked_sum<Largest>(pressure.size(), workers,
+                                [&](std::size_t begin, std::size_t end) {
+                                  Largest own;
+                                  for (std::size_t i = begin; i < end; ++i)
+                                    if ((pressure[i] <= 0.0) == is_open)
+                                      own +=
+                                          {is_open ? -raw_gap[i] : raw_gap[i]};
+                                  return own;
+                                })
+        .value;
+  };
+  const double least = largest_of(true);
+  const double most = -largest_of(false);
+  return std::isfinite(least) ? 0.5 * (least + most) : most;
 }
 
 void ContactState::restore_load(double pressure_sum) {
@@ -194,14 +285,14 @@ void ContactState::restore_load(double pressure_sum) {
 
 void ContactState::set_pressure(std::vector<double> other) {
   pressure = std::move(other);
-  scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
+  scale_to_target(elasticity, target, problem.hardness, pressure);
   std::ranges::fill(active, std::uint8_t{1});
   compute_gap();
 }
 
 ContactSolution ContactState::solution() && {
   if (!is_computed_) {
-    scale_to_target(target, elasticity.nodal_weights(), pressure, workers);
+    scale_to_target(elasticity, target, problem.hardness, pressure);
     compute_gap();
   }
   residual = change_ = previous_residual_ = {};

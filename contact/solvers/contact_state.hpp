@@ -45,7 +45,9 @@ public:
 
   /// Sets p = max(0, p - step * direction) and updates C p. If a pressure was
   /// set to 0, a prescribed load is restored by scaling, and the change of C p
-  /// is computed from that of p, which costs one application of C.
+  /// is computed from that of p, which costs one application of C. With a
+  /// hardness the scaled pressures are cut off there, and the factor is such
+  /// that the load is restored then.
   /// @param compliance_direction  C direction; overwritten
   void advance(float step, std::span<float> direction,
                std::span<float> compliance_direction);
@@ -93,6 +95,11 @@ private:
   std::span<float> unset_part(std::size_t i);
   void add_to_gap(double factor, std::span<const float> field);
   void restore_load(double pressure_sum);
+  AdvancedLoad load_after(const NodeFields& all, const Advance& way) const;
+  bool stays_below(const NodeFields& all, const Advance& way) const;
+  double load_factor(const NodeFields& all, double step) const;
+  void press_more_nodes();
+  double separation_at_bounds() const;
   float product_scale() const;
   void measure_residual();
 

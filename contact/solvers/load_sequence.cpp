@@ -122,6 +122,8 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
   require_positive("gap_tolerance", gap_tolerance_, "m");
   if (mechanics::needs_penalty(interface_.law))
     require_positive("penalty", interface_.penalty, "Pa/m");
+  if (std::isfinite(interface_.hardness))
+    require_positive("hardness", interface_.hardness, "Pa");
   if (solver_ == mechanics::SurfaceSolver::adhesive) {
     require_positive("work_of_adhesion", interface_.work_of_adhesion, "J/m^2");
     require_positive("adhesion_range", interface_.adhesion_range, "m");
@@ -138,17 +140,17 @@ double LoadSequence::local_compliance() const {
   return interface_.local_compliance();
 }
 
-ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
+ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
   if (target.control != control_)
     history_.clear();
   control_ = target.control;
   if (solver_ == mechanics::SurfaceSolver::adhesive)
     return solve_with_adhesion(target);
-  ContactProblem problem{heights_, local_compliance(),
-                         reachable_tolerance(gap_tolerance_, target,
-                                             local_compliance(),
-                                             elasticity_->grid().size()),
-                         max_iterations_};
+  lower_heights();
+  if (target.control == mechanics::Control::mean_gap)
+    target.amount += mean_imprint_;
+  ContactProblem problem = problem_to(reachable_tolerance(
+      gap_tolerance_, target, local_compliance(), elasticity_->grid().size()));
   std::vector<double> start = extrapolation_to(target);
   OtherGuess other;
   if (!start.empty())
@@ -167,7 +169,48 @@ ContactSolution LoadSequence::solve(const mechanics::LoadTarget& target) {
                                   target, other);
   }
   remember(target, solution);
+  if (problem.has_hardness())
+    keep_imprint(solution);
   return solution;
+}
+
+void LoadSequence::lower_heights() {
+  if (imprint_.empty())
+    return;
+  for (std::size_t i = 0; i < heights_.size(); ++i)
+    heights_[i] -= imprint_[i];
+  mean_imprint_ += mean_of_imprint_;
+  imprint_ = {};
+  rms_height_.reset();
+  error_of_coarse_guess_.reset();
+}
+
+/// Overlaps within the tolerance are no imprint. They are not lost either: in a
+/// next step they are still there.
+void LoadSequence::keep_imprint(ContactSolution& solution) {
+  solution.mean_gap -= mean_imprint_;
+  mean_of_imprint_ = 0.0;
+  if (solution.converged) {
+    imprint_.resize(heights_.size());
+    for (std::size_t i = 0; i < imprint_.size(); ++i) {
+      const bool sinks = solution.pressure[i] >= interface_.hardness &&
+                         solution.gap[i] < -gap_tolerance_;
+      imprint_[i] = sinks ? -solution.gap[i] : 0.0;
+      solution.gap[i] = sinks ? 0.0 : solution.gap[i];
+    }
+    mean_of_imprint_ =
+        weighted_sum(elasticity_->nodal_weights(), imprint_,
+                     elasticity_->workers()) /
+        static_cast<double>(elasticity_->workers().all_nodes(imprint_.size()));
+  }
+  if (mean_of_imprint_ == 0.0)
+    imprint_ = {};
+  solution.mean_imprint = mean_imprint_ + mean_of_imprint_;
+}
+
+ContactProblem LoadSequence::problem_to(double gap_tolerance) const {
+  return {heights_, local_compliance(), gap_tolerance, max_iterations_,
+          interface_.hardness};
 }
 
 ContactSolution
@@ -218,9 +261,19 @@ LoadSequence::first_gap(const mechanics::LoadTarget& target) {
   return std::move(hard.gap);
 }
 
-/// The layout is: kind of load, then amount and state of each step.
+/// The layout is: kind of load, with a hardness the mean imprint and the
+/// lowered heights, then amount and state of each step.
 std::vector<double> LoadSequence::memory() const {
   std::vector<double> memory;
+  if (std::isfinite(interface_.hardness) &&
+      (!history_.empty() || !imprint_.empty() || mean_imprint_ > 0.0)) {
+    memory.reserve(2 + heights_.size());
+    memory.push_back(static_cast<double>(control_));
+    memory.push_back(mean_imprint_ + mean_of_imprint_);
+    memory.insert(memory.end(), heights_.begin(), heights_.end());
+    for (std::size_t i = 0; i < imprint_.size(); ++i)
+      memory[2 + i] -= imprint_[i];
+  }
   for (const Step& step : history_) {
     if (memory.empty())
       memory.push_back(static_cast<double>(control_));
@@ -232,12 +285,16 @@ std::vector<double> LoadSequence::memory() const {
 
 void LoadSequence::recall(std::span<const double> memory) {
   const std::size_t length = heights_.size() + 1;
-  if (!memory.empty() && memory.size() != 1 + length &&
-      memory.size() != 1 + 2 * length)
+  const bool has_hardness = std::isfinite(interface_.hardness);
+  const std::size_t parts = memory.empty() ? 0 : (memory.size() - 1) / length;
+  const std::size_t most = has_hardness ? 3 : 2;
+  if (!memory.empty() &&
+      (memory.size() != 1 + parts * length || parts < 1 || parts > most))
     refuse_argument("memory.size()", static_cast<double>(memory.size()),
                     "the size of one or two saved steps");
+  const std::size_t first_step = has_hardness ? 1 + length : 1;
   std::vector<Step> history;
-  for (std::size_t at = 1; at < memory.size(); at += length) {
+  for (std::size_t at = first_step; at < memory.size(); at += length) {
     const std::span<const double> state =
         memory.subspan(at + 1, heights_.size());
     for (const double value : state)
@@ -250,6 +307,17 @@ void LoadSequence::recall(std::span<const double> memory) {
         state, history.back().state.begin(),
         [](double value) { return static_cast<float>(value); });
   }
+  if (has_hardness && !memory.empty()) {
+    const std::span<const double> heights = memory.subspan(2, heights_.size());
+    if (!std::ranges::all_of(
+            heights, [](double height) { return std::isfinite(height); }) ||
+        !(memory[1] >= 0.0 && std::isfinite(memory[1])))
+      refuse_argument("a saved imprint", memory[1], "finite and >= 0 [m]");
+    std::ranges::copy(heights, heights_.begin());
+    mean_imprint_ = memory[1];
+  }
+  imprint_ = {};
+  mean_of_imprint_ = 0.0;
   history_ = std::move(history);
   if (memory.empty())
     return;
@@ -298,9 +366,7 @@ LoadSequence::extrapolation_to(const mechanics::LoadTarget& target) const {
 
 std::vector<double>
 LoadSequence::coarse_guess(const mechanics::LoadTarget& target) {
-  const ContactProblem problem{heights_, local_compliance(), gap_tolerance_,
-                               max_iterations_};
-  return coarse_start(*elasticity_, problem, target,
+  return coarse_start(*elasticity_, problem_to(gap_tolerance_), target,
                       std::max(gap_tolerance_, coarse_accuracy * rms_height()));
 }
 

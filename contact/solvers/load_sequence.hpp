@@ -32,6 +32,10 @@ namespace asperity::contact {
 /// gap of the last one. The first step begins with that of hard contact, which
 /// is approached from outside, or from undeformed surfaces that touch if its
 /// nominal pressure is not positive.
+///
+/// With a hardness, the surface keeps the imprint of each step that converged:
+/// the next one begins with heights that are lower by it. Mean gaps, prescribed
+/// or found, are those of the given heights.
 class LoadSequence {
 public:
   /// @param elasticity     C; owned by this object, its scratch is used
@@ -45,7 +49,7 @@ public:
                const mechanics::ContactInterface& interface,
                double gap_tolerance, int max_iterations);
 
-  ContactSolution solve(const mechanics::LoadTarget& target);
+  ContactSolution solve(mechanics::LoadTarget target);
 
   /// The saved state of the last steps as numbers, from which another process
   /// can continue with identical results; empty before the first step.
@@ -56,8 +60,11 @@ public:
   /// @throws std::domain_error  its size or a value is invalid
   void recall(std::span<const double> memory);
 
-  /// h [m] as given.
+  /// h [m] of the last step: as given, less the imprint of the steps before.
   std::span<const double> heights() const { return heights_; }
+
+  /// The mean depth of that imprint [m].
+  double mean_imprint() const { return mean_imprint_; }
 
   /// C, to apply it between two steps.
   SurfaceOperator& elasticity() { return *elasticity_; }
@@ -75,6 +82,12 @@ private:
   };
 
   ContactSolution solve_with_adhesion(const mechanics::LoadTarget& target);
+  /// Lowers the heights by the imprint of the last step.
+  void lower_heights();
+  /// Keeps the imprint of a step, whose gap and mean gap become those of the
+  /// imprinted surface and of the given heights.
+  void keep_imprint(ContactSolution& solution);
+  ContactProblem problem_to(double gap_tolerance) const;
   /// The gap from which the first step with adhesion begins [m].
   std::vector<double> first_gap(const mechanics::LoadTarget& target);
 
@@ -92,7 +105,7 @@ private:
 
   std::unique_ptr<SurfaceOperator> elasticity_;
   std::vector<double> heights_;
-  std::optional<double> rms_height_; ///< [m], once it was needed
+  std::optional<double> rms_height_;            ///< [m], once it was needed
   std::optional<double> error_of_coarse_guess_; ///< likewise
   std::optional<double> adhesive_scale_;        ///< [Pa/m], likewise
   mechanics::ContactInterface interface_;
@@ -100,7 +113,10 @@ private:
   double gap_tolerance_;
   int max_iterations_;
   mechanics::Control control_ = mechanics::Control::nominal_pressure;
-  std::vector<Step> history_; ///< the last two steps, oldest first
+  std::vector<Step> history_;    ///< the last two steps, oldest first
+  std::vector<double> imprint_;  ///< of the last step [m]; empty: none
+  double mean_of_imprint_ = 0.0; ///< its mean [m]
+  double mean_imprint_ = 0.0;    ///< of all steps before the last one [m]
 };
 
 /// Pressure of the same problem on every second node, solved to

@@ -127,6 +127,7 @@ TwoSums change(const NodeFields& f, const NodeRange& range, const Next& next) {
     const double* const p = f.pressure;
     double* const raw_gap = f.raw_gap;
     const double compliance = f.compliance;
+    const double hardness = f.hardness;
     Lanes<double> residual{}, weight{};
     each_node_block(range, [&](std::size_t first, auto n) INLINED {
       if (f.active[first / block_nodes] == 0) {
@@ -137,8 +138,9 @@ TwoSums change(const NodeFields& f, const NodeRange& range, const Next& next) {
         const double gap = next(i, raw_gap[i]);
         raw_gap[i] = gap;
         const double own = gap + compliance * p[i];
-        residual[lane] += masked(own * weights[i], p[i] > 0.0);
-        weight[lane] += masked(weights[i], p[i] > 0.0);
+        const bool is_elastic = (p[i] > 0.0) & (p[i] < hardness);
+        residual[lane] += masked(own * weights[i], is_elastic);
+        weight[lane] += masked(weights[i], is_elastic);
       });
     });
     return TwoSums{{total(residual), total(weight)}};
@@ -164,6 +166,33 @@ INLINED inline bool store_freedom(const std::array<double, block_nodes>& codes,
   return any > fixed;
 }
 
+/// The pressure of a node after a step.
+struct Advanced {
+  INLINED Advanced(const NodeFields& fields, const Advance& advance)
+      : pressure_(fields.pressure),
+        direction_(fields.direction),
+        hardness_(fields.hardness),
+        advance_(advance) {}
+
+  INLINED bool moves(std::size_t i) const { return direction_[i] != 0.0F; }
+
+  INLINED double wish(std::size_t i) const {
+    return pressure_[i] - advance_.step * static_cast<double>(direction_[i]);
+  }
+
+  INLINED double kept(std::size_t i, double wish) const {
+    const double scaled = moves(i) ? advance_.factor * wish : wish;
+    const double below = scaled < hardness_ ? scaled : hardness_;
+    return below > 0.0 ? below : 0.0;
+  }
+
+private:
+  const double* pressure_;
+  const float* direction_;
+  double hardness_;
+  Advance advance_;
+};
+
 } // namespace
 
 MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
@@ -172,6 +201,7 @@ MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
     const double* const p = fields.pressure;
     const double* const raw_gap = fields.raw_gap;
     const double compliance = fields.compliance;
+    const double hardness = fields.hardness;
     Lanes<double> error{}, sum{}, weight{};
     int changed = 0;
     each_node_block(range, [&](std::size_t first, auto n) INLINED {
@@ -179,19 +209,25 @@ MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
       if (is_active == 0)
         return;
       std::array<double, block_nodes> codes{};
+      Lanes<double> at_hardness{};
       each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
         const double value = raw_gap[i] + compliance * p[i] + rigid;
         const bool has_pressure = p[i] > 0.0;
-        const bool is_free = has_pressure | (value < 0.0);
+        const bool is_capped = p[i] >= hardness;
+        const bool may_gain = (has_pressure | (value < 0.0)) & !is_capped;
+        const bool may_fall = has_pressure & !(is_capped & (value <= 0.0));
+        const bool is_free = may_gain | may_fall;
         const double kept = masked(value, is_free);
         fields.residual[i] = static_cast<float>(kept);
-        codes[i - first] = masked(1.0, is_free) + masked(1.0, has_pressure);
+        codes[i - first] = masked(1.0, may_gain) + masked(2.0, may_fall);
+        at_hardness[lane] += masked(1.0, is_capped);
         const double size = std::abs(kept);
         error[lane] = size > error[lane] ? size : error[lane];
         sum[lane] += value;
         weight[lane] += masked(weights[i], is_free);
       });
-      is_active = store_freedom(codes, n, fields.freedom + first, changed);
+      const bool any = store_freedom(codes, n, fields.freedom + first, changed);
+      is_active = any || total(at_hardness) > 0.0 ? 1 : 0;
     });
     const double largest =
         folded(error, [](double a, double b) { return b > a ? b : a; });
@@ -270,23 +306,45 @@ Sum sum_energy(const NodeFields& fields, const NodeRange& range) {
 }
 
 TwoSums advance_nodes(const NodeFields& fields, const NodeRange& range,
-                      double step) {
-  const float* const d = fields.direction;
+                      const Advance& advance) {
   double* const p = fields.pressure;
   float* const change = fields.change;
   return on_weights(fields, [&](const auto weights) INLINED {
+    const Advanced next(fields, advance);
     Lanes<double> sum{}, cuts{};
     each_node_block(range, [&](std::size_t first, auto n) INLINED {
       each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
-        const double wish = p[i] - step * static_cast<double>(d[i]);
-        const double kept = wish > 0.0 ? wish : 0.0;
+        const double wish = next.wish(i);
+        const double kept = next.kept(i, wish);
         change[i] = static_cast<float>(kept - p[i]);
         p[i] = kept;
-        cuts[lane] += kept - wish;
+        cuts[lane] += std::abs(kept - wish);
         sum[lane] += kept * weights[i];
       });
     });
     return TwoSums{{total(sum), total(cuts)}};
+  });
+}
+
+AdvancedLoad sum_advanced(const NodeFields& fields, const NodeRange& range,
+                          const Advance& advance) {
+  return on_weights(fields, [&](const auto weights) INLINED {
+    const Advanced next(fields, advance);
+    Lanes<double> sum{}, cuts{}, slope{}, largest{};
+    each_node_block(range, [&](std::size_t first, auto n) INLINED {
+      each_lane(first, n, [&](std::size_t i, std::size_t lane) INLINED {
+        const double wish = next.wish(i);
+        const double kept = next.kept(i, wish);
+        cuts[lane] += std::abs(kept - wish);
+        sum[lane] += kept * weights[i];
+        slope[lane] += masked(wish * weights[i], next.moves(i) & (kept > 0.0) &
+                                                     (kept < fields.hardness));
+        largest[lane] = kept > largest[lane] ? kept : largest[lane];
+      });
+    });
+    return AdvancedLoad{
+        total(sum), total(cuts), total(slope),
+        folded(largest, [](double a, double b) { return b > a ? b : a; })};
   });
 }
 

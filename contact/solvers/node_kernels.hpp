@@ -11,14 +11,16 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace asperity::contact {
 
 /// Changes of pressure that the iteration allows at a node.
 enum Freedom : std::uint8_t {
-  fixed = 0,     ///< inactive: no pressure, no overlap
-  gains = 1,     ///< overlaps without pressure: the pressure may only grow
-  may_shift = 2, ///< carries pressure, which may change in either direction
+  fixed = 0, ///< inactive: no pressure and no overlap, or the hardness and one
+  gains = 1, ///< overlaps without pressure: the pressure may only grow
+  loses = 2, ///< has a gap at the hardness: the pressure may only fall
+  may_shift = gains | loses, ///< carries less than the hardness
 };
 
 /// The value where it is kept, otherwise 0: of its bits, because the compiler
@@ -33,12 +35,12 @@ enum Freedom : std::uint8_t {
                                -std::int64_t{is_kept});
 }
 
-/// Value of a search direction at a node, restricted to the changes allowed: a
-/// Freedom of 2 allows every change, 1 only negative ones.
+/// Value of a search direction at a node, restricted to the changes allowed:
+/// `gains` allows negative values, `loses` positive ones.
 [[gnu::always_inline]] inline float allowed(float value, std::int32_t freedom) {
   const auto bits = std::bit_cast<std::int32_t>(value);
-  return std::bit_cast<float>(
-      bits & (-(freedom >> 1) | (-(freedom & 1) & bits >> 31)));
+  return std::bit_cast<float>(bits & ((-(freedom >> 1) & ~(bits >> 31)) |
+                                      (-(freedom & 1) & bits >> 31)));
 }
 
 /// The fields of an iteration. Pointers that a loop does not use may be null.
@@ -60,6 +62,8 @@ struct NodeFields {
   /// Power of two by which products of a pressure and a length are multiplied
   /// in single precision, so that they do not underflow [1/(Pa m)].
   float product_scale = 1.0F;
+  /// H, the largest pressure [Pa].
+  double hardness = std::numeric_limits<double>::infinity();
 };
 
 /// What is found when the residual changes.
@@ -86,8 +90,8 @@ MeasuredNodes measure_nodes(const NodeFields& fields, const NodeRange& range,
                             double rigid);
 
 /// raw_gap += factor displaced. Returns the sums of weight (raw_gap + c p) and
-/// of weight where p > 0, in the active blocks; `lowest` of the other blocks is
-/// set, to minus infinity if a value is not finite.
+/// of weight where 0 < p < H, in the active blocks; `lowest` of the other
+/// blocks is set, to minus infinity if a value is not finite.
 TwoSums change_gap(const NodeFields& fields, const NodeRange& range,
                    double factor);
 
@@ -110,10 +114,35 @@ Sum conjugate_nodes(const NodeFields& fields, const NodeRange& range,
 /// Sum of weight d (C d + c d).
 Sum sum_energy(const NodeFields& fields, const NodeRange& range);
 
-/// Sets p = max(0, p - step d) and `change` to the change of p. Returns the sum
-/// of weight p and a number that is positive if a pressure was set to 0.
+/// A step along the search direction: wish = p - step d becomes the pressure
+/// min(H, max(0, factor wish)), and p itself where d = 0.
+struct Advance {
+  double step = 0.0;   ///< [1]
+  double factor = 1.0; ///< > 0
+};
+
+/// Sets p by `advance`, and `change` to the change of p. Returns the sum of
+/// weight p and a number that is positive if a pressure is not the wish.
 TwoSums advance_nodes(const NodeFields& fields, const NodeRange& range,
-                      double step);
+                      const Advance& advance);
+
+/// What advance_nodes() would find.
+struct AdvancedLoad {
+  double load = 0.0, cut = 0.0; ///< its two sums
+  double slope = 0.0;           ///< derivative of the first by the factor
+  double largest = 0.0;         ///< of the pressures [Pa]
+
+  AdvancedLoad& operator+=(const AdvancedLoad& other) {
+    load += other.load;
+    cut += other.cut;
+    slope += other.slope;
+    largest = maximum(largest, other.largest);
+    return *this;
+  }
+};
+
+AdvancedLoad sum_advanced(const NodeFields& fields, const NodeRange& range,
+                          const Advance& advance);
 
 /// Multiplies p and adds its change to `change`.
 void scale_nodes(const NodeFields& fields, const NodeRange& range,

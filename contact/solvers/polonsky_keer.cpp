@@ -19,10 +19,16 @@ bool admit_overlaps(const ProjectedState& state,
   return total_count(state.elasticity.workers(), entered) > 0;
 }
 
-/// The residual on the nodes in contact only.
+/// Whether the pressure of a node may fall: it is in contact, and does not sink
+/// at the hardness.
+bool may_fall(const ProjectedState& state, std::size_t i) {
+  return (state.freedom[i] & loses) != 0;
+}
+
+/// The residual on these nodes only.
 void contact_residual(const ProjectedState& state, std::vector<double>& r) {
   for (std::size_t i = 0; i < r.size(); ++i)
-    r[i] = state.pressure[i] > 0.0 ? state.residual[i] : 0.0;
+    r[i] = may_fall(state, i) ? state.residual[i] : 0.0;
 }
 
 } // namespace
@@ -46,7 +52,7 @@ ContactSolution polonsky_keer(SurfaceOperator& elasticity,
     const double now = state.dot(r, r);
     const double beta = before > 0.0 ? now / before : 0.0;
     for (std::size_t i = 0; i < nodes; ++i)
-      direction[i] = state.pressure[i] > 0.0 ? r[i] + beta * direction[i] : 0.0;
+      direction[i] = may_fall(state, i) ? r[i] + beta * direction[i] : 0.0;
     elasticity.displacement(direction, compliance_direction);
     ++state.transforms;
     const double curvature =

@@ -3,6 +3,8 @@
 #include "contact/solvers/starting_pressure.hpp"
 #include "ranks/node_sums.hpp"
 
+#include <algorithm>
+
 namespace asperity::contact {
 
 double ProjectedState::dot(std::span<const double> a,
@@ -15,21 +17,25 @@ void ProjectedState::advance(double step, std::span<const double> direction,
   const std::size_t nodes = pressure.size();
   const std::span<const double> weights = elasticity.nodal_weights();
   const auto [pressure_sum, n_cut] =
-      chunked_sum<TwoSums>(nodes, workers,
-                           [&](std::size_t begin, std::size_t end) {
-                             TwoSums own;
-                             for (std::size_t i = begin; i < end; ++i) {
-                               const double wish =
-                                   pressure[i] - step * direction[i];
-                               own.values[1] += wish < 0.0 ? 1.0 : 0.0;
-                               pressure[i] = wish < 0.0 ? 0.0 : wish;
-                               own.values[0] +=
-                                   weight_of(weights, i) * pressure[i];
-                             }
-                             return own;
-                           })
+      chunked_sum<TwoSums>(
+          nodes, workers,
+          [&](std::size_t begin, std::size_t end) {
+            TwoSums own;
+            for (std::size_t i = begin; i < end; ++i) {
+              const double wish = pressure[i] - step * direction[i];
+              pressure[i] = std::clamp(wish, 0.0, problem.hardness);
+              own.values[1] += pressure[i] == wish ? 0.0 : 1.0;
+              own.values[0] += weight_of(weights, i) * pressure[i];
+            }
+            return own;
+          })
           .values;
   double scale = 1.0;
+  if (problem.has_hardness()) {
+    scale_to_target(elasticity, target, problem.hardness, pressure);
+    compute_gap();
+    return;
+  }
   if (by_pressure()) {
     scale = load_scale(target, workers.all_nodes(nodes), pressure_sum);
     for (double& value : pressure)

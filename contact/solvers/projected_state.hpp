@@ -18,10 +18,10 @@ public:
       : ContactState(elasticity_, problem_, target_,
                      {initial_pressure.begin(), initial_pressure.end()}) {}
 
-  /// Sets p = max(0, p - step * direction), then restores the prescribed mean
-  /// pressure by scaling. `compliance_direction` is C direction: if no pressure
-  /// was set to 0, the displacement is updated by recurrence. If it is empty
-  /// the displacement is recomputed.
+  /// Sets p = max(0, p - step * direction), cut off at a hardness, then
+  /// restores the prescribed mean pressure by scaling. `compliance_direction`
+  /// is C direction: if no pressure was set to 0, the displacement is updated
+  /// by recurrence. If it is empty the displacement is recomputed.
   void advance(double step, std::span<const double> direction,
                std::span<const double> compliance_direction);
 

@@ -196,9 +196,25 @@ private:
   double before_ = 0.0;
 };
 
+/// The unpreconditioned method alone: the active set has no third kind of node.
+ContactSolution hand_over_with_hardness(ContactState&& state,
+                                        const std::string& stalled) {
+  ContactProblem rest = state.problem;
+  rest.max_iterations = std::max(1, rest.max_iterations - state.iterations);
+  ContactSolution answer =
+      polonsky_keer(state.elasticity, rest, state.target, state.pressure);
+  answer.iterations += state.iterations;
+  answer.transforms += state.transforms;
+  answer.note = stalled + "finished by the unpreconditioned method" +
+                (answer.note.empty() ? "" : ": " + answer.note);
+  return answer;
+}
+
 ContactSolution hand_over(ContactState&& state) {
   const std::string stalled =
       "stalled after " + std::to_string(state.iterations) + " iterations; ";
+  if (state.problem.has_hardness())
+    return hand_over_with_hardness(std::move(state), stalled);
   ContactSolution answer =
       active_set(state.elasticity, state.problem, state.target, state.pressure);
   std::string note = stalled + "finished by the active-set method";

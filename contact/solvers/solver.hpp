@@ -7,6 +7,7 @@
 #include "contact/operators/surface_operator.hpp"
 #include "mechanics/loading.hpp"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -21,8 +22,13 @@ namespace asperity::contact {
 ///     p >= 0,  gap + c p >= 0,  p (gap + c p) = 0     at every node
 ///
 /// c = 1/k is the compliance of a linear penalty (p = k times penetration);
-/// c = 0 is hard contact. The methods below project onto p >= 0 and are for
-/// these two laws: mechanics::surface_solver_of() refuses others.
+/// c = 0 is hard contact. With a hardness H, the pressure is bounded,
+///
+///     0 <= p <= H,  gap + c p >= 0 where p < H,  <= 0 where p > 0,
+///
+/// and where p = H the gap may be negative: the depth of a plastic imprint. The
+/// methods below project onto these pressures: mechanics::surface_solver_of()
+/// refuses other laws.
 struct ContactProblem {
   std::span<const double> heights; ///< h [m], elasticity.n_nodes() values
   double local_compliance = 0.0;   ///< c = 1/k [m/Pa] >= 0
@@ -31,11 +37,15 @@ struct ContactProblem {
   /// times this value.
   double gap_tolerance = 0.0;
   int max_iterations = 2000;
+  double hardness = std::numeric_limits<double>::infinity(); ///< H [Pa] > 0
+
+  bool has_hardness() const { return std::isfinite(hardness); }
 };
 
 struct ContactSolution {
   std::vector<double> pressure;     ///< p [Pa], >= 0 without adhesion
-  std::vector<double> gap;          ///< [m]; -c p where in contact
+  std::vector<double> gap;          ///< [m]; -c p where in contact; where
+                                    ///< p = H minus the depth of the imprint
   std::vector<double> displacement; ///< C p [m], see SurfaceOperator
   double nominal_pressure = 0.0;    ///< mean of p [Pa]
   double mean_gap = 0.0;            ///< mean of the gap [m]
@@ -46,6 +56,9 @@ struct ContactSolution {
   /// With adhesion: the smallest eigenvalue of the Hessian of the energy per
   /// area on the nodes with an open gap [Pa/m], up to 10 %; > 0 at a minimum.
   double smallest_stiffness = std::numeric_limits<double>::quiet_NaN();
+  /// With a hardness along a path: the mean depth of the imprint [m], this
+  /// step's included.
+  double mean_imprint = std::numeric_limits<double>::quiet_NaN();
   bool is_detached = false; ///< with adhesion: a tensile load parted the faces
   std::string note; ///< describes unusual events; empty if there were none
 };
@@ -71,7 +84,7 @@ struct ContactSolution {
 ///                         least one positive, or empty for a uniform pressure
 /// @throws std::domain_error  a size or a number is outside its range; the
 ///         prescribed mean gap is impossible in hard contact (<= 0) or the
-///         operator has free boundaries
+///         operator has free boundaries; the nominal pressure is above H
 /// @par Accuracy  The discrete problem is solved to gap_tolerance; the mean
 ///            pressure (or gap) is exact to roundoff.
 /// @see  I. A. Polonsky, L. M. Keer, Wear 231, 206 (1999) for the

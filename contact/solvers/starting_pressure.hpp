@@ -24,12 +24,21 @@ std::vector<double> starting_pressure(const SurfaceOperator& elasticity,
 double load_scale(const mechanics::LoadTarget& target, std::size_t nodes,
                   double pressure_sum);
 
-/// Scales the pressure to the mean pressure of the target, if the target
-/// prescribes one. If no node carries a load, the pressure, and hence its
-/// residual, becomes NaN.
-/// @param workers  the result does not depend on their number
-void scale_to_target(const mechanics::LoadTarget& target,
-                     std::span<const double> weights,
-                     std::span<double> pressure, const Workers& workers = 1);
+/// Scales the pressures below the hardness to the mean pressure of the target,
+/// if the target prescribes one, and cuts them off at the hardness. If no node
+/// carries a load, the pressure, and hence its residual, becomes NaN. If those
+/// that do cannot carry it at the hardness, press_to_load() follows.
+/// @param hardness  H [Pa]
+void scale_to_target(const SurfaceOperator& elasticity,
+                     const mechanics::LoadTarget& target, double hardness,
+                     std::span<double> pressure);
+
+/// Subtracts a number from a field so that its positive part, cut off at the
+/// hardness, has the load that is prescribed, to 1e-3 or, with a hardness, to
+/// 1e-12: the bodies are moved apart or together. That part replaces the field.
+/// With a prescribed mean gap nothing is subtracted.
+void press_to_load(const SurfaceOperator& elasticity,
+                   const mechanics::LoadTarget& target, double hardness,
+                   std::span<double> pressure);
 
 } // namespace asperity::contact

@@ -245,6 +245,10 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
     throw input::InputError(
         fmt::format("{}: {} has adhesion, which no problem can describe",
                     contact_case.path, method.name));
+  if (method.hardness())
+    throw input::InputError(
+        fmt::format("{}: {} has a hardness, which no problem can describe",
+                    contact_case.path, method.name));
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   if (half != nullptr && half->has_free_boundaries &&

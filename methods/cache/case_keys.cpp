@@ -164,8 +164,9 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
   std::erase_if(table.entries, [](const NodeEntry& entry) {
     return entry.key == "contact" || entry.key == "penalty" ||
            entry.key == "work_of_adhesion" || entry.key == "range" ||
-           entry.key == "tolerance" || entry.key == "max_iterations" ||
-           entry.key == "magnification" || entry.key == "realizations";
+           entry.key == "hardness" || entry.key == "tolerance" ||
+           entry.key == "max_iterations" || entry.key == "magnification" ||
+           entry.key == "realizations";
   });
   return fmt::format("{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y,
                      grid.length_x, grid.length_y, text_of(file_, "material"),

@@ -64,6 +64,12 @@ double stiffness_ratio(const std::string& quantity, double pressure,
                    own->relative_conductance;
 }
 
+/// The plastic area of the first step at a load; NaN without one.
+double plastic_area(const results::Curve& curve, double pressure) {
+  const CurvePoint* const row = row_at(curve, pressure);
+  return row == nullptr ? not_a_number : row->plastic_area;
+}
+
 /// Returns NaN where the curve does not provide the quantity.
 double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
@@ -79,6 +85,8 @@ double number_at(const std::string& quantity, double pressure,
   if (quantity.ends_with("stiffness_ratio"))
     return stiffness_ratio(quantity, pressure, curve, theory,
                            scales.contact_modulus);
+  if (quantity == "plastic_area")
+    return plastic_area(curve, pressure);
   const CurveFunction function(curve.points, area_column(quantity));
   if (quantity == "reduced_mean_gap")
     return function.gap(pressure) / scales.rms_height;

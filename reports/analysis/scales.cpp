@@ -39,7 +39,10 @@ bool is_exact_shape(const cases::Case& contact_case) {
   const SurfaceKind kind = contact_case.surface.kind;
   return contact_case.material.is_uniform() &&
          std::ranges::none_of(contact_case.methods,
-                              &cases::MethodSpec::is_adhesive) &&
+                              [](const cases::MethodSpec& method) {
+                                return method.is_adhesive() ||
+                                       method.hardness().has_value();
+                              }) &&
          (contact_case.surface.is_indenter() || kind == SurfaceKind::wave_1d ||
           kind == SurfaceKind::wave_2d);
 }

@@ -26,6 +26,7 @@ const std::vector<std::string>& figure_names() {
                                                  "magnification-separation",
                                                  "maps-",
                                                  "partial-slip",
+                                                 "plastic-area",
                                                  "pressure-difference-",
                                                  "pressure-distribution-",
                                                  "pressure-gap",

@@ -103,6 +103,7 @@ FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
     add(figures, "gap-distribution",
         [&] { return gap_distribution_figures(entry); });
   }
+  add(figures, "plastic-area", [&] { return plastic_area_figure(entry); });
   add(figures, "maps", [&] { return map_figures(entry); });
   add(figures, "stress-inside", [&] { return stress_figures(entry); });
   return group;

@@ -34,6 +34,10 @@ Figure area_figure(std::span<const Series> series, const FigureScales& scales);
 /// kappa.
 Figure area_coefficient_figure(std::span<const Series> series);
 
+/// Plots the area below the hardness and at the hardness against p/E*. Nothing
+/// is returned without a method with a hardness.
+std::optional<Figure> plastic_area_figure(const ReportEntry& entry);
+
 /// Plots A of each method against the area of the theory at the same load, with
 /// the diagonal, and their ratio. Nothing is returned unless both a theory and
 /// another method are present.

@@ -106,6 +106,7 @@ constexpr std::array all_columns{
     column<&CurvePoint::repulsive_area>("repulsive_area", "1", share),
     column<&CurvePoint::tensile_area>("tensile_area", "1", share),
     column<&CurvePoint::smallest_stiffness>("smallest_stiffness", "Pa/m", any),
+    column<&CurvePoint::plastic_area>("plastic_area", "1", share),
     column<&CurvePoint::status>("status", "0 converged, 1 not_converged",
                                 share),
     column<&CurvePoint::is_unloading>("is_unloading", "1", share),

@@ -65,8 +65,9 @@ struct CurvePoint {
   double mean_displacement = not_given;
   double von_mises = not_given;       ///< maximum in the full 3-D block [Pa]
   double von_mises_depth = not_given; ///< depth of this maximum [m]
-  /// Of the full 3-D block with a yield stress: the work of plastic flow so
-  /// far, per nominal area [J/m^2], and the largest equivalent plastic strain.
+  /// The work of plastic flow so far, per nominal area [J/m^2]: of the full 3-D
+  /// block with a yield stress, or of a hardness, over which it is the mean
+  /// depth of the imprint; and the largest equivalent plastic strain.
   double plastic_work = not_given;
   double plastic_strain = not_given;
   /// Of the flow through the gap in x and y: phi and the flow of a square with
@@ -113,6 +114,9 @@ struct CurvePoint {
   double repulsive_area = not_given;
   double tensile_area = not_given;
   double smallest_stiffness = not_given;
+  /// Of a surface with a hardness: area at this pressure, a part of
+  /// area_fraction [1].
+  double plastic_area = not_given;
   StepStatus status = StepStatus::converged;
   bool is_unloading = false;
   std::string note; ///< why it did not converge or an observable is NaN; or ""

@@ -88,6 +88,7 @@ constexpr double doubles_per_atom = 60.0;
 /// Likewise, with adhesion: the fields in double precision, the pairs of L-BFGS
 /// and the vectors of the test for a minimum.
 constexpr double more_arrays_of_adhesion = 10.0;
+constexpr double more_arrays_of_hardness = 2.0; ///< imprint, lower heights
 constexpr double packing = 0.5; ///< compression ratio of maps by deflate
 
 double nodes(const Grid& grid) {
@@ -130,7 +131,8 @@ MethodCost cost_on_face(const mechanics::ContactSettings& contact,
                    rates.iteration_time(grid);
   cost.memory =
       (arrays_per_job +
-       (mechanics::is_adhesive(contact.law) ? more_arrays_of_adhesion : 0.0)) *
+       (mechanics::is_adhesive(contact.law) ? more_arrays_of_adhesion : 0.0) +
+       (contact.hardness ? more_arrays_of_hardness : 0.0)) *
       sizeof(double) * nodes(grid);
   return cost;
 }

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -47,6 +48,7 @@ struct ArgumentKey {
 constexpr std::array argument_keys{
     ArgumentKey{"depth", "", "depth"},
     ArgumentKey{"growth", "", "growth"},
+    ArgumentKey{"hardness", "", "hardness"},
     ArgumentKey{"range", "", "range"},
     ArgumentKey{"surface_thickness", "", "surface_cell_depth"},
     ArgumentKey{"thickness", "", "thickness"},
@@ -112,18 +114,43 @@ public:
   void throw_mistakes() const { mistakes_.throw_if_any(); }
 
 private:
-  void examine(const mechanics::TheorySettings&) {}
+  void examine(const mechanics::TheorySettings& theory) {
+    attempt([&] { require_hard_enough(theory.hardness); });
+  }
 
   void examine(const mechanics::WinklerSettings&) {}
 
   void examine(const mechanics::HalfspaceSettings& half) {
     if (mechanics::is_adhesive(half.contact.law))
       attempt([&] { require_resolved(half.contact.in_si(scales_)); });
+    attempt([&] { require_hard_enough(half.contact.hardness); });
     if (!half.has_free_boundaries && case_.material.poisson_ratio)
       attempt([&] {
         contact::compliance_function(
             methods::continuum_of(*method_, case_.material, scales_));
       });
+  }
+
+  /// Whether the surface can carry the loads. Units of the slope are compared
+  /// with each other only: it is that of the realisation.
+  void require_hard_enough(
+      const std::optional<mechanics::Quantity>& hardness) const {
+    constexpr auto by_slope =
+        mechanics::ReferenceUnit::contact_modulus_times_slope;
+    if (!hardness || case_.load.control != mechanics::Control::nominal_pressure)
+      return;
+    mechanics::Scales scales = scales_;
+    scales.rms_slope = 1.0;
+    const double largest = hardness->in_si(scales);
+    for (const mechanics::Quantity& load : case_.load.targets)
+      if ((load.reference == by_slope) == (hardness->reference == by_slope) &&
+          load.in_si(scales) > largest)
+        refuse_argument(
+            "hardness", largest,
+            fmt::format("at least the largest nominal pressure, {:g}{}, "
+                        "because no contact pressure exceeds it",
+                        load.in_si(scales),
+                        load.reference == by_slope ? " h' Pa" : " Pa"));
   }
 
   /// Whether the grid resolves the range of an adhesion.

@@ -108,7 +108,8 @@ TEST(ShippedCases, AreFolders) {
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(full_blocks.begin(), full_blocks.end());
   expected.insert(adhesive.begin(), adhesive.end());
-  expected.insert({"board", "gamma", "paper", "peers", "sweep-hurst"});
+  expected.insert(
+      {"board", "gamma", "hardness", "paper", "peers", "sweep-hurst"});
 
   EXPECT_TRUE(has_folders("cases", expected));
   EXPECT_TRUE(has_folders("cases/board", parts_of_board));

@@ -18,6 +18,7 @@ constexpr float mean = 0.1F;
 constexpr float beta = 0.7F;
 constexpr double compliance = 0.3;
 constexpr double rigid = -0.2;
+constexpr double hardness = 0.6;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Fields with all kinds of nodes: two blocks and a part of a third.
@@ -28,7 +29,7 @@ struct Fields {
     for (std::size_t i = 0; i < nodes; ++i) {
       pressure[i] = std::max(0.0, value(random));
       raw_gap[i] = value(random);
-      freedom[i] = static_cast<std::uint8_t>(i % 3);
+      freedom[i] = static_cast<std::uint8_t>(i % 4);
       weight[i] = 1.0 + 0.3 * value(random);
       for (std::vector<float>* field :
            {&residual, &previous, &preconditioned, &direction, &displaced})
@@ -242,7 +243,7 @@ TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
   Fields fields(GetParam());
   const Fields before = fields;
 
-  const auto found = advance_nodes(fields.view(), all, 0.4).values;
+  const auto found = advance_nodes(fields.view(), all, {0.4}).values;
 
   std::array<double, 2> expected{};
   for (std::size_t i = 0; i < Fields::nodes; ++i) {
@@ -257,6 +258,84 @@ TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
   EXPECT_NEAR(found[0], expected[0], roundoff);
   EXPECT_NEAR(found[1], expected[1], roundoff);
   EXPECT_GT(found[1], 0.0);
+}
+
+/// Pressures of 0, below the hardness and of the hardness; steps of 0 too.
+Fields bounded_fields(bool is_weighted) {
+  Fields fields(is_weighted);
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    fields.pressure[i] = std::min(fields.pressure[i], hardness);
+    if (i % 5 == 0)
+      fields.direction[i] = 0.0F;
+  }
+  return fields;
+}
+
+TEST_P(NodeKernels, AdvanceCutsPressuresOffAtTheHardness) {
+  Fields fields = bounded_fields(GetParam());
+  const Fields before = fields;
+  NodeFields view = fields.view();
+  view.hardness = hardness;
+  const Advance way{0.4, 1.3};
+
+  const AdvancedLoad foreseen = sum_advanced(view, all, way);
+  EXPECT_EQ(fields.pressure, before.pressure);
+  const auto found = advance_nodes(view, all, way).values;
+
+  std::array<double, 3> expected{};
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const double wish =
+        before.pressure[i] - 0.4 * static_cast<double>(before.direction[i]);
+    const bool moves = before.direction[i] != 0.0F;
+    const double kept = std::clamp(moves ? 1.3 * wish : wish, 0.0, hardness);
+    EXPECT_EQ(fields.pressure[i], kept);
+    EXPECT_EQ(fields.change[i], static_cast<float>(kept - before.pressure[i]));
+    expected[0] += fields.weight_at(i) * kept;
+    expected[1] += std::abs(kept - wish);
+    expected[2] += moves && kept > 0.0 && kept < hardness
+                       ? fields.weight_at(i) * wish
+                       : 0.0;
+  }
+  EXPECT_NEAR(foreseen.load, expected[0], roundoff);
+  EXPECT_NEAR(foreseen.cut, expected[1], roundoff);
+  EXPECT_NEAR(foreseen.slope, expected[2], roundoff);
+  EXPECT_EQ(foreseen.largest, hardness);
+  EXPECT_EQ(found[0], foreseen.load);
+  EXPECT_EQ(found[1], foreseen.cut);
+}
+
+TEST_P(NodeKernels, NodesSinkAtTheHardness) {
+  Fields fields = bounded_fields(GetParam());
+  std::fill_n(fields.pressure.begin(), block_nodes, hardness);
+  std::fill_n(fields.raw_gap.begin(), block_nodes, -1.0);
+  const Fields before = fields;
+  NodeFields view = fields.view();
+  view.hardness = hardness;
+
+  const MeasuredNodes found = measure_nodes(view, all, rigid);
+  const auto sums = change_gap(view, all, 0.0).values;
+
+  double weight = 0.0;
+  std::array<double, 2> elastic{};
+  for (std::size_t i = 0; i < Fields::nodes; ++i) {
+    const double p = before.pressure[i];
+    const double own = before.raw_gap[i] + compliance * p;
+    const bool sinks = p >= hardness && own + rigid <= 0.0;
+    const Freedom expected = p >= hardness       ? sinks ? fixed : loses
+                             : p > 0.0           ? may_shift
+                             : own + rigid < 0.0 ? gains
+                                                 : fixed;
+    EXPECT_EQ(fields.freedom[i], expected) << i;
+    weight += expected > fixed ? fields.weight_at(i) : 0.0;
+    if (p > 0.0 && p < hardness) {
+      elastic[0] += fields.weight_at(i) * own;
+      elastic[1] += fields.weight_at(i);
+    }
+  }
+  EXPECT_NEAR(found.weight, weight, roundoff);
+  EXPECT_NEAR(sums[0], elastic[0], roundoff);
+  EXPECT_NEAR(sums[1], elastic[1], roundoff);
+  EXPECT_EQ(fields.active[0], 1) << "a block that carries load is active";
 }
 
 TEST_P(NodeKernels, ScalesThePressure) {
@@ -319,7 +398,14 @@ std::vector<double> all_results(bool is_weighted) {
   take(sum_slopes(fields.view(), all, mean));
   found.push_back(conjugate_nodes(fields.view(), all, mean, beta).value);
   found.push_back(sum_energy(fields.view(), all).value);
-  take(advance_nodes(fields.view(), all, 0.4));
+  NodeFields bounded = fields.view();
+  bounded.hardness = hardness;
+  const AdvancedLoad next = sum_advanced(bounded, all, {0.4, 1.2});
+  found.insert(found.end(), {next.load, next.cut, next.slope, next.largest});
+  take(advance_nodes(fields.view(), all, {0.4}));
+  take(advance_nodes(bounded, all, {0.2, 1.2}));
+  take(change_gap(bounded, all, 0.1));
+  found.push_back(measure_nodes(bounded, all, rigid).weight);
   scale_nodes(fields.view(), all, 1.1);
   for (const auto* field : {&fields.pressure, &fields.raw_gap})
     found.insert(found.end(), field->begin(), field->end());

@@ -108,6 +108,18 @@ TEST(SharedRows, GiveTheBitsOfOneProcessForOtherLawsAndControls) {
                            {2, 3});
 }
 
+TEST(SharedRows, GiveTheBitsOfOneProcessForAnImprint) {
+  expect_same_on_all_ranks(
+      {{256, 256, 1.0, 1.0},
+       infinite,
+       {.law = mechanics::ContactLaw::hard, .hardness = 0.2},
+       {{Kind::nominal_pressure, 0.04},
+        {Kind::nominal_pressure, 0.1},
+        {Kind::nominal_pressure, 0.04},
+        {Kind::mean_gap, 0.01}}},
+      {2, 3});
+}
+
 // Units of 64, 16, 8, 64, 64 and 32 rows; odd numbers of points in one
 // direction or both, and last units of one row.
 TEST(SharedRows, GiveTheBitsOfOneProcessOnAnyGrid) {

@@ -88,6 +88,38 @@ TEST(CurveRow, HasTheCentreOfPressureOfAShape) {
   EXPECT_TRUE(std::isnan(row_of(one, false).pressure_centre_x));
 }
 
+// Half of the nodes in contact carry the hardness; the imprint is 2 nm deep in
+// the mean. Edges and distribution are then not those of elastic contact.
+TEST(CurveRow, HasThePlasticAreaAndWork) {
+  SurfaceOfCase surface;
+  surface.record.grid = {points, points, 1e-6, 1e-6};
+  surface.scales.rms_height = 1e-9;
+  Observation observation;
+  observation.area_coefficients = results::halfspace_area_coefficients;
+  observation.contact_modulus = 1e9;
+  observation.hardness = 1e6;
+  const auto row_at = [&](double highest, double imprint) {
+    contact::ContactSolution solution;
+    for (int node = 0; node < points * points; ++node) {
+      solution.pressure.push_back(node % 4 == 0   ? highest
+                                  : node % 4 == 1 ? 3e5
+                                                  : 0.0);
+      solution.gap.push_back(node % 4 < 2 ? 0.0 : 1e-9);
+      solution.displacement.push_back(0.0);
+    }
+    solution.mean_imprint = imprint;
+    return observe(std::move(solution), observation, surface).row;
+  };
+  const results::CurvePoint yielding = row_at(1e6, 2e-9);
+  EXPECT_DOUBLE_EQ(yielding.plastic_area, 0.25);
+  EXPECT_DOUBLE_EQ(yielding.area_fraction, 0.5);
+  EXPECT_DOUBLE_EQ(yielding.plastic_work, 2e-3);
+  EXPECT_TRUE(std::isnan(yielding.area_fraction_corrected));
+  EXPECT_EQ(yielding.note, "");
+  const results::CurvePoint elastic = row_at(9e5, 0.0);
+  EXPECT_EQ(elastic.plastic_area, 0.0);
+}
+
 // Verifies the text of the note; a row without a missing number has none.
 TEST(CurveRow, ReportsWhatIsNotDetermined) {
   const results::CurvePoint one =

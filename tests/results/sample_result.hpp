@@ -74,6 +74,7 @@ inline CurvePoint sample_point(int step) {
   point.repulsive_area = 1.0 / (71 + step);
   point.tensile_area = 1.0 / (73 + step);
   point.smallest_stiffness = 1e12 / (79 + step);
+  point.plastic_area = 1.0 / (83 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
@@ -114,6 +115,7 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.repulsive_area, b.repulsive_area);
   EXPECT_PRED2(is_same, a.tensile_area, b.tensile_area);
   EXPECT_PRED2(is_same, a.smallest_stiffness, b.smallest_stiffness);
+  EXPECT_PRED2(is_same, a.plastic_area, b.plastic_area);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);
