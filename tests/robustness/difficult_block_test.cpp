@@ -50,4 +50,11 @@ TEST(DifficultBlock, OnASoftCylinderTakesFewStepsByAccurateSystems) {
   EXPECT_LT(expect_verified(14001, 41476), 80);
 }
 
+// Full contact of a plate of 25 layers of nodes: with each force balanced to
+// 1e-8 of the largest, those of a column added up to a gap off by 2.2 times the
+// tolerance.
+TEST(DifficultBlock, OfManyLayersBalancesTheForcesOfAColumn) {
+  expect_verified(3535, 4356);
+}
+
 } // namespace asperity::robustness::difficult_block_test
