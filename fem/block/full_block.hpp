@@ -27,9 +27,9 @@ struct BlockProgress {
   std::size_t unknowns = 0;
   int iterations = 0;        ///< Newton steps begun
   int linear_iterations = 0; ///< CG iterations
-  /// After the last Newton step, NaN before the first: the largest unbalanced
-  /// nodal force over the largest contact force [1], and the number of points
-  /// that came into contact or lost it.
+  /// After the last Newton step, NaN before the first: the unbalanced force
+  /// over the largest contact force [1], and the number of points that came
+  /// into contact or lost it.
   double residual = std::numeric_limits<double>::quiet_NaN();
   int changed_points = 0;
 };
@@ -64,8 +64,8 @@ struct BlockSolution {
                                  ///< penetrates
   double mean_gap = 0.0;         ///< [m]
   double nominal_pressure = 0.0; ///< [Pa]
-  /// Larger of the violation of the gap over h_rms and the largest unbalanced
-  /// nodal force over the largest contact force [1].
+  /// Larger of the violation of the gap over h_rms and the unbalanced force
+  /// over the largest contact force [1].
   double residual = 0.0;
   /// Estimate of the error of mean_gap by the mesh (solution/gap_error.hpp)
   /// [m] >= 0; NaN without contact, or if the step has not converged.

@@ -109,8 +109,11 @@ void BlockSolver::check_efficiency(int steps, double decades) {
 
 bool BlockSolver::solve_iteratively(Vector& unknowns, const Vector& forces,
                                     double tolerance) {
+  const unsigned int before_direct = is_automatic_
+                                         ? most_steps_before_direct
+                                         : most_prescribed_steps_before_direct;
   const unsigned int most_steps =
-      may_turn_direct_ ? most_steps_before_direct : most_steps_without_direct;
+      may_turn_direct_ ? before_direct : most_steps_without_direct;
   last_tolerance_ = tolerance;
   // A hierarchy of another contact state may be useless for this one.
   constexpr unsigned int most_with_old = 100;

@@ -33,7 +33,8 @@ BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
                          std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
       is_direct_(kind == LinearSolver::direct),
-      may_turn_direct_(kind == LinearSolver::automatic && has_mumps() &&
+      is_automatic_(kind == LinearSolver::automatic),
+      may_turn_direct_(has_mumps() && !system.plasticity() &&
                        system.n_unknowns() <= most_unknowns_of_last_resort),
       own_(std::move(own)),
       matrix_free_(std::move(matrix_free)) {
@@ -168,7 +169,8 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
   }
   if (solve_iteratively(unknowns, forces, tolerance))
     return true;
-  if (!may_turn_direct_)
+  const bool has_failed = own_ && !own_->failure().empty();
+  if (!may_turn_direct_ || (has_failed && !is_automatic_))
     return false;
   turn_direct();
   factors_.direct->solve(unknowns, forces);

@@ -22,8 +22,10 @@ namespace asperity::fem {
 
 /// LinearSolver::automatic replaces conjugate gradients by the direct solver if
 /// a solution needs more than this number of steps, on one rank and up to this
-/// number of unknowns.
+/// number of unknowns. Prescribed ones are replaced where a solution takes
+/// longer than a factorisation.
 inline constexpr unsigned int most_steps_before_direct = 200;
+inline constexpr unsigned int most_prescribed_steps_before_direct = 500;
 inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
 
 /// Conjugate gradients end after this number of steps if no direct solver
@@ -131,16 +133,15 @@ multigrid_settings(const BlockSpace& space, bool is_second_order);
 /// large penalty numbers.
 ///
 /// Flat cells next to a large contrast of moduli can make any of these
-/// preconditioners useless. LinearSolver::automatic then goes on with the
-/// direct solver, if the block is not too large for it.
+/// preconditioners useless. The direct solver then goes on, if the block is not
+/// too large for it.
 /// block_iterations.cpp implements conjugate gradients, block_solver.cpp the
 /// rest.
 class BlockSolver {
 public:
   /// @param system       must outlive the solver
-  /// @param kind         direct: the direct solver; automatic: conjugate
-  ///                     gradients that may go on with it; others: conjugate
-  ///                     gradients
+  /// @param kind         direct: the direct solver; others: conjugate gradients
+  ///                     that may go on with it
   /// @param own          preconditioner used in place of multigrid; may be null
   /// @param matrix_free  solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
@@ -182,6 +183,9 @@ public:
                            double tolerance);
 
   bool is_direct() const { return is_direct_; }
+
+  /// Whether a linear solver is prescribed.
+  bool is_prescribed() const { return !is_automatic_; }
 
   /// Factor on the relative tolerance of the systems of a Newton step.
   double tightness() const {
@@ -232,6 +236,7 @@ private:
 
   const BlockSystem& system_;
   bool is_direct_;
+  bool is_automatic_;
   bool may_turn_direct_; ///< if conjugate gradients need too many steps
   std::unique_ptr<BlockPreconditioner> own_;
   std::unique_ptr<MatrixFreeBlock> matrix_free_;

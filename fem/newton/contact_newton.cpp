@@ -241,6 +241,7 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   state_.take_heights(std::move(heights));
   const int iterations = solver_.iterations();
   const int setups = solver_.setups();
+  const std::string solver = solver_.name();
   step_.begin(contact.watch);
   newton_.begin();
   if (state_.flow() != nullptr)
@@ -252,6 +253,11 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   answer.preconditioner_setups = solver_.setups() - setups;
   answer.linear_solver = solver_.name();
   answer.memory = solver_.memory();
+  if (answer.linear_solver != solver && solver_.is_prescribed())
+    answer.note += fmt::format(
+        "{}{} has not converged in {} iterations; the linear solver is now {}",
+        answer.note.empty() ? "" : "; ", solver,
+        most_prescribed_steps_before_direct, answer.linear_solver);
   judge(contact.tolerance, answer);
 }
 

@@ -190,13 +190,35 @@ double ContactState::largest_force() const {
   return max(largest, MPI_COMM_WORLD);
 }
 
+/// The largest of nodal forces r, or the force at a contact point by which they
+/// may move the contact surface, if that is larger [N].
+///
+/// Forces at all depths add up. They move a wave of the surface at most as much
+/// as a wave of forces at its N points does whose amplitude is
+///
+///     2/N sum r_i m_i <= 2/N |r| |m| <= sqrt(2 L/N) |r|,
+///
+/// where m_i, the displacements of the L N nodes under such a wave, are at most
+/// those of its cosine at the surface, so that |m|^2 <= L N/2.
+double ContactState::force_of(const Vector& nodal_forces) const {
+  const double norm = nodal_forces.l2_norm();
+  // A sum propagates a NaN; the maximum norm need not.
+  if (!std::isfinite(norm))
+    return std::numeric_limits<double>::infinity();
+  const auto n_nodes = static_cast<double>(system_.n_unknowns()) / 3.0;
+  const auto n_points = static_cast<double>(
+      sum(static_cast<unsigned long>(points().size()), MPI_COMM_WORLD));
+  return std::max(nodal_forces.linfty_norm(),
+                  std::sqrt(2.0 * n_nodes) / n_points * norm);
+}
+
 double ContactState::unbalanced() {
   find_imbalance();
+  const double force = force_of(imbalance);
+  if (std::isinf(force))
+    return force;
   const double largest = largest_force();
-  // A sum propagates a NaN; the maximum norm need not.
-  if (!std::isfinite(imbalance.l2_norm()))
-    return std::numeric_limits<double>::infinity();
-  return largest > 0.0 ? imbalance.linfty_norm() / largest : 0.0;
+  return largest > 0.0 ? force / largest : 0.0;
 }
 
 double ContactState::rounding_force() const {
@@ -209,7 +231,7 @@ double ContactState::rounding_force() const {
   rounding.compress(dealii::VectorOperation::insert);
   Vector forces(rounding);
   solver_.multiply(forces, rounding);
-  return forces.linfty_norm();
+  return force_of(forces);
 }
 
 double ContactState::violation(double compliance) const {

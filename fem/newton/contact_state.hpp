@@ -121,12 +121,13 @@ struct ContactState {
 
   double largest_force() const; ///< maximum of a p over the points [N]
 
-  /// The largest unbalanced force, relative to the largest contact force [1].
+  /// The unbalanced force relative to the largest contact force [1], as
+  /// force_of() has it.
   double unbalanced();
 
-  /// The largest nodal force [N] by which displacements differ that differ by
-  /// half a unit in the last place, with signs from the bits of their values.
-  /// No solution in double precision is balanced much better.
+  /// The force [N], as force_of() has it, by which displacements differ that
+  /// differ by half a unit in the last place, with signs from the bits of their
+  /// values. No solution in double precision is balanced much better.
   double rounding_force() const;
 
   /// The violation of the contact law [m]: the largest |gap + c p| in contact,
@@ -135,6 +136,8 @@ struct ContactState {
   double violation(double compliance) const;
 
 private:
+  double force_of(const Vector& nodal_forces) const;
+
   const BlockSystem& system_;
   const BlockSolver& solver_;
   std::optional<PlasticFlow> flow_;

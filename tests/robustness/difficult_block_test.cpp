@@ -36,8 +36,9 @@ TEST(DifficultBlock, AtAMeanGapWithoutContactIsLeftUndeformed) {
   expect_verified(14001, 78601);
 }
 
-// A prescribed `multigrid` that needs 1000 to 1100 iterations for a solution.
-TEST(DifficultBlock, OfFlatCellsIsSolvedByAThousandIterations) {
+// A prescribed `multigrid` that needs 1000 to 1100 iterations for a solution,
+// so that the direct solver goes on.
+TEST(DifficultBlock, OfFlatCellsIsSolvedByTheDirectSolver) {
   expect_verified(14001, 37188);
   expect_verified(14001, 75655);
   expect_verified(14001, 79162);
@@ -48,6 +49,13 @@ TEST(DifficultBlock, OfFlatCellsIsSolvedByAThousandIterations) {
 // linear systems solved to 1e-3, the five loads took 129 steps in all.
 TEST(DifficultBlock, OnASoftCylinderTakesFewStepsByAccurateSystems) {
   EXPECT_LT(expect_verified(14001, 41476), 80);
+}
+
+// Full contact of a plate of 25 layers of nodes: with each force balanced to
+// 1e-8 of the largest, those of a column added up to a gap off by 2.2 times the
+// tolerance.
+TEST(DifficultBlock, OfManyLayersBalancesTheForcesOfAColumn) {
+  expect_verified(3535, 4356);
 }
 
 } // namespace asperity::robustness::difficult_block_test
