@@ -139,9 +139,10 @@ private:
   /// Bounds the error of the mean gap by one more application of the operator,
   /// which the solver has no part in.
   void certify(StepAnswer& answer) {
-    if (!(answer.row.nominal_pressure > 0.0) || observation_.adhesion)
+    if (!(answer.row.nominal_pressure > 0.0) || observation_.adhesion ||
+        answer.row.nominal_pressure > observation_.hardness)
       return; // without contact the mean gap is prescribed; the bound assumes
-              // that the problem is convex
+              // that the problem is convex and has a solution
     results::RowObserver observe(answer.row);
     observe("certified_gap_error", [&] {
       return contact::check_field(

@@ -313,15 +313,23 @@ Feasible solved_further(SurfaceOperator& elasticity,
              : answer;
 }
 
+/// The mean gap U_p by a pressure [m].
+double mean_gap_of(SurfaceOperator& elasticity, const SubmittedField& submitted,
+                   const Feasible& pressed, const Weighted& weighted) {
+  const double separation =
+      std::isfinite(submitted.hardness)
+          ? elastic_part(elasticity, submitted, pressed, weighted).separation
+          : pressed.pressure_excess(weighted) / submitted.nominal_pressure;
+  return separation + pressed.lift - weighted.mean_of(submitted.heights);
+}
+
 /// The bounds with a hardness, by (3) alone.
 /// @param answer  solved further
-SeparationBounds bounds_by_pressure(SurfaceOperator& elasticity,
-                                    const SubmittedField& submitted,
-                                    const Feasible& answer,
-                                    const Weighted& weighted) {
+void bound_by_pressure(SurfaceOperator& elasticity,
+                       const SubmittedField& submitted, const Feasible& answer,
+                       const Weighted& weighted, SeparationBounds& bounds) {
   const ElasticPart part =
       elastic_part(elasticity, submitted, answer, weighted);
-  SeparationBounds bounds;
   bounds.polished_gap =
       duality_gap(answer, weighted, submitted.nominal_pressure);
   const double of_uniform =
@@ -334,7 +342,6 @@ SeparationBounds bounds_by_pressure(SurfaceOperator& elasticity,
       part.separation + answer.lift - weighted.mean_of(submitted.heights);
   bounds.low = mean_gap - error;
   bounds.high = mean_gap + error;
-  return bounds;
 }
 
 } // namespace
@@ -346,12 +353,8 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const Weighted weighted(elasticity.nodal_weights(), workers);
   const double load = submitted.nominal_pressure;
   const double mean_height = weighted.mean_of(submitted.heights);
-  const auto mean_gap_by = [&](const Feasible& pressed) { // U_p
-    if (std::isfinite(submitted.hardness))
-      return elastic_part(elasticity, submitted, pressed, weighted).separation +
-             pressed.lift - mean_height;
-    return pressed.pressure_excess(weighted) / load + pressed.lift -
-           mean_height;
+  const auto mean_gap_by = [&](const Feasible& pressed) {
+    return mean_gap_of(elasticity, submitted, pressed, weighted);
   };
   Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
   const double claimed = std::isfinite(submitted.mean_gap)
@@ -361,9 +364,7 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   answer = solved_further(elasticity, submitted, weighted, std::move(answer),
                           bounds.solver_iterations);
   if (std::isfinite(submitted.hardness)) {
-    const int iterations = bounds.solver_iterations;
-    bounds = bounds_by_pressure(elasticity, submitted, answer, weighted);
-    bounds.solver_iterations = iterations;
+    bound_by_pressure(elasticity, submitted, answer, weighted, bounds);
     bounds.error = std::max(std::abs(claimed - bounds.low),
                             std::abs(bounds.high - claimed));
     return bounds;

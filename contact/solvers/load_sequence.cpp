@@ -4,6 +4,8 @@
 #include "contact/solvers/adhesive.hpp"
 #include "ranks/node_sums.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -146,6 +148,9 @@ ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
   control_ = target.control;
   if (solver_ == mechanics::SurfaceSolver::adhesive)
     return solve_with_adhesion(target);
+  if (target.control == mechanics::Control::nominal_pressure &&
+      target.amount > interface_.hardness)
+    return beyond_hardness(target.amount);
   lower_heights();
   if (target.control == mechanics::Control::mean_gap)
     target.amount += mean_imprint_;
@@ -172,6 +177,20 @@ ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
   if (problem.has_hardness())
     keep_imprint(solution);
   return solution;
+}
+
+ContactSolution LoadSequence::beyond_hardness(double nominal_pressure) const {
+  const std::size_t nodes = heights_.size();
+  ContactSolution none;
+  none.pressure.assign(nodes, interface_.hardness);
+  none.gap.assign(nodes, 0.0);
+  none.displacement.assign(nodes, 0.0);
+  none.nominal_pressure = nominal_pressure;
+  none.converged = false;
+  none.note = fmt::format("the nominal pressure must be at most the hardness, "
+                          "{:.4g} Pa: no contact carries more",
+                          interface_.hardness);
+  return none;
 }
 
 void LoadSequence::lower_heights() {

@@ -82,6 +82,8 @@ private:
   };
 
   ContactSolution solve_with_adhesion(const mechanics::LoadTarget& target);
+  /// A step that is not converged, because the surface yields everywhere.
+  ContactSolution beyond_hardness(double nominal_pressure) const;
   /// Lowers the heights by the imprint of the last step.
   void lower_heights();
   /// Keeps the imprint of a step, whose gap and mean gap become those of the

@@ -95,15 +95,15 @@ TwoLoads loads_by_hardness(std::span<const double> weights,
                            std::span<const double> pressure,
                            const Workers& workers, double hardness) {
   return with_weights(weights, [&](const auto weight) {
+    const auto load = [=, p = pressure.data()](std::size_t begin,
+                                               std::size_t end, bool is_below) {
+      return sum_in_lanes(begin, end, [=](std::size_t i) {
+        return (p[i] < hardness) == is_below ? weight[i] * p[i] : 0.0;
+      });
+    };
     return chunked_sum<TwoLoads>(
-        pressure.size(), workers,
-        [=, p = pressure.data()](std::size_t begin, std::size_t end) {
-          const auto load = [=](bool is_below) {
-            return sum_in_lanes(begin, end, [=](std::size_t i) {
-              return (p[i] < hardness) == is_below ? weight[i] * p[i] : 0.0;
-            });
-          };
-          return TwoLoads{{load(true), load(false)}};
+        pressure.size(), workers, [=](std::size_t begin, std::size_t end) {
+          return TwoLoads{{load(begin, end, true), load(begin, end, false)}};
         });
   });
 }

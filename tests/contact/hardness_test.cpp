@@ -166,6 +166,17 @@ TEST_F(Hardness, RefusesALoadAboveIt) {
             std::string::npos);
 }
 
+TEST_F(Hardness, EndsAPathAboveItWithoutConvergence) {
+  LoadSequence own = path(0.5);
+  EXPECT_TRUE(own.solve(load(0.4)).converged);
+  const ContactSolution beyond = own.solve(load(0.6));
+  EXPECT_FALSE(beyond.converged);
+  EXPECT_NE(beyond.note.find("at most the hardness, 0.5 Pa"),
+            std::string::npos);
+  EXPECT_EQ(beyond.gap.size(), heights.size());
+  EXPECT_TRUE(own.solve(load(0.45)).converged);
+}
+
 // The surface yields under the whole sphere: L = H pi a^2, and the area is that
 // of the sphere at the indentation, pi a^2 = 2 pi R d, as for the plastic
 // sphere of Abbott and Firestone. The elastic depth of the disc is of order

@@ -256,6 +256,7 @@ TEST_F(Validity, OfWhatFollowsFromTheFields) {
           CurvePoint row = sample_point(0);
           row.nominal_pressure = row_pressure;
           row.mean_gap = row_gap;
+          row.plastic_area = not_a_number; // no imprint
           writer.begin_method("other", kind, "");
           writer.append_step_with_fields("other", 0, row, grid,
                                          {0,
