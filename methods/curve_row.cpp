@@ -82,6 +82,14 @@ std::vector<double> closed_nodes(const std::vector<double>& gap) {
   return closed;
 }
 
+/// Of the nodes of all ranks [m].
+double mean_displacement(const contact::ContactSolution& solution,
+                         const Observation& observation) {
+  const std::vector<double>& field = solution.displacement;
+  return weighted_sum(observation.nodal_weights, field, observation.workers) /
+         static_cast<double>(observation.workers.all_nodes(field.size()));
+}
+
 results::CurvePoint row_of(const contact::ContactSolution& solution,
                            const Observation& observation,
                            const SurfaceOfCase& surface) {
@@ -124,9 +132,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                               workers);
     });
   if (observation.border == results::Border::free)
-    row.mean_displacement =
-        weighted_sum(weights, solution.displacement, workers) /
-        static_cast<double>(workers.all_nodes(solution.displacement.size()));
+    row.mean_displacement = mean_displacement(solution, observation);
   if (observation.has_middle) {
     const results::PressureCentre centre =
         results::pressure_centre(grid, pressure, weights, workers);

@@ -323,6 +323,13 @@ double mean_gap_of(SurfaceOperator& elasticity, const SubmittedField& submitted,
   return separation + pressed.lift - weighted.mean_of(submitted.heights);
 }
 
+/// The bounds with the distance of a claimed mean gap from the further one.
+SeparationBounds with_error(SeparationBounds bounds, double claimed) {
+  bounds.error =
+      std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
+  return bounds;
+}
+
 /// The bounds with a hardness, by (3) alone.
 /// @param answer  solved further
 void bound_by_pressure(SurfaceOperator& elasticity,
@@ -353,21 +360,17 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
   const Weighted weighted(elasticity.nodal_weights(), workers);
   const double load = submitted.nominal_pressure;
   const double mean_height = weighted.mean_of(submitted.heights);
-  const auto mean_gap_by = [&](const Feasible& pressed) {
-    return mean_gap_of(elasticity, submitted, pressed, weighted);
-  };
   Feasible answer = feasible(elasticity, submitted, pressure_of(submitted));
-  const double claimed = std::isfinite(submitted.mean_gap)
-                             ? submitted.mean_gap
-                             : mean_gap_by(answer);
+  const double claimed =
+      std::isfinite(submitted.mean_gap)
+          ? submitted.mean_gap
+          : mean_gap_of(elasticity, submitted, answer, weighted);
   SeparationBounds bounds;
   answer = solved_further(elasticity, submitted, weighted, std::move(answer),
                           bounds.solver_iterations);
   if (std::isfinite(submitted.hardness)) {
     bound_by_pressure(elasticity, submitted, answer, weighted, bounds);
-    bounds.error = std::max(std::abs(claimed - bounds.low),
-                            std::abs(bounds.high - claimed));
-    return bounds;
+    return with_error(bounds, claimed);
   }
   bounds.polished_gap = duality_gap(answer, weighted, load);
   std::vector<double> uniform = uniform_displacement(elasticity);
@@ -386,8 +389,9 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
       separation_error(answer,
                        means_of(weighted, answer.pressure, answer.displacement),
                        bounds.polished_gap, of_uniform);
-  bounds.low = mean_gap_by(answer) - error;
-  bounds.high = mean_gap_by(answer) + error;
+  const double own = mean_gap_of(elasticity, submitted, answer, weighted);
+  bounds.low = own - error;
+  bounds.high = own + error;
   // (4)
   bounds.high =
       std::min(bounds.high, answer.separation + answer.lift - mean_height +
@@ -408,9 +412,7 @@ SeparationBounds bound_separation(SurfaceOperator& elasticity,
       std::min(bounds.high, by_punch + roundoff +
                                 excess_of_high(answer, punch, top,
                                                bounds.polished_gap / load));
-  bounds.error =
-      std::max(std::abs(claimed - bounds.low), std::abs(bounds.high - claimed));
-  return bounds;
+  return with_error(bounds, claimed);
 }
 
 } // namespace asperity::contact
