@@ -256,6 +256,22 @@ List facts_of(const Summary& summary) {
   return facts;
 }
 
+/// The sentence with the numbers that a user asks for first, if there is one.
+void set_answer(Value& page, const ReportEntry& entry) {
+  const std::string answer =
+      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
+  page.set("has_answer", !answer.empty());
+  page.set("answer", answer);
+}
+
+void set_slips(Value& page, const ReportEntry& entry) {
+  const List slips = slip_rows(entry);
+  page.set("has_slips", !slips.empty());
+  page.set("slips", slips);
+  if (!slips.empty())
+    page.set("slip_note", slip_note(entry));
+}
+
 } // namespace
 
 Value entry_data(const ReportEntry& entry, std::span<const Series> series,
@@ -268,10 +284,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   page.set("title", summary.case_title);
   page.set("is_one_of_many", is_one_of_many);
   page.set("sentence", case_sentence(entry));
-  const std::string answer =
-      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
-  page.set("has_answer", !answer.empty());
-  page.set("answer", answer);
+  set_answer(page, entry);
   const List physical = physical_rows(entry);
   page.set("has_physical", !physical.empty());
   page.set("physical", physical);
@@ -310,11 +323,7 @@ Value entry_data(const ReportEntry& entry, std::span<const Series> series,
   const List stiffnesses = stiffness_rows(*entry.result);
   page.set("has_stiffness", !stiffnesses.empty());
   page.set("stiffness", stiffnesses);
-  const List slips = slip_rows(entry);
-  page.set("has_slips", !slips.empty());
-  page.set("slips", slips);
-  if (!slips.empty())
-    page.set("slip_note", slip_note(entry));
+  set_slips(page, entry);
   const List boundaries = boundary_rows(entry);
   page.set("has_boundaries", !boundaries.empty());
   page.set("boundaries", boundaries);
