@@ -45,13 +45,6 @@ struct Place {
   bool has_numbers = true;
 };
 
-/// The contact law of a method whose answer is that of one surface operator.
-const mechanics::ContactSettings* contact_of(const cases::MethodSpec& method) {
-  return method.is_adhesive() || methods::is_full_block(method)
-             ? nullptr
-             : method.contact();
-}
-
 /// Certifies the fields of one result.
 class Certifier {
 public:
@@ -129,8 +122,9 @@ private:
       return nullptr;
     const auto found = std::ranges::find_if(
         case_->methods, [&](const cases::MethodSpec& method) {
-          return record.kind == "submission" ? contact_of(method) != nullptr
-                                             : method.name == record.name;
+          return record.kind == "submission"
+                     ? methods::convex_contact(method) != nullptr
+                     : method.name == record.name;
         });
     return found == case_->methods.end() ? nullptr : &*found;
   }
@@ -156,7 +150,7 @@ private:
                    0.0};
     }
     const cases::MethodSpec& method = *known;
-    const mechanics::ContactSettings* law = contact_of(method);
+    const mechanics::ContactSettings* law = methods::convex_contact(method);
     if (law == nullptr) {
       as_submitted(record, "no bound exists for this method");
       return std::nullopt;

@@ -76,6 +76,11 @@ bool is_full_block(const MethodSpec& method) {
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 
+const mechanics::ContactSettings* convex_contact(const MethodSpec& method) {
+  return method.is_adhesive() || is_full_block(method) ? nullptr
+                                                       : method.contact();
+}
+
 std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
                                              const MethodSpec& method,
                                              const mechanics::Scales& scales) {

@@ -43,6 +43,12 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);
 /// Returns true for [fem] with solver = "full".
 bool is_full_block(const cases::MethodSpec& method);
 
+/// Returns the contact law of a method whose pressures are the answer of one
+/// surface operator in a convex problem; null for full blocks, adhesion, atoms
+/// and theory.
+const mechanics::ContactSettings*
+convex_contact(const cases::MethodSpec& method);
+
 /// Returns the most heavily loaded of the steps with saved fields, at which a
 /// full block records its own stress section. Returns nothing for other
 /// methods, or if the case does not request the subsurface stress.

@@ -11,7 +11,6 @@
 
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <span>
 
 namespace asperity::run {
@@ -35,20 +34,6 @@ Border border_of(const cases::MethodSpec& method) {
                        (fem != nullptr && methods::is_full_block(method) &&
                         fem->full.sides == mechanics::BlockSides::free);
   return is_free ? Border::free : Border::periodic;
-}
-
-/// The contact law of a method with a surface operator; none for others, and
-/// with adhesion, whose contact does not stand still.
-std::optional<mechanics::ContactSettings>
-law_of(const cases::MethodSpec& method) {
-  if (method.is_adhesive() || methods::is_full_block(method))
-    return std::nullopt;
-  if (const auto* half =
-          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
-    return half->contact;
-  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings))
-    return fem->contact;
-  return std::nullopt;
 }
 
 results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
@@ -90,7 +75,7 @@ void add_conductance(const StudiedMethod& studied, const Grid& grid,
         unit_halfspace(grid, border_of(studied.method), studied.threads);
     return stiffness_of(*halfspace, set, 0.0);
   });
-  if (const auto law = law_of(studied.method)) {
+  if (const auto* const law = methods::convex_contact(studied.method)) {
     const double compliance =
         law->in_si(studied.surface.scales).local_compliance();
     observe("normal_stiffness", [&]() -> results::Observed {
@@ -150,8 +135,8 @@ void add_contact_studies(const StudiedMethod& studied,
   results::CurvePoint& row = answer.row;
   if (row.status != results::StepStatus::converged || answer.gap.empty())
     return;
-  const bool by_pressure =
-      law_of(studied.method) || methods::is_full_block(studied.method);
+  const bool by_pressure = methods::convex_contact(studied.method) != nullptr ||
+                           methods::is_full_block(studied.method);
   const std::vector<std::uint8_t> set = results::contact_set(
       by_pressure ? answer.pressure : std::vector<double>(), answer.gap);
   if (contact_case.spots_study)

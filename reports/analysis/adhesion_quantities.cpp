@@ -11,16 +11,6 @@ namespace {
 
 using results::CurvePoint;
 
-/// The law of a method with adhesion, if the case has this method.
-const mechanics::ContactSettings*
-adhesion_of(const cases::Case& contact_case,
-            const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (spec.name == method.name && spec.is_adhesive())
-      return spec.contact();
-  return nullptr;
-}
-
 std::vector<CurvePoint> converged_rows(const results::Curve& curve) {
   std::vector<CurvePoint> rows;
   for (const CurvePoint& row : curve.points)
@@ -70,10 +60,10 @@ void add_adhesion_quantities(const results::Result& result,
                              const cases::Case& contact_case,
                              const results::MethodRecord& method,
                              MethodSummary& summary) {
-  const mechanics::ContactSettings* const law =
-      adhesion_of(contact_case, method);
-  if (law == nullptr)
+  if (!is_adhesive(contact_case, method))
     return;
+  const double work =
+      spec_of(contact_case, method)->contact()->work_of_adhesion;
   std::vector<FittedValue> tension;
   std::vector<FittedValue> dissipated;
   tension.reserve(method.realizations.size());
@@ -85,20 +75,19 @@ void add_adhesion_quantities(const results::Result& result,
     const std::vector<CurvePoint> rows = converged_rows(curve);
     tension.push_back(
         {.value = largest_tension(rows) / result.contact_modulus});
-    dissipated.push_back(
-        {.value = dissipated_energy(rows) / law->work_of_adhesion});
+    dissipated.push_back({.value = dissipated_energy(rows) / work});
     if (is_wave)
       error =
           std::fmax(error, wave_error(rows,
                                       {surface.amplitude, surface.wavelength,
                                        result.contact_modulus},
-                                      law->work_of_adhesion));
+                                      work));
   }
   summary.quantities["pull_off_pressure"] = mean_over_realizations(tension);
-  Estimate& work = summary.quantities["dissipated_energy"];
-  work = mean_over_realizations(dissipated);
-  if (!work.has_value())
-    work.remark = "the path does not return to the gap where it began";
+  Estimate& lost = summary.quantities["dissipated_energy"];
+  lost = mean_over_realizations(dissipated);
+  if (!lost.has_value())
+    lost.remark = "the path does not return to the gap where it began";
   if (is_wave)
     summary.quantities["adhesive_wave_error"] =
         largest_estimate(error, "no step has a partial contact");

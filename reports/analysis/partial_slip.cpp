@@ -125,9 +125,8 @@ std::vector<std::vector<SlipState>>
 partial_slips(const results::Result& result, const cases::Case& contact_case,
               const results::MethodRecord& method) {
   std::vector<std::vector<SlipState>> curves;
-  const auto spec = std::ranges::find(contact_case.methods, method.name,
-                                      &cases::MethodSpec::name);
-  if (!contact_case.friction_study || spec == contact_case.methods.end() ||
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  if (!contact_case.friction_study || spec == nullptr ||
       !cases::has_partial_slip(*spec, contact_case.material) ||
       !(result.contact_modulus > 0.0))
     return curves;

@@ -18,25 +18,17 @@ namespace {
 using results::MethodRecord;
 using results::Result;
 
-const mechanics::TheorySettings* settings_of(const cases::Case& contact_case,
-                                             const MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* theory =
-            std::get_if<mechanics::TheorySettings>(&spec.settings);
-        theory != nullptr && spec.name == method.name)
-      return theory;
-  return nullptr;
-}
-
 double set_gamma(const cases::Case& contact_case, const MethodRecord& method) {
-  const auto* theory = settings_of(contact_case, method);
+  const auto* theory =
+      settings_of<mechanics::TheorySettings>(contact_case, method);
   return theory == nullptr ? not_a_number : theory->gamma;
 }
 
 /// u_0 of Eq. (18) over that for gamma = 1.
 double decay_factor(const cases::Case& contact_case,
                     const MethodRecord& method) {
-  const auto* theory = settings_of(contact_case, method);
+  const auto* theory =
+      settings_of<mechanics::TheorySettings>(contact_case, method);
   if (theory == nullptr)
     return not_a_number;
   return theory->loss_factor == mechanics::LossFactor::yang_persson
@@ -129,7 +121,8 @@ void add_theory_fits(const Result& result, const cases::Case& contact_case,
   if (method.kind == "theory") { // its parameter is an input
     fits.asymptotic_slope =
         decay_factor(contact_case, method) * theory.decay_length / height;
-    if (const auto* settings = settings_of(contact_case, method);
+    if (const auto* settings =
+            settings_of<mechanics::TheorySettings>(contact_case, method);
         theory.contact && settings != nullptr)
       fits.fine_curve =
           fine_curve(with_settings(*theory.contact, *settings),

@@ -23,16 +23,25 @@ SurfaceScales formula_scales(const SurfaceSpec& surface) {
 
 } // namespace
 
+const cases::MethodSpec* spec_of(const cases::Case& contact_case,
+                                 const results::MethodRecord& method) {
+  const auto found = std::ranges::find(contact_case.methods, method.name,
+                                       &cases::MethodSpec::name);
+  return found == contact_case.methods.end() ? nullptr : &*found;
+}
+
+bool is_adhesive(const cases::Case& contact_case,
+                 const results::MethodRecord& method) {
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  return spec != nullptr && spec->is_adhesive();
+}
+
 bool uses_formula(const cases::Case& contact_case,
                   const results::MethodRecord& method) {
-  if (method.kind != "theory")
-    return false;
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (spec.name == method.name)
-      if (const auto* theory =
-              std::get_if<mechanics::TheorySettings>(&spec.settings))
-        return theory->spectrum == mechanics::TheorySpectrum::formula;
-  return false;
+  const auto* const theory =
+      settings_of<mechanics::TheorySettings>(contact_case, method);
+  return method.kind == "theory" && theory != nullptr &&
+         theory->spectrum == mechanics::TheorySpectrum::formula;
 }
 
 bool is_exact_shape(const cases::Case& contact_case) {
@@ -83,30 +92,24 @@ SurfaceScales scales_of(const results::Result& result,
 
 bool has_free_boundaries(const cases::Case& contact_case,
                          const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* half =
-            std::get_if<mechanics::HalfspaceSettings>(&spec.settings);
-        half != nullptr && spec.name == method.name)
-      return half->has_free_boundaries;
-  return false;
+  const auto* const half =
+      settings_of<mechanics::HalfspaceSettings>(contact_case, method);
+  return half != nullptr && half->has_free_boundaries;
 }
 
 bool has_free_sides(const cases::Case& contact_case,
                     const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* fem = std::get_if<mechanics::FemSettings>(&spec.settings);
-        fem != nullptr && spec.name == method.name)
-      return fem->full.sides == mechanics::BlockSides::free ||
-             (fem->full.bodies == 2 && contact_case.mesh.counter);
-  return false;
+  const auto* const fem =
+      settings_of<mechanics::FemSettings>(contact_case, method);
+  return fem != nullptr &&
+         (fem->full.sides == mechanics::BlockSides::free ||
+          (fem->full.bodies == 2 && contact_case.mesh.counter));
 }
 
 std::optional<double> magnification_of(const cases::Case& contact_case,
                                        const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (spec.name == method.name)
-      return spec.magnification;
-  return std::nullopt;
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  return spec == nullptr ? std::nullopt : spec->magnification;
 }
 
 const results::MethodRecord*

@@ -10,15 +10,6 @@ namespace {
 
 using results::CurvePoint;
 
-const mechanics::FemSettings*
-block_settings_of(const cases::Case& contact_case,
-                  const results::MethodRecord& method) {
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (spec.name == method.name)
-      return std::get_if<mechanics::FemSettings>(&spec.settings);
-  return nullptr;
-}
-
 struct StiffnessErrors {
   double normal = not_a_number;
   double tangential = not_a_number;
@@ -116,7 +107,8 @@ void add_stiffness_quantities(const results::Result& result,
   const mechanics::SurfaceSpec& surface = contact_case.surface;
   if (method.realizations.empty())
     return;
-  const auto* const block = block_settings_of(contact_case, method);
+  const auto* const block =
+      settings_of<mechanics::FemSettings>(contact_case, method);
   if (surface.tilt != 0.0) {
     add_moment_error(result, contact_case, method, summary);
     return;

@@ -134,13 +134,11 @@ void add_study_quantities(const Result& result, const cases::Case& contact_case,
                           std::span<const std::string> names,
                           MethodSummary& summary) {
   auto& quantities = summary.quantities;
-  for (const cases::MethodSpec& spec : contact_case.methods)
-    if (const auto* theory =
-            std::get_if<mechanics::TheorySettings>(&spec.settings);
-        theory != nullptr && spec.name == method.name &&
-        theory->loss_factor == mechanics::LossFactor::yang_persson)
-      quantities["epsilon"] =
-          number(theory::persson_epsilon(theory->gamma), "");
+  if (const auto* const theory =
+          settings_of<mechanics::TheorySettings>(contact_case, method);
+      theory != nullptr &&
+      theory->loss_factor == mechanics::LossFactor::yang_persson)
+    quantities["epsilon"] = number(theory::persson_epsilon(theory->gamma), "");
   const cases::MethodSpec* studied =
       cases::study_theory(contact_case.surface, contact_case.methods);
   if (studied == nullptr || studied->name != method.name)

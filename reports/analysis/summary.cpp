@@ -88,13 +88,6 @@ void attempt(MethodSummary& summary, const char* what, const Work& work) {
   }
 }
 
-bool is_adhesive(const cases::Case& contact_case, const MethodRecord& method) {
-  return std::ranges::any_of(
-      contact_case.methods, [&](const cases::MethodSpec& spec) {
-        return spec.name == method.name && spec.is_adhesive();
-      });
-}
-
 MethodSummary summarize_method(const Result& result,
                                const cases::Case& contact_case,
                                const MethodRecord& method,

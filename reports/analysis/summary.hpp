@@ -126,6 +126,23 @@ bool is_exact_shape(const cases::Case& contact_case);
 /// only the moment is known.
 bool has_exact_curve(const cases::Case& contact_case);
 
+/// Returns the method of the case by which a record was made; null for a record
+/// of other origin.
+const cases::MethodSpec* spec_of(const cases::Case& contact_case,
+                                 const results::MethodRecord& method);
+
+/// Returns its settings, or null if they are of another kind.
+template <class Settings>
+const Settings* settings_of(const cases::Case& contact_case,
+                            const results::MethodRecord& method) {
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  return spec == nullptr ? nullptr : std::get_if<Settings>(&spec->settings);
+}
+
+/// Returns whether its faces attract each other.
+bool is_adhesive(const cases::Case& contact_case,
+                 const results::MethodRecord& method);
+
 /// True if the method is a theory that used the analytical spectrum of the
 /// case.
 bool uses_formula(const cases::Case& contact_case,

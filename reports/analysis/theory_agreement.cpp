@@ -87,16 +87,10 @@ std::string pressure_text(const ComparedLoad& load, double contact_modulus) {
                      pressure / contact_modulus);
 }
 
-const cases::MethodSpec* spec_of(const Comparison& compared) {
-  const auto& methods = compared.contact_case.methods;
-  const auto found = std::ranges::find(methods, compared.method.name,
-                                       &cases::MethodSpec::name);
-  return found == methods.end() ? nullptr : &*found;
-}
-
 /// Sentences on what the block has and the theory's half-space has not.
 std::string block_causes(const Comparison& compared) {
-  const cases::MethodSpec* const spec = spec_of(compared);
+  const cases::MethodSpec* const spec =
+      spec_of(compared.contact_case, compared.method);
   if (spec == nullptr)
     return "";
   const auto* const halfspace =
@@ -207,11 +201,9 @@ std::vector<Warning> theory_disagreements(const results::Result& result,
   for (const MethodRecord& method : result.methods) {
     const MethodRecord* const theory =
         reference_theory(result, contact_case, method);
-    const auto spec = std::ranges::find(contact_case.methods, method.name,
-                                        &cases::MethodSpec::name);
     if (theory == nullptr || method.kind == "theory" ||
-        (spec != contact_case.methods.end() && spec->is_adhesive()) ||
-        method.realizations.empty() || theory->realizations.empty())
+        is_adhesive(contact_case, method) || method.realizations.empty() ||
+        theory->realizations.empty())
       continue;
     const Comparison compared{result, contact_case, method, *theory};
     const std::vector<ComparedLoad> loads = compared_loads(compared);

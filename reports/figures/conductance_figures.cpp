@@ -116,10 +116,7 @@ std::vector<results::Cluster> clusters_of(const ReportEntry& entry,
                                           bool is_gap) {
   const bool by_pressure =
       (method.kind == "halfspace" || method.kind == "fem") &&
-      std::ranges::none_of(
-          entry.contact_case->methods, [&](const cases::MethodSpec& one) {
-            return one.name == method.name && one.is_adhesive();
-          });
+      !is_adhesive(*entry.contact_case, method);
   std::vector<std::uint8_t> set;
   set.reserve(map.grid.size());
   results::each_piece(
@@ -156,17 +153,7 @@ void add_sizes(std::vector<results::Cluster> clusters, const std::string& label,
 std::optional<Figure> conductance_figure(const ReportEntry& entry) {
   if (!entry.contact_case->conductance_study)
     return std::nullopt;
-  ConductanceFigure figure(entry);
-  std::size_t color = 0;
-  for (const results::MethodRecord& method : entry.result->methods) {
-    if (method.kind == "theory")
-      figure.add_theory(method);
-    else
-      figure.add_numbers(method, color++);
-  }
-  if (figure.is_empty())
-    return std::nullopt;
-  return std::move(figure).take();
+  return figure_of_methods(ConductanceFigure(entry), entry.result->methods);
 }
 
 std::vector<Figure> spot_figures(const ReportEntry& entry) {

@@ -126,17 +126,8 @@ std::optional<Figure> flux_figure(const std::string& method,
 std::optional<Figure> flow_figure(const ReportEntry& entry) {
   if (!entry.contact_case->flow_study)
     return std::nullopt;
-  FlowFigure figure(*entry.contact_case->flow_study);
-  std::size_t color = 0;
-  for (const results::MethodRecord& method : entry.result->methods) {
-    if (method.kind == "theory")
-      figure.add_theory(method);
-    else
-      figure.add_numbers(method, color++);
-  }
-  if (figure.is_empty())
-    return std::nullopt;
-  return std::move(figure).take();
+  return figure_of_methods(FlowFigure(*entry.contact_case->flow_study),
+                           entry.result->methods);
 }
 
 std::vector<Figure> flux_figures(const ReportEntry& entry) {

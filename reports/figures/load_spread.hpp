@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -86,5 +88,24 @@ private:
   CsvTable table_;
   ChartPanel panel_;
 };
+
+/// Returns the figure of all methods, or nothing if it is empty.
+/// @param figure  with add_theory(method), add_numbers(method, index of its
+///                colour), is_empty() and take()
+template <class MethodsFigure>
+std::optional<Figure>
+figure_of_methods(MethodsFigure figure,
+                  std::span<const results::MethodRecord> methods) {
+  std::size_t color = 0;
+  for (const results::MethodRecord& method : methods) {
+    if (method.kind == "theory")
+      figure.add_theory(method);
+    else
+      figure.add_numbers(method, color++);
+  }
+  if (figure.is_empty())
+    return std::nullopt;
+  return std::move(figure).take();
+}
 
 } // namespace asperity::reports

@@ -78,22 +78,22 @@ std::string with_interval(const Estimate& number, double scale) {
 std::string adhesive_sentence(const ReportEntry& entry,
                               const results::MethodRecord& method) {
   const cases::Case& contact_case = *entry.contact_case;
-  const auto spec = std::ranges::find(contact_case.methods, method.name,
-                                      &cases::MethodSpec::name);
   const auto summary = std::ranges::find(entry.summary.methods, method.name,
                                          &MethodSummary::name);
   const results::SurfaceRecord* const surface =
       surface_of(*entry.result, method, 0);
-  if (spec == contact_case.methods.end() || !spec->is_adhesive() ||
+  if (!is_adhesive(contact_case, method) ||
       summary == entry.summary.methods.end() || surface == nullptr)
     return "";
   const double modulus = entry.result->contact_modulus;
   const mechanics::ContactInterface law =
-      spec->contact()->in_si({.contact_modulus = modulus,
-                              .length = surface->grid.length_x,
-                              .spacing = surface->grid.spacing_x(),
-                              .rms_height = surface->rms_height,
-                              .rms_slope = surface->rms_slope});
+      spec_of(contact_case, method)
+          ->contact()
+          ->in_si({.contact_modulus = modulus,
+                   .length = surface->grid.length_x,
+                   .spacing = surface->grid.spacing_x(),
+                   .rms_height = surface->rms_height,
+                   .rms_slope = surface->rms_slope});
   const auto tension = summary->quantities.find("pull_off_pressure");
   std::string words =
       fmt::format(" Adhesion of {:.3g} mJ/m² acts over {:.3g} "

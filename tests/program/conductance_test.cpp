@@ -2,9 +2,7 @@
 // mistakes.
 #include "tests/program/program.hpp"
 
-#include <map>
 #include <numbers>
-#include <sstream>
 
 namespace asperity::program::conductance_test {
 namespace {
@@ -34,21 +32,12 @@ std::string heat(const std::string& conductivity) {
          "resistivity = \"20 nOhm m\"\ncounter_resistivity = \"60 nOhm m\"\n";
 }
 
-/// The numbers of a column of curves.csv, whose methods are all one.
+/// The numbers of a column of curves.csv.
 std::vector<double> column_of(const std::string& csv, const std::string& name) {
+  const auto columns = columns_of(csv, "halfspace");
   std::vector<double> column;
-  std::size_t place = 0;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    std::vector<std::string> cells;
-    std::istringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');)
-      cells.push_back(cell);
-    if (place > 0)
-      column.push_back(std::stod(cells.at(place)));
-    for (std::size_t i = 0; place == 0 && i < cells.size(); ++i)
-      place = cells[i] == name ? i : 0;
-  }
+  for (const std::string& cell : columns.at(name))
+    column.push_back(std::stod(cell));
   return column;
 }
 

@@ -1,9 +1,6 @@
 // [flow] of a case: columns of the curve, the cache, and mistakes.
 #include "tests/program/program.hpp"
 
-#include <map>
-#include <sstream>
-
 namespace asperity::program::flow_test {
 namespace {
 
@@ -35,26 +32,6 @@ contact = "hard"
 std::string water(double viscosity) {
   return "[flow]\nviscosity = " + std::to_string(viscosity) +
          "\npressure_drop = \"10 kPa\"\n";
-}
-
-/// The columns of curves.csv of one method.
-std::map<std::string, std::vector<std::string>>
-columns_of(const std::string& csv, const std::string& method) {
-  std::map<std::string, std::vector<std::string>> columns;
-  std::vector<std::string> names;
-  std::istringstream lines(csv);
-  for (std::string line; std::getline(lines, line);) {
-    std::vector<std::string> cells;
-    std::istringstream row(line);
-    for (std::string cell; std::getline(row, cell, ',');)
-      cells.push_back(cell);
-    if (names.empty())
-      names = cells;
-    else if (cells.front() == method)
-      for (std::size_t i = 0; i < cells.size(); ++i)
-        columns[names[i]].push_back(cells[i]);
-  }
-  return columns;
 }
 
 using FlowTest = ProgramTest;

@@ -10,9 +10,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <vector>
 
 namespace asperity::program {
 
@@ -26,6 +28,26 @@ inline std::string text_of(const std::filesystem::path& file) {
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
+}
+
+/// The columns of curves.csv of one method.
+inline std::map<std::string, std::vector<std::string>>
+columns_of(const std::string& csv, const std::string& method) {
+  std::map<std::string, std::vector<std::string>> columns;
+  std::vector<std::string> names;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');)
+      cells.push_back(cell);
+    if (names.empty())
+      names = cells;
+    else if (cells.front() == method)
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        columns[names[i]].push_back(cells[i]);
+  }
+  return columns;
 }
 
 class ProgramTest : public tests::FolderTest {
