@@ -35,18 +35,8 @@
 namespace asperity::cli {
 namespace {
 
-void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
-             Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "run", "Run cases; write result, tables and report\n"
-             "of each.");
-  command
-      ->add_option("case", run.cases,
-                   "case files, their folders, shipped cases or\n"
-                   "collections (see 'asperity list'), or measured\n"
-                   "maps")
-      ->required();
-  add_methods(command, run.methods);
+// What a map's file leaves open, and the physics of its surface.
+void add_map_options(CLI::App* command, RunCommand& run) {
   command->add_option("--contact-modulus", run.contact_modulus,
                       "E* of the block under a map file, e.g. \"2 GPa\"");
   command->add_option("--length", run.length,
@@ -68,6 +58,21 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
   command->add_option("--hardness", run.hardness,
                       "largest contact pressure of the half-space and of\n"
                       "the theory of a map, e.g. \"2 GPa\"");
+}
+
+void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
+             Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "run", "Run cases; write result, tables and report\n"
+             "of each.");
+  command
+      ->add_option("case", run.cases,
+                   "case files, their folders, shipped cases or\n"
+                   "collections (see 'asperity list'), or measured\n"
+                   "maps")
+      ->required();
+  add_methods(command, run.methods);
+  add_map_options(command, run);
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,
