@@ -289,6 +289,26 @@ TEST_F(Validity, OfWhatFollowsFromTheFields) {
                           length));
 }
 
+// With adhesion, the pressures of an unloaded step cancel up to the roundoff of
+// their map.
+TEST_F(Validity, OfAnUnloadedStepWithTension) {
+  const auto with_mean = [&](double mean) {
+    return complaint_of([&](ResultWriter& writer) {
+      CurvePoint row = sample_point(0);
+      row.nominal_pressure = 0.0;
+      row.mean_gap = 1.0;
+      row.plastic_area = not_a_number;
+      writer.begin_method("other", "halfspace", "");
+      writer.append_step_with_fields(
+          "other", 0, row, {2, 2, 1e-6, 1e-6},
+          {0, 0.0, {1e6 + 4.0 * mean, -1e6, 1e6, -1e6}, {0, 1.0, 1.0, 2.0}});
+    });
+  };
+  EXPECT_EQ(with_mean(1.0), "accepted");
+  EXPECT_EQ(with_mean(1e4).substr(0, 66),
+            "/methods/other/0/fields/0/nominal_pressure = 0, but its pressure m");
+}
+
 TEST_F(Validity, OfTablesByTheNameOfTheirColumns) {
   const auto with_area = [&](double area) {
     return complaint_of([&](ResultWriter& writer) {
