@@ -54,5 +54,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/base)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "gnuplot-nox | gnuplot")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libopenblas0-serial") # the direct solver of full blocks
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "lammps, python3-h5py, python3-matplotlib, python3-numpy")
 include(CPack)
