@@ -142,6 +142,26 @@ std::vector<ExpectationName> error_names() {
 /// Quantities of contact with adhesion.
 std::vector<ExpectationName> adhesion_names() {
   return {
+      {.name = "unloaded_area_approach",
+       .description = "A/A_0 of the first state without load on the way in "
+                      "[1]."},
+      {.name = "unloaded_area_retraction",
+       .description = "A/A_0 of the first state without load on the way out "
+                      "[1]."},
+      {.name = "unloaded_gap_approach",
+       .description =
+           "Mean gap / h_rms of the first state without load on the way in "
+           "[1]."},
+      {.name = "unloaded_gap_retraction",
+       .description =
+           "Mean gap / h_rms of the first state without load on the way out "
+           "[1]."},
+      {.name = "effective_work_approach",
+       .description = "Work that separates the first state without load on the "
+                      "way in, gamma_eff, over the work of adhesion [1]."},
+      {.name = "effective_work_retraction",
+       .description = "Work that separates the first state without load on the "
+                      "way out, gamma_eff, over the work of adhesion [1]."},
       {.name = "pull_off_pressure",
        .description = "Largest tension -p / E* of the loading path, with "
                       "adhesion [1]."},

@@ -40,6 +40,44 @@ double dissipated_energy(const std::vector<CurvePoint>& rows) {
   return work;
 }
 
+/// The first state without load of a part of a path, whose energy is a minimum
+/// over the mean gap.
+struct UnloadedState {
+  double area = not_a_number;   ///< A/A_0 [1]
+  double gap = not_a_number;    ///< mean gap [m]
+  double energy = not_a_number; ///< U [J/m^2] per nominal area
+};
+
+/// Returns the first state of this part of a path at which the pressure is
+/// zero; between two rows by linear interpolation, with U' = -p.
+UnloadedState unloaded_state(const std::vector<CurvePoint>& rows,
+                             bool is_unloading) {
+  const auto energy_of = [](const CurvePoint& row) {
+    return row.elastic_energy + row.adhesive_energy;
+  };
+  double largest = 0.0;
+  for (const CurvePoint& row : rows)
+    largest = std::max(largest, std::abs(row.nominal_pressure));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const CurvePoint& row = rows[i];
+    if (row.is_unloading != is_unloading)
+      continue;
+    if (std::abs(row.nominal_pressure) <= 1e-9 * largest)
+      return {row.area_fraction, row.mean_gap, energy_of(row)};
+    if (i == 0)
+      continue;
+    const CurvePoint& last = rows[i - 1];
+    const double step = row.mean_gap - last.mean_gap;
+    const double rise = row.nominal_pressure - last.nominal_pressure;
+    const double part = -last.nominal_pressure / rise;
+    if (part > 0.0 && part < 1.0 && rise * step < 0.0)
+      return {std::lerp(last.area_fraction, row.area_fraction, part),
+              last.mean_gap + part * step,
+              energy_of(last) - 0.5 * last.nominal_pressure * part * step};
+  }
+  return {};
+}
+
 double wave_error(const std::vector<CurvePoint>& rows,
                   const theory::WestergaardContact& wave,
                   double work_of_adhesion) {
@@ -52,6 +90,37 @@ double wave_error(const std::vector<CurvePoint>& rows,
                                                           work_of_adhesion)) /
                               wave.full_contact_pressure());
   return largest;
+}
+
+/// Adds the states without load on the way in and on the way out.
+void add_unloaded_states(const results::Result& result,
+                         const results::MethodRecord& method,
+                         double work_of_adhesion, MethodSummary& summary) {
+  for (const bool is_unloading : {false, true}) {
+    const std::string part = is_unloading ? "retraction" : "approach";
+    const std::string reason = "no state without load on the " + part;
+    std::vector<FittedValue> areas, gaps, works;
+    const std::size_t count = method.realizations.size();
+    areas.reserve(count);
+    gaps.reserve(count);
+    works.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const UnloadedState state =
+          unloaded_state(converged_rows(method.realizations[i]), is_unloading);
+      const auto* const surface = surface_of(result, method, i);
+      areas.push_back({.value = state.area, .reason = reason});
+      gaps.push_back({.value = surface == nullptr
+                                   ? not_a_number
+                                   : state.gap / surface->rms_height,
+                      .reason = reason});
+      works.push_back(
+          {.value = -state.energy / work_of_adhesion, .reason = reason});
+    }
+    summary.quantities["unloaded_area_" + part] = mean_over_realizations(areas);
+    summary.quantities["unloaded_gap_" + part] = mean_over_realizations(gaps);
+    summary.quantities["effective_work_" + part] =
+        mean_over_realizations(works);
+  }
 }
 
 } // namespace
@@ -83,6 +152,7 @@ void add_adhesion_quantities(const results::Result& result,
                                        result.contact_modulus},
                                       work));
   }
+  add_unloaded_states(result, method, work, summary);
   summary.quantities["pull_off_pressure"] = mean_over_realizations(tension);
   Estimate& lost = summary.quantities["dissipated_energy"];
   lost = mean_over_realizations(dissipated);

@@ -35,7 +35,7 @@ Estimate number(double value, const std::string& reason_if_none) {
 }
 
 /// Interpolates y at x between rows, linearly in the logarithms; NaN outside
-/// the rows.
+/// the rows, and between rows whose y are not positive.
 double between_rows(const std::vector<double>& x, const std::vector<double>& y,
                     double at) {
   for (std::size_t i = 0; i < x.size() && i < y.size(); ++i) {
@@ -158,6 +158,17 @@ void add_study_quantities(const Result& result, const cases::Case& contact_case,
         of_flip(result, "area_fraction", no_flip);
     quantities["complete_contact_binding"] =
         of_flip(result, "complete_contact_binding", "not a number");
+    if (const Table* const rows = result.table("adhesion")) {
+      const auto here = [&](const char* column) {
+        return number(between_rows(rows->values("height_ratio"),
+                                   rows->values(column), 1.0),
+                      "no partial contact at h_rms/h_rms0 = 1");
+      };
+      quantities["effective_work_approach"] = here("binding_partial");
+      quantities["unloaded_area_approach"] = here("area_fraction_partial");
+      quantities["effective_work_retraction"] = here("binding_complete");
+      quantities["unloaded_area_retraction"] = here("area_fraction_complete");
+    }
   }
 }
 

@@ -35,6 +35,10 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"area_excess", "area against theory", "counted, light load", true},
       {"pull_off_pressure", "pull-off", "largest tension, in E*", false},
       {"dissipated_energy", "dissipated", "over the work of adhesion", false},
+      {"effective_work_approach", "γ_eff, approach",
+       "without load, over the work of adhesion", false},
+      {"effective_work_retraction", "γ_eff, retraction",
+       "without load, over the work of adhesion", false},
       {"adhesive_wave_error", "load at equal area",
        "largest error, in p* of full contact", false}};
   static const std::vector<Column> exact{

@@ -108,8 +108,8 @@ TEST(ShippedCases, AreFolders) {
   expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
   expected.insert(full_blocks.begin(), full_blocks.end());
   expected.insert(adhesive.begin(), adhesive.end());
-  expected.insert(
-      {"board", "gamma", "hardness", "paper", "peers", "sweep-hurst"});
+  expected.insert({"adhesion-numbers", "board", "gamma", "hardness", "paper",
+                   "peers", "sweep-hurst"});
 
   EXPECT_TRUE(has_folders("cases", expected));
   EXPECT_TRUE(has_folders("cases/board", parts_of_board));
@@ -227,13 +227,22 @@ TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
   EXPECT_TRUE(std::filesystem::exists("cases/sweep-hurst/README.md"));
 }
 
-TEST(ShippedCases, ReadTheSweepOfGammaInFullAndQuickly) {
-  const std::string file = "cases/gamma/case.toml";
+TEST(ShippedCases, ReadOtherSweepsInFullAndQuickly) {
+  struct Expected {
+    std::string name;
+    std::size_t points, quick_points;
+  };
 
-  EXPECT_EQ(read_sweep(file).points.size(), 64U);
-  EXPECT_EQ(read_sweep(file, quick_lines("cases/gamma")).points.size(), 8U);
-  EXPECT_FALSE(read_reference("cases/gamma/reference.csv").empty());
-  EXPECT_TRUE(std::filesystem::exists("cases/gamma/README.md"));
+  for (const Expected& expected :
+       {Expected{"gamma", 64, 8}, {"adhesion-numbers", 7, 7}}) {
+    const std::string folder = "cases/" + expected.name;
+    const std::string file = folder + "/case.toml";
+    EXPECT_EQ(read_sweep(file).points.size(), expected.points);
+    EXPECT_EQ(read_sweep(file, quick_lines(folder)).points.size(),
+              expected.quick_points);
+    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty());
+    EXPECT_TRUE(std::filesystem::exists(folder + "/README.md"));
+  }
 }
 
 TEST(ShippedCases, ReadTheFullBlocksInFullAndQuickly) {
