@@ -114,6 +114,11 @@ void PairTransforms<Real>::forward(std::span<const Real> field, int threads,
       threads, rows, spectrum,
       [&](std::size_t first, bool is_single, Complex* both, Complex* modes) {
         const Real* const one = &field[first];
+        if (std::all_of(one, one + (is_single ? 1 : 2) * held_width_,
+                        [](Real value) { return value == Real{0}; })) {
+          std::fill_n(modes, pair_stride_, Complex{});
+          return;
+        }
         if (is_single)
           for (std::size_t ix = 0; ix < held_width_; ++ix)
             both[ix] = one[ix];

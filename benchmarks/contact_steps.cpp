@@ -4,15 +4,16 @@
 // loading path. The ratio is the CPU time of a step over that of its
 // transforms, on all grids.
 //
-//     bench_contact_steps [points] [threads] [thickness] [steps]
+//     bench_contact_steps [points] [threads] [thickness] [steps] [loads ...]
 //     bench_contact_steps table [points] [threads] [steps] [waves ...]
 //
 // Points per side (512), threads (1), thickness of a slab with a free far
 // boundary in lengths (0: half-space; -1: half-space with free boundaries),
-// load steps of the path (16; 0: only steps without an initial guess). The
-// table has the iterations on half-spaces from .1 to 99 % contact for H of .3
-// and .95, without and with a roll-off, and these numbers of points in the
-// shortest wave (2 4 8 16).
+// load steps of the path (16; 0: only steps without an initial guess), nominal
+// pressures of the steps without one in E* h' (.003 to 1.3). The table has the
+// iterations on half-spaces from .1 to 99 % contact for H of .3 and .95,
+// without and with a roll-off, and these numbers of points in the shortest wave
+// (2 4 8 16).
 #include "base/array_memory.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
@@ -77,6 +78,11 @@ public:
     std::unique_ptr<SurfaceOperator> coarse = timed_->coarsened();
     return coarse ? std::make_unique<TimedTransforms>(std::move(coarse))
                   : nullptr;
+  }
+
+  std::unique_ptr<SurfaceOperator> on_tiles(const Tiles& tiles) const override {
+    std::unique_ptr<SurfaceOperator> part = timed_->on_tiles(tiles);
+    return part ? std::make_unique<TimedTransforms>(std::move(part)) : nullptr;
   }
 
   const Grid& grid() const override { return timed_->grid(); }
@@ -194,7 +200,8 @@ std::unique_ptr<SurfaceOperator> elastic_body(const Grid& grid,
       threads));
 }
 
-void run(int points, int threads, double thickness, int n_steps) {
+void run(int points, int threads, double thickness, int n_steps,
+         const std::vector<double>& pressures) {
   const Grid grid{points, points, 1.0, 1.0};
   RoughProblem problem{grid, problems::rough_heights(grid, {}), 0.0, nullptr};
   problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
@@ -206,7 +213,7 @@ void run(int points, int threads, double thickness, int n_steps) {
   std::printf("%-7s %9s %7s %6s %6s %8s %8s %6s\n", "start", "p0/E*h'", "area",
               "iter", "pairs", "CPU [s]", "wall [s]", "ratio");
   Totals cold;
-  for (const double pressure : {.003, .01, .03, .1, .3, .6, 1.0, 1.3}) {
+  for (const double pressure : pressures) {
     LoadSequence sequence = problem.sequence();
     cold.take("cold", sequence, pressure);
   }
@@ -273,17 +280,21 @@ int main(int n_arguments, char** arguments) {
   const auto argument = [&](int i, double otherwise) {
     return n_arguments > i ? std::atof(arguments[i]) : otherwise;
   };
+  const auto numbers_from = [&](int first, std::vector<double> otherwise) {
+    std::vector<double> numbers;
+    for (int i = first; i < n_arguments; ++i)
+      numbers.push_back(argument(i, 0.0));
+    return numbers.empty() ? otherwise : numbers;
+  };
   if (n_arguments > 1 && std::string_view(arguments[1]) == "table") {
-    std::vector<double> waves;
-    for (int i = 5; i < n_arguments; ++i)
-      waves.push_back(argument(i, 0.0));
-    asperity::contact::print_table(
-        static_cast<int>(argument(2, 512)), static_cast<int>(argument(3, 1)),
-        static_cast<int>(argument(4, 16)),
-        waves.empty() ? std::vector{2.0, 4.0, 8.0, 16.0} : waves);
+    asperity::contact::print_table(static_cast<int>(argument(2, 512)),
+                                   static_cast<int>(argument(3, 1)),
+                                   static_cast<int>(argument(4, 16)),
+                                   numbers_from(5, {2.0, 4.0, 8.0, 16.0}));
     return 0;
   }
-  asperity::contact::run(static_cast<int>(argument(1, 512)),
-                         static_cast<int>(argument(2, 1)), argument(3, 0.0),
-                         static_cast<int>(argument(4, 16)));
+  asperity::contact::run(
+      static_cast<int>(argument(1, 512)), static_cast<int>(argument(2, 1)),
+      argument(3, 0.0), static_cast<int>(argument(4, 16)),
+      numbers_from(5, {.003, .01, .03, .1, .3, .6, 1.0, 1.3}));
 }

@@ -101,4 +101,12 @@ std::unique_ptr<contact::SurfaceOperator> TimedOperator::coarsened() const {
   return std::make_unique<TimedOperator>(std::move(coarse), tally_, n_threads_);
 }
 
+std::unique_ptr<contact::SurfaceOperator>
+TimedOperator::on_tiles(const contact::Tiles& tiles) const {
+  std::unique_ptr<contact::SurfaceOperator> part = measured_->on_tiles(tiles);
+  if (!part)
+    return nullptr;
+  return std::make_unique<TimedOperator>(std::move(part), tally_, n_threads_);
+}
+
 } // namespace asperity::methods

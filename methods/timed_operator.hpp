@@ -47,6 +47,8 @@ public:
   bool is_shift_invariant() const override;
   int threads() const override;
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
+  std::unique_ptr<contact::SurfaceOperator>
+  on_tiles(const contact::Tiles& tiles) const override;
 
 private:
   std::unique_ptr<contact::SurfaceOperator> measured_;

@@ -1,6 +1,7 @@
 #include "contact/operators/fourier_operator.hpp"
 
 #include "base/require.hpp"
+#include "contact/operators/tile_operator.hpp"
 #include "ranks/one_rank.hpp"
 #include "ranks/rank_sums.hpp"
 
@@ -46,6 +47,8 @@ struct FourierOperator::Shared {
   Convolution<float>::Symbol symbol;
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
   mutable std::shared_ptr<const Shared> coarse = nullptr;
+  mutable std::once_flag tiles_are_made;
+  mutable std::shared_ptr<const TileOperator::Symbols> tiles = nullptr;
 
   /// @param make  finds the symbol of some columns of the grid
   template <class Make>
@@ -71,6 +74,37 @@ struct FourierOperator::Shared {
       std::ranges::copy(compliance.column(jx).first(of_jy.size()),
                         of_jy.begin());
     };
+  }
+
+  /// C(q) of the waves of a window of 128^2 nodes, all of which are waves of
+  /// the grid. Collective.
+  std::vector<double> of_window() const {
+    constexpr int half = tile_points;
+    const int along_x = rows.grid().points_x / (2 * half);
+    const int along_y = rows.grid().points_y / (2 * half);
+    const SpectrumColumns own = convolution.columns();
+    std::vector<double> picked;
+    for (std::size_t jx = own.first; jx < own.first + own.count; ++jx)
+      for (int k = 0; jx % static_cast<std::size_t>(along_x) == 0 && k <= half;
+           ++k)
+        picked.push_back(compliance.column(
+            static_cast<int>(jx))[static_cast<std::size_t>(k * along_y)]);
+    return values_of_ranks<double>(rows.ranks(), picked);
+  }
+
+  /// Collective.
+  std::shared_ptr<const TileOperator::Symbols> of_tiles() const {
+    const Grid& fine = rows.grid();
+    const Grid grid{fine.points_x / 4, fine.points_y / 4, fine.length_x,
+                    fine.length_y};
+    const EvenSymbol kept =
+        compliance.coarsened(grid, group_of(rows), all_columns(grid));
+    return TileOperator::symbols(
+        fine,
+        [&](int jx, std::span<double> of_jy) {
+          std::ranges::copy(kept.column(jx), of_jy.begin());
+        },
+        of_window(), short_wave, convolution.threads());
   }
 
   /// (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
@@ -140,6 +174,15 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
         });
   });
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_->coarse));
+}
+
+std::unique_ptr<SurfaceOperator>
+FourierOperator::on_tiles(const Tiles& tiles) const {
+  if (!has_tiles(grid()))
+    return nullptr;
+  std::call_once(shared_->tiles_are_made,
+                 [&] { shared_->tiles = shared_->of_tiles(); });
+  return std::make_unique<TileOperator>(shared_->tiles, tiles);
 }
 
 void FourierOperator::displacement(std::span<const double> pressure,

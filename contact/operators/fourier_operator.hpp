@@ -85,6 +85,9 @@ public:
   /// than 32 points per side.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
 
+  /// See tile_operator.hpp. Null if the grid has no tiles.
+  std::unique_ptr<SurfaceOperator> on_tiles(const Tiles& tiles) const override;
+
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FourierOperator(std::shared_ptr<const Shared> shared);

@@ -5,6 +5,7 @@
 // half-space and atomic lattice each implement it.
 
 #include "base/grid.hpp"
+#include "contact/operators/tiles.hpp"
 #include "ranks/workers.hpp"
 
 #include <memory>
@@ -51,6 +52,11 @@ public:
   /// null if it holds all. All fields have the nodes of these rows only, and
   /// the calls that transform fields are collective.
   virtual const SharedRows* shared_rows() const { return nullptr; }
+
+  /// The rows that this process holds.
+  SharedRows rows() const {
+    return shared_rows() != nullptr ? *shared_rows() : SharedRows(grid());
+  }
 
   /// Number of nodes that this process holds.
   std::size_t n_nodes() const {
@@ -130,6 +136,14 @@ public:
 
   /// The operator of the same block on a coarse_grid(); null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
+
+  /// An approximation of the operator between the nodes of some tiles, which
+  /// this process holds all; null if there is none. Its grid has the tiles one
+  /// below the other. The displacement has another mean.
+  virtual std::unique_ptr<SurfaceOperator>
+  on_tiles(const Tiles& /*tiles*/) const {
+    return nullptr;
+  }
 };
 
 inline void SurfaceOperator::pressure_of(std::span<const double>,

@@ -1,6 +1,7 @@
 #include "base/parallel_rows.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/starting_pressure.hpp"
+#include "contact/solvers/tile_start.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <algorithm>
@@ -9,12 +10,6 @@
 
 namespace asperity::contact {
 namespace {
-
-/// The rows of an operator.
-SharedRows rows_of(const SurfaceOperator& elasticity) {
-  const SharedRows* const rows = elasticity.shared_rows();
-  return rows != nullptr ? *rows : SharedRows(elasticity.grid());
-}
 
 /// The rows of this process that a coarse grid keeps, also if the coarse
 /// operator holds all rows.
@@ -286,7 +281,7 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   const std::unique_ptr<SurfaceOperator> coarse = elasticity.coarsened();
   if (!coarse)
     return {};
-  const SharedRows fine_rows = rows_of(elasticity);
+  const SharedRows fine_rows = elasticity.rows();
   const SharedRows coarse_rows = halved(fine_rows, coarse->grid());
   std::vector<double> heights =
       every_second(fine_rows, coarse_rows, problem.heights);
@@ -316,6 +311,10 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   std::vector<double> start = on_fine_rows(own);
   if (!is_periodic)
     multiply_by_punch(fine_rows, false, threads, start);
+  constexpr double tile_accuracy = 1e-3;
+  if (start_on_tiles(elasticity, problem, target,
+                     tile_accuracy * coarse_tolerance, start))
+    return start;
   add_short_waves(elasticity, problem,
                   on_fine_rows(own_rows(coarse_rows, heights)), start);
   press_to_load(elasticity, target, problem.hardness, start);

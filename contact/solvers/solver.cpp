@@ -3,6 +3,7 @@
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "contact/solvers/preconditioner.hpp"
+#include "contact/solvers/tile_start.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <algorithm>
@@ -20,8 +21,9 @@
 // extension E (boundary_extension.hpp) and applies the inverse of the operator
 // (operators/surface_operator.hpp). The loops over nodes are in
 // node_kernels.hpp. load_sequence.hpp and coarse_start.cpp choose what pressure
-// an iteration starts from. hand_over() passes a problem that stalls to
-// active_set.hpp and polonsky_keer.cpp, which have the same state with
+// an iteration starts from; tile_start.hpp finds the solution of a light
+// contact on the tiles that have some. hand_over() passes a problem that stalls
+// to active_set.hpp and polonsky_keer.cpp, which have the same state with
 // directions in double precision (projected_state.hpp).
 
 namespace asperity::contact {
@@ -271,6 +273,9 @@ ContactSolution solve_contact_from(std::vector<double> initial_pressure,
       state.set_pressure(std::move(guess));
       state.update_residual();
     }
+  approach_on_tiles(state);
+  if (state.is_at_end()) // without memory for directions
+    return std::move(state).solution();
   Directions directions(state);
   StagnationCriterion watch;
   while (!state.is_at_end()) {

@@ -50,7 +50,7 @@ struct ContactSolution {
   double nominal_pressure = 0.0;    ///< mean of p [Pa]
   double mean_gap = 0.0;            ///< mean of the gap [m]
   double gap_error = 0.0; ///< largest violation, see gap_tolerance [m]
-  int iterations = 0;     ///< iterations on this grid
+  int iterations = 0;     ///< iterations on this grid, or on tiles of it
   int transforms = 0;     ///< applications of C or its inverse on this grid
   bool converged = false;
   /// With adhesion: the smallest eigenvalue of the Hessian of the energy per

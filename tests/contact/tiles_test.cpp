@@ -1,0 +1,155 @@
+// Tests of contact/operators/tile_operator.hpp and
+// contact/solvers/tile_start.hpp.
+#include "contact/operators/tile_operator.hpp"
+#include "contact/solvers/load_sequence.hpp"
+#include "ranks/node_sums.hpp"
+#include "tests/contact/problems.hpp"
+#include "tests/contact/solved.hpp"
+#include "tests/ranks/thread_ranks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+namespace asperity::contact::tiles_test {
+
+using Kind = mechanics::Control;
+
+const mechanics::ElasticBlock halfspace{1.0, 0.3,
+                                        std::numeric_limits<double>::infinity(),
+                                        mechanics::FarBoundary::clamped};
+
+/// Calls do_node(node of the grid, node of the tiles).
+template <class DoNode>
+void each_node(const Grid& grid, const Tiles& tiles, const DoNode& do_node) {
+  for (std::size_t i = 0; i < tiles.numbers.size() * tile_nodes; ++i) {
+    const int tile = tiles.numbers[i / tile_nodes];
+    const int x = static_cast<int>(i % tile_side);
+    const int y = static_cast<int>(i % tile_nodes / tile_side);
+    do_node(grid.index(tile % tiles.per_row * tile_points + x,
+                       tile / tiles.per_row * tile_points + y),
+            i);
+  }
+}
+
+/// Largest difference of the two displacements on the tiles, up to a constant,
+/// over the largest displacement.
+double difference_on_tiles(const Grid& grid, const Tiles& tiles) {
+  FourierOperator whole = halfspace_operator(grid, halfspace);
+  const std::unique_ptr<SurfaceOperator> part = whole.on_tiles(tiles);
+  const std::vector<double> random = problems::random_field(grid.size());
+  std::vector<double> pressure(grid.size()), displacement(grid.size());
+  std::vector<double> own_pressure(part->grid().size()),
+      own_displacement(part->grid().size());
+  each_node(grid, tiles, [&](std::size_t node, std::size_t own) {
+    own_pressure[own] = pressure[node] = 0.2 + random[node];
+  });
+  whole.displacement(pressure, displacement);
+  part->displacement(own_pressure, own_displacement);
+  Largest highest, lowest, largest;
+  each_node(grid, tiles, [&](std::size_t node, std::size_t own) {
+    const double difference = own_displacement[own] - displacement[node];
+    highest += {difference};
+    lowest += {-difference};
+    largest += {std::abs(displacement[node])};
+  });
+  return 0.5 * (highest.value + lowest.value) / largest.value;
+}
+
+// A corner, of which other tiles are beside it across the border, and tiles
+// beside each other in both directions and diagonally. Measured: 2.6e-5
+// and 2.2e-5.
+TEST(Tiles, HaveTheDisplacementOfTheWholeSurface) {
+  EXPECT_LT(difference_on_tiles({512, 512, 1.0, 1.0},
+                                {8, 8, {0, 7, 18, 19, 27, 36, 56}}),
+            4e-5);
+  EXPECT_LT(
+      difference_on_tiles({1024, 512, 3.0, 1.5}, {16, 8, {5, 6, 64, 127}}),
+      4e-5);
+}
+
+/// Two spheres, which touch at the border of two tiles and inside of one; the
+/// second one is lower.
+std::vector<double> two_spheres(const Grid& grid) {
+  std::vector<double> heights(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const auto height = [&](int x, int y, double top) {
+        return top - 5e-3 * ((ix - x) * (ix - x) + (iy - y) * (iy - y));
+      };
+      heights[grid.index(ix, iy)] =
+          std::max(height(128, 90, 0.0), height(350, 345, -0.1));
+    }
+  return heights;
+}
+
+constexpr double tolerance = 1e-7;
+
+const Grid square{512, 512, 512.0, 512.0};
+
+void expect_solved_on_tiles(const ContactSolution& solution,
+                            const ContactProblem& problem, int transforms) {
+  FourierOperator elasticity = halfspace_operator(square, halfspace);
+  EXPECT_TRUE(solution.converged) << solution.note;
+  EXPECT_LE(solution.transforms, transforms);
+  EXPECT_LT(problems::complementarity_error(elasticity, problem, solution),
+            1.01 * tolerance);
+}
+
+// The displacement is computed twice, in the start and in the solution, which
+// is that of the whole surface. An iteration there takes two or three.
+TEST(Tiles, SolveLightContact) {
+  const std::vector<double> heights = two_spheres(square);
+  for (const double compliance : {0.0, 0.5}) {
+    mechanics::ContactInterface interface;
+    if (compliance > 0.0)
+      interface = {mechanics::ContactLaw::penalty, 1.0 / compliance};
+    LoadSequence sequence(halfspace_operator(square, halfspace).clone(),
+                          heights, interface, tolerance, 2000);
+    for (const double pressure : {1e-4, 2e-4, 3e-4})
+      expect_solved_on_tiles(sequence.solve({Kind::nominal_pressure, pressure}),
+                             {heights, compliance, tolerance}, 4);
+  }
+}
+
+// The start has no pressure at the second sphere, which is outside of the
+// tiles until the gap is known.
+TEST(Tiles, AreAddedWhereTheSurfacesOverlap) {
+  const std::vector<double> heights = two_spheres(square);
+  std::vector<double> start(square.size());
+  for (int iy = -15; iy <= 15; ++iy)
+    for (int ix = -15; ix <= 15; ++ix)
+      start[square.index(128 + ix, 90 + iy)] =
+          std::sqrt(std::max(0, 15 * 15 - ix * ix - iy * iy));
+  FourierOperator elasticity = halfspace_operator(square, halfspace);
+  const ContactProblem problem{heights, 0.0, tolerance};
+  const ContactSolution solution =
+      solve_contact(elasticity, problem, {Kind::nominal_pressure, 2e-4}, start);
+  expect_solved_on_tiles(solution, problem, 5);
+  EXPECT_GT(solution.pressure[square.index(350, 345)], 0.0);
+}
+
+TEST(Tiles, GiveTheBitsOfOneProcessOnRanksAndThreads) {
+  const std::vector<double> heights = two_spheres(square);
+  const auto solved = [&](std::unique_ptr<SurfaceOperator> elasticity) {
+    const SharedRows rows = elasticity->rows();
+    const auto own = rows_in(rows, heights);
+    LoadSequence sequence(std::move(elasticity), {own.begin(), own.end()}, {},
+                          tolerance, 2000);
+    return all_rows(sequence.solve({Kind::nominal_pressure, 2e-4}), rows);
+  };
+  const Solved alone = solved(halfspace_operator(square, halfspace).clone());
+  EXPECT_LE(alone.transforms, 2);
+  EXPECT_TRUE(solved(halfspace_operator(square, halfspace, 3).clone()) ==
+              alone);
+  for (const int n : {2, 3})
+    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
+      EXPECT_TRUE(solved(std::make_unique<FourierOperator>(
+                      square, ranks, compliance_column(square, halfspace))) ==
+                  alone);
+    });
+}
+
+} // namespace asperity::contact::tiles_test
