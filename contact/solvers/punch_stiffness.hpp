@@ -33,14 +33,22 @@ struct PunchStiffness {
 /// 2 K/(E* (rho_1 + rho_2)) per nominal area: J. R. Barber, Proc. R. Soc. A
 /// 459, 53 (2003).
 ///
+/// With a film, q acts on all nodes, and c of those not in contact is that of
+/// the film there. By the analogy, a medium of the conductivity k_g in a gap u
+/// passes heat beside the spots: c = u k/(k_g E*), k = 2/(rho_1 + rho_2).
+///
 /// @param is_in_contact     n_nodes() values, 0: not in contact
 /// @param local_compliance  c [m/Pa] >= 0
-/// @throws std::domain_error  the size is wrong
+/// @param film              as many values [m/Pa] > 0, of which those in
+/// contact
+///                          are not used; empty: no film
+/// @throws std::domain_error  a size is wrong
 /// @par Accuracy  1e-9 of K for the discrete problem; that of the border of the
 ///                contact, first order in the spacing. Bitwise the same on any
 ///                number of threads and ranks.
 PunchStiffness punch_stiffness(SurfaceOperator& elasticity,
                                std::span<const std::uint8_t> is_in_contact,
-                               double local_compliance = 0.0);
+                               double local_compliance = 0.0,
+                               std::span<const double> film = {});
 
 } // namespace asperity::contact

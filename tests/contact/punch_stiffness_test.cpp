@@ -8,6 +8,7 @@
 #include "tests/contact/problems.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -250,6 +251,87 @@ TEST(PunchStiffness, HasTheSameBitsOnThreadsAndRanks) {
 
   EXPECT_EQ(stiffness(on_threads, set), alone);
   EXPECT_EQ(on_ranks, std::vector(2, alone));
+}
+
+/// A film that is stiff on every third node and softer by up to 1e6 elsewhere.
+std::vector<double> uneven_film(std::size_t nodes) {
+  std::vector<double> film(nodes);
+  for (std::size_t i = 0; i < nodes; ++i)
+    film[i] =
+        i % 3 == 0
+            ? 1e-4
+            : 1e-3 * std::pow(10.0, static_cast<double>(i * 7 % 11) / 2.0);
+  return film;
+}
+
+// A uniform film between flat faces has the conductance of parallel plates.
+TEST(PunchStiffness, OfAFilmBetweenFlatFacesIsThatOfPlates) {
+  const Grid grid{16, 16, 1.0, 1.0};
+  FourierOperator elasticity = unit_halfspace(grid);
+
+  const double found =
+      punch_stiffness(elasticity, std::vector<std::uint8_t>(grid.size()), 0.0,
+                      std::vector<double>(grid.size(), 0.125))
+          .stiffness;
+
+  EXPECT_NEAR(found, 8.0, 1e-12);
+}
+
+// The equations of all nodes as a dense matrix, solved by factors.
+TEST(PunchStiffness, OfContactAndFilmSolvesTheEquations) {
+  const Grid grid{12, 12, 1.0, 1.0};
+  FourierOperator elasticity = unit_halfspace(grid);
+  const auto n = static_cast<Eigen::Index>(grid.size());
+  const std::vector<double> film = uneven_film(grid.size());
+  const std::vector<std::uint8_t> set = set_where(grid, [](double x, double y) {
+    return std::hypot(x - 0.5, y - 0.4) < 0.2;
+  });
+  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  std::vector<double> unit(grid.size()), column(grid.size());
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const auto node = static_cast<std::size_t>(j);
+    unit[node] = 1.0;
+    elasticity.displacement(unit, column);
+    unit[node] = 0.0;
+    equations.col(j).head(n) =
+        Eigen::Map<const Eigen::VectorXd>(column.data(), n);
+    equations(j, j) += set[node] != 0 ? 0.0 : film[node];
+    equations(j, n) = -1.0; // 1/K
+    equations(n, j) = 1.0 / static_cast<double>(n);
+  }
+  const Eigen::VectorXd mean = Eigen::VectorXd::Unit(n + 1, n);
+
+  const PunchStiffness found = punch_stiffness(elasticity, set, 0.0, film);
+
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.stiffness * equations.lu().solve(mean)(n), 1.0, 1e-9);
+}
+
+// A film of an extreme compliance is the contact alone, or contact everywhere
+// it is thin; the iterations stay bounded.
+TEST_F(RoughContact, FilmBetweenItsLimits) {
+  const std::vector<std::uint8_t> set = contact_of(solved(rms_height));
+  const std::vector<double> film = uneven_film(grid.size());
+  const double alone = stiffness(elasticity, set);
+  const auto with_film = [&](double factor) {
+    std::vector<double> scaled = film;
+    for (double& compliance : scaled)
+      compliance *= factor;
+    const PunchStiffness found = punch_stiffness(elasticity, set, 0.0, scaled);
+    EXPECT_TRUE(found.converged);
+    EXPECT_LE(found.iterations, 90) << factor;
+    return found.stiffness;
+  };
+
+  const double weak = with_film(1e8) - alone;
+  EXPECT_GT(weak, 0.0);
+  EXPECT_NEAR(weak / (with_film(2e8) - alone), 2.0, 1e-3);
+  double before = alone;
+  for (const double factor : {1e4, 1e2, 1.0, 1e-2, 1e-4}) {
+    const double now = with_film(factor);
+    EXPECT_GT(now, before);
+    before = now;
+  }
 }
 
 } // namespace asperity::contact::punch_stiffness_test
