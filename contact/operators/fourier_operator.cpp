@@ -79,16 +79,20 @@ struct FourierOperator::Shared {
   /// C(q) of the waves of a window of 128^2 nodes, all of which are waves of
   /// the grid. Collective.
   std::vector<double> of_window() const {
-    constexpr int half = tile_points;
-    const int along_x = rows.grid().points_x / (2 * half);
-    const int along_y = rows.grid().points_y / (2 * half);
+    constexpr std::size_t half = tile_side;
+    const Grid& grid = rows.grid();
+    const std::size_t along_x = (grid.half_spectrum_columns() - 1) / half;
+    const std::size_t along_y =
+        static_cast<std::size_t>(grid.points_y) / (2 * half);
     const SpectrumColumns own = convolution.columns();
     std::vector<double> picked;
-    for (std::size_t jx = own.first; jx < own.first + own.count; ++jx)
-      for (int k = 0; jx % static_cast<std::size_t>(along_x) == 0 && k <= half;
-           ++k)
-        picked.push_back(compliance.column(
-            static_cast<int>(jx))[static_cast<std::size_t>(k * along_y)]);
+    for (std::size_t jx = own.first; jx < own.first + own.count; ++jx) {
+      if (jx % along_x != 0)
+        continue;
+      const auto column = compliance.column(static_cast<int>(jx));
+      for (std::size_t k = 0; k <= half; ++k)
+        picked.push_back(column[k * along_y]);
+    }
     return values_of_ranks<double>(rows.ranks(), picked);
   }
 

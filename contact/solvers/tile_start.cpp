@@ -30,7 +30,8 @@ std::optional<Tiles> few_tiles(const SharedRows& rows,
   constexpr int points = tile_points, near = points / 8;
   const Grid& grid = rows.grid();
   Tiles tiles{grid.points_x / points, grid.points_y / points, {}};
-  const auto n = static_cast<std::size_t>(tiles.per_row * tiles.per_column);
+  const std::size_t n = static_cast<std::size_t>(tiles.per_row) *
+                        static_cast<std::size_t>(tiles.per_column);
   std::vector<std::uint8_t> is_used(n);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (!is_active(i))
