@@ -1,5 +1,7 @@
 #include "flow/reynolds.hpp"
 
+#include "flow/elimination.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -311,7 +313,8 @@ GapFlow flow_of_path(const Lines& lines, std::span<const double> gap,
   const double mean = std::accumulate(gap.begin(), gap.end(), 0.0) /
                       static_cast<double>(gap.size());
   const Conductances conductances(lines, gap, mean);
-  const NetworkSolution solution = solve(network_of(lines, path, conductances));
+  const NetworkSolution solution =
+      solved_by_elimination(network_of(lines, path, conductances), solve);
   if (!solution.converged)
     throw std::runtime_error("the flow through the gap was not found to its "
                              "tolerance");

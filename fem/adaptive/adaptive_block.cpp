@@ -100,6 +100,8 @@ public:
 
   ContactStiffness stiffness() override { return block_->stiffness(); }
 
+  BlockConduction conduction() const override { return block_->conduction(); }
+
   StressPeak strongest_stress() const override {
     return block_->strongest_stress();
   }

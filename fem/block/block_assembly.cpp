@@ -77,7 +77,7 @@ void clear_rows_and_columns(
 
 } // namespace
 
-void assemble(const BlockSystem& system, CellMatrices& matrices,
+void assemble(const BlockSystem& system, const MatrixOfCell& matrix_of,
               const dealii::Table<2, bool>& couples,
               dealii::TrilinosWrappers::SparseMatrix& matrix) {
   const BlockSpace& space = system.space();
@@ -99,8 +99,8 @@ void assemble(const BlockSystem& system, CellMatrices& matrices,
   pattern.compress();
   matrix.reinit(pattern);
   for_own_cells([&](const auto& cell, const auto& unknowns) {
-    space.constraints().distribute_local_to_global(
-        matrices.of(cell, system.moduli_of(cell)), unknowns, matrix);
+    space.constraints().distribute_local_to_global(matrix_of(cell), unknowns,
+                                                   matrix);
   });
   matrix.compress(dealii::VectorOperation::add);
 }
@@ -148,7 +148,12 @@ void assemble_low_order(const BlockSystem& system,
       system.space(), element,
       dealii::QIterated<3>(dealii::QGauss<1>(2), 2)); // exact on box-shaped
                                                       // cells
-  assemble(system, matrices, neighbours(element), matrix);
+  assemble(
+      system,
+      [&](const auto& cell) -> const auto& {
+        return matrices.of(cell, system.moduli_of(cell));
+      },
+      neighbours(element), matrix);
 }
 
 void JoinedNodes::find(const BlockSystem& system, const Matrix& stiffness,

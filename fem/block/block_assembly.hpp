@@ -12,16 +12,21 @@
 #include <deal.II/lac/trilinos_precondition.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace asperity::fem {
 
+/// The matrix of a cell, valid until the next call.
+using MatrixOfCell = std::function<const dealii::FullMatrix<double>&(
+    const dealii::DoFHandler<3>::active_cell_iterator&)>;
+
 /// Sums one matrix per cell under the block's constraints. The sparsity pattern
 /// reserves entries for springs at the contact points. This call is collective.
 /// @param couples  which pairs of unknowns of a cell share an entry; empty for
 ///                 all
-void assemble(const BlockSystem& system, CellMatrices& matrices,
+void assemble(const BlockSystem& system, const MatrixOfCell& matrix_of,
               const dealii::Table<2, bool>& couples,
               dealii::TrilinosWrappers::SparseMatrix& matrix);
 

@@ -45,7 +45,12 @@ BlockSystem::BlockSystem(
 const dealii::TrilinosWrappers::SparseMatrix& BlockSystem::stiffness() const {
   if (!is_assembled_) {
     CellMatrices matrices(space_);
-    assemble(*this, matrices, {}, stiffness_);
+    assemble(
+        *this,
+        [&](const auto& cell) -> const auto& {
+          return matrices.of(cell, moduli_of(cell));
+        },
+        {}, stiffness_);
     is_assembled_ = true;
   }
   return stiffness_;

@@ -115,6 +115,19 @@ struct ContactStiffness {
   bool converged = false;
 };
 
+/// Conduction of heat or current from the nodes in contact through a block of
+/// uniform conductivity k, by Laplace's equation on its mesh.
+struct BlockConduction {
+  /// Flux to the far boundary over k and the difference of temperature [m].
+  double conductance = 0.0;
+  /// G/k of the contact of two such bodies per nominal area [1/m], without the
+  /// uniform resistance of the block: 1/(2 (A/conductance - depth)). Infinite
+  /// if all nodes are in contact.
+  double relative = 0.0;
+  int linear_iterations = 0; ///< CG iterations
+  bool converged = false;
+};
+
 /// The largest von Mises stress sqrt(3 J_2) over the quadrature points of all
 /// cells and its place. The place is known to about one cell size, because the
 /// stress is evaluated only inside of cells.
@@ -226,6 +239,11 @@ public:
   /// @throws std::domain_error  contact is not node-wise, there are two bodies,
   ///                            or the far boundary is not clamped
   virtual ContactStiffness stiffness() = 0;
+
+  /// What the contact of the last solution conducts. Zeros without contact.
+  /// @throws std::domain_error  contact is not node-wise, or there are two
+  ///                            bodies
+  virtual BlockConduction conduction() const = 0;
 
   /// The largest stress of the last solution; zeros before the first.
   virtual StressPeak strongest_stress() const = 0;

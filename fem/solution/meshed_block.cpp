@@ -4,6 +4,7 @@
 #include "base/maximum.hpp"
 #include "base/require.hpp"
 #include "fem/block/all_ranks.hpp"
+#include "fem/block/block_conduction.hpp"
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
 #include "fem/linear/lattice_preconditioner.hpp"
@@ -143,7 +144,8 @@ MeshedBlock::MeshedBlock(
       weights_(maps_.weights()),
       report_(system_.report()),
       newton_(newton_of(problem, system_, triangulation == nullptr)),
-      far_boundary_(problem.far_boundary) {}
+      far_boundary_(problem.far_boundary),
+      depth_(problem.mesh.depth) {}
 
 ContactStiffness MeshedBlock::stiffness() {
   if (!system_.contact().is_nodal() || system_.has_counter())
@@ -157,6 +159,11 @@ ContactStiffness MeshedBlock::stiffness() {
         "the stiffness of a contact needs a clamped far boundary, top = "
         "\"clamped\"");
   return newton_.stiffness();
+}
+
+BlockConduction MeshedBlock::conduction() const {
+  return fem::conduction(system_, contact_set(newton_.state().pressure),
+                         depth_);
 }
 
 StressPeak MeshedBlock::strongest_stress() const {

@@ -49,6 +49,8 @@ public:
 
   ContactStiffness stiffness() override;
 
+  BlockConduction conduction() const override;
+
   StressPeak strongest_stress() const override;
 
   std::vector<double> section(const SectionPlane& plane) const override;
@@ -88,6 +90,7 @@ private:
   ContactNewton newton_;
   BlockOutput output_;
   mechanics::FarBoundary far_boundary_;
+  double depth_; ///< [m]
   // Of the last solution.
   std::vector<double> heights_;   ///< of the grid [m]; empty before the first
   double nominal_pressure_ = 0.0; ///< [Pa]

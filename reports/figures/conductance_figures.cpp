@@ -1,3 +1,4 @@
+#include "base/special_numbers.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
@@ -24,6 +25,11 @@ public:
     panel_.add(method.name + ", -dp/du", line("#222222", 1.6),
                curve(method, [&](const CurvePoint& row, std::size_t) {
                  return row.contact_stiffness / modulus();
+               }));
+    panel_.add(method.name + ", p/u_0", line("#222222", 1.0, 2),
+               curve(method, [&](const CurvePoint& row, std::size_t r) {
+                 return row.nominal_pressure / decay_length(method, r) /
+                        modulus();
                }));
   }
 
@@ -66,8 +72,9 @@ public:
         "stiffness K over E*, both per nominal area. Markers: of the "
         "standing contact, the geometric mean over realisations; bars span "
         "their range. Lines: the slope of the curve of pressure against mean "
-        "gap, which lies between the loads, that of the theory, the spots as "
-        "circles of their areas that do not disturb each other, and "
+        "gap, which lies between the loads, that of the theory and its limit "
+        "p/u_0 at light load, Eq. (18) of Yang and Persson (2008), the spots "
+        "as circles of their areas that do not disturb each other, and "
         "Barber's lower bound p/(h_max - u).";
     const CurvePoint unit = unit_row();
     if (unit.thermal_conductance > 0.0)
@@ -83,6 +90,18 @@ public:
 
 private:
   double modulus() const { return entry_.result->contact_modulus; }
+
+  /// u_0 of Eq. (18) of a theory [m]; NaN without it.
+  double decay_length(const results::MethodRecord& method,
+                      std::size_t realization) const {
+    const auto& methods = entry_.summary.methods;
+    const auto found =
+        std::ranges::find(methods, method.name, &MethodSummary::name);
+    if (found == methods.end() || found->fits.size() <= realization)
+      return not_a_number;
+    const RealizationFits& fits = found->fits[realization];
+    return fits.asymptotic_slope * fits.scales.rms_height;
+  }
 
   template <class Number>
   SpreadCurve curve(const results::MethodRecord& method,

@@ -1,12 +1,16 @@
 // Tests of the unknowns of the full model on any mesh: the patch test. A
 // homogeneous block under uniform pressure has uniform strain, which linear and
 // quadratic shape functions represent exactly on any cells.
+#include "fem/block/block_conduction.hpp"
 #include "fem/newton/contact_newton.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
 
 namespace asperity::fem::patch_test {
 
@@ -94,6 +98,24 @@ TEST_P(UniformPressure, StrainsUniformly) {
   EXPECT_GT(n_checked, 20U);
 }
 
+// With all nodes in contact the temperature is linear, and the block conducts
+// area over depth. Tolerance: the square of that of the linear solve.
+TEST_P(UniformPressure, ConductsUniformly) {
+  const BlockProblem block = problem();
+  const BlockSystem system(block);
+  const std::vector<bool> all(system.contact().size(), true);
+  if (!system.contact().is_nodal()) {
+    EXPECT_THROW(conduction(system, all, block.mesh.depth), std::domain_error);
+    return;
+  }
+
+  const BlockConduction found = conduction(system, all, block.mesh.depth);
+
+  EXPECT_TRUE(found.converged);
+  EXPECT_NEAR(found.conductance * block.mesh.depth / grid_.area(), 1.0, 1e-13);
+  EXPECT_TRUE(std::isinf(found.relative));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Patches, UniformPressure,
     ::testing::Values(
@@ -103,6 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
         Patch{"tets2_free", true, 2, BlockSides::free, FarBoundary::sliding},
         Patch{"hexes_periodic", false, 1, BlockSides::periodic,
               FarBoundary::clamped},
+        Patch{"hexes_loaded", false, 1, BlockSides::periodic,
+              FarBoundary::pressure},
         Patch{"tets_periodic", true, 1, BlockSides::periodic,
               FarBoundary::clamped},
         Patch{"tets2_periodic", true, 2, BlockSides::periodic,

@@ -65,6 +65,8 @@ public:
 
   ContactStiffness stiffness() override { return own_->stiffness(); }
 
+  BlockConduction conduction() const override { return own_->conduction(); }
+
   StressPeak strongest_stress() const override {
     return own_->strongest_stress();
   }

@@ -46,6 +46,8 @@ public:
 
   fem::ContactStiffness stiffness() override { return {}; }
 
+  fem::BlockConduction conduction() const override { return {}; }
+
   mutable fem::SectionPlane asked;
 
 private:
