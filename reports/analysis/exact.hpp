@@ -72,7 +72,8 @@ void add_exact_quantities(const results::Result& result,
                           MethodSummary& summary);
 
 /// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, and
-/// for a one-dimensional wave adhesive_wave_error, over all converged rows.
+/// for a one-dimensional wave adhesive_wave_error, for a sphere with Dugdale's
+/// law adhesive_sphere_error, over all converged rows.
 void add_adhesion_quantities(const results::Result& result,
                              const cases::Case& contact_case,
                              const results::MethodRecord& method,
