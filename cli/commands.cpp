@@ -225,10 +225,19 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   if (!command.flow.empty())
     for (std::string& flow : run::flow_overrides(command.flow))
       overrides.push_back(std::move(flow));
+  // With free edges only loads by pressure can be prescribed.
+  const bool has_free_edges =
+      std::ranges::any_of(command.overrides, [](const std::string& set) {
+        return set == "surface.edges=free" || set == "surface.edges=\"free\"";
+      });
+  using run::AdhesivePath;
+  const AdhesivePath path = std::ranges::any_of(command.cases, is_case)
+                                ? AdhesivePath::of_case
+                            : has_free_edges ? AdhesivePath::by_pressure
+                                             : AdhesivePath::by_gap;
   if (!command.work_of_adhesion.empty())
     for (std::string& adhesion :
-         run::adhesion_overrides(command.work_of_adhesion,
-                                 std::ranges::none_of(command.cases, is_case)))
+         run::adhesion_overrides(command.work_of_adhesion, path))
       overrides.push_back(std::move(adhesion));
   if (!command.friction.empty())
     overrides.push_back("friction.coefficient=" + command.friction);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace asperity::mechanics {
@@ -37,8 +38,12 @@ PressureBounds up_to_hardness(const ContactInterface& own) {
   return {0.0, own.hardness};
 }
 
-double no_range(const ContactInterface&) {
+double at_zero(const ContactInterface&) {
   return 0.0;
+}
+
+double at_no_gap(const ContactInterface&) {
+  return -infinity;
 }
 
 double exponential_energy(const ContactInterface& own, double gap) {
@@ -90,41 +95,118 @@ double own_range(const ContactInterface& own) {
   return own.adhesion_range;
 }
 
-/// The tension of a law with adhesion is largest at the wall.
-template <ContactLawTraits::Function pressure>
-PressureBounds tension_at_wall(const ContactInterface& own) {
-  return {pressure(own, 0.0), infinity};
+/// x = 1 + g/rho, the distance over that of equilibrium.
+double lennard_jones_distance(const ContactInterface& own, double gap) {
+  return 1.0 + gap / own.adhesion_range;
+}
+
+double lennard_jones_energy(const ContactInterface& own, double gap) {
+  const double x = lennard_jones_distance(own, gap);
+  if (!(x > 0.0))
+    return infinity;
+  const double cube = 1.0 / (x * x * x);
+  return -0.5 * own.work_of_adhesion * (3.0 - cube * cube) * cube;
+}
+
+double lennard_jones_pressure(const ContactInterface& own, double gap) {
+  const double x = lennard_jones_distance(own, gap);
+  if (!(x > 0.0))
+    return infinity;
+  const double square = 1.0 / (x * x);
+  return 4.5 * own.work_of_adhesion / own.adhesion_range * square * square *
+         (square * square * square - 1.0);
+}
+
+double lennard_jones_stiffness(const ContactInterface& own, double gap) {
+  const double x = lennard_jones_distance(own, gap);
+  if (!(x > 0.0))
+    return infinity;
+  const double square = 1.0 / (x * x);
+  return 9.0 * own.work_of_adhesion /
+         (own.adhesion_range * own.adhesion_range) * square * square / x *
+         (5.0 * square * square * square - 2.0);
+}
+
+double lennard_jones_core(const ContactInterface& own) {
+  return -own.adhesion_range;
+}
+
+double lennard_jones_strongest(const ContactInterface& own) {
+  return own.adhesion_range * (std::pow(2.5, 1.0 / 6.0) - 1.0);
+}
+
+double morse_energy(const ContactInterface& own, double gap) {
+  const double decay = std::exp(-gap / own.adhesion_range);
+  return own.work_of_adhesion * (decay - 2.0) * decay;
+}
+
+double morse_pressure(const ContactInterface& own, double gap) {
+  const double decay = std::exp(-gap / own.adhesion_range);
+  return 2.0 * own.work_of_adhesion / own.adhesion_range * (decay - 1.0) *
+         decay;
+}
+
+double morse_stiffness(const ContactInterface& own, double gap) {
+  const double decay = std::exp(-gap / own.adhesion_range);
+  return 2.0 * own.work_of_adhesion /
+         (own.adhesion_range * own.adhesion_range) * (2.0 * decay - 1.0) *
+         decay;
+}
+
+double morse_strongest(const ContactInterface& own) {
+  return own.adhesion_range * std::numbers::ln2;
+}
+
+/// The largest tension is that at a gap of the law.
+template <ContactLawTraits::Function pressure,
+          double (*strongest)(const ContactInterface&)>
+PressureBounds tension_at(const ContactInterface& own) {
+  return {pressure(own, strongest(own)), infinity};
 }
 
 constexpr std::array all_laws{
     ContactLawTraits{ContactLaw::penalty, "penalty", "penalty", false, true,
                      SurfaceSolver::complementarity, BlockSolver::springs,
                      spring_energy, spring_pressure, spring_stiffness,
-                     without_tension, no_range},
+                     without_tension, at_zero, at_no_gap, at_zero},
     ContactLawTraits{ContactLaw::hard, "hard", "hard (unilateral) contact",
                      true, false, SurfaceSolver::complementarity,
                      BlockSolver::wall, nothing, nothing, nothing,
-                     up_to_hardness, no_range},
+                     up_to_hardness, at_zero, at_zero, at_zero},
     ContactLawTraits{ContactLaw::augmented, "augmented",
                      "augmented Lagrangian with a penalty of", true, true,
                      SurfaceSolver::multipliers, BlockSolver::springs, nothing,
-                     nothing, nothing, without_tension, no_range},
+                     nothing, nothing, without_tension, at_zero, at_zero,
+                     at_zero},
     ContactLawTraits{ContactLaw::exponential, "exponential",
                      "a hard wall with exponential adhesion", true, false,
                      SurfaceSolver::adhesive, BlockSolver::none,
                      exponential_energy, exponential_pressure,
                      exponential_stiffness,
-                     tension_at_wall<exponential_pressure>, everywhere},
-    ContactLawTraits{ContactLaw::dugdale, "dugdale",
-                     "a hard wall with Dugdale's adhesion", true, false,
-                     SurfaceSolver::adhesive, BlockSolver::none, dugdale_energy,
-                     dugdale_pressure, nothing,
-                     tension_at_wall<dugdale_pressure>, own_range},
-    ContactLawTraits{ContactLaw::cubic, "cubic",
-                     "a hard wall with cubic adhesion", true, false,
-                     SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
-                     cubic_pressure, cubic_stiffness,
-                     tension_at_wall<cubic_pressure>, own_range},
+                     tension_at<exponential_pressure, at_zero>, everywhere,
+                     at_zero, at_zero},
+    ContactLawTraits{
+        ContactLaw::dugdale, "dugdale", "a hard wall with Dugdale's adhesion",
+        true, false, SurfaceSolver::adhesive, BlockSolver::none, dugdale_energy,
+        dugdale_pressure, nothing, tension_at<dugdale_pressure, at_zero>,
+        own_range, at_zero, at_zero},
+    ContactLawTraits{
+        ContactLaw::cubic, "cubic", "a hard wall with cubic adhesion", true,
+        false, SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
+        cubic_pressure, cubic_stiffness, tension_at<cubic_pressure, at_zero>,
+        own_range, at_zero, at_zero},
+    ContactLawTraits{
+        ContactLaw::lennard_jones, "lennard-jones",
+        "the Lennard-Jones law of half-spaces (9-3)", false, false,
+        SurfaceSolver::adhesive, BlockSolver::none, lennard_jones_energy,
+        lennard_jones_pressure, lennard_jones_stiffness,
+        tension_at<lennard_jones_pressure, lennard_jones_strongest>, everywhere,
+        lennard_jones_core, lennard_jones_strongest},
+    ContactLawTraits{ContactLaw::morse, "morse", "Morse's law", false, false,
+                     SurfaceSolver::adhesive, BlockSolver::none, morse_energy,
+                     morse_pressure, morse_stiffness,
+                     tension_at<morse_pressure, morse_strongest>, everywhere,
+                     at_no_gap, morse_strongest},
 };
 
 double behind_wall(const ContactInterface& own, double gap,
@@ -155,8 +237,16 @@ double ContactInterface::range() const {
   return traits_of(law).range(*this);
 }
 
+double ContactInterface::least_gap() const {
+  return traits_of(law).least_gap(*this);
+}
+
+double ContactInterface::strongest_gap() const {
+  return traits_of(law).strongest_gap(*this);
+}
+
 double ContactInterface::local_compliance() const {
-  return has_wall(law) ? 0.0 : 1.0 / penalty;
+  return has_wall(law) || !needs_penalty(law) ? 0.0 : 1.0 / penalty;
 }
 
 std::span<const ContactLawTraits> contact_laws() {

@@ -22,6 +22,8 @@ enum class ContactLaw {
   exponential, ///< hard wall, attraction W = -w exp(-g/rho)
   dugdale,     ///< hard wall, uniform tension w/rho up to the gap rho
   cubic,       ///< hard wall, attraction W = -w (1 - g/rho)^3 up to the gap rho
+  lennard_jones, ///< no wall, W of a half-space of atoms, 9-3
+  morse,         ///< no wall, W = w (exp(-2g/rho) - 2 exp(-g/rho))
 };
 
 /// Pressures that a law admits [Pa]. The smallest one is negative for a law
@@ -44,9 +46,19 @@ struct PressureBounds {
 ///     dugdale      W = -w (1 - g/rho), g < rho   w/rho
 ///     cubic        W = -w (1 - g/rho)^3, g < rho 3 w/rho
 ///
+/// and the two without a wall, whose gap counts from the equilibrium of flat
+/// faces, W'(0) = 0:
+///
+///     lennard-jones  W = -w (3 x^-3 - x^-9)/2, x = 1 + g/rho > 0
+///                                                1.466 w/rho at .165 rho
+///     morse          W = w (exp(-2g/rho) - 2 exp(-g/rho))
+///                                                w/(2 rho) at rho ln 2
+///
 /// The exponential law is that of numerical work on rough contact, Dugdale's
 /// that of the Maugis-Dugdale theory of a sphere. The cubic law is the lowest
-/// power of 1 - g/rho whose tension and stiffness end without a jump.
+/// power of 1 - g/rho whose tension and stiffness end without a jump. The 9-3
+/// law is the 12-6 energy of pairs, summed over a half-space without structure;
+/// rho is then the distance of the faces in equilibrium.
 /// @see  L. Pastewka, M. O. Robbins, PNAS 111, 3298 (2014); D. Maugis,
 ///       J. Colloid Interface Sci. 150, 243 (1992)
 struct ContactInterface {
@@ -63,6 +75,11 @@ struct ContactInterface {
   double stiffness(double gap) const; ///< W'' [Pa/m]
   PressureBounds pressure_bounds() const;
   double range() const; ///< smallest gap beyond which W = 0 [m] >= 0
+  /// Gap below which W is infinite [m]: 0 with a wall, possibly -infinity.
+  double least_gap() const;
+  /// Gap of the largest tension [m], beyond which the tension falls; 0 for
+  /// laws without tension.
+  double strongest_gap() const;
   /// s^2 h/(w E*) of a law with adhesion, with its largest tension s: the
   /// spacing h of the grid over the length in which the tension acts at the
   /// edge of a contact [1].
@@ -123,6 +140,8 @@ struct ContactLawTraits {
   Function energy, pressure, stiffness; ///< where the wall admits the gap
   PressureBounds (*pressure_bounds)(const ContactInterface&);
   double (*range)(const ContactInterface&);
+  double (*least_gap)(const ContactInterface&);
+  double (*strongest_gap)(const ContactInterface&);
 };
 
 /// All contact laws.

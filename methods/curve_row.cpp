@@ -46,6 +46,10 @@ void observe_adhesion(results::CurvePoint& row,
   row.repulsive_area = mean_of([&](std::size_t i) {
     return solution.gap[i] <= 0.0 && p[i] > 0.0 ? 1.0 : 0.0;
   });
+  row.attractive_load =
+      mean_of([=](std::size_t i) { return std::max(0.0, -p[i]); });
+  row.jump_pressure = solution.jump_pressure;
+  row.jump_gap = solution.jump_gap;
   row.tensile_area =
       mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
   if (std::isfinite(solution.smallest_stiffness)) // not without an open node

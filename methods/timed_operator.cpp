@@ -13,8 +13,7 @@ TimedOperator::TimedOperator(std::unique_ptr<contact::SurfaceOperator> measured,
       n_threads_(n_threads) {}
 
 std::unique_ptr<contact::SurfaceOperator> TimedOperator::clone() const {
-  return std::make_unique<TimedOperator>(measured_->clone(), tally_,
-                                         n_threads_);
+  return timed(measured_->clone());
 }
 
 const Grid& TimedOperator::grid() const {
@@ -94,11 +93,20 @@ int TimedOperator::threads() const {
   return measured_->threads();
 }
 
-std::unique_ptr<contact::SurfaceOperator> TimedOperator::coarsened() const {
-  std::unique_ptr<contact::SurfaceOperator> coarse = measured_->coarsened();
-  if (!coarse)
+std::unique_ptr<contact::SurfaceOperator>
+TimedOperator::timed(std::unique_ptr<contact::SurfaceOperator> other) const {
+  if (!other)
     return nullptr;
-  return std::make_unique<TimedOperator>(std::move(coarse), tally_, n_threads_);
+  return std::make_unique<TimedOperator>(std::move(other), tally_, n_threads_);
+}
+
+std::unique_ptr<contact::SurfaceOperator> TimedOperator::coarsened() const {
+  return timed(measured_->coarsened());
+}
+
+std::unique_ptr<contact::SurfaceOperator>
+TimedOperator::periodic_extension() const {
+  return timed(measured_->periodic_extension());
 }
 
 std::unique_ptr<contact::SurfaceOperator>

@@ -46,11 +46,16 @@ public:
   bool is_periodic() const override;
   bool is_shift_invariant() const override;
   int threads() const override;
+  std::unique_ptr<contact::SurfaceOperator> periodic_extension() const override;
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
   std::unique_ptr<contact::SurfaceOperator>
   on_tiles(const contact::Tiles& tiles) const override;
 
 private:
+  /// Another operator that adds to the same tally; null for null.
+  std::unique_ptr<contact::SurfaceOperator>
+  timed(std::unique_ptr<contact::SurfaceOperator> other) const;
+
   std::unique_ptr<contact::SurfaceOperator> measured_;
   std::shared_ptr<Tally> tally_;
   int n_threads_;

@@ -30,14 +30,15 @@ constexpr std::array number_headers{"step",
 
 /// Headers of the columns after these, of a result in which some row has a
 /// number in the first column of the group: of free boundaries, of a hardness,
-/// of a block with a yield stress, of adhesion, of the flow through the gap, of
-/// spots, and of conductance.
+/// of a block with a yield stress, of adhesion, of its jumps, of the flow
+/// through the gap, of spots, and of conductance.
 const std::vector<std::vector<const char*>> optional_headers{
     {"mean_displacement [m]"},
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
     {"plastic_area [1]"},
     {"adhesive_energy [J/m^2]", "repulsive_area [1]", "tensile_area [1]",
-     "smallest_stiffness [Pa/m]"},
+     "smallest_stiffness [Pa/m]", "attractive_load [Pa]"},
+    {"jump_pressure [Pa]", "jump_gap [m]"},
     {"flow_factor_x [1]", "flow_factor_y [1]", "flow_conductance_x [m^3]",
      "flow_conductance_y [m^3]", "critical_gap_x [m]", "critical_gap_y [m]",
      "leak_rate_x [m^3/s]", "leak_rate_y [m^3/s]", "effective_medium [m^3]"},

@@ -21,7 +21,8 @@ namespace asperity::results {
 ///     certified_gap_error [m],estimated_gap_error [m],status
 ///
 /// If a method has adhesion, adhesive_energy [J/m^2],repulsive_area [1],
-/// tensile_area [1],smallest_stiffness [Pa/m] come before the status. If a
+/// tensile_area [1],smallest_stiffness [Pa/m],attractive_load [Pa] come before
+/// the status, and jump_pressure [Pa],jump_gap [m] if faces part. If a
 /// block has a yield stress or a hardness, plastic_work
 /// [J/m^2],plastic_strain [1] and with the latter plastic_area [1] come
 /// before the status.

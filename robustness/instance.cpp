@@ -70,7 +70,8 @@ double draw_load(const Draw& draw, const Instance& instance) {
   if (instance.family == Family::theory)
     return draw.log_uniform(Stream::load, 1e-12, 100.0);
   if (instance.control == mechanics::Control::mean_gap)
-    return !mechanics::has_wall(instance.law) && draw.coin(Stream::load)
+    return instance.law == mechanics::ContactLaw::penalty &&
+                   draw.coin(Stream::load)
                ? draw.uniform(Stream::load, -1.0, 3.0)
                : draw.log_uniform(Stream::load, 1e-3, 4.0);
   return draw.coin(Stream::load) ? draw.log_uniform(Stream::load, 1e-9, 100.0)

@@ -117,7 +117,6 @@ Instance with_adhesion_settings(Instance instance) {
     instance.law = mechanics::ContactLaw::hard;
   if (!mechanics::is_adhesive(instance.law))
     return instance;
-  instance.has_free_boundaries = false;
   instance.path = Path::library;
   if (instance.relation == MetamorphicRelation::decimal_units)
     instance.relation = MetamorphicRelation::none; // bits decide on jumps

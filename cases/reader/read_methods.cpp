@@ -1,7 +1,12 @@
 #include "cases/reader/read_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace asperity::cases {
 namespace {
@@ -10,6 +15,17 @@ bool has_free_edges(const Node& file) {
   const Node* const surface = file.find("surface");
   const Node* const edges = surface ? surface->find("edges") : nullptr;
   return edges && edges->text == "free";
+}
+
+/// "a", "b" or "c": the contacts with adhesion.
+std::string adhesive_names() {
+  std::vector<std::string> names;
+  for (const mechanics::ContactLawTraits& law : mechanics::contact_laws())
+    if (mechanics::is_adhesive(law.law))
+      names.push_back('"' + std::string(law.name) + '"');
+  return fmt::format("{} or {}",
+                     fmt::join(names.begin(), std::prev(names.end()), ", "),
+                     names.back());
 }
 
 mechanics::ContactSettings read_contact(TableReader& table) {
@@ -22,8 +38,8 @@ mechanics::ContactSettings read_contact(TableReader& table) {
   for (const char* const key : {"work_of_adhesion", "range"})
     if (!mechanics::is_adhesive(contact.law) && table.has(key))
       table.refuse(table.said_by(key),
-                   "needs a contact with adhesion: contact = \"exponential\", "
-                   "\"dugdale\" or \"cubic\"");
+                   "needs a contact with adhesion: contact = " +
+                       adhesive_names());
   return contact;
 }
 
@@ -130,11 +146,6 @@ void read_settings(TableReader& table, const MethodSurroundings& surroundings,
   halfspace.contact = read_contact(table);
   halfspace.has_free_boundaries = surroundings.has_free_edges;
   table.read(halfspace);
-  if (halfspace.has_free_boundaries &&
-      mechanics::is_adhesive(halfspace.contact.law))
-    table.refuse(table.said_by("contact"),
-                 "this version has no adhesion with free boundaries; "
-                 "boundaries = \"periodic\" allows it");
   if (halfspace.contact.hardness &&
       halfspace.contact.law != mechanics::ContactLaw::hard)
     table.refuse(table.said_by("hardness"), "needs contact = \"hard\"");

@@ -32,9 +32,11 @@ std::vector<Key> contact_keys() {
           "contact", mechanics::contact_law_names(),
           "Penalty, hard (unilateral) or augmented-Lagrangian contact, or a "
           "hard wall with adhesion that falls with the gap g: w exp(-g/range), "
-          "w (1 - g/range) (dugdale) or w (1 - g/range)^3 (cubic). Adhesion "
-          "is available to [halfspace] with periodic boundaries and to "
-          "condensed "
+          "w (1 - g/range) (dugdale) or w (1 - g/range)^3 (cubic); or laws "
+          "without a wall, whose gap counts from that of flat faces in "
+          "equilibrium: lennard-jones (9-3, range is the distance of the faces "
+          "there) and morse. Adhesion "
+          "is available to [halfspace] and to condensed "
           "[fem] with element = \"Q1\", and its loads may be tensile.")
           .shown(),
       key<&Contact::penalty>(

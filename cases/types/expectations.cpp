@@ -173,6 +173,11 @@ std::vector<ExpectationName> adhesion_names() {
                       "equal contact area, over the pressure of full contact "
                       "without adhesion [1].",
        .surfaces = {mechanics::SurfaceKind::wave_1d}},
+      {.name = "adhesive_sphere_error",
+       .description = "Largest |p - p of Maugis (1992)| at equal contact "
+                      "area, over the pull-off pressure of the latter; with "
+                      "contact = \"dugdale\" [1].",
+       .surfaces = {mechanics::SurfaceKind::sphere}},
   };
 }
 

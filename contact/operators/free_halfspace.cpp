@@ -1,6 +1,7 @@
 #include "contact/operators/free_halfspace.hpp"
 
 #include "base/require.hpp"
+#include "contact/operators/fourier_operator.hpp"
 #include "ranks/one_rank.hpp"
 
 #include <algorithm>
@@ -231,6 +232,13 @@ std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
         });
   });
   return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
+}
+
+std::unique_ptr<SurfaceOperator> FreeHalfspace::periodic_extension() const {
+  if (shared_->rows.ranks() != nullptr)
+    return nullptr;
+  return std::make_unique<FourierOperator>(
+      padded_grid(grid()), Shared::columns(shared_->compliance), threads());
 }
 
 void FreeHalfspace::displacement(std::span<const double> pressure,

@@ -96,6 +96,8 @@ public:
 
   int threads() const override { return exact_.threads(); }
 
+  std::unique_ptr<SurfaceOperator> periodic_extension() const override;
+
   /// The operator with the same C of the wavevectors that it resolves, on half
   /// the points per side, as that of FourierOperator.
   std::unique_ptr<SurfaceOperator> coarsened() const override;

@@ -134,6 +134,15 @@ public:
   /// Threads and ranks, for sums over the nodes.
   Workers workers() const { return {threads(), grid(), shared_rows()}; }
 
+  /// If the surface is not periodic: a periodic one on twice as many points and
+  /// lengths in both directions, which has an exact inverse. The first columns
+  /// and rows are the nodes of grid(), where a pressure that is 0 elsewhere has
+  /// the displacement of this operator up to a constant. Null if the surface is
+  /// periodic or ranks share its rows.
+  virtual std::unique_ptr<SurfaceOperator> periodic_extension() const {
+    return nullptr;
+  }
+
   /// The operator of the same block on a coarse_grid(); null if there is none.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 

@@ -84,11 +84,18 @@ public:
     return direction_;
   }
 
-  /// rms(F M r) [m]
+  /// rms(F M r) [m]. Without a wall the scale of M hides what repulsion and
+  /// surface miss of the load, which counts as well, over k_c.
   double error(AdhesiveState& state) {
     state.residual(r_);
+    const double missing = std::isfinite(state.wall())
+                               ? 0.0
+                               : state.sum([r = r_.data()](std::size_t i) {
+                                   return r[i];
+                                 }) / state.n_nodes();
     state.precondition(r_, r_);
-    return state.rms(r_);
+    return std::hypot(state.rms(r_),
+                      missing / state.problem.preconditioner_stiffness);
   }
 
   /// Adopts the last step of a state as the newest pair.
@@ -288,6 +295,12 @@ ContactSolution solution_of(AdhesiveState&& state) {
 
 } // namespace
 
+std::string detached_note(double nominal_pressure) {
+  return fmt::format(
+      "detached: the contact does not hold a nominal pressure of {:.4g} Pa",
+      nominal_pressure);
+}
+
 double adhesive_scale(SurfaceOperator& elasticity,
                       std::span<const double> heights) {
   std::vector<double> pressure(heights.size());
@@ -341,9 +354,7 @@ ContactSolution solve_adhesive(SurfaceOperator& elasticity,
   answer.smallest_stiffness = end.smallest_stiffness;
   answer.note = end.note;
   if (answer.is_detached)
-    answer.note = fmt::format(
-        "detached: the contact does not hold a nominal pressure of {:.4g} Pa",
-        target.amount);
+    answer.note = detached_note(target.amount);
   else if (!answer.converged && answer.note.empty())
     answer.note = fmt::format(
         "not converged after {} iterations: a correction of the gap of {:.3g} "

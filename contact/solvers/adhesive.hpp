@@ -7,6 +7,7 @@
 #include "mechanics/contact_law.hpp"
 
 #include <span>
+#include <string>
 #include <vector>
 
 namespace asperity::contact {
@@ -26,6 +27,9 @@ struct AdhesiveProblem {
 double adhesive_scale(SurfaceOperator& elasticity,
                       std::span<const double> heights);
 
+/// The note of a tensile load that parted the faces.
+std::string detached_note(double nominal_pressure);
+
 /// Find the gap g >= 0 that is a local minimum of the energy per nominal area
 ///
 ///     U(g) = <v, K v>/2 + <W(g)> + p_0 <g>,   v = g + h - <g + h>
@@ -33,7 +37,10 @@ double adhesive_scale(SurfaceOperator& elasticity,
 /// with K = C^-1, or of the first two terms under the condition that <g> is the
 /// prescribed mean gap, whose multiplier is p_0. The pressure is p = K v + p_0:
 /// the law's -W'(g) where the gap is open, and at least that where the wall
-/// carries a load. Loads by pressure may be tensile, p_0 <= 0.
+/// carries a load. Loads by pressure may be tensile, p_0 <= 0. A law without a
+/// wall has no bound on the gap, all its nodes are free, and its initial matrix
+/// is M = S (K + k_c)^-1 S with S = (1 + W''/k_c)^-1/2 where W'' > 0; a node
+/// goes at most 0.4 of its way to the core of the law in a step.
 ///
 /// With w > 0 there may be several minima. The solver goes downhill from
 /// `start`, and reports a neighbouring one. Each iteration is one of L-BFGS
@@ -50,7 +57,8 @@ double adhesive_scale(SurfaceOperator& elasticity,
 /// ends with ContactSolution::is_detached.
 ///
 /// @param elasticity  must have_inverse() and nodes of equal areas
-/// @param start       gap [m] >= 0, n_nodes() values; under gap control it is
+/// @param start       gap [m], n_nodes() values that the law admits; under gap
+/// control it is
 ///                    shifted to the prescribed mean where the gap is open
 /// @throws std::domain_error  a size or a number is outside its range, a mean
 ///         gap is <= 0, or the operator has no inverse

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace asperity::contact {
@@ -13,6 +14,9 @@ namespace {
 /// found from the mean of W' at both ends. Its error is of third order, and it
 /// does not cancel.
 constexpr double small_change = 1e-4;
+
+/// Share of its distance to the core that a node may go in one step.
+constexpr double longest_approach = 0.4;
 
 /// Starts are nowhere negative: a gap in roundoff of the wall is closed.
 std::vector<double> checked_start(const SurfaceOperator& elasticity,
@@ -39,7 +43,9 @@ std::vector<double> checked_start(const SurfaceOperator& elasticity,
   else if (!std::isfinite(target.amount))
     refuse_argument("nominal_pressure", target.amount, "finite [Pa]");
   for (std::size_t i = 0; i < start.size(); ++i) {
-    require_not_negative("start", start[i], "m");
+    if (!(start[i] >= 0.0 ||
+          (start[i] > problem.law.least_gap() && std::isfinite(start[i]))))
+      refuse_argument("start", start[i], "a gap that the law admits [m]");
     if (!std::isfinite(problem.heights[i]))
       refuse_argument("heights", problem.heights[i], "finite [m]");
   }
@@ -68,7 +74,7 @@ AdhesiveState::AdhesiveState(SurfaceOperator& elasticity_,
     const bool has_open =
         sum([=](std::size_t i) { return g[i] > 0.0 ? 1.0 : 0.0; }) > 0.0;
     each([&](std::size_t i) { free[i] = !has_open || g[i] > 0.0 ? 1 : 0; });
-    restore_mean(gap);
+    restore_mean(gap, 0.0);
   }
   find_elastic(gap, elastic);
   find_free();
@@ -90,6 +96,7 @@ void AdhesiveState::find_elastic(std::span<const double> from,
 void AdhesiveState::find_free() {
   const mechanics::ContactInterface& law = problem.law;
   each([&](std::size_t i) { gradient[i] = elastic[i] - law.pressure(gap[i]); });
+  const double closed = wall();
   const double* const g = gap.data();
   const double* const r = gradient.data();
   if (by_gap()) {
@@ -98,7 +105,7 @@ void AdhesiveState::find_free() {
                                     [=](std::size_t begin, std::size_t end) {
                                       SeveralSums<2> own;
                                       for (std::size_t i = begin; i < end; ++i)
-                                        if (g[i] > 0.0) {
+                                        if (g[i] > closed) {
                                           own.values[0] += 1.0;
                                           own.values[1] += r[i];
                                         }
@@ -110,7 +117,7 @@ void AdhesiveState::find_free() {
     load = target.amount;
   }
   each([&](std::size_t i) {
-    free[i] = g[i] > 0.0 || r[i] + load < 0.0 ? 1 : 0;
+    free[i] = g[i] > closed || r[i] + load < 0.0 ? 1 : 0;
   });
   n_free = sum(
       [f = free.data()](std::size_t i) { return static_cast<double>(f[i]); });
@@ -141,9 +148,20 @@ void AdhesiveState::restrict_to_free(std::span<double> field) const {
   });
 }
 
-// M = (K + k)^-1 = (1 - (C + 1/k)^-1 / k) / k. The mean of the inverse is
-// arbitrary, and that of M is 1/k. In single precision the field is of order 1,
-// because stiffnesses of small surfaces are 1e20 Pa/m and more.
+template <class Of>
+void AdhesiveState::each_scaled(const Of& of) const {
+  if (std::isfinite(wall()))
+    return each([&](std::size_t i) { of(i, 1.0); });
+  const mechanics::ContactInterface& law = problem.law;
+  each([&](std::size_t i) {
+    const double repulsion = std::max(0.0, law.stiffness(gap[i]));
+    of(i, 1.0 / std::sqrt(1.0 + repulsion / problem.preconditioner_stiffness));
+  });
+}
+
+// M = S (K + k)^-1 S = S (1 - (C + 1/k)^-1 / k) S / k. The mean of the inverse
+// is arbitrary, and that of M is 1/k. In single precision the field is of order
+// 1, because stiffnesses of small surfaces are 1e20 Pa/m and more.
 void AdhesiveState::precondition(std::span<const double> field,
                                  std::span<double> answer) {
   const double stiffness = problem.preconditioner_stiffness;
@@ -151,8 +169,8 @@ void AdhesiveState::precondition(std::span<const double> field,
   const double unit = size > 0.0 && std::isfinite(size)
                           ? std::ldexp(1.0, std::ilogb(size))
                           : 1.0;
-  each([&](std::size_t i) {
-    scratch_[i] = static_cast<float>(field[i] / unit);
+  each_scaled([&](std::size_t i, double scale) {
+    scratch_[i] = static_cast<float>(scale * field[i] / unit);
   });
   elasticity.pressure_estimate(scratch_, 1.0 / stiffness, scratch_);
   ++transforms;
@@ -160,8 +178,9 @@ void AdhesiveState::precondition(std::span<const double> field,
                         return static_cast<double>(s[i]);
                       }) /
                       n_nodes();
-  each([&](std::size_t i) {
-    answer[i] = (field[i] -
+  each_scaled([&](std::size_t i, double scale) {
+    answer[i] = scale *
+                (scale * field[i] -
                  (static_cast<double>(scratch_[i]) - mean) * unit / stiffness) /
                 stiffness;
   });
@@ -180,25 +199,27 @@ void AdhesiveState::apply_hessian(std::span<const double> field,
 
 // The mean of max(0, g - shift) falls with the shift and is convex, so that
 // Newton's method ends after as many steps as there are breaks between.
-void AdhesiveState::restore_mean(std::span<double> moved) const {
+void AdhesiveState::restore_mean(std::span<double> moved, double closed) const {
   constexpr int most_steps = 100;
-  const double wanted = target.amount * n_nodes();
   const double* const g = moved.data();
   const std::uint8_t* const f = free.data();
+  const double wanted = target.amount * n_nodes() - sum([=](std::size_t i) {
+                          return f[i] != 0 ? 0.0 : g[i];
+                        });
   double shift = 0.0;
   for (int step = 0; step < most_steps; ++step) {
-    const auto [total, open] =
-        chunked_sum<SeveralSums<2>>(moved.size(), workers,
-                                    [=](std::size_t begin, std::size_t end) {
-                                      SeveralSums<2> own;
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        if (f[i] != 0 && g[i] > shift) {
-                                          own.values[0] += g[i] - shift;
-                                          own.values[1] += 1.0;
-                                        }
-                                      return own;
-                                    })
-            .values;
+    const auto [total, open] = chunked_sum<SeveralSums<2>>(
+                                   moved.size(), workers,
+                                   [=](std::size_t begin, std::size_t end) {
+                                     SeveralSums<2> own;
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       if (f[i] != 0 && g[i] - shift > closed) {
+                                         own.values[0] += g[i] - shift;
+                                         own.values[1] += 1.0;
+                                       }
+                                     return own;
+                                   })
+                                   .values;
     const double change = (total - wanted) / std::max(1.0, open);
     shift += change;
     if (std::abs(change) <= 1e-15 * (target.amount + std::abs(shift)))
@@ -206,19 +227,26 @@ void AdhesiveState::restore_mean(std::span<double> moved) const {
   }
   each([=, x = moved.data()](std::size_t i) {
     if (f[i] != 0)
-      x[i] = std::max(0.0, x[i] - shift);
+      x[i] = std::max(closed, x[i] - shift);
   });
 }
 
 AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
                                               double length) {
+  // No node goes more than 0.4 of the way to the core of a law without a wall.
+  const bool has_wall = std::isfinite(wall());
+  const double core = problem.law.least_gap();
+  const double bound = // restore_mean() clips
+      by_gap() ? -std::numeric_limits<double>::infinity() : 0.0;
   each([&](std::size_t i) {
-    next_gap_[i] = free[i] == 0 ? gap[i] : gap[i] + length * direction[i];
+    const double nearest =
+        has_wall ? bound : gap[i] - longest_approach * (gap[i] - core);
+    next_gap_[i] = free[i] == 0
+                       ? gap[i]
+                       : std::max(nearest, gap[i] + length * direction[i]);
   });
   if (by_gap())
-    restore_mean(next_gap_);
-  else
-    each([&](std::size_t i) { next_gap_[i] = std::max(0.0, next_gap_[i]); });
+    restore_mean(next_gap_, wall());
   find_elastic(next_gap_, next_elastic_);
   const mechanics::ContactInterface& law = problem.law;
   const double range = law.range();
@@ -269,10 +297,11 @@ void AdhesiveState::take() {
   find_free();
 }
 
-// The tension of a law falls with the gap: where the smallest gap cannot carry
-// p_0, no node can, and a larger distance has less energy.
+// The tension of a law falls beyond strongest_gap(): where the smallest gap
+// cannot carry p_0, no node can, and a larger distance has less energy.
 bool AdhesiveState::is_detached() const {
-  return !by_gap() && target.amount <= 0.0 && least_gap > 0.0 &&
+  return !by_gap() && target.amount <= 0.0 &&
+         least_gap > problem.law.strongest_gap() &&
          -problem.law.pressure(least_gap) <= -target.amount &&
          (target.amount < 0.0 || least_gap >= problem.law.range());
 }

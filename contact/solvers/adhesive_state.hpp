@@ -7,6 +7,7 @@
 #include "ranks/node_sums.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,7 +26,7 @@ public:
   const mechanics::LoadTarget& target;
   Workers workers;
 
-  std::vector<double> gap;        ///< g [m] >= 0
+  std::vector<double> gap;        ///< g [m], >= 0 for a law with a wall
   std::vector<double> elastic;    ///< K v [Pa], mean 0
   std::vector<double> gradient;   ///< K v + W'(g) [Pa]
   std::vector<std::uint8_t> free; ///< 1 for an open gap or a negative residual
@@ -33,6 +34,13 @@ public:
   double n_free = 0.0;
   double least_gap = 0.0; ///< [m]
   int transforms = 0;
+
+  /// The gap at which a node is closed [m]: 0, or -infinity without a wall.
+  double wall() const {
+    return mechanics::has_wall(problem.law.law)
+               ? 0.0
+               : -std::numeric_limits<double>::infinity();
+  }
 
   bool by_gap() const { return target.control == mechanics::Control::mean_gap; }
 
@@ -99,12 +107,16 @@ public:
   bool is_detached() const;
 
 private:
-  /// Projects the free nodes of a gap on gaps >= 0 of the prescribed mean: shifts
-  /// them and clips them at the wall.
-  void restore_mean(std::span<double> moved) const;
+  /// Projects the free nodes of a gap on gaps >= `closed` of the prescribed
+  /// mean: shifts them and clips them there.
+  void restore_mean(std::span<double> moved, double closed) const;
   /// From the gap: K v.
   void find_elastic(std::span<const double> from, std::span<double> answer);
   void find_free();
+  /// Calls of(i, S of node i), S = (1 + W''/k_c)^-1/2 where W'' > 0: the scale
+  /// of M for laws without a wall, whose repulsion is stiff.
+  template <class Of>
+  void each_scaled(const Of& of) const;
 
   std::vector<double> next_gap_, next_elastic_;
   std::vector<float> scratch_;

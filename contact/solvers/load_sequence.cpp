@@ -108,6 +108,9 @@ double rms_bend(std::span<const double> heights, int points_x,
       static_cast<double>(workers.all_nodes(heights.size())));
 }
 
+/// Steps of bisection for the state before faces part or come together.
+constexpr int halvings_to_jump = 6;
+
 } // namespace
 
 LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
@@ -129,6 +132,8 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
   if (solver_ == mechanics::SurfaceSolver::adhesive) {
     require_positive("work_of_adhesion", interface_.work_of_adhesion, "J/m^2");
     require_positive("adhesion_range", interface_.adhesion_range, "m");
+    if (!elasticity_->is_periodic())
+      free_adhesion_.emplace(*elasticity_, heights_, interface_);
   }
 }
 
@@ -233,26 +238,84 @@ ContactProblem LoadSequence::problem_to(double gap_tolerance) const {
 }
 
 ContactSolution
-LoadSequence::solve_with_adhesion(const mechanics::LoadTarget& target) {
-  std::vector<double> start =
-      history_.empty() ? first_gap(target)
-                       : std::vector<double>(history_.back().state.begin(),
-                                             history_.back().state.end());
-  if (!adhesive_scale_)
+LoadSequence::step_with_adhesion(const mechanics::LoadTarget& target,
+                                 std::vector<double>& state) {
+  if (!free_adhesion_ && !adhesive_scale_)
     adhesive_scale_ = adhesive_scale(*elasticity_, heights_);
-  ContactSolution solution = solve_adhesive(
-      *elasticity_,
-      {heights_, interface_, gap_tolerance_, max_iterations_, *adhesive_scale_},
-      target, std::move(start));
-  history_.clear();
-  if (solution.converged)
-    history_.push_back(
-        {target.amount, {solution.gap.begin(), solution.gap.end()}});
+  const AdhesiveProblem problem{heights_, interface_, gap_tolerance_,
+                                max_iterations_, adhesive_scale_.value_or(0.0)};
+  if (free_adhesion_)
+    return free_adhesion_->solve(problem, target, state);
+  ContactSolution solution =
+      solve_adhesive(*elasticity_, problem, target, std::move(state));
+  state = solution.gap;
   return solution;
 }
 
-std::vector<double>
-LoadSequence::first_gap(const mechanics::LoadTarget& target) {
+ContactSolution
+LoadSequence::solve_with_adhesion(const mechanics::LoadTarget& target) {
+  std::vector<double> state;
+  if (!history_.empty()) {
+    state.assign(history_.back().state.begin(), history_.back().state.end());
+  } else {
+    ContactSolution first = first_contact(target);
+    state = free_adhesion_ ? free_adhesion_->state_of(first.pressure, first.gap)
+                           : std::move(first.gap);
+  }
+  ContactSolution solution = step_with_adhesion(target, state);
+  Step step{target.amount, {state.begin(), state.end()}};
+  if (solution.converged && !history_.empty() &&
+      touches(step.state) != touches(history_.back().state))
+    find_jump(target, solution);
+  history_.clear();
+  if (solution.converged)
+    history_.push_back(std::move(step));
+  return solution;
+}
+
+void LoadSequence::find_jump(const mechanics::LoadTarget& target,
+                             ContactSolution& found) {
+  const Step& last = history_.back();
+  const bool touched = touches(last.state);
+  std::vector<double> before(last.state.begin(), last.state.end());
+  double from = last.amount;
+  double to = target.amount;
+  // The last step again, of which the loads are not known, and the halves.
+  for (int halving = 0; halving <= halvings_to_jump; ++halving) {
+    const double middle = halving == 0 ? from : 0.5 * (from + to);
+    std::vector<double> state = before;
+    const ContactSolution own =
+        step_with_adhesion({target.control, middle}, state);
+    found.transforms += own.transforms;
+    found.iterations += own.iterations;
+    if (!own.converged)
+      return;
+    if (touches(std::vector<float>(state.begin(), state.end())) != touched) {
+      to = middle;
+      continue;
+    }
+    from = middle;
+    before = std::move(state);
+    found.jump_pressure = own.nominal_pressure;
+    found.jump_gap = own.mean_gap;
+  }
+}
+
+bool LoadSequence::touches(std::span<const float> state) const {
+  const Grid& inside = elasticity_->grid();
+  const auto width = static_cast<std::size_t>(inside.points_x);
+  const std::size_t stride = free_adhesion_ ? 2 * width : width;
+  const auto held = static_cast<float>(interface_.strongest_gap());
+  for (std::size_t row = 0; row * width < heights_.size(); ++row) {
+    const std::span<const float> gaps = state.subspan(row * stride, width);
+    if (std::ranges::any_of(gaps, [held](float gap) { return gap <= held; }))
+      return true;
+  }
+  return false;
+}
+
+ContactSolution
+LoadSequence::first_contact(const mechanics::LoadTarget& target) {
   if (target.control == mechanics::Control::nominal_pressure &&
       target.amount <= 0.0) {
     const double highest =
@@ -264,11 +327,13 @@ LoadSequence::first_gap(const mechanics::LoadTarget& target) {
                                return own;
                              })
             .value;
-    std::vector<double> gap(heights_.size());
-    std::ranges::transform(heights_, gap.begin(), [highest](double height) {
-      return highest - height;
-    });
-    return gap;
+    ContactSolution touching;
+    touching.pressure.assign(heights_.size(), 0.0);
+    touching.gap.resize(heights_.size());
+    std::ranges::transform(
+        heights_, touching.gap.begin(),
+        [highest](double height) { return highest - height; });
+    return touching;
   }
   const double tolerance =
       std::max(gap_tolerance_, coarse_accuracy * rms_height());
@@ -277,7 +342,7 @@ LoadSequence::first_gap(const mechanics::LoadTarget& target) {
                          {heights_, 0.0, tolerance, max_iterations_}, target);
   for (std::size_t i = 0; i < hard.gap.size(); ++i)
     hard.gap[i] = hard.pressure[i] > 0.0 ? 0.0 : std::max(0.0, hard.gap[i]);
-  return std::move(hard.gap);
+  return hard;
 }
 
 /// The layout is: kind of load, with a hardness the mean imprint and the
@@ -303,7 +368,9 @@ std::vector<double> LoadSequence::memory() const {
 }
 
 void LoadSequence::recall(std::span<const double> memory) {
-  const std::size_t length = heights_.size() + 1;
+  const std::size_t nodes =
+      free_adhesion_ ? free_adhesion_->n_nodes() : heights_.size();
+  const std::size_t length = nodes + 1;
   const bool has_hardness = std::isfinite(interface_.hardness);
   const std::size_t parts = memory.empty() ? 0 : (memory.size() - 1) / length;
   const std::size_t most = has_hardness ? 3 : 2;
@@ -314,8 +381,7 @@ void LoadSequence::recall(std::span<const double> memory) {
   const std::size_t first_step = has_hardness ? 1 + length : 1;
   std::vector<Step> history;
   for (std::size_t at = first_step; at < memory.size(); at += length) {
-    const std::span<const double> state =
-        memory.subspan(at + 1, heights_.size());
+    const std::span<const double> state = memory.subspan(at + 1, nodes);
     for (const double value : state)
       if (!std::isfinite(value))
         refuse_argument("a saved pressure or gap", value, "finite");

@@ -4,6 +4,7 @@
 // initial guess of each step, its solution and the saved state of earlier
 // steps.
 
+#include "contact/solvers/free_adhesion.hpp"
 #include "contact/solvers/solver.hpp"
 #include "mechanics/contact_law.hpp"
 
@@ -31,7 +32,9 @@ namespace asperity::contact {
 /// With adhesion the solution depends on the path, and a step begins with the
 /// gap of the last one. The first step begins with that of hard contact, which
 /// is approached from outside, or from undeformed surfaces that touch if its
-/// nominal pressure is not positive.
+/// nominal pressure is not positive. Where a step parts faces that touched, or
+/// brings the first nodes together, it is halved six times for the last state
+/// before that.
 ///
 /// With a hardness, the surface keeps the imprint of each step that converged:
 /// the next one begins with heights that are lower by it. Mean gaps, prescribed
@@ -77,11 +80,22 @@ private:
   struct Step {
     double amount;
     /// Pressure where > 0 [Pa], otherwise minus the gap [m]; with adhesion the
-    /// gap. Single precision is enough for an initial guess.
+    /// gap, with free boundaries that of FreeAdhesion. Single precision is
+    /// enough for an initial guess.
     std::vector<float> state;
   };
 
   ContactSolution solve_with_adhesion(const mechanics::LoadTarget& target);
+  /// One step with adhesion.
+  /// @param state  that of Step, replaced
+  ContactSolution step_with_adhesion(const mechanics::LoadTarget& target,
+                                     std::vector<double>& state);
+  /// Halves the way from the last step to one in which faces part or come
+  /// together, and tells of the last state before that.
+  void find_jump(const mechanics::LoadTarget& target, ContactSolution& found);
+  /// Whether a gap of a state with adhesion is closed, or for a law without a
+  /// wall at most that of its largest tension.
+  bool touches(std::span<const float> state) const;
   /// A step that is not converged, because the surface yields everywhere.
   ContactSolution beyond_hardness(double nominal_pressure) const;
   /// Lowers the heights by the imprint of the last step.
@@ -90,8 +104,8 @@ private:
   /// imprinted surface and of the given heights.
   void keep_imprint(ContactSolution& solution);
   ContactProblem problem_to(double gap_tolerance) const;
-  /// The gap from which the first step with adhesion begins [m].
-  std::vector<double> first_gap(const mechanics::LoadTarget& target);
+  /// Pressure and gap from which the first step with adhesion begins [m].
+  ContactSolution first_contact(const mechanics::LoadTarget& target);
 
   /// Empty if there is none.
   std::vector<double>
@@ -110,6 +124,7 @@ private:
   std::optional<double> rms_height_;            ///< [m], once it was needed
   std::optional<double> error_of_coarse_guess_; ///< likewise
   std::optional<double> adhesive_scale_;        ///< [Pa/m], likewise
+  std::optional<FreeAdhesion> free_adhesion_;   ///< with free boundaries
   mechanics::ContactInterface interface_;
   mechanics::SurfaceSolver solver_;
   double gap_tolerance_;

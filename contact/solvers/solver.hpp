@@ -60,6 +60,10 @@ struct ContactSolution {
   /// step's included.
   double mean_imprint = std::numeric_limits<double>::quiet_NaN();
   bool is_detached = false; ///< with adhesion: a tensile load parted the faces
+  /// With adhesion along a path, if the faces part or come together in this
+  /// step: nominal pressure [Pa] and mean gap [m] of the last state before.
+  double jump_pressure = std::numeric_limits<double>::quiet_NaN();
+  double jump_gap = std::numeric_limits<double>::quiet_NaN();
   std::string note; ///< describes unusual events; empty if there were none
 };
 

@@ -1,8 +1,10 @@
 #include "reports/analysis/exact.hpp"
+#include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/westergaard.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -22,7 +24,8 @@ std::vector<CurvePoint> converged_rows(const results::Curve& curve) {
 double largest_tension(const std::vector<CurvePoint>& rows) {
   double largest = 0.0;
   for (const CurvePoint& row : rows)
-    largest = std::max(largest, -row.nominal_pressure);
+    largest = std::max(
+        {largest, -row.nominal_pressure, std::fmax(0.0, -row.jump_pressure)});
   return largest;
 }
 
@@ -123,6 +126,48 @@ void add_unloaded_states(const results::Result& result,
   }
 }
 
+double sphere_error(const std::vector<CurvePoint>& rows,
+                    const theory::MaugisSphere& sphere, double nominal_area) {
+  double largest = not_a_number;
+  for (const CurvePoint& row : rows)
+    if (row.area_fraction > 0.0) {
+      const double radius =
+          std::sqrt(row.area_fraction * nominal_area / std::numbers::pi);
+      largest =
+          std::fmax(largest, std::abs(row.nominal_pressure * nominal_area -
+                                      sphere.contact(radius).load) /
+                                 sphere.pull_off_force());
+    }
+  return largest;
+}
+
+/// Adds the largest error of a sphere with Dugdale's law.
+void add_sphere_error(const results::Result& result,
+                      const cases::Case& contact_case,
+                      const results::MethodRecord& method,
+                      MethodSummary& summary) {
+  const results::SurfaceRecord* const surface = surface_of(result, method, 0);
+  const mechanics::ContactSettings& contact =
+      *spec_of(contact_case, method)->contact();
+  if (contact_case.surface.kind != mechanics::SurfaceKind::sphere ||
+      contact.law != mechanics::ContactLaw::dugdale || surface == nullptr)
+    return;
+  const mechanics::ContactInterface law =
+      contact.in_si({.contact_modulus = result.contact_modulus,
+                     .length = surface->grid.length_x,
+                     .spacing = surface->grid.spacing_x()});
+  const theory::MaugisSphere sphere({contact_case.surface.radius,
+                                     result.contact_modulus,
+                                     law.work_of_adhesion},
+                                    -law.pressure_bounds().smallest);
+  double error = not_a_number;
+  for (const results::Curve& curve : method.realizations)
+    error = std::fmax(error, sphere_error(converged_rows(curve), sphere,
+                                          surface->grid.area()));
+  summary.quantities["adhesive_sphere_error"] =
+      largest_estimate(error, "no step has a contact");
+}
+
 } // namespace
 
 void add_adhesion_quantities(const results::Result& result,
@@ -161,6 +206,7 @@ void add_adhesion_quantities(const results::Result& result,
   if (is_wave)
     summary.quantities["adhesive_wave_error"] =
         largest_estimate(error, "no step has a partial contact");
+  add_sphere_error(result, contact_case, method, summary);
 }
 
 } // namespace asperity::reports

@@ -40,7 +40,9 @@ const std::vector<Column>& columns_of(bool is_exact) {
       {"effective_work_retraction", "γ_eff, retraction",
        "without load, over the work of adhesion", false},
       {"adhesive_wave_error", "load at equal area",
-       "largest error, in p* of full contact", false}};
+       "largest error, in p* of full contact", false},
+      {"adhesive_sphere_error", "load at equal area",
+       "largest error against Maugis, in pull-off forces", false}};
   static const std::vector<Column> exact{
       {"mean_gap_error", "mean gap", "largest error, in amplitudes", false},
       {"area_error", "contact fraction", "largest error", false},

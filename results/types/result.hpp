@@ -114,6 +114,11 @@ struct CurvePoint {
   double repulsive_area = not_given;
   double tensile_area = not_given;
   double smallest_stiffness = not_given;
+  double attractive_load = not_given; ///< mean of the tensions [Pa] >= 0
+  /// If faces part or come together in this step: nominal pressure [Pa] and
+  /// mean gap [m] of the last state before that, found by bisection.
+  double jump_pressure = not_given;
+  double jump_gap = not_given;
   /// Of a surface with a hardness: area at this pressure, a part of
   /// area_fraction [1].
   double plastic_area = not_given;

@@ -29,13 +29,17 @@ std::vector<std::string> flow_overrides(const std::string& fluid) {
 }
 
 std::vector<std::string> adhesion_overrides(const std::string& work,
-                                            bool has_map) {
+                                            AdhesivePath path) {
   (void)positive_quantity("--work-of-adhesion", work,
                           cases::Dimension::energy_per_area);
   std::vector<std::string> overrides{"halfspace.contact=\"exponential\"",
                                      "halfspace.work_of_adhesion=\"" + work +
                                          '"'};
-  if (has_map)
+  if (path == AdhesivePath::by_pressure)
+    overrides.emplace_back(
+        R"(load={ nominal_pressure = { from = "0.001 E* h'", to = "0.3 E* h'", )"
+        R"(steps = 10, spacing = "log" }, cycle = "load-unload" })");
+  if (path == AdhesivePath::by_gap)
     overrides.emplace_back(
         R"(load={ mean_gap = { from = "4 h_rms", to = "0.5 h_rms", )"
         R"(steps = 15, spacing = "linear" }, cycle = "load-unload" })");

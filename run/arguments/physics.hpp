@@ -14,13 +14,16 @@ namespace asperity::run {
 /// @see  W. M. Haynes (ed.), CRC Handbook of Chemistry and Physics
 std::vector<std::string> flow_overrides(const std::string& fluid);
 
+/// The loads of a run with adhesion: those of the case, mean gaps from 4 h_rms
+/// to 0.5 h_rms and back, or pressures from 0.001 E* h' to 0.3 E* h' and back.
+enum class AdhesivePath { of_case, by_gap, by_pressure };
+
 /// The faces of a half-space attract each other by the exponential law, over
-/// the shortest range that the grid resolves. A map gets a path by mean gap,
-/// from 4 h_rms to 0.5 h_rms and back.
-/// @param work     of adhesion, "50 mJ/m^2"
-/// @param has_map  the case is that of a map; others keep their loads
+/// the shortest range that the grid resolves.
+/// @param work  of adhesion, "50 mJ/m^2"
+/// @param path  a map has gaps, with free edges pressures
 /// @throws input::InputError  it is no work of adhesion
 std::vector<std::string> adhesion_overrides(const std::string& work,
-                                            bool has_map);
+                                            AdhesivePath path);
 
 } // namespace asperity::run

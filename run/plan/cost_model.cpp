@@ -157,8 +157,9 @@ MethodCost cost_of_settings(const mechanics::HalfspaceSettings& settings,
       cost_on_face(settings.contact,
                    {input.contact_case, input.method, padded, input.rates});
   cost.unknowns = nodes(pressed);
-  cost.memory =
-      (arrays_per_job + more_arrays_of_free) * sizeof(double) * nodes(pressed);
+  if (!mechanics::is_adhesive(settings.contact.law)) // its fields are padded
+    cost.memory = (arrays_per_job + more_arrays_of_free) * sizeof(double) *
+                  nodes(pressed);
   return cost;
 }
 

@@ -57,6 +57,16 @@ TEST(AdhesionCase, MayBePulled) {
   }
 }
 
+TEST(AdhesionCase, MayHaveFreeBoundariesOrNoWall) {
+  const std::string tension = "nominal_pressure = [\"1 MPa\", \"-1 MPa\"]";
+  EXPECT_EQ(mistakes_of(sticky(law + "boundaries = \"free\"\n", tension)), "");
+  for (const std::string name : {"lennard-jones", "morse"})
+    EXPECT_EQ(mistakes_of(sticky("contact = \"" + name +
+                                     "\"\nwork_of_adhesion = \"50 mJ/m^2\"\n",
+                                 tension)),
+              "");
+}
+
 TEST(AdhesionCase, IsPulledByEqualStepsOnly) {
   expect_mistake(sticky(law, "nominal_pressure = { from = \"1 MPa\", to = "
                              "\"-1 MPa\", steps = 3, spacing = \"log\" }"),
@@ -80,7 +90,7 @@ TEST(AdhesionCase, NeedsItsKeys) {
   expect_mistake(sticky("work_of_adhesion = \"50 mJ/m^2\"\n", pressed),
                  "halfspace.work_of_adhesion = \"50 mJ/m^2\", but needs a "
                  "contact with adhesion: contact = \"exponential\", "
-                 "\"dugdale\" or \"cubic\"");
+                 "\"dugdale\", \"cubic\", \"lennard-jones\" or \"morse\"");
   expect_mistake(sticky("contact = \"cubic\"\nrange = -1\n"
                         "work_of_adhesion = \"50 mJ/m^2\"\n",
                         pressed),
@@ -88,9 +98,10 @@ TEST(AdhesionCase, NeedsItsKeys) {
 }
 
 TEST(AdhesionCase, IsRefusedWhereNoSolverHasIt) {
-  expect_mistake(sticky(law + "boundaries = \"free\"\n", pressed),
-                 "halfspace.contact = \"exponential\", but this version has no "
-                 "adhesion with free boundaries");
+  expect_mistake(sticky(law + "boundaries = \"free\"\n", "mean_gap = \"1 nm\""),
+                 "halfspace has free boundaries (here or by surface.edges = "
+                 "\"free\"), but [load] prescribes mean gaps: please prescribe "
+                 "nominal_pressure");
   expect_mistake(sticky("\n[fem]\nelement = \"Q2\"\n" + law, pressed),
                  "fem.contact = \"exponential\", but only blocks with element "
                  "= \"Q1\" and solver = \"condensed\" have adhesion in this "

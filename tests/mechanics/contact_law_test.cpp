@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,26 +21,38 @@ protected:
   /// Gaps on both sides of 0 and of the range, in units of which the parameters
   /// above are of order 1. None lies at a jump of a derivative.
   std::vector<double> gaps() const {
-    const double range =
-        std::isfinite(interface.range()) ? interface.range() : 10.0;
+    const double range = std::isfinite(interface.range()) ? interface.range()
+                         : GetParam().has_wall            ? 10.0
+                                               : interface.adhesion_range;
     std::vector<double> all;
     for (const double gap : {-1.1, -0.3, 0.07, 0.4, 0.93, 1.3})
-      if (gap > 0.0 || !GetParam().has_wall)
+      if (gap * range > interface.least_gap() || gap > 0.0)
         all.push_back(gap * (range > 0.0 ? range : 1.0));
     return all;
   }
 };
 
 // Central differences with steps of 1e-5 of the gaps: an error of 1e-10 of the
-// third derivative, which is of order 1, and roundoff of 1e-16 / 1e-5.
+// third derivative, which is of order 1 but in repulsion, and roundoff of
+// 1e-16 / 1e-5.
 constexpr double step = 1e-5;
-constexpr double accuracy = 1e-9;
+
+/// By the third and fourth derivatives of the energy.
+double accuracy_at(const ContactInterface& interface, double gap) {
+  const double wide = 1e-3;
+  const double before = interface.stiffness(gap - wide);
+  const double after = interface.stiffness(gap + wide);
+  return 1e-9 *
+         std::max({1.0, std::abs(after - before) / (2.0 * wide),
+                   std::abs(before - 2.0 * interface.stiffness(gap) + after) /
+                       (wide * wide)});
+}
 
 TEST_P(Law, PressureIsMinusTheSlopeOfTheEnergy) {
   for (const double gap : gaps())
     EXPECT_NEAR((interface.energy(gap - step) - interface.energy(gap + step)) /
                     (2.0 * step),
-                interface.pressure(gap), accuracy)
+                interface.pressure(gap), accuracy_at(interface, gap))
         << gap;
 }
 
@@ -48,7 +61,7 @@ TEST_P(Law, StiffnessIsMinusTheSlopeOfThePressure) {
     EXPECT_NEAR(
         (interface.pressure(gap - step) - interface.pressure(gap + step)) /
             (2.0 * step),
-        interface.stiffness(gap), accuracy)
+        interface.stiffness(gap), accuracy_at(interface, gap))
         << gap;
 }
 
@@ -73,7 +86,30 @@ TEST_P(Law, DoesNotActBeyondItsRange) {
 
 TEST_P(Law, AdmitsPenetrationOnlyWithoutAWall) {
   EXPECT_EQ(std::isfinite(interface.energy(-0.1)), !GetParam().has_wall);
-  EXPECT_EQ(interface.local_compliance() > 0.0, !GetParam().has_wall);
+  EXPECT_EQ(interface.local_compliance() > 0.0,
+            GetParam().law == ContactLaw::penalty);
+}
+
+// Within a third of the distance to the core, where numbers are of order 1.
+TEST_P(Law, HasItsLargestTensionAndIsInfiniteBehindItsLeastGap) {
+  const double strongest = interface.strongest_gap();
+  const PressureBounds bounds = interface.pressure_bounds();
+  EXPECT_EQ(interface.pressure(strongest), bounds.smallest);
+  for (const double gap : {0.5, 1.5, 3.0})
+    EXPECT_GE(interface.pressure(gap), bounds.smallest);
+  if (std::isfinite(interface.least_gap())) {
+    EXPECT_EQ(interface.energy(interface.least_gap() - 0.1), infinity);
+  }
+}
+
+// Flat faces are in equilibrium at W(0) = -w, also without a wall.
+TEST_P(Law, HasItsWorkOfAdhesionAtTheGapZero) {
+  if (!is_adhesive(GetParam().law))
+    return;
+  EXPECT_NEAR(interface.energy(0.0), -interface.work_of_adhesion, 1e-15);
+  if (!GetParam().has_wall) {
+    EXPECT_NEAR(interface.pressure(0.0), 0.0, 1e-15);
+  }
 }
 
 // The list is indexed by the enumeration.
@@ -84,9 +120,14 @@ TEST_P(Law, IsFoundByItsName) {
   EXPECT_STREQ(contact_law_names()[place], GetParam().name);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, Law, testing::ValuesIn(contact_laws().begin(), contact_laws().end()),
-    [](const auto& law) { return std::string(law.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Law,
+                         testing::ValuesIn(contact_laws().begin(),
+                                           contact_laws().end()),
+                         [](const auto& law) {
+                           std::string name = law.param.name;
+                           std::erase(name, '-');
+                           return name;
+                         });
 
 // w h/(rho^2 E*) of the exponential law and Dugdale's, nine times that of the
 // cubic one.

@@ -74,6 +74,9 @@ inline CurvePoint sample_point(int step) {
   point.repulsive_area = 1.0 / (71 + step);
   point.tensile_area = 1.0 / (73 + step);
   point.smallest_stiffness = 1e12 / (79 + step);
+  point.attractive_load = 1e7 / (89 + step);
+  point.jump_pressure = -1e7 / (97 + step);
+  point.jump_gap = -1e-9 / (101 + step);
   point.plastic_area = 1.0 / (83 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
@@ -115,6 +118,9 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.repulsive_area, b.repulsive_area);
   EXPECT_PRED2(is_same, a.tensile_area, b.tensile_area);
   EXPECT_PRED2(is_same, a.smallest_stiffness, b.smallest_stiffness);
+  EXPECT_PRED2(is_same, a.attractive_load, b.attractive_load);
+  EXPECT_PRED2(is_same, a.jump_pressure, b.jump_pressure);
+  EXPECT_PRED2(is_same, a.jump_gap, b.jump_gap);
   EXPECT_PRED2(is_same, a.plastic_area, b.plastic_area);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
