@@ -76,6 +76,12 @@ bool is_full_block(const MethodSpec& method) {
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 
+bool conducts_in_block(const MethodSpec& method) {
+  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  return is_full_block(method) && fem->full.bodies == 1 &&
+         fem->full.contact_at == mechanics::ContactPoints::nodes;
+}
+
 const mechanics::ContactSettings* convex_contact(const MethodSpec& method) {
   return method.is_adhesive() || is_full_block(method) ? nullptr
                                                        : method.contact();

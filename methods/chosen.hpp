@@ -43,6 +43,10 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case);
 /// Returns true for [fem] with solver = "full".
 bool is_full_block(const cases::MethodSpec& method);
 
+/// Returns true for a full block of one body with contact at its nodes, which
+/// computes on its own mesh what the contact conducts.
+bool conducts_in_block(const cases::MethodSpec& method);
+
 /// Returns the contact law of a method whose pressures are the answer of one
 /// surface operator in a convex problem; null for full blocks, adhesion, atoms
 /// and theory.

@@ -7,7 +7,9 @@
 #include "methods/methods.hpp"
 #include "methods/stress_section.hpp"
 #include "results/observables/area_estimate.hpp"
+#include "results/observables/row_observer.hpp"
 
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -39,13 +41,15 @@ struct StepExtras {
   std::string files; ///< folder and file name stem
   std::set<std::size_t> with_files;
   std::optional<std::size_t> with_section;
+  bool has_conduction = false;
 };
 
 StepExtras extras_of(const cases::Case& contact_case,
                      const cases::MethodSpec& method,
                      const SurfaceOfCase& surface,
                      const std::filesystem::path& scratch) {
-  StepExtras extras{(scratch / "block").string(), {}, {}};
+  StepExtras extras;
+  extras.files = (scratch / "block").string();
   if (contact_case.report.vtu)
     extras.with_files = steps_with_fields(contact_case);
   extras.with_section = step_with_section(contact_case, method, surface.scales);
@@ -109,6 +113,8 @@ public:
     answer.row.unknowns = static_cast<double>(block_->unknowns());
     if (settings_.full.has_stiffness)
       find_stiffness(answer);
+    if (extras_.has_conduction)
+      find_conduction(answer);
     look_inside(static_cast<std::size_t>(target.step), answer);
     return answer;
   }
@@ -139,6 +145,22 @@ private:
     }
     answer.row.normal_stiffness = stiffness.normal;
     answer.row.tangential_stiffness = stiffness.tangential;
+  }
+
+  void find_conduction(StepAnswer& answer) {
+    if (answer.row.status != results::StepStatus::converged)
+      return;
+    const fem::BlockConduction found = block_->conduction();
+    answer.row.linear_iterations += found.linear_iterations;
+    results::RowObserver(answer.row)(
+        "relative_conductance", [&]() -> results::Observed {
+          if (!found.converged)
+            return {results::Observed::none,
+                    "the linear solver of Laplace's equation did not converge"};
+          if (std::isinf(found.relative))
+            return {results::Observed::none, "all nodes are in contact"};
+          return found.relative;
+        });
   }
 
   void look_inside(std::size_t step, StepAnswer& answer) {
@@ -186,15 +208,17 @@ std::unique_ptr<StepSolver> make_full_block_solver(
   const Grid& grid = surface.record.grid;
   fem::FullRequest request =
       full_request(contact_case, settings, grid, surface.scales);
+  StepExtras extras;
+  if (realization == 0)
+    extras = extras_of(contact_case, method, surface, resources.scratch);
+  extras.has_conduction =
+      contact_case.conductance_study && conducts_in_block(method);
   resources.root->act(
       [&] { request.file_mesh = file_mesh(contact_case, method, grid); });
   return std::make_unique<FullBlockSolver>(
       fem::load_fem_module().full(request), method, surface,
       continuum_of(method, contact_case.material, surface.scales),
-      realization == 0
-          ? extras_of(contact_case, method, surface, resources.scratch)
-          : StepExtras{},
-      resources.block_watch);
+      std::move(extras), resources.block_watch);
 }
 
 } // namespace asperity::methods

@@ -9,6 +9,7 @@
 #include "results/observables/clusters.hpp"
 #include "results/observables/row_observer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -38,9 +39,10 @@ Border border_of(const cases::MethodSpec& method) {
 
 results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
                                std::span<const std::uint8_t> set,
-                               double local_compliance) {
+                               double local_compliance,
+                               std::span<const double> film = {}) {
   const contact::PunchStiffness found =
-      contact::punch_stiffness(elasticity, set, local_compliance);
+      contact::punch_stiffness(elasticity, set, local_compliance, film);
   if (!found.converged)
     return {results::Observed::none, "the linear solver did not converge"};
   if (found.stiffness == infinity)
@@ -66,15 +68,38 @@ unit_halfspace(const Grid& grid, Border border, int threads) {
       .clone();
 }
 
-void add_conductance(const StudiedMethod& studied, const Grid& grid,
+/// What the medium in the gap adds to G/k of half-spaces [1/m].
+results::Observed gap_conductance(const cases::ConductanceStudy& study,
+                                  contact::SurfaceOperator& halfspace,
+                                  std::span<const std::uint8_t> set,
+                                  std::span<const double> gap) {
+  std::vector<double> film(gap.size());
+  for (std::size_t i = 0; i < film.size(); ++i)
+    film[i] = std::max(gap[i], *study.smallest_gap) * study.conductivity() /
+              *study.gap_conductivity;
+  const results::Observed spots = stiffness_of(halfspace, set, 0.0);
+  results::Observed both = stiffness_of(halfspace, set, 0.0, film);
+  both.value -= spots.value;
+  return std::isfinite(spots.value) ? both : spots;
+}
+
+void add_conductance(const StudiedMethod& studied,
+                     const methods::StepAnswer& answer,
                      std::span<const std::uint8_t> set,
                      results::CurvePoint& row) {
+  const Grid& grid = answer.grid;
+  const cases::ConductanceStudy& study =
+      *studied.contact_case.conductance_study;
+  const auto halfspace =
+      unit_halfspace(grid, border_of(studied.method), studied.threads);
   results::RowObserver observe(row);
-  observe("relative_conductance", [&] {
-    const auto halfspace =
-        unit_halfspace(grid, border_of(studied.method), studied.threads);
-    return stiffness_of(*halfspace, set, 0.0);
-  });
+  if (!methods::conducts_in_block(studied.method))
+    observe("relative_conductance",
+            [&] { return stiffness_of(*halfspace, set, 0.0); });
+  if (study.gap_conductivity)
+    observe("relative_gap_conductance", [&] {
+      return gap_conductance(study, *halfspace, set, answer.gap);
+    });
   if (const auto* const law = methods::convex_contact(studied.method)) {
     const double compliance =
         law->in_si(studied.surface.scales).local_compliance();
@@ -89,7 +114,7 @@ void add_conductance(const StudiedMethod& studied, const Grid& grid,
       return found;
     });
   }
-  set_conductances(*studied.contact_case.conductance_study, row);
+  set_conductances(study, row);
 }
 
 void add_spots(const cases::SpotsStudy& study, const Grid& grid, Border border,
@@ -143,15 +168,16 @@ void add_contact_studies(const StudiedMethod& studied,
     add_spots(*contact_case.spots_study, answer.grid, border_of(studied.method),
               set, row);
   if (contact_case.conductance_study)
-    add_conductance(studied, answer.grid, set, row);
+    add_conductance(studied, answer, set, row);
 }
 
 void set_conductances(const cases::ConductanceStudy& study,
                       results::CurvePoint& row) {
   if (study.thermal_conductivity)
-    row.thermal_conductance = row.relative_conductance * 2.0 /
-                              (1.0 / *study.thermal_conductivity +
-                               1.0 / *study.counter_thermal_conductivity);
+    row.thermal_conductance =
+        study.conductivity() *
+        (row.relative_conductance +
+         (study.gap_conductivity ? row.relative_gap_conductance : 0.0));
   if (study.resistivity)
     row.electrical_conductance =
         row.relative_conductance * 2.0 /

@@ -29,7 +29,8 @@ struct StudiedMethod {
 /// (results/observables/clusters.hpp) and what its contact conducts
 /// (contact/solvers/punch_stiffness.hpp). Contact is where the pressure is > 0,
 /// with adhesion and for atoms where the gap is <= 0. The conductance is that
-/// between two half-spaces, whatever the method is; the normal stiffness is
+/// between two half-spaces, except that of the spots of a full block that has
+/// found it on its mesh (methods::conducts_in_block); the normal stiffness is
 /// that of the operator of a surface method without adhesion. Both are omitted
 /// if the step has not converged; the note of the row says what cannot be
 /// determined.
@@ -37,7 +38,7 @@ void add_contact_studies(const StudiedMethod& studied,
                          methods::StepAnswer& answer);
 
 /// Sets the conductances of heat and current of a row by its relative
-/// conductance and the conductivities, which are the harmonic means
+/// conductances and the conductivities, which are the harmonic means
 /// 2 k_1 k_2/(k_1 + k_2) and 2/(rho_1 + rho_2).
 void set_conductances(const cases::ConductanceStudy& study,
                       results::CurvePoint& row);

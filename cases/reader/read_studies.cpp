@@ -220,6 +220,10 @@ ConductanceStudy read_conductance_study(TableReader table, const Case& read) {
   require_fields(table, read, "contact map");
   require_both(table, "thermal_conductivity");
   require_both(table, "resistivity");
+  if (study.gap_conductivity || study.smallest_gap)
+    for (const char* const key :
+         {"gap_conductivity", "smallest_gap", "thermal_conductivity"})
+      table.require(key, ", which heat through the gap needs");
   return study;
 }
 

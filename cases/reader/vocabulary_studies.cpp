@@ -218,6 +218,15 @@ Table conductance_table() {
               "counter_resistivity",
               "Electrical resistivity of the body on it, also of a rigid one.",
               "24 nOhm m"),
+          key<&Conductance::gap_conductivity>(
+              "gap_conductivity", Dimension::thermal_conductivity,
+              "Thermal conductivity of the medium in the gap.",
+              eg("0.026 W/(m K)", "default: no heat through the gap")),
+          key<&Conductance::smallest_gap>(
+              "smallest_gap", Dimension::length,
+              "Gap below which the medium conducts no better, such as the mean "
+              "free path of a gas; required with gap_conductivity.",
+              eg("70 nm", "default: no heat through the gap")),
       }};
 }
 

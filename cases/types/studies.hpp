@@ -73,14 +73,25 @@ struct SpotsStudy {
   int smallest = 10; ///< nodes of the smallest cluster in a dimension >= 1
 };
 
-/// [conductance]: two bodies that exchange heat and current through the contact
-/// alone.
+/// [conductance]: two bodies that exchange heat and current through the spots
+/// of contact, and heat through the medium in the gap.
 struct ConductanceStudy {
   /// Of the block and of the body on it.
   std::optional<double> thermal_conductivity;         ///< [W/(m K)] > 0
   std::optional<double> counter_thermal_conductivity; ///< [W/(m K)] > 0
   std::optional<double> resistivity;                  ///< [Ohm m] > 0
   std::optional<double> counter_resistivity;          ///< [Ohm m] > 0
+  /// Of the medium in the gap; none: it conducts nothing. It passes heat as if
+  /// the gap were at least the smallest one.
+  std::optional<double> gap_conductivity; ///< [W/(m K)] > 0
+  std::optional<double> smallest_gap;     ///< [m] > 0
+
+  /// The harmonic mean of the bodies, 2 k_1 k_2/(k_1 + k_2) [W/(m K)], which
+  /// must be given.
+  double conductivity() const {
+    return 2.0 /
+           (1.0 / *thermal_conductivity + 1.0 / *counter_thermal_conductivity);
+  }
 };
 
 } // namespace asperity::cases

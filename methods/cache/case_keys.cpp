@@ -128,13 +128,19 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
 std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
                                          int realization) const {
   // The flow of a step does not depend on the numbers of [flow], nor what its
-  // contact conducts on those of [conductance].
+  // contact conducts on those of [conductance]; the gap does.
+  std::string conductance = case_.conductance_study ? "\nconductance" : "";
+  if (case_.conductance_study && case_.conductance_study->gap_conductivity)
+    conductance += fmt::format(" {} {}",
+                               case_.conductance_study->conductivity() /
+                                   *case_.conductance_study->gap_conductivity,
+                               *case_.conductance_study->smallest_gap);
   std::string key = content_hash(fmt::format(
       "{}\n{}\n{}{}{}{}", problem_text_, method_text(method), realization,
       case_.flow_study ? "\nflow" : "",
       case_.spots_study ? fmt::format("\nspots {}", case_.spots_study->smallest)
                         : "",
-      case_.conductance_study ? "\nconductance" : ""));
+      conductance));
   std::vector<std::string> keys;
   for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
     key = content_hash(key + load_text(case_.load, step));

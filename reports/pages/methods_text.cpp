@@ -204,7 +204,11 @@ std::string study_sentences(const cases::Case& contact_case) {
   if (contact_case.conductance_study)
     text += " The conductance and the incremental normal stiffness are those "
             "of a rigid punch on the nodes in contact, by Barber's analogy "
-            "[barber2003].";
+            "[barber2003]; the conductance of full blocks follows from "
+            "Laplace's equation.";
+  if (contact_case.conductance_study &&
+      contact_case.conductance_study->gap_conductivity)
+    text += " The medium in the gap conducts as a film beside the contact.";
   return text;
 }
 

@@ -98,6 +98,8 @@ constexpr std::array all_columns{
     column<&CurvePoint::gap_percolates_x>("gap_percolates_x", "1", share),
     column<&CurvePoint::gap_percolates_y>("gap_percolates_y", "1", share),
     column<&CurvePoint::relative_conductance>("relative_conductance", "1/m"),
+    column<&CurvePoint::relative_gap_conductance>("relative_gap_conductance",
+                                                  "1/m"),
     column<&CurvePoint::thermal_conductance>("thermal_conductance",
                                              "W/(m^2 K)"),
     column<&CurvePoint::electrical_conductance>("electrical_conductance",

@@ -101,10 +101,12 @@ struct CurvePoint {
   double gap_dimension = not_given;
   double gap_percolates_x = not_given;
   double gap_percolates_y = not_given;
-  /// Of the spots of contact between two half-spaces, per nominal area: the
-  /// conductance over the harmonic mean of the conductivities [1/m], and that
-  /// of heat [W/(m^2 K)] and current [1/(Ohm m^2)].
+  /// Of the spots of contact between two bodies, per nominal area: the
+  /// conductance over the harmonic mean of the conductivities [1/m], what the
+  /// medium in the gap adds to it, and the conductance of heat, with the
+  /// medium [W/(m^2 K)], and of current [1/(Ohm m^2)].
   double relative_conductance = not_given;
+  double relative_gap_conductance = not_given;
   double thermal_conductance = not_given;
   double electrical_conductance = not_given;
   /// Of laws with adhesion: <W(g)> <= 0 per nominal area [J/m^2]; nodes under

@@ -86,6 +86,44 @@ TEST_F(ConductanceTest, OfASphereIsThatOfHolm) {
         << figure;
 }
 
+// A medium adds to the spots, the more the better it conducts. A full block
+// conducts by Laplace's equation on its own mesh. Tolerance: its border of the
+// contact against that of the half-space.
+TEST_F(ConductanceTest, OfTheGapAndOfAFullBlock) {
+  const std::string text =
+      "schema = 1\ntitle = \"Heat\"\n[surface]\nkind = \"sphere\"\n"
+      "radius = \"1 mm\"\nlength = \"100 um\"\npoints = 32\n"
+      "[material]\nyoungs_modulus = \"2 GPa\"\npoisson_ratio = 0.3\n"
+      "[load]\nnominal_pressure = \"8 MPa\"\n"
+      "[halfspace]\ncontact = \"hard\"\n"
+      "[fem]\nsolver = \"full\"\nelement = \"Q2\"\ncontact = \"hard\"\n"
+      "depth = \"1 length\"\n" +
+      heat("5 W/(m K)") + "smallest_gap = \"1 um\"\ngap_conductivity = ";
+  std::vector<double> added;
+  for (const char* medium : {"0.026", "0.6"}) {
+    write("case.toml", text + medium + "\n");
+    const Ended ended = run("run case.toml --out " + std::string(medium));
+    ASSERT_EQ(ended.exit_code, 0) << ended.output;
+    const std::string csv = text_of(folder / medium / "curves.csv");
+    std::vector<double> spots;
+    for (const char* method : {"halfspace", "fem"}) {
+      const auto columns = columns_of(csv, method);
+      const auto number = [&](const char* name) {
+        return std::stod(columns.at(name).front());
+      };
+      spots.push_back(number("relative_conductance [1/m]"));
+      added.push_back(number("relative_gap_conductance [1/m]"));
+      EXPECT_DOUBLE_EQ(number("thermal_conductance [W/(m^2 K)]"),
+                       8.0 * (spots.back() + added.back()));
+      EXPECT_GT(added.back(), 0.0);
+    }
+    EXPECT_NE(spots[1], spots[0]);
+    EXPECT_NEAR(spots[1] / spots[0], 1.0, 0.05);
+  }
+  ASSERT_EQ(added.size(), 4U);
+  EXPECT_GT(added[2], 10.0 * added[0]);
+}
+
 TEST_F(ConductanceTest, MistakesAreAnswered) {
   const auto answer = [&](const std::string& text) {
     write("wrong.toml", sphere + text);
@@ -99,6 +137,10 @@ TEST_F(ConductanceTest, MistakesAreAnswered) {
   EXPECT_NE(answer(free_halfspace + "[conductance]\nresistivity = \"2 Pa s\"\n")
                 .find("nOhm m"),
             std::string::npos);
+  EXPECT_NE(
+      answer(free_halfspace + heat("5 W/(m K)") + "gap_conductivity = 0.026\n")
+          .find("smallest_gap is missing"),
+      std::string::npos);
   EXPECT_NE(answer(free_halfspace + "[spots]\nsmallest = 0\n").find("smallest"),
             std::string::npos);
   EXPECT_NE(answer("[theory]\ngamma = 0.42\nspectrum = \"surface\"\n[spots]\n")

@@ -107,7 +107,8 @@ Entries surroundings_of(const std::string& table) {
        {"halfspace.contact=hard",
         "conductance={ thermal_conductivity = 1.0, "
         "counter_thermal_conductivity = 1.0, resistivity = 1.0, "
-        "counter_resistivity = 1.0 }"}},
+        "counter_resistivity = 1.0, gap_conductivity = 0.1, smallest_gap = "
+        "1e-9 }"}},
       {"material", block},
       {"material.counter", both(block, second_body)},
       {"material.inclusion", both(block, ball)},
