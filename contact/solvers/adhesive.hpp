@@ -58,8 +58,8 @@ std::string detached_note(double nominal_pressure);
 ///
 /// @param elasticity  must have_inverse() and nodes of equal areas
 /// @param start       gap [m], n_nodes() values that the law admits; under gap
-/// control it is
-///                    shifted to the prescribed mean where the gap is open
+///                    control it is shifted to the prescribed mean where the
+///                    gap is open
 /// @throws std::domain_error  a size or a number is outside its range, a mean
 ///         gap is <= 0, or the operator has no inverse
 /// @see  J. Nocedal, S. J. Wright, Numerical Optimization (2006), ch. 7;
