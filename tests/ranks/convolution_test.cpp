@@ -105,6 +105,27 @@ TEST(Convolution, CopiesGiveTheSameBits) {
   EXPECT_EQ(unstored, by_copy);
 }
 
+// Rows of zeros, which are not transformed, beside others: the answers to the
+// upper 11 rows and to the rest add up to that of all.
+TEST(Convolution, OfRowsOfZerosIsTheRestOfTheOthers) {
+  const Grid grid{130, 66, 1.0, 1.0};
+  Convolution<double> convolution(SharedRows(grid), 2);
+  const auto symbol = convolution.arranged(symbol_of());
+  const std::vector<double> field = uneven_field(grid);
+  std::vector<double> all(grid.size()), of_upper(grid.size()),
+      of_rest(grid.size());
+  std::vector<double> upper = field, rest = field;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    (i < grid.index(0, 11) ? rest : upper)[i] = 0.0;
+
+  convolution.apply(field, symbol, all);
+  convolution.apply(upper, symbol, of_upper);
+  convolution.apply(rest, symbol, of_rest);
+
+  for (std::size_t i = 0; i < field.size(); ++i)
+    ASSERT_NEAR(of_upper[i] + of_rest[i], all[i], 1e-14) << i;
+}
+
 /// Unequal shares with even bounds.
 std::vector<int> uneven_bounds(const Grid& grid, int n) {
   std::vector<int> bounds(static_cast<std::size_t>(n) + 1);
