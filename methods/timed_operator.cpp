@@ -111,10 +111,7 @@ TimedOperator::periodic_extension() const {
 
 std::unique_ptr<contact::SurfaceOperator>
 TimedOperator::on_tiles(const contact::Tiles& tiles) const {
-  std::unique_ptr<contact::SurfaceOperator> part = measured_->on_tiles(tiles);
-  if (!part)
-    return nullptr;
-  return std::make_unique<TimedOperator>(std::move(part), tally_, n_threads_);
+  return timed(measured_->on_tiles(tiles));
 }
 
 } // namespace asperity::methods

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 namespace asperity::contact::adhesive_test {
@@ -316,38 +317,61 @@ TEST_F(AdhesiveWave, TendsToJohnsonsSolutionAsTheGridIsRefined) {
   }
 }
 
+/// A sphere of R = E* = 1 with Dugdale's law, for which Maugis has the answer.
+struct MaugisProblem {
+  static constexpr double unit = 0.1; // (pi w R^2/K)^(1/3)
+  static constexpr double stiffness = 4.0 / 3.0;
+  static constexpr double work =
+      stiffness * unit * unit * unit / std::numbers::pi;
+  double length, stress;
+  theory::MaugisSphere exact;
+
+  /// @param width   of the square in units
+  /// @param lambda  2 s (R/(pi w K^2))^(1/3)
+  MaugisProblem(double width, double lambda)
+      : length(width * unit),
+        stress(0.5 * lambda *
+               std::cbrt(std::numbers::pi * work * stiffness * stiffness)),
+        exact({1.0, 1.0, work}, stress) {}
+
+  ContactInterface law() const {
+    return {ContactLaw::dugdale, 0.0, work, work / stress};
+  }
+
+  static std::vector<double> heights(const Grid& grid) {
+    std::vector<double> all;
+    all.reserve(grid.size());
+    for (int iy = 0; iy < grid.points_y; ++iy)
+      for (int ix = 0; ix < grid.points_x; ++ix) {
+        const double x = (ix - grid.points_x / 2) * grid.spacing_x();
+        const double y = (iy - grid.points_y / 2) * grid.spacing_y();
+        all.push_back(-0.5 * (x * x + y * y));
+      }
+    return all;
+  }
+};
+
 // Dugdale's law on a sphere is the problem of Maugis. The cell is 7.6 contact
 // radii wide, and the other spheres of the lattice, whose sum of 1/r^3 is 9.03
 // over the cube of the cell, flatten the surface by 0.8 %. Measured: 1.5 % at
 // 128 points, less than twice that at 64.
 TEST(AdhesiveSphere, HasTheForceOfMaugisTheory) {
-  constexpr double unit = 0.1; // (pi w R^2/K)^(1/3), with R = E* = 1
-  const double stiffness = 4.0 / 3.0;
-  const double work = stiffness * unit * unit * unit / std::numbers::pi;
-  const double stress =
-      0.25 * std::cbrt(std::numbers::pi * work * stiffness * stiffness);
-  const double length = 7.6 * unit;
-  const theory::MaugisSphere exact({1.0, 1.0, work}, stress);
+  const MaugisProblem sphere(7.6, 0.5);
+  const double length = sphere.length;
   double before = 1.0;
   for (const int points : {64, 128}) {
     const Grid grid{points, points, length, length};
-    std::vector<double> heights;
-    heights.reserve(grid.size());
-    double mean = 0.0;
-    for (int iy = 0; iy < points; ++iy)
-      for (int ix = 0; ix < points; ++ix) {
-        const double x = (ix - points / 2) * grid.spacing_x();
-        const double y = (iy - points / 2) * grid.spacing_y();
-        heights.push_back(-0.5 * (x * x + y * y));
-        mean += heights.back() / static_cast<double>(grid.size());
-      }
+    const std::vector<double> heights = MaugisProblem::heights(grid);
+    const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) /
+                        static_cast<double>(grid.size());
     LoadSequence path(
         halfspace_operator(
             grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}})
             .clone(),
-        heights, {ContactLaw::dugdale, 0.0, work, work / stress}, 1e-8, 2000);
-    const double unit_of_approach =
-        std::cbrt(std::pow(std::numbers::pi * work / stiffness, 2.0));
+        heights, sphere.law(), 1e-8, 2000);
+    const double unit_of_approach = std::cbrt(std::pow(
+        std::numbers::pi * MaugisProblem::work / MaugisProblem::stiffness,
+        2.0));
     double pull_off = 0.0;
     for (int step = -4; step <= 4; ++step) {
       const ContactSolution found =
@@ -355,10 +379,10 @@ TEST(AdhesiveSphere, HasTheForceOfMaugisTheory) {
       ASSERT_TRUE(found.converged) << found.note;
       pull_off = std::max(pull_off, -found.nominal_pressure * length * length);
     }
-    const double flattening = 9.0336 * exact.pull_off_force() /
+    const double flattening = 9.0336 * sphere.exact.pull_off_force() /
                               (2.0 * std::numbers::pi * std::pow(length, 3.0));
-    const double error =
-        std::abs(pull_off / exact.pull_off_force() / (1.0 + flattening) - 1.0);
+    const double error = std::abs(
+        pull_off / sphere.exact.pull_off_force() / (1.0 + flattening) - 1.0);
     EXPECT_LT(error, 0.02 * 128 / points);
     EXPECT_LT(error, 0.7 * before);
     before = error;
@@ -369,29 +393,16 @@ TEST(AdhesiveSphere, HasTheForceOfMaugisTheory) {
 // without a load to the pull-off. Measured at lambda = 0.3 on 64 and 128
 // points: 2.2 and 0.5 % of the pull-off force.
 TEST(AdhesiveSphere, HasTheForceOfMaugisTheoryWithFreeBoundaries) {
-  constexpr double unit = 0.1; // (pi w R^2/K)^(1/3), with R = E* = 1
-  const double stiffness = 4.0 / 3.0;
-  const double work = stiffness * unit * unit * unit / std::numbers::pi;
-  const double stress =
-      0.15 * std::cbrt(std::numbers::pi * work * stiffness * stiffness);
-  const theory::MaugisSphere exact({1.0, 1.0, work}, stress);
-  const double length = 6.5 * unit;
+  const MaugisProblem sphere(6.5, 0.3);
+  const double length = sphere.length;
   double before = 1.0;
   for (const int points : {64, 128}) {
     const Grid grid{points, points, length, length};
-    std::vector<double> heights;
-    heights.reserve(grid.size());
-    for (int iy = 0; iy < points; ++iy)
-      for (int ix = 0; ix < points; ++ix) {
-        const double x = (ix - points / 2) * grid.spacing_x();
-        const double y = (iy - points / 2) * grid.spacing_y();
-        heights.push_back(-0.5 * (x * x + y * y));
-      }
+    const std::vector<double> heights = MaugisProblem::heights(grid);
     LoadSequence path(std::make_unique<FreeHalfspace>(grid, 1.0), heights,
-                      {ContactLaw::dugdale, 0.0, work, work / stress}, 1e-8,
-                      2000);
+                      sphere.law(), 1e-8, 2000);
     const ContactSolution unloaded = path.solve({Kind::nominal_pressure, 0.0});
-    const double pull_off = exact.pull_off_force() / (length * length);
+    const double pull_off = sphere.exact.pull_off_force() / (length * length);
     path.solve({Kind::nominal_pressure, -0.97 * pull_off});
     const ContactSolution parted =
         path.solve({Kind::nominal_pressure, -1.03 * pull_off});
@@ -399,7 +410,7 @@ TEST(AdhesiveSphere, HasTheForceOfMaugisTheoryWithFreeBoundaries) {
     ASSERT_TRUE(parted.is_detached) << parted.note;
     const double radius =
         std::sqrt(area_of(unloaded) / std::numbers::pi) * length;
-    EXPECT_NEAR(radius / exact.contact_at_load(0.0).contact_radius, 1.0,
+    EXPECT_NEAR(radius / sphere.exact.contact_at_load(0.0).contact_radius, 1.0,
                 1.28 / points);
     const double error = std::abs(-parted.jump_pressure / pull_off - 1.0);
     EXPECT_LT(error, 1.7 / points);
