@@ -65,7 +65,8 @@ UnloadedState unloaded_state(const std::vector<CurvePoint>& rows,
     const CurvePoint& row = rows[i];
     if (row.is_unloading != is_unloading)
       continue;
-    if (std::abs(row.nominal_pressure) <= 1e-9 * largest)
+    if (std::abs(row.nominal_pressure) <= 1e-9 * largest &&
+        row.area_fraction > 0.0) // otherwise a tension has parted the faces
       return {row.area_fraction, row.mean_gap, energy_of(row)};
     if (i == 0)
       continue;

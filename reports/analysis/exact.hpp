@@ -71,12 +71,12 @@ void add_exact_quantities(const results::Result& result,
                           const results::MethodRecord& method,
                           MethodSummary& summary);
 
-/// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, for a
-/// one-dimensional wave adhesive_wave_error, for a sphere with Dugdale's law
-/// adhesive_sphere_error, and of the first state without load in which U is a
-/// minimum, on approach and on retraction, unloaded_area_*, unloaded_gap_*
-/// [h_rms] and effective_work_*, -U over the work of adhesion. All are of
-/// converged rows.
+/// Adds, for a method with adhesion, pull_off_pressure, dissipated_energy, for
+/// a one-dimensional wave adhesive_wave_error, for a sphere with Dugdale's law
+/// adhesive_sphere_error, and of the first state in contact without load in
+/// which U is a minimum, on approach and on retraction, unloaded_area_*,
+/// unloaded_gap_* [h_rms] and effective_work_*, -U over the work of adhesion.
+/// All are of converged rows.
 void add_adhesion_quantities(const results::Result& result,
                              const cases::Case& contact_case,
                              const results::MethodRecord& method,

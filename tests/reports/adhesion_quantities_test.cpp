@@ -73,16 +73,19 @@ TEST(AdhesionQuantities, FindTheStatesWithoutLoadOfBothBranches) {
               near);
 }
 
-// A path by pressures has rows without load. One that comes off has none.
+// A path by pressures has rows without load. Faces that a tension has parted
+// carry none, either, but are no such state.
 TEST(AdhesionQuantities, TakeRowsWithoutLoadAsTheyAre) {
-  const std::vector<CurvePoint> rows{row_at(outside, 3e-8, false),
+  CurvePoint parted = row_at({3e-8, 0.0}, 3e-8, false);
+  parted.area_fraction = 0.0;
+  const std::vector<CurvePoint> rows{parted, row_at(outside, 3e-8, false),
                                      row_at(inside, 0.0, false),
                                      row_at(inside, 1e-8, true)};
   auto quantities = summary_of(rows).quantities;
   EXPECT_NEAR(quantities["effective_work_approach"].value, 0.2, 1e-12);
   EXPECT_NEAR(quantities["effective_work_retraction"].value, 0.8, 1e-12);
 
-  auto loaded = summary_of({rows[1]}).quantities;
+  auto loaded = summary_of({rows[2]}).quantities;
   EXPECT_FALSE(loaded["effective_work_approach"].has_value());
   EXPECT_EQ(loaded["effective_work_approach"].remark,
             "no state without load on the approach");
