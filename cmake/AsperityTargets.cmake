@@ -46,10 +46,16 @@ asperity_show(asperity_test_sources INTERFACE benchmarks)
 # source, so a unity build is some times faster from nothing; batches keep two
 # processors busy. Names of one library's sources are therefore unique, also in
 # unnamed namespaces.
-set(ASPERITY_UNITY_BATCH 45 CACHE STRING "Sources that a unity build compiles as one, 0: all of a library")
+# No default is kept in a cache: a build folder of an older state has today's. The
+# batch 0 is all sources of a library.
+if(NOT DEFINED ASPERITY_UNITY_BATCH)
+  set(ASPERITY_UNITY_BATCH 45)
+endif()
 
 # Tests, too; each has a namespace of its own, asperity::theory::persson_test.
-set(ASPERITY_UNITY_TESTS 20 CACHE STRING "Tests that a unity build compiles as one")
+if(NOT DEFINED ASPERITY_UNITY_TESTS)
+  set(ASPERITY_UNITY_TESTS 20)
+endif()
 
 # The sources of the program and of the module compute nothing: little is optimised.
 function(asperity_compile_as_one target)

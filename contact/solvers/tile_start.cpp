@@ -17,7 +17,7 @@ constexpr double largest_share = 1.0 / 16.0;
 
 /// Error to which the problem on the tiles is solved over that before, and
 /// largest error over that before with which another one is solved.
-constexpr double accuracy = 1e-5, least_gain = 0.1;
+constexpr double tile_accuracy = 1e-5, least_gain = 0.1;
 
 constexpr int most_tile_iterations = 100;
 
@@ -175,7 +175,7 @@ bool press_tiles(ContactState& state) {
   const std::vector<double> raw_gap = on_tiles->fields.packed(state.raw_gap);
   for (std::size_t i = 0; i < heights.size(); ++i)
     heights[i] -= raw_gap[i];
-  const ContactSolution solution = on_tiles->solve(accuracy * state.gap_error);
+  const ContactSolution solution = on_tiles->solve(tile_accuracy * state.gap_error);
   state.iterations += solution.iterations;
   if (!solution.converged)
     return false;
