@@ -62,18 +62,40 @@ double everywhere(const ContactInterface&) {
   return infinity;
 }
 
-/// 1 - g/rho where g < rho
-double depth_in_range(const ContactInterface& own, double gap) {
-  return std::max(0.0, 1.0 - gap / own.adhesion_range);
+/// (rho + d - g)/(2 d), the share of the tension within the edge of Dugdale's
+/// law; 1 before it and 0 behind it.
+double dugdale_share(const ContactInterface& own, double gap) {
+  const double behind = own.adhesion_range + own.edge - gap;
+  return behind <= 0.0              ? 0.0
+         : behind >= 2.0 * own.edge ? 1.0
+                                    : behind / (2.0 * own.edge);
 }
 
 double dugdale_energy(const ContactInterface& own, double gap) {
-  return -own.work_of_adhesion * depth_in_range(own, gap);
+  const double share = dugdale_share(own, gap);
+  return share < 1.0 ? -own.work_of_adhesion * own.edge / own.adhesion_range *
+                           share * share
+                     : -own.work_of_adhesion * (1.0 - gap / own.adhesion_range);
 }
 
 double dugdale_pressure(const ContactInterface& own, double gap) {
-  return gap < own.adhesion_range ? -own.work_of_adhesion / own.adhesion_range
-                                  : 0.0;
+  return -own.work_of_adhesion / own.adhesion_range * dugdale_share(own, gap);
+}
+
+double dugdale_stiffness(const ContactInterface& own, double gap) {
+  const double share = dugdale_share(own, gap);
+  return share > 0.0 && share < 1.0
+             ? -own.work_of_adhesion / (2.0 * own.edge * own.adhesion_range)
+             : 0.0;
+}
+
+double dugdale_range(const ContactInterface& own) {
+  return own.adhesion_range + own.edge;
+}
+
+/// 1 - g/rho where g < rho
+double depth_in_range(const ContactInterface& own, double gap) {
+  return std::max(0.0, 1.0 - gap / own.adhesion_range);
 }
 
 double cubic_energy(const ContactInterface& own, double gap) {
@@ -188,8 +210,8 @@ constexpr std::array all_laws{
     ContactLawTraits{
         ContactLaw::dugdale, "dugdale", "a hard wall with Dugdale's adhesion",
         true, false, SurfaceSolver::adhesive, BlockSolver::none, dugdale_energy,
-        dugdale_pressure, nothing, tension_at<dugdale_pressure, at_zero>,
-        own_range, at_zero, at_zero},
+        dugdale_pressure, dugdale_stiffness,
+        tension_at<dugdale_pressure, at_zero>, dugdale_range, at_zero, at_zero},
     ContactLawTraits{
         ContactLaw::cubic, "cubic", "a hard wall with cubic adhesion", true,
         false, SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
@@ -325,6 +347,11 @@ ContactInterface ContactSettings::in_si(const Scales& scales) const {
         std::sqrt(own.grid_number(scales.contact_modulus, scales.spacing) /
                   accurate_grid_number);
     own.adhesion_range = range ? range->in_si(scales) : unit;
+    if (law == ContactLaw::dugdale)
+      own.edge =
+          std::min(own.grid_number(scales.contact_modulus, scales.spacing),
+                   1.0) *
+          own.adhesion_range;
   }
   if (hardness)
     own.hardness = hardness->in_si(scales);

@@ -69,6 +69,9 @@ struct ContactInterface {
   /// H [Pa] > 0, of hard contact: the largest pressure, at which the surface
   /// yields and keeps an imprint.
   double hardness = std::numeric_limits<double>::infinity();
+  /// d [m] in 0..rho, of Dugdale's law: its tension falls to zero linearly over
+  /// the gaps rho - d to rho + d, see ContactSettings::in_si().
+  double edge = 0.0;
 
   double energy(double gap) const;    ///< W [J/m^2], 0 at infinity
   double pressure(double gap) const;  ///< -W' [Pa]

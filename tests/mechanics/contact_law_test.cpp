@@ -146,6 +146,36 @@ TEST(Adhesion, HasTheShortestRangeThatTheGridResolves) {
   EXPECT_NEAR(settings.in_si(scales).adhesion_range, 1e-8, 1e-22);
 }
 
+// Over gaps from 0.6 to 1.4; the work and the largest tension stay.
+TEST(Adhesion, DugdalesTensionEndsOverTheGapsThatItChangesItself) {
+  ContactInterface law{ContactLaw::dugdale, 0.0, 2.0, 1.0};
+  law.edge = 0.4;
+  EXPECT_EQ(law.energy(0.0), -2.0);
+  EXPECT_NEAR(law.pressure(0.6), -2.0, 1e-15);
+  EXPECT_NEAR(law.energy(0.6), -0.8, 1e-15);
+  EXPECT_NEAR(law.pressure(1.0), -1.0, 1e-15);
+  EXPECT_NEAR(law.energy(1.0), -0.2, 1e-15);
+  EXPECT_EQ(law.pressure(1.4), 0.0);
+  EXPECT_EQ(law.energy(1.4), 0.0);
+  EXPECT_EQ(law.range(), 1.4);
+  for (const double gap : {0.3, 0.7, 1.2, 1.5}) {
+    EXPECT_NEAR(
+        law.pressure(gap),
+        (law.energy(gap - step) - law.energy(gap + step)) / (2.0 * step), 1e-9);
+    EXPECT_NEAR(law.stiffness(gap),
+                (law.pressure(gap - step) - law.pressure(gap + step)) /
+                    (2.0 * step),
+                1e-9);
+  }
+
+  // s h/E*
+  const ContactSettings settings{.law = ContactLaw::dugdale,
+                                 .work_of_adhesion = 0.05,
+                                 .range = Quantity{1e-8, ReferenceUnit::si}};
+  EXPECT_NEAR(settings.in_si({.contact_modulus = 2e9, .spacing = 5e-9}).edge,
+              0.05 / 1e-8 * 5e-9 / 2e9, 1e-22);
+}
+
 // Scales of a sphere of radius R, kappa = 1/R, whose parameters are 2 and 3.
 TEST(Adhesion, IsJudgedByTheRoughness) {
   const ContactInterface law{ContactLaw::exponential, 0.0, 8.0, 2.0};
