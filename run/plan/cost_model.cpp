@@ -61,6 +61,9 @@ constexpr double flow_memory = 430.0;
 /// `conductance` took 4.6 s with two linear solves for each [s] [bytes].
 constexpr double contact_study_time = 5e-7;
 constexpr double contact_study_memory = 150.0;
+/// Of Laplace's equation on a block, per node of the mesh in first and in
+/// second order: the matrix and its relaxation [bytes].
+constexpr double conduction_memory_q1 = 400.0, conduction_memory_q2 = 800.0;
 constexpr double adhesion_time = 0.45e-6; ///< per ratio and step squared [s]
 
 /// Number of planes in the search of the strongest point of a map, at 512^2 in
@@ -252,6 +255,12 @@ MethodCost cost_of(const cases::Case& contact_case,
     const double n = nodes(methods::pressed_grid(contact_case, method, grid));
     cost.step_time += rates.relative_time() * contact_study_time * n;
     cost.memory += contact_study_memory * n;
+  }
+  if (contact_case.conductance_study && methods::conducts_in_block(method)) {
+    const auto& fem = std::get<mechanics::FemSettings>(method.settings);
+    cost.memory += cost.unknowns / 3.0 *
+                   (fem.block.element == Element::q1 ? conduction_memory_q1
+                                                     : conduction_memory_q2);
   }
   return cost;
 }

@@ -118,6 +118,19 @@ TEST_F(PlannedBlock, CountsWhatIsTooLargeToMesh) {
   }
 }
 
+// .4 kB per node of the block, whose unknowns are three times as many.
+TEST_F(PlannedBlock, CountsTheMatrixOfItsConduction) {
+  const std::string whole = R"(fem.solver="full")";
+  const PlannedMethod without = plan({whole}, {"fem"}).methods.at(0);
+  const PlannedMethod with =
+      plan({whole, R"(conductance.resistivity="2e-8 Ohm m")",
+            R"(conductance.counter_resistivity="2e-8 Ohm m")"},
+           {"fem"})
+          .methods.at(0);
+
+  EXPECT_GT(with.memory - without.memory, 400.0 * with.unknowns / 3.0);
+}
+
 // A plan with a full block states its uncertainty.
 TEST_F(PlannedBlock, StatesItsUncertainty) {
   const Plan whole = plan({R"(fem.solver="full")"});
