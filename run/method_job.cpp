@@ -23,8 +23,7 @@ using results::CurvePoint;
 methods::StepTarget target_of(const mechanics::LoadingPath& load,
                               std::size_t step,
                               const mechanics::Scales& scales) {
-  return {{load.control, load.targets[step].in_si(scales)},
-          static_cast<int>(step)};
+  return {load.target(step, scales), static_cast<int>(step)};
 }
 
 /// Returns true for methods that write files of their own, such as atom dumps

@@ -144,6 +144,11 @@ mechanics::LoadingPath read_load(TableReader load,
   else if (!load.has("nominal_pressure"))
     load.complain_missing("nominal_pressure", " (or mean_gap)");
   load.read(program);
+  if (program.spring && program.control != mechanics::Control::mean_gap)
+    load.refuse(load.said_by("spring"), "needs mean_gap");
+  else if (program.spring && !program.may_be_tensile)
+    load.refuse(load.said_by("spring"),
+                "needs a contact with adhesion in all methods");
   program.is_unloading.assign(program.targets.size(), false);
   if (load.choice("cycle", Cycle::load) == Cycle::load_unload)
     append_way_back(program);

@@ -108,6 +108,13 @@ Table load_table() {
               "Mean gap between block and surface.",
               needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
                      "this or nominal_pressure")),
+          key<&LoadingPath::spring>(
+              "spring", stiffness_per_area(),
+              "Stiffness k per nominal area of a spring through which the mean "
+              "gap d is prescribed: the nominal pressure is k (u - d) at the "
+              "mean gap u. Needs mean_gap, and adhesion in all methods.",
+              eg("0.01 E*/h", "default: the mean gap is that of the contact"))
+              .hidden(),
           key("cycle", {"load", "load-unload"},
               "Loading, or loading and unloading.", or_else("\"load\"")),
       }};

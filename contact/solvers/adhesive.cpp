@@ -66,8 +66,11 @@ public:
     for (std::size_t k = n_used_; k-- > 0;) {
       if (!(of[k].curvature > 0.0))
         continue;
-      const double share =
-          of[k].share - dot(state, pair(k).bend, direction_) / of[k].curvature;
+      double product = dot(state, pair(k).bend, direction_);
+      if (state.by_spring())
+        product -= of[k].mean_bend *
+                   state.sum([this](std::size_t i) { return direction_[i]; });
+      const double share = of[k].share - product / of[k].curvature;
       add(state, share, pair(k).step, of[k].mean_step, direction_);
     }
     state.each([&](std::size_t i) { direction_[i] = -direction_[i]; });
@@ -118,8 +121,10 @@ public:
 
 private:
   struct Products {
-    double curvature = 0.0;                  ///< step . bend
-    double mean_step = 0.0, mean_bend = 0.0; ///< under gap control
+    double curvature = 0.0; ///< step . bend
+    /// Parts of all nodes that do not count: the means under gap control; the
+    /// load of a spring that the bend lacks.
+    double mean_step = 0.0, mean_bend = 0.0;
     double share = 0.0;
   };
 
@@ -146,6 +151,10 @@ private:
               return own;
             })
             .values;
+    if (state.by_spring()) {
+      const double load = state.target.spring * step / state.n_nodes();
+      return {product + load * step, 0.0, -load, 0.0};
+    }
     if (!state.by_gap() || state.n_free == 0.0)
       return {product, 0.0, 0.0, 0.0};
     return {product - step * bend / state.n_free, step / state.n_free,

@@ -35,7 +35,9 @@ std::string detached_note(double nominal_pressure);
 ///     U(g) = <v, K v>/2 + <W(g)> + p_0 <g>,   v = g + h - <g + h>
 ///
 /// with K = C^-1, or of the first two terms under the condition that <g> is the
-/// prescribed mean gap, whose multiplier is p_0. The pressure is p = K v + p_0:
+/// prescribed mean gap, whose multiplier is p_0, or with the energy of a
+/// spring, k (<g> - d)^2/2, instead of p_0 <g>; p_0 = k (<g> - d) then. The
+/// pressure is p = K v + p_0:
 /// the law's -W'(g) where the gap is open, and at least that where the wall
 /// carries a load. Loads by pressure may be tensile, p_0 <= 0. A law without a
 /// wall has no bound on the gap, all its nodes are free, and its initial matrix

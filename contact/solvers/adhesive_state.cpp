@@ -38,8 +38,13 @@ std::vector<double> checked_start(const SurfaceOperator& elasticity,
                    "Pa/m");
   require_positive("work_of_adhesion", problem.law.work_of_adhesion, "J/m^2");
   require_positive("adhesion_range", problem.law.adhesion_range, "m");
+  if (!(target.spring > 0.0))
+    refuse_argument("spring", target.spring, "> 0 [Pa/m]");
   if (target.control == mechanics::Control::mean_gap)
     require_positive("mean_gap", target.amount, "m");
+  else if (std::isfinite(target.spring))
+    refuse_argument("spring", target.spring,
+                    "infinite where the load is prescribed");
   else if (!std::isfinite(target.amount))
     refuse_argument("nominal_pressure", target.amount, "finite [Pa]");
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -74,7 +79,7 @@ AdhesiveState::AdhesiveState(SurfaceOperator& elasticity_,
     const bool has_open =
         sum([=](std::size_t i) { return g[i] > 0.0 ? 1.0 : 0.0; }) > 0.0;
     each([&](std::size_t i) { free[i] = !has_open || g[i] > 0.0 ? 1 : 0; });
-    restore_mean(gap, 0.0);
+    restore_mean(gap, target.amount, 0.0);
   }
   find_elastic(gap, elastic);
   find_free();
@@ -116,6 +121,10 @@ void AdhesiveState::find_free() {
   } else {
     load = target.amount;
   }
+  if (by_spring())
+    load =
+        target.spring *
+        (sum([=](std::size_t i) { return g[i]; }) / n_nodes() - target.amount);
   each([&](std::size_t i) {
     free[i] = g[i] > closed || r[i] + load < 0.0 ? 1 : 0;
   });
@@ -137,8 +146,13 @@ void AdhesiveState::residual(std::span<double> answer) const {
 }
 
 void AdhesiveState::restrict_to_free(std::span<double> field) const {
+  restrict_to_free(field, by_gap());
+}
+
+void AdhesiveState::restrict_to_free(std::span<double> field,
+                                     bool is_without_mean) const {
   const std::uint8_t* const f = free.data();
-  const double mean = by_gap() && n_free > 0.0
+  const double mean = is_without_mean && n_free > 0.0
                           ? sum([=, x = field.data()](std::size_t i) {
                               return f[i] != 0 ? x[i] : 0.0;
                             }) / n_free
@@ -161,16 +175,26 @@ void AdhesiveState::each_scaled(const Of& of) const {
 
 // M = S (K + k)^-1 S = S (1 - (C + 1/k)^-1 / k) S / k. The mean of the inverse
 // is arbitrary, and that of M is 1/k. In single precision the field is of order
-// 1, because stiffnesses of small surfaces are 1e20 Pa/m and more.
+// 1, because stiffnesses of small surfaces are 1e20 Pa/m and more. With a
+// spring of the stiffness c, which may be the stiffest part, M is that of a
+// given mean gap beside 1/(k + c n_free/n) of the mean of the free nodes.
 void AdhesiveState::precondition(std::span<const double> field,
                                  std::span<double> answer) {
   const double stiffness = problem.preconditioner_stiffness;
-  const double size = rms(field);
+  const double mean_field =
+      by_spring() && n_free > 0.0
+          ? sum([=](std::size_t i) { return field[i]; }) / n_free
+          : 0.0;
+  const auto own = [=, this](std::size_t i) {
+    return free[i] != 0 ? field[i] - mean_field : 0.0;
+  };
+  const double size = std::sqrt(
+      sum([&](std::size_t i) { return own(i) * own(i); }) / n_nodes());
   const double unit = size > 0.0 && std::isfinite(size)
                           ? std::ldexp(1.0, std::ilogb(size))
                           : 1.0;
   each_scaled([&](std::size_t i, double scale) {
-    scratch_[i] = static_cast<float>(scale * field[i] / unit);
+    scratch_[i] = static_cast<float>(scale * own(i) / unit);
   });
   elasticity.pressure_estimate(scratch_, 1.0 / stiffness, scratch_);
   ++transforms;
@@ -180,30 +204,40 @@ void AdhesiveState::precondition(std::span<const double> field,
                       n_nodes();
   each_scaled([&](std::size_t i, double scale) {
     answer[i] = scale *
-                (scale * field[i] -
+                (scale * own(i) -
                  (static_cast<double>(scratch_[i]) - mean) * unit / stiffness) /
                 stiffness;
   });
-  restrict_to_free(answer);
+  restrict_to_free(answer, by_gap() || by_spring());
+  if (by_spring()) {
+    const double shift =
+        mean_field / (stiffness + target.spring * n_free / n_nodes());
+    each([&](std::size_t i) { answer[i] += free[i] != 0 ? shift : 0.0; });
+  }
 }
 
 void AdhesiveState::apply_hessian(std::span<const double> field,
                                   std::span<double> answer) {
   elasticity.pressure_of(field, answer);
   ++transforms;
+  const double of_spring =
+      by_spring() ? target.spring / n_nodes() *
+                        sum([=](std::size_t i) { return field[i]; })
+                  : 0.0;
   each([&](std::size_t i) {
-    answer[i] += problem.law.stiffness(gap[i]) * field[i];
+    answer[i] += problem.law.stiffness(gap[i]) * field[i] + of_spring;
   });
   restrict_to_free(answer);
 }
 
 // The mean of max(0, g - shift) falls with the shift and is convex, so that
 // Newton's method ends after as many steps as there are breaks between.
-void AdhesiveState::restore_mean(std::span<double> moved, double closed) const {
+void AdhesiveState::restore_mean(std::span<double> moved, double mean,
+                                 double closed) const {
   constexpr int most_steps = 100;
   const double* const g = moved.data();
   const std::uint8_t* const f = free.data();
-  const double wanted = target.amount * n_nodes() - sum([=](std::size_t i) {
+  const double wanted = mean * n_nodes() - sum([=](std::size_t i) {
                           return f[i] != 0 ? 0.0 : g[i];
                         });
   double shift = 0.0;
@@ -222,7 +256,7 @@ void AdhesiveState::restore_mean(std::span<double> moved, double closed) const {
                                    .values;
     const double change = (total - wanted) / std::max(1.0, open);
     shift += change;
-    if (std::abs(change) <= 1e-15 * (target.amount + std::abs(shift)))
+    if (std::abs(change) <= 1e-15 * (std::abs(mean) + std::abs(shift)))
       break;
   }
   each([=, x = moved.data()](std::size_t i) {
@@ -237,7 +271,7 @@ AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
   const bool has_wall = std::isfinite(wall());
   const double core = problem.law.least_gap();
   const double bound = // restore_mean() clips
-      by_gap() ? -std::numeric_limits<double>::infinity() : 0.0;
+      by_gap() || by_spring() ? -std::numeric_limits<double>::infinity() : 0.0;
   each([&](std::size_t i) {
     const double nearest =
         has_wall ? bound : gap[i] - longest_approach * (gap[i] - core);
@@ -246,7 +280,13 @@ AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
                        : std::max(nearest, gap[i] + length * direction[i]);
   });
   if (by_gap())
-    restore_mean(next_gap_, wall());
+    restore_mean(next_gap_, target.amount, wall());
+  else if (by_spring()) // goes where the step leads without the wall
+    restore_mean(next_gap_,
+                 sum([=, this](std::size_t i) {
+                   return gap[i] + (free[i] != 0 ? length * direction[i] : 0.0);
+                 }) / n_nodes(),
+                 wall());
   find_elastic(next_gap_, next_elastic_);
   const mechanics::ContactInterface& law = problem.law;
   const double range = law.range();
@@ -257,11 +297,11 @@ AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
       return -0.5 * by * (law.pressure(gap[i]) + law.pressure(next_gap_[i]));
     return law.energy(next_gap_[i]) - law.energy(gap[i]);
   };
-  const auto [energy, slope] =
-      chunked_sum<SeveralSums<2>>(
+  const auto [energy, slope, shift] =
+      chunked_sum<SeveralSums<3>>(
           gap.size(), workers,
           [&](std::size_t begin, std::size_t end) {
-            SeveralSums<2> own;
+            SeveralSums<3> own;
             for (std::size_t i = begin; i < end; ++i) {
               const double by = next_gap_[i] - gap[i];
               if (by == 0.0)
@@ -270,11 +310,15 @@ AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
                   by * (0.5 * (elastic[i] + next_elastic_[i]) + load) +
                   change_of_law(i, by);
               own.values[1] += by * (gradient[i] + load);
+              own.values[2] += by;
             }
             return own;
           })
           .values;
-  return {energy / n_nodes(), slope / n_nodes()};
+  const double n = n_nodes();
+  const double of_spring =
+      by_spring() ? 0.5 * target.spring * (shift / n) * (shift / n) : 0.0;
+  return {energy / n + of_spring, slope / n};
 }
 
 void AdhesiveState::take(std::span<float> step, std::span<float> bend) {
@@ -300,8 +344,8 @@ void AdhesiveState::take() {
 // The tension of a law falls beyond strongest_gap(): where the smallest gap
 // cannot carry p_0, no node can, and a larger distance has less energy.
 bool AdhesiveState::is_detached() const {
-  return !by_gap() && target.amount <= 0.0 &&
-         least_gap > problem.law.strongest_gap() &&
+  return target.control == mechanics::Control::nominal_pressure &&
+         target.amount <= 0.0 && least_gap > problem.law.strongest_gap() &&
          -problem.law.pressure(least_gap) <= -target.amount &&
          (target.amount < 0.0 || least_gap >= problem.law.range());
 }

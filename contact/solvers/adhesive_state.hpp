@@ -6,6 +6,7 @@
 #include "contact/solvers/adhesive.hpp"
 #include "ranks/node_sums.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -42,7 +43,13 @@ public:
                : -std::numeric_limits<double>::infinity();
   }
 
-  bool by_gap() const { return target.control == mechanics::Control::mean_gap; }
+  /// Whether <g> is that of the target.
+  bool by_gap() const {
+    return target.control == mechanics::Control::mean_gap && !by_spring();
+  }
+
+  /// Whether p_0 = k (<g> - d).
+  bool by_spring() const { return std::isfinite(target.spring); }
 
   /// Number of nodes on all ranks.
   double n_nodes() const {
@@ -107,9 +114,10 @@ public:
   bool is_detached() const;
 
 private:
-  /// Projects the free nodes of a gap on gaps >= `closed` of the prescribed
-  /// mean: shifts them and clips them there.
-  void restore_mean(std::span<double> moved, double closed) const;
+  /// Projects the free nodes of a gap on gaps >= `closed` of a mean: shifts
+  /// them and clips them there.
+  void restore_mean(std::span<double> moved, double mean, double closed) const;
+  void restrict_to_free(std::span<double> field, bool is_without_mean) const;
   /// From the gap: K v.
   void find_elastic(std::span<const double> from, std::span<double> answer);
   void find_free();

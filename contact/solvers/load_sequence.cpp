@@ -108,6 +108,10 @@ double rms_bend(std::span<const double> heights, int points_x,
       static_cast<double>(workers.all_nodes(heights.size())));
 }
 
+/// Over the stiffness of short waves. A stiffer spring is a prescribed mean gap
+/// up to 1e-6 of the height of the waves that its load flattens.
+constexpr double stiffest_spring = 1e6;
+
 /// Steps of bisection for the state before faces part or come together.
 constexpr int halvings_to_jump = 6;
 
@@ -151,8 +155,11 @@ ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
   if (target.control != control_)
     history_.clear();
   control_ = target.control;
-  if (solver_ == mechanics::SurfaceSolver::adhesive)
+  if (solver_ == mechanics::SurfaceSolver::adhesive) {
+    if (target.spring * elasticity_->short_wave_compliance() > stiffest_spring)
+      target.spring = std::numeric_limits<double>::infinity();
     return solve_with_adhesion(target);
+  }
   if (target.control == mechanics::Control::nominal_pressure &&
       target.amount > interface_.hardness)
     return beyond_hardness(target.amount);
@@ -285,7 +292,7 @@ void LoadSequence::find_jump(const mechanics::LoadTarget& target,
     const double middle = halving == 0 ? from : 0.5 * (from + to);
     std::vector<double> state = before;
     const ContactSolution own =
-        step_with_adhesion({target.control, middle}, state);
+        step_with_adhesion({target.control, middle, target.spring}, state);
     found.transforms += own.transforms;
     found.iterations += own.iterations;
     if (!own.converged)
@@ -316,9 +323,10 @@ bool LoadSequence::touches(std::span<const float> state) const {
 
 ContactSolution
 LoadSequence::first_contact(const mechanics::LoadTarget& target) {
-  if (target.control == mechanics::Control::nominal_pressure &&
-      target.amount <= 0.0) {
-    const double highest =
+  const bool by_spring = std::isfinite(target.spring);
+  if (by_spring || (target.control == mechanics::Control::nominal_pressure &&
+                    target.amount <= 0.0)) {
+    double level =
         chunked_sum<Largest>(heights_.size(), elasticity_->workers(),
                              [&](std::size_t begin, std::size_t end) {
                                Largest own;
@@ -327,12 +335,16 @@ LoadSequence::first_contact(const mechanics::LoadTarget& target) {
                                return own;
                              })
             .value;
+    if (by_spring) // not nearer than without a load
+      level = std::max(level,
+                       target.amount +
+                           weighted_sum({}, heights_, elasticity_->workers()) /
+                               static_cast<double>(heights_.size()));
     ContactSolution touching;
     touching.pressure.assign(heights_.size(), 0.0);
     touching.gap.resize(heights_.size());
-    std::ranges::transform(
-        heights_, touching.gap.begin(),
-        [highest](double height) { return highest - height; });
+    std::ranges::transform(heights_, touching.gap.begin(),
+                           [level](double height) { return level - height; });
     return touching;
   }
   const double tolerance =

@@ -32,7 +32,8 @@ namespace asperity::contact {
 /// With adhesion the solution depends on the path, and a step begins with the
 /// gap of the last one. The first step begins with that of hard contact, which
 /// is approached from outside, or from undeformed surfaces that touch if its
-/// nominal pressure is not positive. Where a step parts faces that touched, or
+/// nominal pressure is not positive, or that are as near as a spring holds them
+/// without a load. Where a step parts faces that touched, or
 /// brings the first nodes together, it is halved six times for the last state
 /// before that.
 ///

@@ -72,8 +72,13 @@ std::string surface_text(const Node& file) {
 
 std::string load_text(const mechanics::LoadingPath& load, std::size_t step) {
   const mechanics::Quantity& target = load.targets[step];
-  return fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
-                     static_cast<int>(target.reference));
+  std::string text =
+      fmt::format("{} {} {}", static_cast<int>(load.control), target.value,
+                  static_cast<int>(target.reference));
+  if (load.spring)
+    text += fmt::format(" {} {}", load.spring->value,
+                        static_cast<int>(load.spring->reference));
+  return text;
 }
 
 } // namespace

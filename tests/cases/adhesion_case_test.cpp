@@ -67,6 +67,23 @@ TEST(AdhesionCase, MayHaveFreeBoundariesOrNoWall) {
               "");
 }
 
+TEST(AdhesionCase, MayBeHeldByASpring) {
+  const Case read = read_case_text(
+      sticky(law, "mean_gap = [\"9 nm\", \"1 nm\"]\nspring = \"1e15 Pa/m\""),
+      "it/case.toml");
+  const mechanics::LoadTarget target = read.load.target(1, {});
+  EXPECT_EQ(target.control, mechanics::Control::mean_gap);
+  EXPECT_EQ(target.amount, 1e-9);
+  EXPECT_EQ(target.spring, 1e15);
+
+  expect_mistake(sticky(law, "nominal_pressure = 0\nspring = \"1e15 Pa/m\""),
+                 "load.spring = \"1e15 Pa/m\", but needs mean_gap");
+  expect_mistake(sticky("contact = \"hard\"\n",
+                        "mean_gap = \"1 nm\"\nspring = \"1e15 Pa/m\""),
+                 "load.spring = \"1e15 Pa/m\", but needs a contact with "
+                 "adhesion in all methods");
+}
+
 TEST(AdhesionCase, IsPulledByEqualStepsOnly) {
   expect_mistake(sticky(law, "nominal_pressure = { from = \"1 MPa\", to = "
                              "\"-1 MPa\", steps = 3, spacing = \"log\" }"),
