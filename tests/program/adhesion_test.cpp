@@ -1,5 +1,5 @@
-// Adhesion as a user asks for it: by an option for a map, and up to full
-// contact.
+// Adhesion as a user asks for it: by an option for a map, up to full contact,
+// and by atoms beside a half-space.
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
 
@@ -61,6 +61,49 @@ TEST_F(AdhesionTest, FullContactIsAResult) {
   ASSERT_EQ(full.exit_code, 0) << full.output;
   EXPECT_NE(full.output.find("A = 100.000 %"), std::string::npos)
       << full.output;
+}
+
+// Atoms that attract are the half-space with the law of their layers: the loads
+// at equal gaps differ by 0.4 % of the largest tension, which is the product of
+// slope and lateral displacement. 5 % of w are seen.
+TEST_F(AdhesionTest, AtomsActAsTheLawOfTheirLayers) {
+  write("atoms.toml", R"(schema = 1
+[surface]
+kind = "wave-2d"
+length = "12.48 nm"
+points = 78
+amplitude = "0.15 nm"
+wavelength = "1 length"
+[material]
+youngs_modulus = "77.2 GPa"
+poisson_ratio = 0.42
+[load]
+mean_gap = ["0.4 nm", "0.2 nm", "0.1 nm"]
+cycle = "load-unload"
+[halfspace]
+contact = "lennard-jones-10-4"
+work_of_adhesion = "596.06 mJ/m^2"
+range = "2.92215 angstrom"
+[md]
+atoms = 48
+potential = "lennard-jones"
+interaction_energy = "20 meV"
+interaction_distance = "3.28 angstrom"
+cutoff = "2 nm"
+contact_distance = "2.92215 angstrom"
+[expect]
+adhesive_difference = { below = 0.01, methods = ["md"] }
+)");
+  const Ended described = run("describe atoms.toml");
+  EXPECT_NE(described.output.find("0.596059 J/m^2  (w of md)"),
+            std::string::npos)
+      << described.output;
+
+  const Ended same = run("run atoms.toml --out same");
+  EXPECT_EQ(same.exit_code, 0) << same.output;
+  const Ended other = run("run atoms.toml --out other --set "
+                          "\"halfspace.work_of_adhesion=626 mJ/m^2\"");
+  EXPECT_NE(other.exit_code, 0) << other.output;
 }
 
 } // namespace asperity::program::adhesion_test
