@@ -34,6 +34,9 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
   EXPECT_NE(page.find("criterion of Pastewka and Robbins"), std::string::npos);
   EXPECT_TRUE(
       std::filesystem::exists(folder / "pulled/figures/adhesion-loop.svg"));
+  EXPECT_LT(page.find("Approach and retraction with adhesion"),
+            page.find("Pressure against separation")) // and leads the page
+      << page.size();
 
   const Ended wrong = run(command + "\"50 mJ\"");
   EXPECT_EQ(wrong.exit_code, 2);
@@ -101,6 +104,25 @@ adhesive_difference = { below = 0.01, methods = ["md"] }
 
   const Ended same = run("run atoms.toml --out same");
   EXPECT_EQ(same.exit_code, 0) << same.output;
+  const std::string csv = text_of(folder / "same/curves.csv");
+  auto half = columns_of(csv, "halfspace");
+  auto atoms = columns_of(csv, "md");
+  for (const auto& [column, most] :
+       {std::pair("area_fraction [1]", 0.006),
+        std::pair("repulsive_area [1]", 0.006),
+        std::pair("tensile_area [1]", 0.002),
+        std::pair("attractive_load [Pa]", 2e7),
+        std::pair("elastic_energy [J/m^2]", 1e-3),
+        std::pair("adhesive_energy [J/m^2]", 5e-3)}) {
+    ASSERT_EQ(atoms[column].size(), 5U);
+    EXPECT_NE(std::stod(atoms[column][2]), 0.0) << column;
+    EXPECT_NEAR(std::stod(half[column][2]), std::stod(atoms[column][2]), most)
+        << column;
+  }
+  // All but the contact is in tension.
+  EXPECT_GT(std::stod(atoms["tensile_area [1]"][2]), 0.9);
+  EXPECT_GT(std::stod(atoms["attractive_load [Pa]"][2]),
+            -std::stod(atoms["nominal_pressure [Pa]"][2]));
   const Ended other = run("run atoms.toml --out other --set "
                           "\"halfspace.work_of_adhesion=626 mJ/m^2\"");
   EXPECT_NE(other.exit_code, 0) << other.output;
