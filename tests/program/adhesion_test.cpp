@@ -104,6 +104,8 @@ adhesive_difference = { below = 0.01, methods = ["md"] }
 
   const Ended same = run("run atoms.toml --out same");
   EXPECT_EQ(same.exit_code, 0) << same.output;
+  EXPECT_EQ(same.output.find("figure not drawn"), std::string::npos)
+      << same.output; // though no step is pressed
   const std::string csv = text_of(folder / "same/curves.csv");
   auto half = columns_of(csv, "halfspace");
   auto atoms = columns_of(csv, "md");
