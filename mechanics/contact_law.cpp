@@ -122,39 +122,54 @@ double lennard_jones_distance(const ContactInterface& own, double gap) {
   return 1.0 + gap / own.adhesion_range;
 }
 
+/// The power of a number with a constant exponent >= 0.
+template <int exponent>
+double power(double base) {
+  if constexpr (exponent == 0)
+    return 1.0;
+  else {
+    const double root = power<exponent / 2>(base);
+    return exponent % 2 == 0 ? root * root : root * root * base;
+  }
+}
+
+/// W = -w (m x^-n - n x^-m)/(m - n), m > n
+template <int m, int n>
 double lennard_jones_energy(const ContactInterface& own, double gap) {
   const double x = lennard_jones_distance(own, gap);
   if (!(x > 0.0))
     return infinity;
-  const double cube = 1.0 / (x * x * x);
-  return -0.5 * own.work_of_adhesion * (3.0 - cube * cube) * cube;
+  return -own.work_of_adhesion / (m - n) *
+         (m * power<n>(1.0 / x) - n * power<m>(1.0 / x));
 }
 
+template <int m, int n>
 double lennard_jones_pressure(const ContactInterface& own, double gap) {
   const double x = lennard_jones_distance(own, gap);
   if (!(x > 0.0))
     return infinity;
-  const double square = 1.0 / (x * x);
-  return 4.5 * own.work_of_adhesion / own.adhesion_range * square * square *
-         (square * square * square - 1.0);
+  return own.work_of_adhesion / own.adhesion_range * m * n / (m - n) *
+         (power<m + 1>(1.0 / x) - power<n + 1>(1.0 / x));
 }
 
+template <int m, int n>
 double lennard_jones_stiffness(const ContactInterface& own, double gap) {
   const double x = lennard_jones_distance(own, gap);
   if (!(x > 0.0))
     return infinity;
-  const double square = 1.0 / (x * x);
-  return 9.0 * own.work_of_adhesion /
-         (own.adhesion_range * own.adhesion_range) * square * square / x *
-         (5.0 * square * square * square - 2.0);
+  return own.work_of_adhesion / (own.adhesion_range * own.adhesion_range) * m *
+         n / (m - n) *
+         ((m + 1) * power<m + 2>(1.0 / x) - (n + 1) * power<n + 2>(1.0 / x));
 }
 
 double lennard_jones_core(const ContactInterface& own) {
   return -own.adhesion_range;
 }
 
+template <int m, int n>
 double lennard_jones_strongest(const ContactInterface& own) {
-  return own.adhesion_range * (std::pow(2.5, 1.0 / 6.0) - 1.0);
+  return own.adhesion_range *
+         (std::pow((m + 1.0) / (n + 1.0), 1.0 / (m - n)) - 1.0);
 }
 
 double morse_energy(const ContactInterface& own, double gap) {
@@ -184,6 +199,26 @@ template <ContactLawTraits::Function pressure,
           double (*strongest)(const ContactInterface&)>
 PressureBounds tension_at(const ContactInterface& own) {
   return {pressure(own, strongest(own)), infinity};
+}
+
+template <int m, int n>
+constexpr ContactLawTraits lennard_jones_row(ContactLaw law, const char* name,
+                                             const char* words) {
+  return {
+      law,
+      name,
+      words,
+      false,
+      false,
+      SurfaceSolver::adhesive,
+      BlockSolver::none,
+      lennard_jones_energy<m, n>,
+      lennard_jones_pressure<m, n>,
+      lennard_jones_stiffness<m, n>,
+      tension_at<lennard_jones_pressure<m, n>, lennard_jones_strongest<m, n>>,
+      everywhere,
+      lennard_jones_core,
+      lennard_jones_strongest<m, n>};
 }
 
 constexpr std::array all_laws{
@@ -217,13 +252,11 @@ constexpr std::array all_laws{
         false, SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
         cubic_pressure, cubic_stiffness, tension_at<cubic_pressure, at_zero>,
         own_range, at_zero, at_zero},
-    ContactLawTraits{
-        ContactLaw::lennard_jones, "lennard-jones",
-        "the Lennard-Jones law of half-spaces (9-3)", false, false,
-        SurfaceSolver::adhesive, BlockSolver::none, lennard_jones_energy,
-        lennard_jones_pressure, lennard_jones_stiffness,
-        tension_at<lennard_jones_pressure, lennard_jones_strongest>, everywhere,
-        lennard_jones_core, lennard_jones_strongest},
+    lennard_jones_row<9, 3>(ContactLaw::lennard_jones, "lennard-jones",
+                            "the Lennard-Jones law of half-spaces (9-3)"),
+    lennard_jones_row<10, 4>(
+        ContactLaw::lennard_jones_layers, "lennard-jones-10-4",
+        "the Lennard-Jones law of two layers of atoms (10-4)"),
     ContactLawTraits{ContactLaw::morse, "morse", "Morse's law", false, false,
                      SurfaceSolver::adhesive, BlockSolver::none, morse_energy,
                      morse_pressure, morse_stiffness,

@@ -22,8 +22,9 @@ enum class ContactLaw {
   exponential, ///< hard wall, attraction W = -w exp(-g/rho)
   dugdale,     ///< hard wall, uniform tension w/rho up to the gap rho
   cubic,       ///< hard wall, attraction W = -w (1 - g/rho)^3 up to the gap rho
-  lennard_jones, ///< no wall, W of a half-space of atoms, 9-3
-  morse,         ///< no wall, W = w (exp(-2g/rho) - 2 exp(-g/rho))
+  lennard_jones,        ///< no wall, W of a half-space of atoms, 9-3
+  lennard_jones_layers, ///< no wall, W of two layers of atoms, 10-4
+  morse,                ///< no wall, W = w (exp(-2g/rho) - 2 exp(-g/rho))
 };
 
 /// Pressures that a law admits [Pa]. The smallest one is negative for a law
@@ -46,19 +47,22 @@ struct PressureBounds {
 ///     dugdale      W = -w (1 - g/rho), g < rho   w/rho
 ///     cubic        W = -w (1 - g/rho)^3, g < rho 3 w/rho
 ///
-/// and the two without a wall, whose gap counts from the equilibrium of flat
+/// and those without a wall, whose gap counts from the equilibrium of flat
 /// faces, W'(0) = 0:
 ///
 ///     lennard-jones  W = -w (3 x^-3 - x^-9)/2, x = 1 + g/rho > 0
 ///                                                1.466 w/rho at .165 rho
+///     lennard-jones-10-4  W = -w (5 x^-4 - 2 x^-10)/3
+///                                                1.886 w/rho at .140 rho
 ///     morse          W = w (exp(-2g/rho) - 2 exp(-g/rho))
 ///                                                w/(2 rho) at rho ln 2
 ///
 /// The exponential law is that of numerical work on rough contact, Dugdale's
 /// that of the Maugis-Dugdale theory of a sphere. The cubic law is the lowest
 /// power of 1 - g/rho whose tension and stiffness end without a jump. The 9-3
-/// law is the 12-6 energy of pairs, summed over a half-space without structure;
-/// rho is then the distance of the faces in equilibrium.
+/// law is the 12-6 energy of pairs, summed over a half-space without structure,
+/// and the 10-4 law that summed over a layer; rho is then the distance of the
+/// faces in equilibrium.
 /// @see  L. Pastewka, M. O. Robbins, PNAS 111, 3298 (2014); D. Maugis,
 ///       J. Colloid Interface Sci. 150, 243 (1992)
 struct ContactInterface {

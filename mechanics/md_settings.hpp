@@ -2,6 +2,7 @@
 
 // The settings of the atomistic method.
 
+#include "mechanics/contact_law.hpp"
 #include "mechanics/quantity.hpp"
 
 #include <cstdint>
@@ -23,6 +24,12 @@ enum class AtomBulk { green, explicit_layers };
 enum class AtomModes { vector, normal };
 enum class AtomPotential { repulsive, lennard_jones };
 enum class AtomMinimizer { automatic, lbfgs, fire, dynamics };
+
+/// Returns the number of atoms per side of the periodic substrate lattice whose
+/// spacing is closest to a/phi, where phi is the golden mean. The number is
+/// even: 648 for 400 block atoms, as in Yang and Persson (2008), Sec. 4.
+/// @throws std::domain_error  layer_atoms < 1
+int incommensurate_atoms(int layer_atoms);
 
 /// [md]: a block of atoms on a simple cubic lattice with the spacing
 /// length / atoms, in contact with rigid atoms at the heights of the surface.
@@ -59,6 +66,22 @@ struct MdSettings {
 
   int ranks = 1;     ///< number of MPI ranks of the child process, for lammps
   bool dump = false; ///< write the atoms of every step
+
+  /// Returns whether the faces attract each other.
+  bool is_adhesive() const { return potential == AtomPotential::lennard_jones; }
+
+  /// The law of flat faces that attract each other, without the cutoff; none
+  /// for a repulsive potential. A layer with n_1 atoms per area and one with
+  /// n_2 at the distance d have the energy per area
+  ///
+  ///     W = pi n_1 n_2 eps r_0^2 [(r_0/d)^10/5 - (r_0/d)^4]
+  ///
+  /// if the lattices are incommensurate, so that all relative positions of two
+  /// atoms are equally frequent. This is the 10-4 law with w = 3/5 4^(1/3) pi
+  /// n_1 n_2 eps r_0^2 and the range r_0/2^(1/6).
+  /// @param length  side of the periodic square [m] > 0
+  /// @param points  nodes of the surface per side, the default of `atoms`
+  std::optional<ContactInterface> flat_law(double length, int points) const;
 
   static constexpr const char* kind = "md";
 

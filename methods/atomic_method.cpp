@@ -7,7 +7,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 namespace asperity::methods {
@@ -54,7 +56,7 @@ md::AtomRequest request_of(const AtomisticInput& atomistic) {
       settings.atoms.value_or(atomistic.surface.record.grid.points_x), length);
   request.substrate =
       square(settings.substrate_atoms.value_or(
-                 md::incommensurate_atoms(request.layer.points_x)),
+                 mechanics::incommensurate_atoms(request.layer.points_x)),
              length);
   request.heights = substrate_heights(atomistic, request.substrate);
   request.threads = atomistic.threads;
@@ -62,21 +64,42 @@ md::AtomRequest request_of(const AtomisticInput& atomistic) {
   return request;
 }
 
-results::CurvePoint row_of(const md::AtomStep& step) {
-  results::CurvePoint row;
-  row.nominal_pressure = step.nominal_pressure;
-  row.mean_gap = step.mean_gap;
+/// The areas of a row without attraction, and the energy of all pairs.
+void observe_repulsion(results::CurvePoint& row, const md::AtomStep& step) {
   row.area_fraction = step.contact_count;
-  row.note = step.note;
+  row.contact_energy = step.interface_energy;
   results::RowObserver observe(row);
   observe_pressure_fits(observe, step.pressure);
   // Weak pressures in the soft tail contribute least to the second moment: on
   // the surface of the paper it is within 4 % of the area of hard contact,
   // while the least-squares fit is 20 % above it (docs/numerics/md.md).
   row.area_fraction_corrected = row.area_fraction_moment;
+}
+
+/// The same with attraction, as for a contact law without a wall.
+void observe_attraction(results::CurvePoint& row, const md::AtomStep& step,
+                        const mechanics::ContactInterface& law) {
+  row.area_fraction = static_cast<double>(std::ranges::count_if(
+                          step.gap, [](double gap) { return gap <= 0.0; })) /
+                      static_cast<double>(step.gap.size());
+  row.area_fraction_corrected = results::Observed::none;
+  row.adhesive_energy = step.interface_energy;
+  observe_tension(row, {step.pressure, step.gap}, law);
+}
+
+results::CurvePoint
+row_of(const md::AtomStep& step,
+       const std::optional<mechanics::ContactInterface>& law) {
+  results::CurvePoint row;
+  row.nominal_pressure = step.nominal_pressure;
+  row.mean_gap = step.mean_gap;
+  row.note = step.note;
+  if (law)
+    observe_attraction(row, step, *law);
+  else
+    observe_repulsion(row, step);
   row.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
   row.elastic_energy = step.elastic_energy;
-  row.contact_energy = step.interface_energy;
   row.contact_stiffness = std::numeric_limits<double>::quiet_NaN();
   row.iterations = step.evaluations;
   row.residual = step.residual;
@@ -89,13 +112,14 @@ class AtomicSolver final : public StepSolver {
 public:
   explicit AtomicSolver(const AtomisticInput& atomistic)
       : watch_(atomistic.watch),
+        law_(atomistic.method.adhesion(atomistic.surface.scales)),
         request_(request_of(atomistic)),
         layer_(request_.layer),
         atoms_(md::make_atomic_contact(std::move(request_))) {}
 
   StepAnswer solve(const StepTarget& target) override {
     md::AtomStep step = atoms_->solve(target.load, target.step, watch_);
-    results::CurvePoint row = row_of(step);
+    results::CurvePoint row = row_of(step, law_);
     if (target.load.control == mechanics::Control::nominal_pressure)
       // balanced only within the tolerance
       row.nominal_pressure = target.load.amount;
@@ -103,7 +127,12 @@ public:
             std::move(step.gap)};
   }
 
-  std::string found_at_setup() const override { return atoms_->description(); }
+  std::string found_at_setup() const override {
+    return atoms_->description() +
+           (law_ ? fmt::format("; flat faces: w = {:.5g} J/m^2, range {:.5g} m",
+                               law_->work_of_adhesion, law_->adhesion_range)
+                 : std::string());
+  }
 
   SavedState state() const override { return saved_state(atoms_->state()); }
 
@@ -114,6 +143,7 @@ public:
 
 private:
   md::Watch watch_;
+  std::optional<mechanics::ContactInterface> law_; ///< of flat faces
   md::AtomRequest request_;
   Grid layer_;
   std::unique_ptr<md::AtomicContact> atoms_;

@@ -31,27 +31,18 @@ void observe_adhesion(results::CurvePoint& row,
                       const contact::ContactSolution& solution,
                       const Observation& observation) {
   const mechanics::ContactInterface& law = *observation.adhesion;
-  const double* const p = solution.pressure.data();
-  const auto mean_of = [&](const auto& value) {
-    return weighted_sum(observation.nodal_weights, solution.gap.size(),
-                        observation.workers, value) /
-           static_cast<double>(
-               observation.workers.all_nodes(solution.gap.size()));
-  };
-  const double pulled = least_tension * law.pressure_bounds().smallest;
+  const std::size_t nodes = solution.gap.size();
   row.adhesive_energy =
       solution.is_detached
           ? 0.0
-          : mean_of([&](std::size_t i) { return law.energy(solution.gap[i]); });
-  row.repulsive_area = mean_of([&](std::size_t i) {
-    return solution.gap[i] <= 0.0 && p[i] > 0.0 ? 1.0 : 0.0;
-  });
-  row.attractive_load =
-      mean_of([=](std::size_t i) { return std::max(0.0, -p[i]); });
+          : weighted_sum(
+                observation.nodal_weights, nodes, observation.workers,
+                [&](std::size_t i) { return law.energy(solution.gap[i]); }) /
+                static_cast<double>(observation.workers.all_nodes(nodes));
+  observe_tension(row, {solution.pressure, solution.gap}, law,
+                  observation.nodal_weights, observation.workers);
   row.jump_pressure = solution.jump_pressure;
   row.jump_gap = solution.jump_gap;
-  row.tensile_area =
-      mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
   if (std::isfinite(solution.smallest_stiffness)) // not without an open node
     row.smallest_stiffness = solution.smallest_stiffness;
   if (observation.grid_number > mechanics::accurate_grid_number * (1.0 + 1e-9))
@@ -193,6 +184,25 @@ void observe_pressure_fits(results::RowObserver& observe,
   };
   observe("area_fraction_fit", [&] { return area_of(fits().by_histogram); });
   observe("area_fraction_moment", [&] { return area_of(fits().by_moment); });
+}
+
+void observe_tension(results::CurvePoint& row, const NodalFields& fields,
+                     const mechanics::ContactInterface& law,
+                     std::span<const double> weights, const Workers& workers) {
+  const double* const p = fields.pressure.data();
+  const double* const g = fields.gap.data();
+  const std::size_t nodes = fields.gap.size();
+  const auto mean_of = [&](const auto& value) {
+    return weighted_sum(weights, nodes, workers, value) /
+           static_cast<double>(workers.all_nodes(nodes));
+  };
+  const double pulled = least_tension * law.pressure_bounds().smallest;
+  row.repulsive_area = mean_of(
+      [=](std::size_t i) { return g[i] <= 0.0 && p[i] > 0.0 ? 1.0 : 0.0; });
+  row.attractive_load =
+      mean_of([=](std::size_t i) { return std::max(0.0, -p[i]); });
+  row.tensile_area =
+      mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
 }
 
 StepAnswer observe(contact::ContactSolution solution,

@@ -47,6 +47,21 @@ void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> weights = {},
                            const Workers& workers = 1);
 
+/// Pressures [Pa] and gaps [m] of the nodes, or of the atoms of a layer.
+struct NodalFields {
+  std::span<const double> pressure;
+  std::span<const double> gap;
+};
+
+/// Evaluates the areas of repulsion and of tension and the attractive load of a
+/// row with adhesion. Elastic and atomistic methods share this function.
+///
+/// @param weights  relative weights of the nodes; empty if all are equal
+void observe_tension(results::CurvePoint& row, const NodalFields& fields,
+                     const mechanics::ContactInterface& law,
+                     std::span<const double> weights = {},
+                     const Workers& workers = 1);
+
 /// Evaluates a solution. Its fields are moved into the answer. An observable
 /// that cannot be evaluated does not end the run: it is NaN, and the note of
 /// the row gives the reason.

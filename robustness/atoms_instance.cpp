@@ -29,7 +29,7 @@ md::AtomRequest request_of(const Instance& instance) {
                                ? mechanics::AtomModes::vector
                                : mechanics::AtomModes::normal;
   request.layer = grid_of(instance);
-  const int substrate_points = md::incommensurate_atoms(instance.points);
+  const int substrate_points = mechanics::incommensurate_atoms(instance.points);
   request.substrate = {substrate_points, substrate_points, instance.length,
                        instance.length};
   request.scales = {instance.contact_modulus, instance.length,

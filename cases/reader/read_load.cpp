@@ -136,7 +136,9 @@ mechanics::LoadingPath read_load(TableReader load,
                                  const std::vector<MethodSpec>& methods) {
   mechanics::LoadingPath program;
   program.may_be_tensile =
-      std::ranges::all_of(methods, &MethodSpec::is_adhesive);
+      std::ranges::all_of(methods, [](const MethodSpec& method) {
+        return method.is_adhesive() && method.contact() != nullptr;
+      });
   if (load.has("nominal_pressure") && load.has("mean_gap"))
     load.refuse_both("nominal_pressure", "mean_gap");
   if (load.has("mean_gap"))

@@ -34,9 +34,10 @@ std::vector<Key> contact_keys() {
           "hard wall with adhesion that falls with the gap g: w exp(-g/range), "
           "w (1 - g/range) (dugdale) or w (1 - g/range)^3 (cubic); or laws "
           "without a wall, whose gap counts from that of flat faces in "
-          "equilibrium: lennard-jones (9-3, range is the distance of the faces "
-          "there) and morse. Adhesion "
-          "is available to [halfspace] and to condensed "
+          "equilibrium: lennard-jones (9-3, of half-spaces of atoms; range is "
+          "the distance of the faces there), lennard-jones-10-4 (of two layers "
+          "of atoms, as those of [md]) and morse. Adhesion is available to "
+          "[halfspace] and to condensed "
           "[fem] with element = \"Q1\", and its loads may be tensile.")
           .shown(),
       key<&Contact::penalty>(
@@ -92,7 +93,8 @@ Table load_table() {
                    {mechanics::ReferenceUnit::contact_modulus,
                     mechanics::ReferenceUnit::contact_modulus_times_slope}},
                   "Load divided by the nominal area, > 0, or any number if "
-                  "all methods have adhesion; h' is the rms slope of the "
+                  "all methods have adhesion and none is [md]; h' is the rms "
+                  "slope of the "
                   "realisation.",
                   needed("{ from = \"1e-3 E*\", to = \"0.1 E*\", steps = 8, "
                          "spacing = \"log\" }",

@@ -168,6 +168,10 @@ std::vector<ExpectationName> adhesion_names() {
       {.name = "dissipated_energy",
        .description = "Work -sum p du of a loading path that ends at the gap "
                       "where it began, over the work of adhesion [1]."},
+      {.name = "adhesive_difference",
+       .description = "Largest |p - p of the first method with adhesion| at "
+                      "equal mean gap, over the largest tension of that "
+                      "method; needs loads by mean gap [1]."},
       {.name = "adhesive_wave_error",
        .description = "Largest |p - p of adhesion without range (JKR)| at "
                       "equal contact area, over the pressure of full contact "

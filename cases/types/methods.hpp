@@ -7,6 +7,7 @@
 #include "mechanics/fem_settings.hpp"
 #include "mechanics/md_settings.hpp"
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <variant>
@@ -68,7 +69,21 @@ struct MethodSpec {
 
   /// Returns whether the faces attract each other.
   bool is_adhesive() const {
+    if (const auto* const md = std::get_if<mechanics::MdSettings>(&settings))
+      return md->is_adhesive();
     return contact() != nullptr && mechanics::is_adhesive(contact()->law);
+  }
+
+  /// Returns the law of faces that attract each other, of atoms that of flat
+  /// faces; none without adhesion.
+  /// @param scales  with a length and a spacing > 0
+  std::optional<mechanics::ContactInterface>
+  adhesion(const mechanics::Scales& scales) const {
+    if (const auto* const md = std::get_if<mechanics::MdSettings>(&settings))
+      return md->flat_law(scales.length, static_cast<int>(std::lround(
+                                             scales.length / scales.spacing)));
+    return is_adhesive() ? std::optional(contact()->in_si(scales))
+                         : std::nullopt;
   }
 
   /// Returns the largest pressure of the method; none if it is elastic.

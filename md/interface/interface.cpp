@@ -287,10 +287,4 @@ std::vector<double> Interface::heights_below(const LayerView& atoms) const {
   return heights;
 }
 
-int incommensurate_atoms(int layer_atoms) {
-  require_positive("layer_atoms", layer_atoms, "1");
-  return 2 *
-         static_cast<int>(std::lround(0.5 * std::numbers::phi * layer_atoms));
-}
-
 } // namespace asperity::md

@@ -102,10 +102,4 @@ private:
   std::unique_ptr<Kernel> kernel_;
 };
 
-/// Returns the number of atoms per side of the periodic substrate lattice whose
-/// spacing is closest to a/phi, where phi is the golden mean. The number is
-/// even: 648 for 400 block atoms, as in Yang and Persson (2008), Sec. 4.
-/// @throws std::domain_error  layer_atoms < 1
-int incommensurate_atoms(int layer_atoms);
-
 } // namespace asperity::md

@@ -148,15 +148,11 @@ void add_sphere_error(const results::Result& result,
                       const results::MethodRecord& method,
                       MethodSummary& summary) {
   const results::SurfaceRecord* const surface = surface_of(result, method, 0);
-  const mechanics::ContactSettings& contact =
-      *spec_of(contact_case, method)->contact();
-  if (contact_case.surface.kind != mechanics::SurfaceKind::sphere ||
-      contact.law != mechanics::ContactLaw::dugdale || surface == nullptr)
-    return;
   const mechanics::ContactInterface law =
-      contact.in_si({.contact_modulus = result.contact_modulus,
-                     .length = surface->grid.length_x,
-                     .spacing = surface->grid.spacing_x()});
+      *adhesion_of(result, contact_case, method);
+  if (contact_case.surface.kind != mechanics::SurfaceKind::sphere ||
+      law.law != mechanics::ContactLaw::dugdale)
+    return;
   const theory::MaugisSphere sphere({contact_case.surface.radius,
                                      result.contact_modulus,
                                      law.work_of_adhesion},
@@ -169,16 +165,60 @@ void add_sphere_error(const results::Result& result,
       largest_estimate(error, "no step has a contact");
 }
 
+/// Returns the largest |p - p_other| of equal steps, at equal mean gaps, over
+/// the largest tension of the other rows; NaN if there are none.
+/// @param rows, others  in the order of the path
+double largest_difference(const std::vector<CurvePoint>& rows,
+                          const std::vector<CurvePoint>& others) {
+  double difference = not_a_number;
+  for (const CurvePoint& row : rows) {
+    const auto other =
+        std::ranges::lower_bound(others, row.step, {}, &CurvePoint::step);
+    if (other != others.end() && other->step == row.step &&
+        std::abs(row.mean_gap - other->mean_gap) <=
+            1e-6 * std::abs(other->mean_gap))
+      difference = std::fmax(
+          difference, std::abs(row.nominal_pressure - other->nominal_pressure));
+  }
+  return difference / largest_tension(others);
+}
+
+/// Adds the difference from the first other method with adhesion, if that is
+/// before this one.
+void add_difference(const results::Result& result,
+                    const cases::Case& contact_case,
+                    const results::MethodRecord& method,
+                    MethodSummary& summary) {
+  const auto first = std::ranges::find_if(
+      result.methods, [&](const results::MethodRecord& other) {
+        return is_adhesive(contact_case, other);
+      });
+  if (first->name == method.name)
+    return;
+  const std::size_t count =
+      std::min(method.realizations.size(), first->realizations.size());
+  double difference = not_a_number;
+  for (std::size_t i = 0; i < count; ++i)
+    difference = std::fmax(
+        difference, largest_difference(converged_rows(method.realizations[i]),
+                                       converged_rows(first->realizations[i])));
+  Estimate& largest = summary.quantities["adhesive_difference"];
+  largest = largest_estimate(
+      difference, "no steps at the same mean gap as the first method");
+  if (largest.has_value())
+    largest.remark = "largest over the loads at equal mean gaps";
+}
+
 } // namespace
 
 void add_adhesion_quantities(const results::Result& result,
                              const cases::Case& contact_case,
                              const results::MethodRecord& method,
                              MethodSummary& summary) {
-  if (!is_adhesive(contact_case, method))
+  const auto law = adhesion_of(result, contact_case, method);
+  if (!law)
     return;
-  const double work =
-      spec_of(contact_case, method)->contact()->work_of_adhesion;
+  const double work = law->work_of_adhesion;
   std::vector<FittedValue> tension;
   std::vector<FittedValue> dissipated;
   tension.reserve(method.realizations.size());
@@ -208,6 +248,7 @@ void add_adhesion_quantities(const results::Result& result,
     summary.quantities["adhesive_wave_error"] =
         largest_estimate(error, "no step has a partial contact");
   add_sphere_error(result, contact_case, method, summary);
+  add_difference(result, contact_case, method, summary);
 }
 
 } // namespace asperity::reports

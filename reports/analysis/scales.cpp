@@ -36,6 +36,20 @@ bool is_adhesive(const cases::Case& contact_case,
   return spec != nullptr && spec->is_adhesive();
 }
 
+std::optional<mechanics::ContactInterface>
+adhesion_of(const results::Result& result, const cases::Case& contact_case,
+            const results::MethodRecord& method) {
+  const results::SurfaceRecord* const surface = surface_of(result, method, 0);
+  if (!is_adhesive(contact_case, method) || surface == nullptr)
+    return std::nullopt;
+  return spec_of(contact_case, method)
+      ->adhesion({.contact_modulus = result.contact_modulus,
+                  .length = surface->grid.length_x,
+                  .spacing = surface->grid.spacing_x(),
+                  .rms_height = surface->rms_height,
+                  .rms_slope = surface->rms_slope});
+}
+
 bool uses_formula(const cases::Case& contact_case,
                   const results::MethodRecord& method) {
   const auto* const theory =

@@ -143,6 +143,12 @@ const Settings* settings_of(const cases::Case& contact_case,
 bool is_adhesive(const cases::Case& contact_case,
                  const results::MethodRecord& method);
 
+/// Returns the law by which they do, on the surface of realisation 0; none
+/// without adhesion or without a surface.
+std::optional<mechanics::ContactInterface>
+adhesion_of(const results::Result& result, const cases::Case& contact_case,
+            const results::MethodRecord& method);
+
 /// True if the method is a theory that used the analytical spectrum of the
 /// case.
 bool uses_formula(const cases::Case& contact_case,

@@ -263,7 +263,7 @@ void add_no_contact(const Result& result, std::vector<Warning>& warnings) {
         if (method.kind == "theory" ||
             point.status != results::StepStatus::converged)
           continue;
-        if (point.nominal_pressure > 0.0 || point.area_fraction > 0.0)
+        if (point.nominal_pressure != 0.0 || point.area_fraction > 0.0)
           return;
         smallest_gap = std::min(smallest_gap, point.mean_gap);
       }

@@ -125,14 +125,15 @@ Figure loop_figure(const results::Result& result) {
   figure.title = "Approach and retraction with adhesion";
   figure.caption = "The nominal pressure along the loading path of the first "
                    "realisation; tension is negative. The area between the "
-                   "two curves of a method is the energy that a cycle loses.";
+                   "approach and the retraction (dashed) of a method is the "
+                   "energy that a cycle loses.";
   const double in_nm = 1e9;
   CsvTable table({"curve", "index", "u [nm]", "p/E* [1]"});
   ChartPanel panel{.x = {.label = "mean separation u  [nm]"},
                    .y = {.label = "p / E*"},
                    .has_zero_line = true};
-  std::size_t index = 0;
-  for (const results::MethodRecord& method : result.methods)
+  std::size_t index = 0, color = 0;
+  for (const results::MethodRecord& method : result.methods) {
     for (const bool is_unloading : {false, true}) {
       if (method.realizations.empty())
         continue;
@@ -148,9 +149,11 @@ Figure loop_figure(const results::Result& result) {
           has_row = true;
         }
       if (has_row)
-        panel.add(title, line(is_unloading ? red : blue, 1.6, 1), index++, 3,
-                  4);
+        panel.add(title, line(method_color(color), 1.6, is_unloading ? 2 : 1),
+                  index++, 3, 4);
     }
+    color += method.kind == "theory" ? 0 : 1;
+  }
   figure.data = table.text();
   figure.panels = {std::move(panel)};
   return figure;

@@ -48,15 +48,29 @@ std::string folder_name(std::size_t index, const std::string& name) {
   return fmt::format("{}-{}", index + 1, file_word(name));
 }
 
-/// True if steps converged and none has a load: a warning says so.
-bool has_no_contact(std::span<const ReportEntry> entries,
-                    std::span<const Series> series) {
+bool has_tension(const results::Result& result) {
+  for (const results::MethodRecord& method : result.methods)
+    for (const results::Curve& curve : method.realizations)
+      for (const results::CurvePoint& row : curve.points)
+        if (row.status == results::StepStatus::converged &&
+            row.nominal_pressure < 0.0)
+          return true;
+  return false;
+}
+
+/// True if steps converged and none is pressed: a warning says so, or the
+/// figure of the path with adhesion shows it.
+bool is_never_pressed(std::span<const ReportEntry> entries,
+                      std::span<const Series> series) {
   return std::ranges::all_of(
              series, [](const Series& one) { return one.rows.empty(); }) &&
          std::ranges::any_of(entries, [](const ReportEntry& entry) {
-           return std::ranges::any_of(
-               warnings_of(*entry.result, *entry.contact_case),
-               [](const Warning& one) { return one.kind == "no_contact"; });
+           return has_tension(*entry.result) ||
+                  std::ranges::any_of(
+                      warnings_of(*entry.result, *entry.contact_case),
+                      [](const Warning& one) {
+                        return one.kind == "no_contact";
+                      });
          });
 }
 
@@ -67,7 +81,7 @@ FigureGroup shared_curves(std::span<const ReportEntry> entries,
       std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
         return !is_exact_shape(*e.contact_case);
       });
-  if (!has_rough || has_no_contact(entries, series))
+  if (!has_rough || is_never_pressed(entries, series))
     return group;
   auto& figures = group.figures;
   const FigureScales scales = figure_scales(entries);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace asperity::reports {
 namespace {
@@ -58,18 +60,34 @@ void add_content(List& contents, const std::string& anchor,
   contents.push_back(item);
 }
 
+using FigureOfGroup =
+    std::pair<DrawnGroup*, std::vector<DrawnFigure>::iterator>;
+
+/// Returns the figure that stands beside the answer, with its group: the path
+/// of contact with adhesion, or else the first one if it shows the curves; null
+/// if there is neither.
+FigureOfGroup leading_figure(std::vector<DrawnGroup>& groups) {
+  for (DrawnGroup& group : groups)
+    if (const auto loop = std::ranges::find(group.figures, "adhesion-loop",
+                                            &DrawnFigure::name);
+        loop != group.figures.end())
+      return {&group, loop};
+  if (groups.empty() || groups.front().figures.empty())
+    return {};
+  const auto first = groups.front().figures.begin();
+  return first->name == "pressure-gap" || first->name.starts_with("exact-")
+             ? FigureOfGroup{&groups.front(), first}
+             : FigureOfGroup{};
+}
+
 } // namespace
 
 void set_groups(Value& page, std::span<const DrawnGroup> groups) {
   std::vector<DrawnGroup> others(groups.begin(), groups.end());
   List first;
-  if (!others.empty() && !others.front().figures.empty()) {
-    std::vector<DrawnFigure>& figures = others.front().figures;
-    const std::string& name = figures.front().name;
-    if (name == "pressure-gap" || name.starts_with("exact-")) {
-      first.push_back(figure_data(figures.front()));
-      figures.erase(figures.begin());
-    }
+  if (const auto [group, figure] = leading_figure(others); group != nullptr) {
+    first.push_back(figure_data(*figure));
+    group->figures.erase(figure);
   }
   std::erase_if(others,
                 [](const DrawnGroup& one) { return one.figures.empty(); });

@@ -82,28 +82,20 @@ std::string adhesive_sentence(const ReportEntry& entry,
                                          &MethodSummary::name);
   const results::SurfaceRecord* const surface =
       surface_of(*entry.result, method, 0);
-  if (!is_adhesive(contact_case, method) ||
-      summary == entry.summary.methods.end() || surface == nullptr)
+  const auto law = adhesion_of(*entry.result, contact_case, method);
+  if (!law || summary == entry.summary.methods.end())
     return "";
   const double modulus = entry.result->contact_modulus;
-  const mechanics::ContactInterface law =
-      spec_of(contact_case, method)
-          ->contact()
-          ->in_si({.contact_modulus = modulus,
-                   .length = surface->grid.length_x,
-                   .spacing = surface->grid.spacing_x(),
-                   .rms_height = surface->rms_height,
-                   .rms_slope = surface->rms_slope});
   const auto tension = summary->quantities.find("pull_off_pressure");
   std::string words =
       fmt::format(" Adhesion of {:.3g} mJ/m² acts over {:.3g} "
                   "nm",
-                  1e3 * law.work_of_adhesion, 1e9 * law.adhesion_range);
+                  1e3 * law->work_of_adhesion, 1e9 * law->adhesion_range);
   if (tension != summary->quantities.end() && tension->second.has_value())
     words += fmt::format(": the largest tension of the path is {}",
                          in_unit(tension->second.value * modulus, "Pa"));
   const double criterion =
-      stickiness(law, modulus, {surface->rms_slope, surface->rms_curvature});
+      stickiness(*law, modulus, {surface->rms_slope, surface->rms_curvature});
   if (std::isfinite(criterion) && criterion > 0.0)
     words += fmt::format("; the criterion of Pastewka and Robbins (2014) is "
                          "{:.3g}, below 1 where faces stick",

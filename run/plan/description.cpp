@@ -147,15 +147,17 @@ void add_adhesion(std::vector<DerivedNumber>& numbers,
   for (const MethodSpec& method : methods) {
     if (!method.is_adhesive() || !(known.scales.spacing > 0.0))
       continue;
-    const mechanics::ContactInterface law =
-        method.contact()->in_si(known.scales);
+    const mechanics::ContactInterface law = *method.adhesion(known.scales);
     const double modulus = known.scales.contact_modulus;
     const mechanics::Roughness rough{known.rms_slope, known.rms_curvature};
+    add(numbers, "work_of_adhesion", law.work_of_adhesion, "J/m^2",
+        "w of " + method.name);
     add(numbers, "adhesion_range", law.adhesion_range, "m",
         "rho of " + method.name);
-    add(numbers, "adhesion_grid_number",
-        law.grid_number(modulus, known.scales.spacing), "1",
-        "s^2 h/(w E*); above 0.25 the grid resolves the range coarsely");
+    if (method.contact() != nullptr)
+      add(numbers, "adhesion_grid_number",
+          law.grid_number(modulus, known.scales.spacing), "1",
+          "s^2 h/(w E*); above 0.25 the grid resolves the range coarsely");
     add(numbers, "tabor_parameter", tabor_parameter(law, modulus, rough), "1",
         "(w^2/(E*^2 kappa rho^3))^{1/3} with the rms curvature kappa");
     add(numbers, "stickiness", stickiness(law, modulus, rough), "1",

@@ -60,7 +60,7 @@ TEST(AdhesionCase, MayBePulled) {
 TEST(AdhesionCase, MayHaveFreeBoundariesOrNoWall) {
   const std::string tension = "nominal_pressure = [\"1 MPa\", \"-1 MPa\"]";
   EXPECT_EQ(mistakes_of(sticky(law + "boundaries = \"free\"\n", tension)), "");
-  for (const std::string name : {"lennard-jones", "morse"})
+  for (const std::string name : {"lennard-jones-10-4", "morse"})
     EXPECT_EQ(mistakes_of(sticky("contact = \"" + name +
                                      "\"\nwork_of_adhesion = \"50 mJ/m^2\"\n",
                                  tension)),
@@ -98,6 +98,9 @@ TEST(AdhesionCase, IsNeededForTension) {
   expect_mistake(sticky(law + "[winkler]\nstiffness = \"0.05 E*/h\"\n",
                         "nominal_pressure = 0"),
                  "load.nominal_pressure = 0, but must be > 0 [Pa]");
+  expect_mistake(sticky(law + "[md]\npotential = \"lennard-jones\"\n",
+                        "nominal_pressure = 0"),
+                 "load.nominal_pressure = 0, but must be > 0 [Pa]");
 }
 
 TEST(AdhesionCase, NeedsItsKeys) {
@@ -107,7 +110,8 @@ TEST(AdhesionCase, NeedsItsKeys) {
   expect_mistake(sticky("work_of_adhesion = \"50 mJ/m^2\"\n", pressed),
                  "halfspace.work_of_adhesion = \"50 mJ/m^2\", but needs a "
                  "contact with adhesion: contact = \"exponential\", "
-                 "\"dugdale\", \"cubic\", \"lennard-jones\" or \"morse\"");
+                 "\"dugdale\", \"cubic\", \"lennard-jones\", "
+                 "\"lennard-jones-10-4\" or \"morse\"");
   expect_mistake(sticky("contact = \"cubic\"\nrange = -1\n"
                         "work_of_adhesion = \"50 mJ/m^2\"\n",
                         pressed),

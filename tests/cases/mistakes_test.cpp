@@ -52,7 +52,8 @@ TEST(Mistakes, AreShownAllAtOnceInTheOrderOfTheFile) {
       "  case.toml:12: load.cycle = \"lode\", but must be load | load-unload; "
       "nearest: load\n"
       "  case.toml:14: halfspace.contact = 3, but must be penalty | hard | "
-      "augmented | exponential | dugdale | cubic | lennard-jones | morse\n");
+      "augmented | exponential | dugdale | cubic | lennard-jones | "
+      "lennard-jones-10-4 | morse\n");
 }
 
 TEST(Mistakes, NameTheMissingTables) {

@@ -21,7 +21,8 @@ const std::set<std::string> shipped = {
     "self-affine", "wave-1d", "wave-2d"};
 
 const std::set<std::string> adhesive = {"adhesive-rough", "adhesive-sphere",
-                                        "adhesive-wave", "challenge"};
+                                        "adhesive-wave", "adhesive-atoms",
+                                        "challenge"};
 
 // Full 3-D blocks, which are also read with their quick.set.
 const std::set<std::string> full_blocks = {

@@ -28,7 +28,7 @@ AtomRequest request_of(int points, mechanics::AtomModes modes, bool is_cut) {
   const double longest = 2.0 * std::numbers::pi / length;
   mechanics::SurfaceSpec surface;
   surface.length = length;
-  surface.points = incommensurate_atoms(points);
+  surface.points = mechanics::incommensurate_atoms(points);
   surface.seed = 1;
   surface.rms_height = 1e-9 * points / 400.0;
   surface.hurst = 0.8;

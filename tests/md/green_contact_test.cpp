@@ -49,7 +49,7 @@ AtomRequest flat_request(int substrate_points) {
 /// A surface on which three decades of loads are possible: waves from length
 /// down to a sixth.
 AtomRequest rough_request() {
-  AtomRequest request = flat_request(incommensurate_atoms(points));
+  AtomRequest request = flat_request(mechanics::incommensurate_atoms(points));
   mechanics::SurfaceSpec surface;
   surface.length = length;
   surface.points = request.substrate.points_x;
@@ -155,7 +155,8 @@ TEST(GreenContact, StoresTheWorkOfTheLoad) {
 // (2/9)(d_c/cutoff)^9 (1e-4), and the corrugation by the layer itself is
 // smooth; u changes by d_c/11 of it.
 TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
-  const AtomRequest request = flat_request(incommensurate_atoms(points));
+  const AtomRequest request =
+      flat_request(mechanics::incommensurate_atoms(points));
   const double distance = request.settings.contact_distance;
   const double pressure = problems::plane_repulsion_pressure(
       interaction_of(request.settings), request.layer.cell_area(),
@@ -166,6 +167,58 @@ TEST(GreenContact, LiesAtTheContactDistanceOnAnIncommensurateSurface) {
 
   ASSERT_TRUE(answer.converged) << answer.note;
   EXPECT_NEAR(answer.mean_gap / distance, 0.0, 1e-3);
+}
+
+/// Atoms that attract each other by 20 meV; the cutoff takes 1e-7 of it.
+AtomRequest with_attraction(AtomRequest request) {
+  request.settings.potential = mechanics::AtomPotential::lennard_jones;
+  request.settings.interaction_energy *= 20.0 / 74.4;
+  request.settings.cutoff = 0.4 * length;
+  request.settings.contact_distance =
+      request.settings.flat_law(length, points).value().adhesion_range;
+  return request;
+}
+
+// Over an incommensurate flat surface the atoms have the pressure of the 10-4
+// law at the prescribed gap, in compression and in tension. The block is a
+// thousand times stiffer than that of the paper, whose atoms move into the
+// hollows between those of the substrate: 5e-3 of the pressure at -0.1 A.
+// Tolerance: a thousandth of that, and the attraction that the cutoff takes.
+TEST(GreenContact, HasTheLawOfFlatLayersThatAttract) {
+  AtomRequest request =
+      with_attraction(flat_request(mechanics::incommensurate_atoms(points)));
+  request.youngs_modulus *= 1e3;
+  const mechanics::ContactInterface law =
+      request.settings.flat_law(length, points).value();
+  const auto contact = make_atomic_contact(request);
+
+  for (const double gap : {3e-10, 0.4e-10, 0.1e-10, -0.1e-10, 2e-10}) {
+    const AtomStep answer = contact->solve({Control::mean_gap, gap}, 0);
+
+    ASSERT_TRUE(answer.converged) << answer.note;
+    EXPECT_NEAR(answer.nominal_pressure / law.pressure(gap), 1.0, 2e-5) << gap;
+  }
+}
+
+// On both sides of the largest tension the derivative of the energy by the mean
+// gap is minus the pressure. Tolerance: h^2 of the difference and the residual.
+TEST(GreenContact, StoresTheWorkOfATension) {
+  AtomRequest request = with_attraction(rough_request());
+  request.settings.cutoff = 10e-10; // which the energy knows
+  const auto contact = make_atomic_contact(request);
+  constexpr double step = 0.01e-10;
+  for (const double gap : {5e-10, 2e-10}) {
+    std::vector<AtomStep> answers;
+    for (const double change : {step, 0.0, -step})
+      answers.push_back(contact->solve({Control::mean_gap, gap + change}, 0));
+    const double gain = answers[2].elastic_energy +
+                        answers[2].interface_energy -
+                        answers[0].elastic_energy - answers[0].interface_energy;
+
+    EXPECT_LT(answers[1].nominal_pressure, 0.0) << gap;
+    EXPECT_NEAR(gain / (2.0 * step) / answers[1].nominal_pressure, 1.0, 1e-4)
+        << gap;
+  }
 }
 
 // With every atom on top of another the lattice sum decides: u is where the

@@ -132,15 +132,6 @@ TEST(HeightsBelow, AreBilinear) {
     }
 }
 
-// The number is the paper's 648 for 400, and follows the golden ratio for other
-// lattices.
-TEST(IncommensurateAtoms, AreTheNearestEvenNumber) {
-  EXPECT_EQ(incommensurate_atoms(400), 648);
-  EXPECT_EQ(incommensurate_atoms(100), 162);
-  EXPECT_EQ(incommensurate_atoms(1), 2);
-  EXPECT_THROW(incommensurate_atoms(0), std::domain_error);
-}
-
 TEST(InterfaceRefusal, NamesTheArgument) {
   const Grid layer = lattice(10, 26.0 * angstrom);
   const Grid substrate = lattice(16, 26.0 * angstrom);

@@ -52,7 +52,7 @@ inline AtomRequest small_request(int points, int cells, double rms_slope) {
   request.youngs_modulus = 77.2e9;
   request.poisson_ratio = 0.25;
   request.layer = lattice(points, length);
-  request.substrate = lattice(incommensurate_atoms(points), length);
+  request.substrate = lattice(mechanics::incommensurate_atoms(points), length);
   request.heights = waves(request.substrate, rms_slope);
   mechanics::MdSettings& settings = request.settings;
   settings.engine = mechanics::AtomEngine::lammps;

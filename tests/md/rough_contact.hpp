@@ -30,7 +30,8 @@ struct RoughContact {
   Grid layer() const { return lattice(atoms, atoms * layer_spacing); }
 
   Grid substrate() const {
-    return lattice(incommensurate_atoms(atoms), atoms * layer_spacing);
+    return lattice(mechanics::incommensurate_atoms(atoms),
+                   atoms * layer_spacing);
   }
 
   /// Waves of wavenumber 1 and 2 in both directions, with random phases and

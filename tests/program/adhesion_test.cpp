@@ -1,5 +1,5 @@
-// Adhesion as a user asks for it: by an option for a map, and up to full
-// contact.
+// Adhesion as a user asks for it: by an option for a map, up to full contact,
+// and by atoms beside a half-space.
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
 
@@ -34,6 +34,9 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
   EXPECT_NE(page.find("criterion of Pastewka and Robbins"), std::string::npos);
   EXPECT_TRUE(
       std::filesystem::exists(folder / "pulled/figures/adhesion-loop.svg"));
+  EXPECT_LT(page.find("Approach and retraction with adhesion"),
+            page.find("Pressure against separation")) // and leads the page
+      << page.size();
 
   const Ended wrong = run(command + "\"50 mJ\"");
   EXPECT_EQ(wrong.exit_code, 2);
@@ -61,6 +64,70 @@ TEST_F(AdhesionTest, FullContactIsAResult) {
   ASSERT_EQ(full.exit_code, 0) << full.output;
   EXPECT_NE(full.output.find("A = 100.000 %"), std::string::npos)
       << full.output;
+}
+
+// Atoms that attract are the half-space with the law of their layers: the loads
+// at equal gaps differ by 0.4 % of the largest tension, which is the product of
+// slope and lateral displacement. 5 % of w are seen.
+TEST_F(AdhesionTest, AtomsActAsTheLawOfTheirLayers) {
+  write("atoms.toml", R"(schema = 1
+[surface]
+kind = "wave-2d"
+length = "12.48 nm"
+points = 78
+amplitude = "0.15 nm"
+wavelength = "1 length"
+[material]
+youngs_modulus = "77.2 GPa"
+poisson_ratio = 0.42
+[load]
+mean_gap = ["0.4 nm", "0.2 nm", "0.1 nm"]
+cycle = "load-unload"
+[halfspace]
+contact = "lennard-jones-10-4"
+work_of_adhesion = "596.06 mJ/m^2"
+range = "2.92215 angstrom"
+[md]
+atoms = 48
+potential = "lennard-jones"
+interaction_energy = "20 meV"
+interaction_distance = "3.28 angstrom"
+cutoff = "2 nm"
+contact_distance = "2.92215 angstrom"
+[expect]
+adhesive_difference = { below = 0.01, methods = ["md"] }
+)");
+  const Ended described = run("describe atoms.toml");
+  EXPECT_NE(described.output.find("0.596059 J/m^2  (w of md)"),
+            std::string::npos)
+      << described.output;
+
+  const Ended same = run("run atoms.toml --out same");
+  EXPECT_EQ(same.exit_code, 0) << same.output;
+  EXPECT_EQ(same.output.find("figure not drawn"), std::string::npos)
+      << same.output; // though no step is pressed
+  const std::string csv = text_of(folder / "same/curves.csv");
+  auto half = columns_of(csv, "halfspace");
+  auto atoms = columns_of(csv, "md");
+  for (const auto& [column, most] :
+       {std::pair("area_fraction [1]", 0.006),
+        std::pair("repulsive_area [1]", 0.006),
+        std::pair("tensile_area [1]", 0.002),
+        std::pair("attractive_load [Pa]", 2e7),
+        std::pair("elastic_energy [J/m^2]", 1e-3),
+        std::pair("adhesive_energy [J/m^2]", 5e-3)}) {
+    ASSERT_EQ(atoms[column].size(), 5U);
+    EXPECT_NE(std::stod(atoms[column][2]), 0.0) << column;
+    EXPECT_NEAR(std::stod(half[column][2]), std::stod(atoms[column][2]), most)
+        << column;
+  }
+  // All but the contact is in tension.
+  EXPECT_GT(std::stod(atoms["tensile_area [1]"][2]), 0.9);
+  EXPECT_GT(std::stod(atoms["attractive_load [Pa]"][2]),
+            -std::stod(atoms["nominal_pressure [Pa]"][2]));
+  const Ended other = run("run atoms.toml --out other --set "
+                          "\"halfspace.work_of_adhesion=626 mJ/m^2\"");
+  EXPECT_NE(other.exit_code, 0) << other.output;
 }
 
 } // namespace asperity::program::adhesion_test

@@ -48,6 +48,24 @@ MethodSummary summary_of(const std::vector<CurvePoint>& rows) {
   return summary;
 }
 
+/// Two methods with these rows, the first of them without a summary.
+double difference_of(const std::vector<CurvePoint>& rows,
+                     const std::vector<CurvePoint>& others) {
+  cases::Case contact_case;
+  mechanics::HalfspaceSettings settings;
+  settings.contact.law = mechanics::ContactLaw::morse;
+  settings.contact.work_of_adhesion = work;
+  contact_case.methods = {{"halfspace", settings}, {"halfspace.b", settings}};
+  results::Result result;
+  result.contact_modulus = 1e9;
+  result.methods = {{"halfspace", "halfspace", "", {{others, {}, 0.0}}},
+                    {"halfspace.b", "halfspace", "", {{rows, {}, 0.0}}}};
+  result.surfaces.emplace_back().rms_height = rms_height;
+  MethodSummary summary;
+  add_adhesion_quantities(result, contact_case, result.methods.back(), summary);
+  return summary.quantities.at("adhesive_difference").value;
+}
+
 constexpr Branch outside{3e-8, 0.01}, inside{1e-8, 0.04};
 
 // A path by mean gaps, on which no row is without load: the states between rows
@@ -99,6 +117,24 @@ TEST(AdhesionQuantities, LeaveOutStatesWithTheLargestEnergy) {
   std::swap(first.nominal_pressure, second.nominal_pressure);
   auto quantities = summary_of({first, second}).quantities;
   EXPECT_FALSE(quantities["effective_work_approach"].has_value());
+}
+
+// Rows of the same step count if they have the same gap.
+TEST(AdhesionQuantities, TellHowFarMethodsPart) {
+  std::vector<CurvePoint> rows, others;
+  for (const int step : {0, 1, 2, 4}) {
+    const double gap = (4 - step) * 1e-8;
+    others.push_back(row_at({2e-8, 0.0}, gap, false));
+    rows.push_back(row_at({2.1e-8, 0.0}, gap, false));
+    rows.back().step = others.back().step = step;
+  }
+  rows[0].nominal_pressure = rows[2].mean_gap = 1.0; // the largest, and no gap
+  rows[0].status = results::StepStatus::not_converged;
+  rows[3].step = 3;
+  rows[3].nominal_pressure = 1.0;
+
+  EXPECT_NEAR(difference_of(rows, others), 0.05, 1e-12);
+  EXPECT_TRUE(std::isnan(difference_of({rows[2], rows[3]}, others)));
 }
 
 } // namespace asperity::reports::adhesion_quantities_test

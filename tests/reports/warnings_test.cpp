@@ -60,7 +60,8 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
 }
 
 // Curves without any contact are a warning and not a failure of a figure; if
-// one step has a load, or none converged, there is no such warning.
+// one step has a load or a tension, or none converged, there is no such
+// warning.
 TEST_F(Warnings, NameCurvesWithoutContact) {
   std::erase_if(result.methods, [](const results::MethodRecord& method) {
     return method.kind == "theory";
@@ -83,8 +84,10 @@ TEST_F(Warnings, NameCurvesWithoutContact) {
   EXPECT_EQ(html.find("could not be drawn"), std::string::npos);
 
   results::Result loaded = result;
-  loaded.methods[0].realizations[0].points[3].nominal_pressure = 1e5;
-  EXPECT_EQ(kinds(warnings_of(loaded, rough)), Names{});
+  for (const double pressure : {1e5, -1e5}) {
+    loaded.methods[0].realizations[0].points[3].nominal_pressure = pressure;
+    EXPECT_EQ(kinds(warnings_of(loaded, rough)), Names{}) << pressure;
+  }
   for (results::MethodRecord& method : result.methods)
     for (results::Curve& curve : method.realizations)
       for (results::CurvePoint& point : curve.points)
