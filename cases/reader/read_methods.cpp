@@ -31,6 +31,14 @@ std::string adhesive_names() {
 mechanics::ContactSettings read_contact(TableReader& table) {
   mechanics::ContactSettings contact;
   table.read(contact);
+  if (table.has("contact") &&
+      table.said_by("contact").text != mechanics::traits_of(contact.law).name) {
+    // An unknown law, which is reported: what is given beside it tells which
+    // kind is meant.
+    if (table.has("work_of_adhesion") || table.has("range"))
+      contact.law = mechanics::ContactLaw::exponential;
+    return contact;
+  }
   if (mechanics::needs_penalty(contact.law))
     table.require("penalty", ", which this contact needs");
   if (mechanics::is_adhesive(contact.law))

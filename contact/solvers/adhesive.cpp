@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 // A tour: solve_adhesive() below is the loop. AdhesiveState holds the gap, the
@@ -80,10 +79,8 @@ public:
   /// The direction -r over the stiffness of the shortest waves: that of a step
   /// whose projection lowers the energy, where that of M r may not.
   std::span<const double> steepest(AdhesiveState& state) {
-    const double compliance =
-        state.elasticity.short_wave_compliance() / (2.0 * std::numbers::sqrt2);
     state.residual(direction_);
-    state.each([&](std::size_t i) { direction_[i] *= -compliance; });
+    state.each([&](std::size_t i) { direction_[i] /= -state.stiffest_waves; });
     return direction_;
   }
 

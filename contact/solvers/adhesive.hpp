@@ -40,16 +40,16 @@ std::string detached_note(double nominal_pressure);
 /// pressure is p = K v + p_0:
 /// the law's -W'(g) where the gap is open, and at least that where the wall
 /// carries a load. Loads by pressure may be tensile, p_0 <= 0. A law without a
-/// wall has no bound on the gap, all its nodes are free, and its initial matrix
-/// is M = S (K + k_c)^-1 S with S = (1 + W''/k_c)^-1/2 where W'' > 0; a node
-/// goes at most 0.4 of its way to the core of the law in a step.
+/// wall has no bound on the gap, and all its nodes are free; a node goes at
+/// most 0.4 of its way to the core of the law in a step.
 ///
 /// With w > 0 there may be several minima. The solver goes downhill from
 /// `start`, and reports a neighbouring one. Each iteration is one of L-BFGS
 /// with four pairs on the free nodes, those with an open gap or a negative
-/// residual r = K v + W' + p_0; its initial matrix is M = (K + k_c)^-1. The
-/// step is clipped at the wall, shortened until the exact energy has fallen
-/// (Armijo), and thus no iteration raises the energy. It has converged if the
+/// residual r = K v + W' + p_0; its initial matrix M, about (K + k_c)^-1, is
+/// that of AdhesiveState::precondition(). The step is clipped at the wall,
+/// shortened until the exact energy has fallen (Armijo), and thus no iteration
+/// raises the energy. It has converged if the
 /// rms of M r on the free nodes is at most gap_tolerance. LOBPCG then looks for
 /// the smallest eigenvalue of the Hessian K + W'' of the free nodes; where it
 /// is negative (a saddle), the solver goes along the eigenvector and on from

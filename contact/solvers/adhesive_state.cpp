@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace asperity::contact {
@@ -71,6 +72,9 @@ AdhesiveState::AdhesiveState(SurfaceOperator& elasticity_,
       elastic(gap.size()),
       gradient(gap.size()),
       free(gap.size()),
+      stiffest_waves(2.0 * std::numbers::sqrt2 /
+                     elasticity_.short_wave_compliance()),
+      has_wall_(mechanics::has_wall(problem_.law.law)),
       next_gap_(gap.size()),
       next_elastic_(gap.size()),
       scratch_(gap.size()) {
@@ -104,23 +108,7 @@ void AdhesiveState::find_free() {
   const double closed = wall();
   const double* const g = gap.data();
   const double* const r = gradient.data();
-  if (by_gap()) {
-    const auto [open, total] =
-        chunked_sum<SeveralSums<2>>(gap.size(), workers,
-                                    [=](std::size_t begin, std::size_t end) {
-                                      SeveralSums<2> own;
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        if (g[i] > closed) {
-                                          own.values[0] += 1.0;
-                                          own.values[1] += r[i];
-                                        }
-                                      return own;
-                                    })
-            .values;
-    load = -total / open;
-  } else {
-    load = target.amount;
-  }
+  load = by_gap() ? mean_load() : target.amount;
   if (by_spring())
     load =
         target.spring *
@@ -138,6 +126,52 @@ void AdhesiveState::find_free() {
                                       return own;
                                     })
                    .value;
+  uniform_stiffness_ = by_gap() || by_spring()
+                           ? problem.preconditioner_stiffness
+                           : stiffness_of_mean_gap();
+}
+
+double AdhesiveState::mean_load() const {
+  const auto [open, total] =
+      chunked_sum<SeveralSums<2>>(
+          gap.size(), workers,
+          [g = gap.data(), r = gradient.data(),
+           closed = wall()](std::size_t begin, std::size_t end) {
+            SeveralSums<2> own;
+            for (std::size_t i = begin; i < end; ++i)
+              if (g[i] > closed) {
+                own.values[0] += 1.0;
+                own.values[1] += r[i];
+              }
+            return own;
+          })
+          .values;
+  return -total / open;
+}
+
+double AdhesiveState::stiffness_of_mean_gap() const {
+  const auto [missing, total] =
+      chunked_sum<SeveralSums<2>>(
+          gap.size(), workers,
+          [&](std::size_t begin, std::size_t end) {
+            SeveralSums<2> own;
+            for (std::size_t i = begin; i < end; ++i) {
+              if (free[i] == 0) {
+                own.values[1] += stiffest_waves;
+                continue;
+              }
+              const double repelled = repulsion(i);
+              own.values[0] += gradient[i] + load;
+              own.values[1] += repelled / (1.0 + repelled / stiffest_waves);
+            }
+            return own;
+          })
+          .values;
+  const double most = problem.preconditioner_stiffness;
+  return std::clamp(
+      std::max(total, std::abs(missing) / problem.law.adhesion_range) /
+          n_nodes(),
+      most / n_nodes(), most);
 }
 
 void AdhesiveState::residual(std::span<double> answer) const {
@@ -162,19 +196,12 @@ void AdhesiveState::restrict_to_free(std::span<double> field,
   });
 }
 
-template <class Of>
-void AdhesiveState::each_scaled(const Of& of) const {
-  if (std::isfinite(wall()))
-    return each([&](std::size_t i) { of(i, 1.0); });
-  const mechanics::ContactInterface& law = problem.law;
-  each([&](std::size_t i) {
-    const double repulsion = std::max(0.0, law.stiffness(gap[i]));
-    of(i, 1.0 / std::sqrt(1.0 + repulsion / problem.preconditioner_stiffness));
-  });
+double AdhesiveState::repulsion(std::size_t i) const {
+  return has_wall_ ? 0.0 : std::max(0.0, problem.law.stiffness(gap[i]));
 }
 
-// M = S (K + k)^-1 S = S (1 - (C + 1/k)^-1 / k) S / k. The mean of the inverse
-// is arbitrary, and that of M is 1/k. In single precision the field is of order
+// (K + k)^-1 = (1 - (C + 1/k)^-1 / k) / k. The mean of the inverse is
+// arbitrary, and that of M is 1/k_u. In single precision the field is of order
 // 1, because stiffnesses of small surfaces are 1e20 Pa/m and more. With a
 // spring of the stiffness c, which may be the stiffest part, M is that of a
 // given mean gap beside 1/(k + c n_free/n) of the mean of the free nodes.
@@ -193,20 +220,31 @@ void AdhesiveState::precondition(std::span<const double> field,
   const double unit = size > 0.0 && std::isfinite(size)
                           ? std::ldexp(1.0, std::ilogb(size))
                           : 1.0;
-  each_scaled([&](std::size_t i, double scale) {
+  each([&](std::size_t i) {
+    const double scale = 1.0 / std::sqrt(1.0 + repulsion(i) / stiffness);
     scratch_[i] = static_cast<float>(scale * own(i) / unit);
   });
+  const auto mean_of_scratch = [&] {
+    return sum([s = scratch_.data()](std::size_t i) {
+             return static_cast<double>(s[i]);
+           }) /
+           n_nodes() * unit;
+  };
+  const double uniform =
+      mean_of_scratch() * (1.0 / uniform_stiffness_ - 1.0 / stiffness);
   elasticity.pressure_estimate(scratch_, 1.0 / stiffness, scratch_);
   ++transforms;
-  const double mean = sum([s = scratch_.data()](std::size_t i) {
-                        return static_cast<double>(s[i]);
-                      }) /
-                      n_nodes();
-  each_scaled([&](std::size_t i, double scale) {
-    answer[i] = scale *
-                (scale * own(i) -
-                 (static_cast<double>(scratch_[i]) - mean) * unit / stiffness) /
-                stiffness;
+  const double mean = mean_of_scratch();
+  each([&](std::size_t i) {
+    const double repelled = repulsion(i);
+    const double square = 1.0 / (1.0 + repelled / stiffness);
+    const double scale = std::sqrt(square);
+    const double waves =
+        (scale * own(i) -
+         (static_cast<double>(scratch_[i]) * unit - mean) / stiffness) /
+        stiffness;
+    answer[i] = scale * (waves + uniform) +
+                (1.0 - square) / (repelled + stiffest_waves) * own(i);
   });
   restrict_to_free(answer, by_gap() || by_spring());
   if (by_spring()) {

@@ -34,6 +34,9 @@ public:
   double load = 0.0;              ///< p_0 [Pa], or its present estimate
   double n_free = 0.0;
   double least_gap = 0.0; ///< [m]
+  /// Largest stiffness of the elastic surface on the grid [Pa/m]: its shortest
+  /// waves are 2 sqrt 2 times as short as those of the compliance.
+  const double stiffest_waves;
   int transforms = 0;
 
   /// The gap at which a node is closed [m]: 0, or -infinity without a wall.
@@ -87,7 +90,13 @@ public:
   /// free ones.
   void restrict_to_free(std::span<double> field) const;
 
-  /// answer = M field [m] on the free nodes.
+  /// answer = M field [m] on the free nodes. With the repulsion D = W'' > 0 of
+  /// laws without a wall, S = (1 + D/k_c)^-1/2, the stiffness k_s of the
+  /// shortest waves and that of the mean gap, k_u,
+  ///
+  ///     M = S [(K + k_c)^-1 + (1/k_u - 1/k_c) P] S + (1 - S^2)/(D + k_s)
+  ///
+  /// where P takes the mean of a field.
   /// @param field  [Pa], as restrict_to_free() leaves it
   void precondition(std::span<const double> field, std::span<double> answer);
 
@@ -121,11 +130,17 @@ private:
   /// From the gap: K v.
   void find_elastic(std::span<const double> from, std::span<double> answer);
   void find_free();
-  /// Calls of(i, S of node i), S = (1 + W''/k_c)^-1/2 where W'' > 0: the scale
-  /// of M for laws without a wall, whose repulsion is stiff.
-  template <class Of>
-  void each_scaled(const Of& of) const;
+  /// The multiplier of a prescribed mean gap [Pa].
+  double mean_load() const;
+  /// k_u [Pa/m]: the mean of D, or of an infinite stiffness at closed nodes, in
+  /// series with k_s. A residual moves the mean gap by at most the range, and
+  /// k_u is at most k_c.
+  double stiffness_of_mean_gap() const;
+  /// W'' [Pa/m] where a law without a wall repels, otherwise 0.
+  double repulsion(std::size_t i) const;
 
+  bool has_wall_;
+  double uniform_stiffness_ = 0.0; ///< k_u [Pa/m]
   std::vector<double> next_gap_, next_elastic_;
   std::vector<float> scratch_;
 };

@@ -80,9 +80,13 @@ ContactSolution FreeAdhesion::solve(const AdhesiveProblem& problem,
     refuse_argument("mean_gap", target.amount,
                     "replaced by a nominal pressure: the surface has free "
                     "boundaries");
-  const double outside = level(target.amount);
-  std::vector<double> heights(n_nodes(), outside);
   std::vector<double> start = state;
+  each_inside(
+      [&](std::size_t i, std::size_t own) { start[i] += heights_[own]; });
+  // The load of the state may have been larger.
+  const double outside = std::min(level(target.amount),
+                                  std::ranges::min(start) - far_distance(law_));
+  std::vector<double> heights(n_nodes(), outside);
   for (double& height : start)
     height -= outside;
   each_inside([&](std::size_t i, std::size_t own) {

@@ -233,6 +233,18 @@ TEST(Mistakes, StateThatAnExpectationNeedsTheTheory) {
                       "theory, but the table [theory] is missing\n");
 }
 
+// Ranges and tensions are no mistakes of a law that is only misspelt.
+TEST(Mistakes, DoNotFollowFromAnUnknownContactLaw) {
+  EXPECT_EQ(
+      mistakes_in({"theory=", "fem=", "expect=", "halfspace.contact=exponental",
+                   "halfspace.work_of_adhesion=0.05", "halfspace.range=1 nm",
+                   "load.nominal_pressure=[1e6, \"-1e3 Pa\"]"}),
+      "  --set: halfspace.contact = \"exponental\", but must be penalty | hard "
+      "| augmented | exponential | dugdale | cubic | lennard-jones | "
+      "lennard-jones-10-4 | morse; "
+      "nearest: exponential\n");
+}
+
 TEST(Mistakes, StateThatTheWavevectorsAreOutOfOrder) {
   EXPECT_EQ(mistakes_in({"surface.wavelength_roll_off=6 um"}),
             "  case.toml:3: surface has its wavevectors in the wrong order: "

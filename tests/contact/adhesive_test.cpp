@@ -150,6 +150,18 @@ TEST_P(AdhesiveRoughness, IsAMinimumWithFreeBoundaries) {
   }
 }
 
+// The surface outside lies deeper under the first load than under the second,
+// and the counter-surface there has to lie below it.
+TEST_P(AdhesiveRoughness, IsUnloadedFromManyTimesTheLoadOfConformity) {
+  LoadSequence path = free_sequence(law(0.1), 1e-6);
+  path.solve({Kind::nominal_pressure, 3.0});
+
+  const ContactSolution unloaded = path.solve({Kind::nominal_pressure, 0.0});
+
+  ASSERT_TRUE(unloaded.converged) << unloaded.note;
+  EXPECT_NEAR(unloaded.nominal_pressure, 0.0, 1e-6);
+}
+
 // dU/dd = -p_0, where d is the distance of the mean planes far away. Tolerance
 // as below.
 TEST_P(AdhesiveRoughness, FreeLoadIsMinusTheSlopeOfTheEnergy) {
@@ -301,6 +313,53 @@ INSTANTIATE_TEST_SUITE_P(Laws, AdhesiveRoughness,
                            std::erase(name, '-');
                            return name;
                          });
+
+/// Iterations of a path of pressures with a law of w = `share` k_c h_rms^2/2,
+/// to 1e-8 h_rms.
+int iterations_of(SurfaceOperator& elasticity,
+                  const std::vector<double>& heights, double share,
+                  double softness, std::initializer_list<double> pressures) {
+  const double size = problems::rms(heights);
+  const double work =
+      share * 0.5 * adhesive_scale(elasticity, heights) * size * size;
+  ContactInterface law{ContactLaw::lennard_jones, 0.0, work, 1.0};
+  law.adhesion_range =
+      std::sqrt(law.grid_number(1.0, elasticity.grid().spacing_x()) / softness);
+  LoadSequence path(elasticity.clone(), heights, law, 1e-8 * size, 2000);
+  int iterations = 0;
+  for (const double pressure : pressures) {
+    const ContactSolution found =
+        path.solve({Kind::nominal_pressure, pressure});
+    EXPECT_TRUE(found.converged) << found.note;
+    iterations += found.iterations;
+  }
+  return iterations;
+}
+
+// One soft node of 4096 holds the surface, whose mean gap is far softer than
+// the waves of the heights, k_c. Without k_u in M there are 1288 iterations.
+TEST(AdhesiveWork, IsSmallForASoftContactOfOneNode) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+  std::vector<double> spike(grid.size(), 0.0);
+  spike[grid.index(32, 32)] = 1.0;
+
+  EXPECT_LT(iterations_of(elasticity, spike, 0.3, 1e-3, {1e-7, 2e-7}), 150);
+}
+
+// Repulsion is far stiffer than the shortest waves of a thin plate, and those
+// are far stiffer than the waves of the heights, k_c. Without the last term of
+// M there are 935 iterations.
+TEST(AdhesiveWork, IsSmallOnAThinPlate) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  FourierOperator elasticity = halfspace_operator(
+      grid, {1.0, 0.0, 0.02, mechanics::FarBoundary::pressure});
+  const std::vector<double> heights =
+      problems::rough_heights(grid, {0.8, 1.0, 8.0});
+
+  EXPECT_LT(iterations_of(elasticity, heights, 0.4, 0.2, {0.3, 0.03}), 200);
+}
 
 /// A wave of height +-amplitude along x, of length 1, on a grid of one row.
 class AdhesiveWave : public testing::Test {
