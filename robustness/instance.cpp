@@ -158,7 +158,8 @@ Instance draw_instance(std::uint64_t seed, int index) {
     instance.law = draw.pick<mechanics::ContactLaw>(
         Stream::law,
         {mechanics::ContactLaw::exponential, mechanics::ContactLaw::dugdale,
-         mechanics::ContactLaw::cubic});
+         mechanics::ContactLaw::cubic, mechanics::ContactLaw::lennard_jones,
+         mechanics::ContactLaw::morse});
   instance.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
   instance.control = draw.weigh<mechanics::Control>(
       Stream::control, {{mechanics::Control::nominal_pressure, 7.0},
