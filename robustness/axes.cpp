@@ -83,7 +83,7 @@ const std::vector<Axis>& axes() {
   static const std::vector<Axis> all{
       {"family", names(Family::halfspace, Family::flawed)},
       {"shape", names(Shape::rough, Shape::flat)},
-      {"law", names(ContactLaw::penalty, ContactLaw::cubic)},
+      {"law", names(ContactLaw::penalty, ContactLaw::morse)},
       {"penalty", penalties.labels()},
       {"control", names(Control::nominal_pressure, Control::mean_gap)},
       {"load", loads.labels()},

@@ -54,6 +54,7 @@ enum class Stream {
   adhesion,
   grid_number,
   adhesive_law,
+  spring,
 };
 
 /// The random numbers of one instance.

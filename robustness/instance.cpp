@@ -153,12 +153,16 @@ Instance draw_instance(std::uint64_t seed, int index) {
                     {mechanics::ContactLaw::hard, 3.0},
                     {mechanics::ContactLaw::augmented, 2.0}});
   instance.adhesion = draw.log_uniform(Stream::adhesion, 1e-3, 10.0);
+  if (draw.coin(Stream::spring))
+    instance.spring = draw.log_uniform(Stream::spring, 1e-2, 1e4);
   instance.grid_number = draw.log_uniform(Stream::grid_number, 1e-3, 1.0);
   if (draw.uniform(Stream::adhesive_law, 0.0, 5.0) < 1.0)
     instance.law = draw.pick<mechanics::ContactLaw>(
         Stream::law,
         {mechanics::ContactLaw::exponential, mechanics::ContactLaw::dugdale,
-         mechanics::ContactLaw::cubic});
+         mechanics::ContactLaw::cubic, mechanics::ContactLaw::lennard_jones,
+         mechanics::ContactLaw::lennard_jones_layers,
+         mechanics::ContactLaw::morse});
   instance.penalty = draw.log_uniform(Stream::penalty, 1e-6, 1e15);
   instance.control = draw.weigh<mechanics::Control>(
       Stream::control, {{mechanics::Control::nominal_pressure, 7.0},

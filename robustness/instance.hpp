@@ -6,6 +6,7 @@
 #include "cases/types/case.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace asperity::robustness {
@@ -147,6 +148,8 @@ struct Instance {
   /// conformity, and s^2 h/(w E*) [1] > 0.
   double adhesion = 0.1;
   double grid_number = 0.25;
+  /// Of a prescribed mean gap, over k_c; infinite without a spring.
+  double spring = std::numeric_limits<double>::infinity();
   /// Nominal pressure in units of E* h' [1], or mean gap in units of h_rms [1].
   double load = 0.01;
   double gamma = 0.45; ///< of the theory [1]

@@ -130,6 +130,9 @@ Instance with_adhesion_settings(Instance instance) {
 Instance within_reach(Instance instance) {
   const bool is_full = instance.family == Family::full_block;
   instance = with_adhesion_settings(instance);
+  if (!mechanics::is_adhesive(instance.law) ||
+      instance.control != mechanics::Control::mean_gap)
+    instance.spring = std::numeric_limits<double>::infinity();
   if (instance.family != Family::halfspace ||
       instance.control == mechanics::Control::mean_gap)
     instance.has_free_boundaries = false;

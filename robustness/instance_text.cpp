@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -138,6 +139,8 @@ std::string text_of(const Instance& instance) {
                              instance.load)
                : fmt::format(", {} to a mean gap of {:.17g} h_rms",
                              name_of(instance.program), instance.load);
+  if (std::isfinite(instance.spring))
+    words += fmt::format(" by a spring of {:.17g} k_c", instance.spring);
   if (instance.family == Family::theory)
     words += fmt::format(", gamma {:.17g}", instance.gamma);
   if (instance.flaw != Flaw::none)
