@@ -136,16 +136,19 @@ std::vector<LoadTarget> adhesive_targets(const Instance& instance,
 }
 
 std::optional<Failure> verify_law(const AdhesiveRun& run,
+                                  const LoadTarget& target,
                                   const ContactSolution& found) {
   // The rms of M r is at most the tolerance, and M at least S (K + k_c)^-1 S
   // with S = (1 + W''/k_c)^-1/2 in the repulsion of a law without a wall.
+  // A spring adds its stiffness to the mean.
+  const double spring = std::isfinite(target.spring) ? target.spring : 0.0;
   double repulsion = 0.0;
   for (const double gap : found.gap)
     if (!run.has_wall())
       repulsion = std::max(repulsion, run.law.stiffness(gap));
   const double allowed =
-      run.gap_tolerance() * run.stiffest() * (1.0 + repulsion / run.scale) *
-          std::sqrt(run.solved_nodes()) +
+      run.gap_tolerance() * (run.stiffest() + spring) *
+          (1.0 + repulsion / run.scale) * std::sqrt(run.solved_nodes()) +
       adhesive_rounding *
           (largest(found.pressure) - run.law.pressure_bounds().smallest);
   for (std::size_t i = 0; i < found.gap.size(); ++i) {
@@ -245,7 +248,7 @@ std::optional<Failure> verify_adhesive(const AdhesiveRun& run,
   if (target.control == mechanics::Control::nominal_pressure &&
       target.amount < run.law.pressure_bounds().smallest)
     return Failure{"detached", "a tension beyond the law is held"};
-  if (auto failure = verify_law(run, found))
+  if (auto failure = verify_law(run, target, found))
     return failure;
   return verify_minimum(run, target, found, begun);
 }
