@@ -62,7 +62,8 @@ TEST(Axes, FilterListsTheChoices) {
     EXPECT_STREQ(error.what(),
                  "only = law=soft, but must be one of: "
                  "law=penalty, law=hard, law=augmented, law=exponential, "
-                 "law=dugdale, law=cubic");
+                 "law=dugdale, law=cubic, law=lennard-jones, "
+                 "law=lennard-jones-10-4, law=morse");
   }
   EXPECT_THROW(InstanceFilter("colour=red"), std::domain_error);
 }
