@@ -30,7 +30,7 @@ struct LoadingPath {
   std::vector<Quantity> targets; ///< p_0 [Pa] or mean gap [m] per step
   std::vector<bool> is_unloading;
   std::optional<Quantity> spring; ///< LoadTarget::spring [Pa/m]
-  bool may_be_tensile = false; ///< whether p_0 <= 0 is allowed
+  bool may_be_tensile = false;    ///< whether p_0 <= 0 is allowed
 
   LoadTarget target(std::size_t step, const Scales& scales) const {
     LoadTarget own{control, targets[step].in_si(scales)};

@@ -175,7 +175,8 @@ bool press_tiles(ContactState& state) {
   const std::vector<double> raw_gap = on_tiles->fields.packed(state.raw_gap);
   for (std::size_t i = 0; i < heights.size(); ++i)
     heights[i] -= raw_gap[i];
-  const ContactSolution solution = on_tiles->solve(tile_accuracy * state.gap_error);
+  const ContactSolution solution =
+      on_tiles->solve(tile_accuracy * state.gap_error);
   state.iterations += solution.iterations;
   if (!solution.converged)
     return false;

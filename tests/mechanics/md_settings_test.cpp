@@ -19,8 +19,8 @@ TEST(IncommensurateAtoms, AreTheNearestEvenNumber) {
   EXPECT_THROW(incommensurate_atoms(0), std::domain_error);
 }
 
-// W = pi n_1 n_2 eps r_0^2 [(r_0/d)^10/5 - (r_0/d)^4] of two layers with 100 and
-// 162 atoms per side. Tolerance: rounding of powers.
+// W = pi n_1 n_2 eps r_0^2 [(r_0/d)^10/5 - (r_0/d)^4] of two layers with 100
+// and 162 atoms per side. Tolerance: rounding of powers.
 TEST(FlatLaw, IsTheSumOverTwoLayers) {
   MdSettings md;
   md.atoms = 100;
