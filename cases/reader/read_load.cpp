@@ -150,7 +150,7 @@ mechanics::LoadingPath read_load(TableReader load,
     load.refuse(load.said_by("spring"), "needs mean_gap");
   else if (program.spring && !program.may_be_tensile)
     load.refuse(load.said_by("spring"),
-                "needs a contact with adhesion in all methods");
+                "needs adhesion in all methods, none of them [md]");
   program.is_unloading.assign(program.targets.size(), false);
   if (load.choice("cycle", Cycle::load) == Cycle::load_unload)
     append_way_back(program);

@@ -114,7 +114,8 @@ Table load_table() {
               "spring", stiffness_per_area(),
               "Stiffness k per nominal area of a spring through which the mean "
               "gap d is prescribed: the nominal pressure is k (u - d) at the "
-              "mean gap u. Needs mean_gap, and adhesion in all methods.",
+              "mean gap u. Needs mean_gap, and adhesion in all methods, none "
+              "of them [md].",
               eg("0.01 E*/h", "default: the mean gap is that of the contact"))
               .hidden(),
           key("cycle", {"load", "load-unload"},

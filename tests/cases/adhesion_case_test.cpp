@@ -80,8 +80,8 @@ TEST(AdhesionCase, MayBeHeldByASpring) {
                  "load.spring = \"1e15 Pa/m\", but needs mean_gap");
   expect_mistake(sticky("contact = \"hard\"\n",
                         "mean_gap = \"1 nm\"\nspring = \"1e15 Pa/m\""),
-                 "load.spring = \"1e15 Pa/m\", but needs a contact with "
-                 "adhesion in all methods");
+                 "load.spring = \"1e15 Pa/m\", but needs adhesion in all "
+                 "methods, none of them [md]");
 }
 
 TEST(AdhesionCase, IsPulledByEqualStepsOnly) {
