@@ -3,6 +3,7 @@
 #include "base/special_numbers.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/layers/graded_layers.hpp"
+#include "methods/chosen.hpp"
 #include "methods/surfaces_of_case.hpp"
 #include "run/plan/block_cost.hpp"
 #include "surfaces/build.hpp"
