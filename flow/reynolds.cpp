@@ -15,7 +15,7 @@ namespace {
 /// The nodes of a map in rows along the flow: (along, across).
 class Lines {
 public:
-  Lines(const Grid& grid, Direction direction)
+  Lines(const Grid& grid, Direction direction, mechanics::Border border)
       : length(direction == Direction::x ? grid.points_x : grid.points_y),
         width(direction == Direction::x ? grid.points_y : grid.points_x),
         spacing_along(direction == Direction::x ? grid.spacing_x()
@@ -23,7 +23,8 @@ public:
         spacing_across(direction == Direction::x ? grid.spacing_y()
                                                  : grid.spacing_x()),
         stride_along_(direction == Direction::x ? 1 : grid.points_x),
-        stride_across_(direction == Direction::x ? grid.points_x : 1) {}
+        stride_across_(direction == Direction::x ? grid.points_x : 1),
+        is_periodic_(border == mechanics::Border::periodic) {}
 
   std::size_t node(int along, int across) const {
     return static_cast<std::size_t>(along) *
@@ -36,13 +37,26 @@ public:
 
   int across(std::size_t node) const { return place(node, stride_across_); }
 
-  /// Calls visit(neighbour, is_along) for the next node along the flow, and
-  /// across it for the next one of the periodic map.
+  /// Calls visit(neighbour, is_along) for the next node along the flow and for
+  /// the next one across it.
   template <class Visit>
   void for_next(int along, int across, const Visit& visit) const {
     if (along + 1 < length)
       visit(node(along + 1, across), true);
-    if (width > 1)
+    if (across + 1 < width || is_periodic_)
+      visit(node(along, (across + 1) % width), false);
+  }
+
+  /// Calls visit(neighbour, is_along) for the neighbours of a node on the map.
+  template <class Visit>
+  void for_neighbours(int along, int across, const Visit& visit) const {
+    if (along > 0)
+      visit(node(along - 1, across), true);
+    if (along + 1 < length)
+      visit(node(along + 1, across), true);
+    if (across > 0 || is_periodic_)
+      visit(node(along, (across + width - 1) % width), false);
+    if (across + 1 < width || is_periodic_)
       visit(node(along, (across + 1) % width), false);
   }
 
@@ -58,6 +72,7 @@ private:
   }
 
   int stride_along_, stride_across_;
+  bool is_periodic_; ///< across the flow
 };
 
 /// Sets of open nodes that are joined, and which reservoirs they reach.
@@ -122,17 +137,10 @@ std::size_t join_open(const Lines& lines, std::span<const double> gap,
       clusters.mark(node, Clusters::inlet);
     if (along == lines.length - 1)
       clusters.mark(node, Clusters::outlet);
-    const auto join = [&](int a, int b) {
-      if (a < 0 || a >= lines.length)
-        return;
-      const std::size_t beside = lines.node(a, (b + lines.width) % lines.width);
+    lines.for_neighbours(along, across, [&](std::size_t beside, bool) {
       if (is_joined[beside])
         clusters.join(node, beside);
-    };
-    join(along - 1, across);
-    join(along + 1, across);
-    join(along, across - 1);
-    join(along, across + 1);
+    });
     if (critical == gap.size() && clusters.joins_reservoirs(node))
       critical = node;
   }
@@ -201,25 +209,20 @@ Network network_of(const Lines& lines, const Path& path,
     network.columns.push_back(path.row[node]);
     network.values.push_back(0.0);
     double diagonal = 0.0, supplied = 0.0;
-    const auto add = [&](int a, int b, bool is_along) {
-      if (a < 0 || a >= lines.length) {
-        const double conductance = conductances.to_reservoir(node);
-        diagonal += conductance;
-        supplied += a < 0 ? conductance : 0.0; // P = 1 at the inlet
-        return;
-      }
-      const std::size_t beside = lines.node(a, (b + lines.width) % lines.width);
-      if (path.row[beside] < 0 || beside == node)
+    if (along == 0) {
+      supplied = conductances.to_reservoir(node); // P = 1 at the inlet
+      diagonal += supplied;
+    }
+    if (along == lines.length - 1)
+      diagonal += conductances.to_reservoir(node);
+    lines.for_neighbours(along, across, [&](std::size_t beside, bool is_along) {
+      if (path.row[beside] < 0)
         return;
       const double conductance = conductances.between(node, beside, is_along);
       diagonal += conductance;
       network.columns.push_back(path.row[beside]);
       network.values.push_back(-conductance);
-    };
-    add(along - 1, across, true);
-    add(along + 1, across, true);
-    add(along, across - 1, false);
-    add(along, across + 1, false);
+    });
     network.values[begin] = diagonal;
     network.row_sizes.push_back(
         static_cast<int>(network.columns.size() - begin));
@@ -336,15 +339,15 @@ GapFlow flow_of_path(const Lines& lines, std::span<const double> gap,
 } // namespace
 
 GapFlow flow_through(const Grid& grid, std::span<const double> gap,
-                     Direction direction, const SolveNetwork& solve,
-                     bool has_flux) {
+                     Direction direction, mechanics::Border border,
+                     const SolveNetwork& solve, bool has_flux) {
   if (gap.size() != grid.size())
     throw std::domain_error("flow_through: the gap does not have the size of "
                             "the grid");
   if (grid.points_x < 3 || grid.points_y < 3)
     throw std::domain_error("flow_through: a grid has at least 3 points per "
                             "side");
-  const Lines lines(grid, direction);
+  const Lines lines(grid, direction, border);
   Clusters clusters(gap.size());
   const std::size_t critical = join_open(lines, gap, clusters);
   if (critical == gap.size())
@@ -356,15 +359,6 @@ GapFlow flow_through(const Grid& grid, std::span<const double> gap,
   flow.critical_x = static_cast<int>(critical % width);
   flow.critical_y = static_cast<int>(critical / width);
   return flow;
-}
-
-std::vector<double> open_gap(std::span<const double> pressure,
-                             std::span<const double> gap, double closed) {
-  std::vector<double> open(gap.size());
-  for (std::size_t i = 0; i < gap.size(); ++i)
-    if (gap[i] > closed && (pressure.empty() || !(pressure[i] > 0.0)))
-      open[i] = gap[i];
-  return open;
 }
 
 } // namespace asperity::flow

@@ -5,6 +5,7 @@
 
 #include "base/grid.hpp"
 #include "flow/network.hpp"
+#include "mechanics/contact_nodes.hpp"
 
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@
 namespace asperity::flow {
 
 /// Direction of the mean flow. The map is a piece of the seal of its full
-/// length in this direction, between two reservoirs, and periodic across.
+/// length in this direction, between two reservoirs. Across, it continues
+/// periodically, or ends at insulated sides where its border is free.
 enum class Direction { x, y };
 
 /// The flow through one map.
@@ -43,7 +45,8 @@ struct GapFlow {
 /// the reservoirs are at the outer faces of the first and last cells. The flow
 /// is that of the dissipation, whose error is of second order in that of P.
 ///
-/// @param gap       u [m], grid.size() values; closed where <= 0
+/// @param gap       u [m], grid.size() values; closed where <= 0, as
+///                  mechanics::ContactNodes::open_gaps() has it
 /// @param solve     solves the network
 /// @param has_flux  whether the answer has the flux of each node
 /// @throws std::domain_error   the size of the map is not that of the grid, or
@@ -51,13 +54,7 @@ struct GapFlow {
 /// @throws std::runtime_error  the network was not solved
 /// @par Accuracy  second order in the spacing (tests/flow/reynolds_test.cpp)
 GapFlow flow_through(const Grid& grid, std::span<const double> gap,
-                     Direction direction, const SolveNetwork& solve,
-                     bool has_flux = false);
-
-/// The gap through which fluid flows: `gap` at open nodes, 0 at nodes in
-/// contact (pressure > 0; empty: by the gap alone) and where it is at most
-/// `closed` [m] >= 0.
-std::vector<double> open_gap(std::span<const double> pressure,
-                             std::span<const double> gap, double closed);
+                     Direction direction, mechanics::Border border,
+                     const SolveNetwork& solve, bool has_flux = false);
 
 } // namespace asperity::flow

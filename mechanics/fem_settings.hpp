@@ -81,6 +81,11 @@ struct FemSettings {
   bool uses_layers() const { return true; }
 
   bool is_continuum() const { return true; }
+
+  /// Whether the block ends at free sides instead of continuing periodically.
+  bool has_free_sides() const {
+    return solver == FemSolver::full && full.sides == BlockSides::free;
+  }
 };
 
 } // namespace asperity::mechanics

@@ -78,24 +78,24 @@ void observe_repulsion(results::CurvePoint& row, const md::AtomStep& step) {
 
 /// The same with attraction, as for a contact law without a wall.
 void observe_attraction(results::CurvePoint& row, const md::AtomStep& step,
+                        const mechanics::ContactCriterion& criterion,
                         const mechanics::ContactInterface& law) {
-  row.area_fraction = static_cast<double>(std::ranges::count_if(
-                          step.gap, [](double gap) { return gap <= 0.0; })) /
-                      static_cast<double>(step.gap.size());
+  const mechanics::ContactNodes nodes(criterion, step.pressure, step.gap);
+  row.area_fraction = results::counted_area_fraction(nodes);
   row.area_fraction_corrected = results::Observed::none;
   row.adhesive_energy = step.interface_energy;
-  observe_tension(row, {step.pressure, step.gap}, law);
+  observe_tension(row, step.pressure, nodes, law);
 }
 
 results::CurvePoint
-row_of(const md::AtomStep& step,
+row_of(const md::AtomStep& step, const mechanics::ContactCriterion& criterion,
        const std::optional<mechanics::ContactInterface>& law) {
   results::CurvePoint row;
   row.nominal_pressure = step.nominal_pressure;
   row.mean_gap = step.mean_gap;
   row.note = step.note;
   if (law)
-    observe_attraction(row, step, *law);
+    observe_attraction(row, step, criterion, *law);
   else
     observe_repulsion(row, step);
   row.contact_perimeter = std::numeric_limits<double>::quiet_NaN();
@@ -112,6 +112,8 @@ class AtomicSolver final : public StepSolver {
 public:
   explicit AtomicSolver(const AtomisticInput& atomistic)
       : watch_(atomistic.watch),
+        criterion_(atomistic.method.contact_criterion(
+            atomistic.surface.scales.rms_height)),
         law_(atomistic.method.adhesion(atomistic.surface.scales)),
         request_(request_of(atomistic)),
         layer_(request_.layer),
@@ -119,7 +121,7 @@ public:
 
   StepAnswer solve(const StepTarget& target) override {
     md::AtomStep step = atoms_->solve(target.load, target.step, watch_);
-    results::CurvePoint row = row_of(step, law_);
+    results::CurvePoint row = row_of(step, criterion_, law_);
     if (target.load.control == mechanics::Control::nominal_pressure)
       // balanced only within the tolerance
       row.nominal_pressure = target.load.amount;
@@ -143,6 +145,7 @@ public:
 
 private:
   md::Watch watch_;
+  mechanics::ContactCriterion criterion_;
   std::optional<mechanics::ContactInterface> law_; ///< of flat faces
   md::AtomRequest request_;
   Grid layer_;

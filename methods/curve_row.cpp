@@ -39,7 +39,8 @@ void observe_adhesion(results::CurvePoint& row,
                 observation.nodal_weights, nodes, observation.workers,
                 [&](std::size_t i) { return law.energy(solution.gap[i]); }) /
                 static_cast<double>(observation.workers.all_nodes(nodes));
-  observe_tension(row, {solution.pressure, solution.gap}, law,
+  observe_tension(row, solution.pressure,
+                  {observation.criterion, solution.pressure, solution.gap}, law,
                   observation.nodal_weights, observation.workers);
   row.jump_pressure = solution.jump_pressure;
   row.jump_gap = solution.jump_gap;
@@ -68,15 +69,6 @@ void observe_hardness(results::CurvePoint& row,
   row.plastic_work = observation.hardness * solution.mean_imprint;
 }
 
-/// 1 at nodes in contact: with adhesion those whose gap is closed, which may be
-/// in tension.
-std::vector<double> closed_nodes(const std::vector<double>& gap) {
-  std::vector<double> closed(gap.size());
-  std::ranges::transform(gap, closed.begin(),
-                         [](double own) { return own > 0.0 ? 0.0 : 1.0; });
-  return closed;
-}
-
 /// Of the nodes of all ranks [m].
 double mean_displacement(const contact::ContactSolution& solution,
                          const Observation& observation) {
@@ -103,15 +95,13 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   row.note = solution.note;
   results::RowObserver observe(row);
   const bool is_adhesive = observation.adhesion.has_value();
-  const std::vector<double> closed =
-      is_adhesive ? closed_nodes(solution.gap) : std::vector<double>();
-  const std::vector<double>& touching = is_adhesive ? closed : pressure;
+  const mechanics::ContactNodes nodes(observation.criterion, pressure,
+                                      solution.gap);
   observe("area_fraction", [&] {
-    return results::counted_area_fraction(touching, weights, workers);
+    return results::counted_area_fraction(nodes, weights, workers);
   });
   observe("contact_perimeter", [&] {
-    return results::contact_perimeter(grid, touching, observation.border,
-                                      workers);
+    return results::contact_perimeter(grid, nodes, observation.border, workers);
   });
   row.area_fraction_corrected = results::Observed::none;
   if (std::isfinite(observation.hardness))
@@ -186,19 +176,19 @@ void observe_pressure_fits(results::RowObserver& observe,
   observe("area_fraction_moment", [&] { return area_of(fits().by_moment); });
 }
 
-void observe_tension(results::CurvePoint& row, const NodalFields& fields,
+void observe_tension(results::CurvePoint& row, std::span<const double> pressure,
+                     const mechanics::ContactNodes& nodes,
                      const mechanics::ContactInterface& law,
                      std::span<const double> weights, const Workers& workers) {
-  const double* const p = fields.pressure.data();
-  const double* const g = fields.gap.data();
-  const std::size_t nodes = fields.gap.size();
+  const double* const p = pressure.data();
   const auto mean_of = [&](const auto& value) {
-    return weighted_sum(weights, nodes, workers, value) /
-           static_cast<double>(workers.all_nodes(nodes));
+    return weighted_sum(weights, nodes.size(), workers, value) /
+           static_cast<double>(workers.all_nodes(nodes.size()));
   };
   const double pulled = least_tension * law.pressure_bounds().smallest;
-  row.repulsive_area = mean_of(
-      [=](std::size_t i) { return g[i] <= 0.0 && p[i] > 0.0 ? 1.0 : 0.0; });
+  row.repulsive_area = mean_of([&](std::size_t i) {
+    return nodes.in_contact(i) && p[i] > 0.0 ? 1.0 : 0.0;
+  });
   row.attractive_load =
       mean_of([=](std::size_t i) { return std::max(0.0, -p[i]); });
   row.tensile_area =

@@ -25,6 +25,8 @@ struct Observation {
   double contact_modulus = 0.0;  ///< effective E* at the contact boundary [Pa]
   bool resolves_boundary = true; ///< false: the caller sets the corrected area
   results::Border border = results::Border::periodic;
+  /// How contact is decided in the fields.
+  mechanics::ContactCriterion criterion = {};
   /// Whether the surface has a middle and thus the load a lever: a single
   /// shape.
   bool has_middle = false;
@@ -47,17 +49,13 @@ void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> weights = {},
                            const Workers& workers = 1);
 
-/// Pressures [Pa] and gaps [m] of the nodes, or of the atoms of a layer.
-struct NodalFields {
-  std::span<const double> pressure;
-  std::span<const double> gap;
-};
-
 /// Evaluates the areas of repulsion and of tension and the attractive load of a
 /// row with adhesion. Elastic and atomistic methods share this function.
 ///
-/// @param weights  relative weights of the nodes; empty if all are equal
-void observe_tension(results::CurvePoint& row, const NodalFields& fields,
+/// @param pressure  of the nodes, or of the atoms of a layer [Pa]
+/// @param weights   relative weights of the nodes; empty if all are equal
+void observe_tension(results::CurvePoint& row, std::span<const double> pressure,
+                     const mechanics::ContactNodes& nodes,
                      const mechanics::ContactInterface& law,
                      std::span<const double> weights = {},
                      const Workers& workers = 1);

@@ -20,11 +20,6 @@ using mechanics::ContactSettings;
 using mechanics::FemSettings;
 using mechanics::HalfspaceSettings;
 
-bool has_free_boundaries(const cases::MethodSpec& method) {
-  const auto* half = std::get_if<HalfspaceSettings>(&method.settings);
-  return half != nullptr && half->has_free_boundaries;
-}
-
 /// The heights of this rank.
 std::vector<double> own_heights(const SurfaceOfCase& surface,
                                 const SharedRows& rows) {
@@ -65,6 +60,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.contact_modulus =
       boundary_modulus(continuum, surface.scales.spacing);
   observation.has_middle = surface.has_middle;
+  observation.border = method.border();
+  observation.criterion = method.contact_criterion(surface.scales.rms_height);
   observation.hardness = setting.interface.hardness;
   if (method.is_adhesive()) {
     observation.adhesion = setting.interface;
@@ -72,7 +69,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
         surface.scales.contact_modulus, surface.scales.spacing);
   }
   const Grid& grid = surface.record.grid;
-  if (has_free_boundaries(method))
+  if (method.border() == mechanics::Border::free)
     observation.area_coefficients = results::free_area_coefficients;
   if (workforce.ranks != nullptr &&
       is_shared_by_ranks(method, grid, workforce.ranks->size())) {
@@ -97,7 +94,7 @@ SolverFactory::operator_on_ranks(const cases::MethodSpec& method,
   if (const auto* block = std::get_if<FemSettings>(&method.settings))
     return fem::load_fem_module().condensed_on_ranks(
         request(*block, surface, threads));
-  if (has_free_boundaries(method))
+  if (method.border() == mechanics::Border::free)
     return std::make_unique<contact::FreeHalfspace>(
         grid, *workforce.ranks, material_.contact_modulus, threads);
   return std::make_unique<contact::FourierOperator>(
@@ -124,7 +121,7 @@ SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
                               const SurfaceOfCase& surface, int threads) {
   const Grid& grid = surface.record.grid;
-  if (has_free_boundaries(method))
+  if (method.border() == mechanics::Border::free)
     return {std::make_unique<contact::FreeHalfspace>(
                 grid, material_.contact_modulus, threads),
             0.0};

@@ -63,6 +63,8 @@ public:
                   mechanics::ElasticBlock continuum, StepExtras extras,
                   const fem::BlockWatch& watch)
       : method_(method.name),
+        border_(method.border()),
+        criterion_(method.contact_criterion(surface.scales.rms_height)),
         settings_(std::get<mechanics::FemSettings>(method.settings)),
         surface_(surface),
         continuum_(std::move(continuum)),
@@ -88,12 +90,12 @@ public:
     const double plastic_work = solution.plastic_work;
     const double plastic_strain = solution.plastic_strain;
     const auto [centre_x, centre_y] = solution.pressure_centre;
-    StepAnswer answer = observe(
-        as_contact(std::move(solution), surface_),
-        {block_->nodal_weights(), contact_.local_compliance(),
-         area_coefficients(settings_), boundary_modulus_, resolves_boundary,
-         results::Border::periodic, surface_.has_middle},
-        surface_);
+    StepAnswer answer =
+        observe(as_contact(std::move(solution), surface_),
+                {block_->nodal_weights(), contact_.local_compliance(),
+                 area_coefficients(settings_), boundary_modulus_,
+                 resolves_boundary, border_, criterion_, surface_.has_middle},
+                surface_);
     answer.row.area_fraction = area;
     answer.row.estimated_gap_error = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
@@ -178,6 +180,8 @@ private:
   }
 
   std::string method_;
+  mechanics::Border border_;
+  mechanics::ContactCriterion criterion_;
   const mechanics::FemSettings& settings_;
   const SurfaceOfCase& surface_;
   mechanics::ElasticBlock continuum_; ///< provides thickness and layers

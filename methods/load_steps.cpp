@@ -70,8 +70,6 @@ public:
     surface_.record.grid = c.grid();
     surface_.scales.rms_height = setting.rms_height;
     observation_.nodal_weights = c.nodal_weights();
-    observation_.border =
-        c.is_periodic() ? results::Border::periodic : results::Border::free;
     observation_.workers = {setting.threads, c.grid(), c.shared_rows()};
   }
 

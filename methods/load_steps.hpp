@@ -18,8 +18,7 @@ struct LoadStepsSetting {
   int max_iterations = 0;
   int threads = 1;         ///< of each process
   double rms_height = 0.0; ///< unit of the residual [m]
-  /// What the observables need; weights, rows and border are those of the
-  /// operator.
+  /// What the observables need; weights and rows are those of the operator.
   Observation observation = {};
   double saved_setup_time = 0.0; ///< see StepSolver
 };

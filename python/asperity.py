@@ -86,9 +86,17 @@ class Method:
                 if name in curve:
                     row[:len(curve[name])] = curve[name]
             setattr(self, name, table)
+        self._by_gap = str(group.attrs.get("contact", "pressure")) == "gap"
         self.fields = {}  # of realisation 0: step -> (pressure [Pa], gap [m]), each [y, x]
         for step, maps in group.get("0/fields", {}).items():
             self.fields[int(step)] = (maps["pressure"][()], maps["gap"][()])
+
+
+    def contact(self, step):
+        """Which points of the maps of a step are in contact: a bool for each, [y, x]. With adhesion
+        and for atoms those whose gap is closed, else those under pressure."""
+        pressure, gap = self.fields[step]
+        return gap <= 0 if self._by_gap else pressure > 0
 
 
 class Result:

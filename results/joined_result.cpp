@@ -156,7 +156,8 @@ void join_results(const std::vector<std::filesystem::path>& parts,
   require_same(part, info, parts.front());
   ResultWriter writer(folder, info);
   for (const MethodRecord& method : part.methods)
-    writer.begin_method(method.name, method.kind, method.description);
+    writer.begin_method(method.name, method.kind, method.description,
+                        method.contact);
   write_part(part, writer);
   Provenance facts;
   join_facts(facts, part.provenance);

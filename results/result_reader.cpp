@@ -95,6 +95,7 @@ MethodRecord read_method(const Hdf5Group& group, const std::string& name,
   method.name = name;
   method.kind = text_or(group, "kind", name.substr(0, name.find('.')));
   method.description = text_or(group, "description", "");
+  method.contact = text_or(group, "contact", method.contact);
   method.realizations =
       read_indexed<Curve>(group, [&](const Hdf5Group& curve, int) {
         return read_curve(curve, maps);

@@ -151,13 +151,16 @@ void ResultWriter::record_surface(int realization, const SurfaceRecord& surface,
 
 void ResultWriter::begin_method(const std::string& name,
                                 const std::string& kind,
-                                const std::string& description) {
+                                const std::string& description,
+                                const std::string& contact) {
   if (name.empty() || name == "." || name.find('/') != std::string::npos)
     throw std::domain_error("name = \"" + name +
                             "\", but must be a name without '/'");
   const std::lock_guard lock(mutex_);
-  record(
-      {.methods = {{.name = name, .kind = kind, .description = description}}});
+  record({.methods = {{.name = name,
+                       .kind = kind,
+                       .description = description,
+                       .contact = contact}}});
   methods_.insert(name);
 }
 

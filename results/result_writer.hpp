@@ -76,10 +76,12 @@ public:
                       const MapRows& heights = {});
 
   /// Adds a method. It is called once before the steps of the method; when
-  /// called again after a resume, it replaces kind and description.
+  /// called again after a resume, it replaces kind, description and contact.
+  /// @param contact  as in MethodRecord
   /// @param name  not empty, without '/'
   void begin_method(const std::string& name, const std::string& kind,
-                    const std::string& description);
+                    const std::string& description,
+                    const std::string& contact = "pressure");
 
   /// Records the setup time of a method for one realisation [s].
   void record_setup_time(const std::string& method, int realization,

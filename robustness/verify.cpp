@@ -206,8 +206,8 @@ StepSummary summary_of(const AskedContact& asked,
     summary.separation -=
         results::weighted_mean(solution.displacement, asked.weights);
   summary.energy = energy_of(asked, solution);
-  summary.area =
-      results::counted_area_fraction(solution.pressure, asked.weights);
+  summary.area = results::counted_area_fraction(
+      results::ContactNodes::under(solution.pressure), asked.weights);
   summary.tolerance =
       1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
   // The pressure that lifts a node by the tolerance, plus the rounding of the

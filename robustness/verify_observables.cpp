@@ -54,7 +54,8 @@ std::optional<Failure> verify_ranges(const Grid& grid,
                                      const contact::ContactSolution& solution,
                                      double contact_modulus) {
   const auto& [pressure, gap] = std::tie(solution.pressure, solution.gap);
-  const auto counted = results::counted_area_fraction(pressure, asked.weights);
+  const auto nodes = results::ContactNodes::under(pressure);
+  const auto counted = results::counted_area_fraction(nodes, asked.weights);
   const auto corrected = results::corrected_area_fraction(
       grid, pressure, gap,
       {contact_modulus, results::halfspace_area_coefficients, asked.border});
@@ -70,9 +71,8 @@ std::optional<Failure> verify_ranges(const Grid& grid,
       Ranged{"corrected area", corrected.value, 0.0, 1.0, true},
       Ranged{"fitted area", fit.area_fraction, 0.0, 1.0, true},
       Ranged{"area by moment", moment.area_fraction, 0.0, 1.0, true},
-      Ranged{"perimeter",
-             results::contact_perimeter(grid, pressure, asked.border), 0.0,
-             longest * (1.0 + 1e-12), false},
+      Ranged{"perimeter", results::contact_perimeter(grid, nodes, asked.border),
+             0.0, longest * (1.0 + 1e-12), false},
       Ranged{"elastic energy", energy, -rounding_of_energy(asked, solution),
              infinity, false},
       Ranged{"contact energy", springs, 0.0, infinity, false}};

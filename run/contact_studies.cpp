@@ -27,16 +27,6 @@ std::vector<double> map_of(const results::MapRows& rows) {
   return map;
 }
 
-Border border_of(const cases::MethodSpec& method) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
-  const bool is_free = (half != nullptr && half->has_free_boundaries) ||
-                       (fem != nullptr && methods::is_full_block(method) &&
-                        fem->full.sides == mechanics::BlockSides::free);
-  return is_free ? Border::free : Border::periodic;
-}
-
 results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
                                std::span<const std::uint8_t> set,
                                double local_compliance,
@@ -91,7 +81,7 @@ void add_conductance(const StudiedMethod& studied,
   const cases::ConductanceStudy& study =
       *studied.contact_case.conductance_study;
   const auto halfspace =
-      unit_halfspace(grid, border_of(studied.method), studied.threads);
+      unit_halfspace(grid, studied.method.border(), studied.threads);
   results::RowObserver observe(row);
   if (!methods::conducts_in_block(studied.method))
     observe("relative_conductance",
@@ -118,14 +108,13 @@ void add_conductance(const StudiedMethod& studied,
 }
 
 void add_spots(const cases::SpotsStudy& study, const Grid& grid, Border border,
-               std::vector<std::uint8_t> set, results::CurvePoint& row) {
-  const auto smallest = static_cast<std::size_t>(study.smallest);
-  const results::ClusterNumbers spots = results::cluster_numbers(
-      results::find_clusters(grid, set, border), smallest);
-  for (std::uint8_t& is_inside : set)
-    is_inside ^= 1U;
-  const results::ClusterNumbers gaps = results::cluster_numbers(
-      results::find_clusters(grid, set, border), smallest);
+               const mechanics::ContactNodes& nodes, results::CurvePoint& row) {
+  const auto numbers_of = [&](const std::vector<std::uint8_t>& set) {
+    return results::cluster_numbers(results::find_clusters(grid, set, border),
+                                    static_cast<std::size_t>(study.smallest));
+  };
+  const results::ClusterNumbers spots = numbers_of(nodes.contact_set());
+  const results::ClusterNumbers gaps = numbers_of(nodes.open_set());
   row.spot_count = spots.count;
   row.largest_spot = spots.largest;
   row.spot_dimension = spots.dimension;
@@ -160,15 +149,14 @@ void add_contact_studies(const StudiedMethod& studied,
   results::CurvePoint& row = answer.row;
   if (row.status != results::StepStatus::converged || answer.gap.empty())
     return;
-  const bool by_pressure = methods::convex_contact(studied.method) != nullptr ||
-                           methods::is_full_block(studied.method);
-  const std::vector<std::uint8_t> set = results::contact_set(
-      by_pressure ? answer.pressure : std::vector<double>(), answer.gap);
+  const mechanics::ContactNodes nodes(
+      studied.method.contact_criterion(studied.surface.scales.rms_height),
+      answer.pressure, answer.gap);
   if (contact_case.spots_study)
-    add_spots(*contact_case.spots_study, answer.grid, border_of(studied.method),
-              set, row);
+    add_spots(*contact_case.spots_study, answer.grid, studied.method.border(),
+              nodes, row);
   if (contact_case.conductance_study)
-    add_conductance(studied, answer, set, row);
+    add_conductance(studied, answer, nodes.contact_set(), row);
 }
 
 void set_conductances(const cases::ConductanceStudy& study,

@@ -27,8 +27,7 @@ struct StudiedMethod {
 
 /// Adds to the row of a step with maps the numbers of its clusters
 /// (results/observables/clusters.hpp) and what its contact conducts
-/// (contact/solvers/punch_stiffness.hpp). Contact is where the pressure is > 0,
-/// with adhesion and for atoms where the gap is <= 0. The conductance is that
+/// (contact/solvers/punch_stiffness.hpp). The conductance is that
 /// between two half-spaces, except that of the spots of a full block that has
 /// found it on its mesh (methods::conducts_in_block); the normal stiffness is
 /// that of the operator of a surface method without adhesion. Both are omitted

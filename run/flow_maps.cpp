@@ -33,13 +33,14 @@ std::vector<double> values_of(const results::MapView& view) {
 
 void record_flow_map(const RunContext& run, const cases::MethodSpec& method,
                      const results::Result& result) {
-  const ClosedNodes closed =
-      closed_nodes(method, run.surfaces.of(method, 0).scales.rms_height);
+  const mechanics::ContactCriterion criterion =
+      method.contact_criterion(run.surfaces.of(method, 0).scales.rms_height);
   for (const results::Fields* map : maps_of(result, method.name)) {
     const auto table = run.tally.attempt("flow map, " + method.name, [&] {
-      return flow_map_table(method.name, map->grid,
-                            values_of(map->pressure_map()),
-                            values_of(map->gap_map()), closed);
+      const std::vector<double> pressure = values_of(map->pressure_map());
+      const std::vector<double> gap = values_of(map->gap_map());
+      return flow_map_table(method.name, map->grid, {criterion, pressure, gap},
+                            method.border());
     });
     if (!table)
       return;

@@ -62,24 +62,11 @@ constexpr int most_points = 256; // of a side of a table
 
 } // namespace
 
-ClosedNodes closed_nodes(const cases::MethodSpec& method, double rms_height) {
-  if (const auto* half =
-          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
-    return {half->contact.tolerance * rms_height};
-  if (const auto* block = std::get_if<mechanics::FemSettings>(&method.settings))
-    return {block->contact.tolerance * rms_height};
-  return {.under_pressure = false};
-}
-
 results::Table flow_map_table(const std::string& method, const Grid& grid,
-                              std::span<const double> pressure,
-                              std::span<const double> gap,
-                              const ClosedNodes& closed) {
-  const std::span<const double> pressing =
-      closed.under_pressure ? pressure : std::span<const double>();
-  const flow::GapFlow flow =
-      flow::flow_through(grid, flow::open_gap(pressing, gap, closed.gap),
-                         flow::Direction::x, solved, true);
+                              const mechanics::ContactNodes& nodes,
+                              mechanics::Border border) {
+  const flow::GapFlow flow = flow::flow_through(
+      grid, nodes.open_gaps(), flow::Direction::x, border, solved, true);
   results::Column x{"x", "m", {}}, y{"y", "m", {}}, flux{"flux", "1", {}},
       critical{"is_critical", "1", {}};
   const int side =
@@ -107,20 +94,22 @@ results::Table flow_map_table(const std::string& method, const Grid& grid,
           {x, y, flux, critical}};
 }
 
-void add_flow(const cases::FlowStudy& study, const ClosedNodes& closed,
-              methods::StepAnswer& answer) {
+void add_flow(const cases::FlowStudy& study, const cases::MethodSpec& method,
+              double rms_height, methods::StepAnswer& answer) {
   results::CurvePoint& row = answer.row;
   if (row.status != results::StepStatus::converged || answer.gap.empty())
     return;
-  const std::vector<double> gap = flow::open_gap(
-      closed.under_pressure ? answer.pressure : std::vector<double>(),
-      answer.gap, closed.gap);
+  const std::vector<double> gap =
+      mechanics::ContactNodes(method.contact_criterion(rms_height),
+                              answer.pressure, answer.gap)
+          .open_gaps();
+  const mechanics::Border border = method.border();
   try_to_add(row, [&] {
     const Grid& grid = answer.grid;
     const flow::GapFlow x =
-        flow::flow_through(grid, gap, flow::Direction::x, solved);
+        flow::flow_through(grid, gap, flow::Direction::x, border, solved);
     const flow::GapFlow y =
-        flow::flow_through(grid, gap, flow::Direction::y, solved);
+        flow::flow_through(grid, gap, flow::Direction::y, border, solved);
     row.flow_factor_x = x.flow_factor;
     row.flow_factor_y = y.flow_factor;
     row.flow_conductance_x = x.conductance * grid.length_x / grid.length_y;

@@ -11,22 +11,12 @@
 
 namespace asperity::run {
 
-/// Which nodes of a gap no fluid can pass.
-struct ClosedNodes {
-  double gap = 0.0;           ///< those with at most this gap [m] >= 0
-  bool under_pressure = true; ///< those with a pressure; atoms press everywhere
-};
-
-/// Those of a method: a gap is as good as none if the solver may leave it as an
-/// error.
-/// @param rms_height  of its surface [m]
-ClosedNodes closed_nodes(const cases::MethodSpec& method, double rms_height);
-
 /// Adds to the row of a step with maps the flow through its gap along x and y
 /// (flow/reynolds.hpp). It is omitted if the step has not converged, and if it
 /// fails the note of the row says why.
-void add_flow(const cases::FlowStudy& study, const ClosedNodes& closed,
-              methods::StepAnswer& answer);
+/// @param rms_height  of the surface of the method [m]
+void add_flow(const cases::FlowStudy& study, const cases::MethodSpec& method,
+              double rms_height, methods::StepAnswer& answer);
 
 /// Adds the flow of the theory to its row: that of the effective medium with
 /// the distribution of u_1, Eq. (27) of Yang and Persson (2008), and u_1 where
@@ -41,12 +31,11 @@ void set_leak_rates(const cases::FlowStudy& study, results::CurvePoint& row);
 
 /// The flux |q| over its mean and the narrowest place of one saved map, for
 /// flow along x: averaged over squares of nodes if a side has more than 256.
-/// @param pressure, gap  [Pa], [m], grid.size() values
+/// @param nodes  grid.size(), with their gaps
 /// @return  "flow-<method>" with the columns x, y [m], flux [1] and is_critical
 ///          [1]; without rows if the map is sealed
 results::Table flow_map_table(const std::string& method, const Grid& grid,
-                              std::span<const double> pressure,
-                              std::span<const double> gap,
-                              const ClosedNodes& closed);
+                              const mechanics::ContactNodes& nodes,
+                              mechanics::Border border);
 
 } // namespace asperity::run

@@ -214,7 +214,8 @@ void MethodJob::describe_found(const std::string& found) {
   const methods::MethodDescription description =
       methods::describe(method_, context_.contact_case.material);
   context_.writer->begin_method(method_.name, description.kind,
-                                description.text + "; " + in_one_line(found));
+                                description.text + "; " + in_one_line(found),
+                                name_of(method_.contact_criterion(0.0).field));
 }
 
 void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
@@ -411,8 +412,8 @@ void MethodJob::study(methods::StepAnswer& answer) {
                        context_.pool.threads_per_job()},
                       answer);
   if (contact_case.flow_study)
-    add_flow(*contact_case.flow_study,
-             closed_nodes(method_, surface.scales.rms_height), answer);
+    add_flow(*contact_case.flow_study, method_, surface.scales.rms_height,
+             answer);
 }
 
 methods::Resources MethodJob::resources() const {

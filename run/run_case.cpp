@@ -265,7 +265,8 @@ void Run::begin() {
     root_.act([&] {
       const methods::MethodDescription description =
           methods::describe(method, case_.material);
-      writer_->begin_method(method.name, description.kind, description.text);
+      writer_->begin_method(method.name, description.kind, description.text,
+                            name_of(method.contact_criterion(0.0).field));
     });
     if (surfaces_.has_own(method))
       for (const int r : realizations(method))

@@ -3,6 +3,7 @@
 // The list of the methods, and the questions that the rest of the program asks
 // of any method.
 
+#include "mechanics/contact_nodes.hpp"
 #include "mechanics/continuum_settings.hpp"
 #include "mechanics/fem_settings.hpp"
 #include "mechanics/md_settings.hpp"
@@ -84,6 +85,26 @@ struct MethodSpec {
                                              scales.length / scales.spacing)));
     return is_adhesive() ? std::optional(contact()->in_si(scales))
                          : std::nullopt;
+  }
+
+  /// Returns how contact is decided in the fields of the method.
+  /// @param rms_height  of its surface [m]
+  mechanics::ContactCriterion contact_criterion(double rms_height) const {
+    using mechanics::ContactField;
+    const bool is_atomic =
+        std::holds_alternative<mechanics::MdSettings>(settings);
+    return {is_atomic || is_adhesive() ? ContactField::gap
+                                       : ContactField::pressure,
+            contact() != nullptr ? contact()->tolerance * rms_height : 0.0};
+  }
+
+  /// Returns what lies beyond the border of the fields of the method.
+  mechanics::Border border() const {
+    const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings);
+    const auto* fem = std::get_if<mechanics::FemSettings>(&settings);
+    const bool is_free = (half != nullptr && half->has_free_boundaries) ||
+                         (fem != nullptr && fem->has_free_sides());
+    return is_free ? mechanics::Border::free : mechanics::Border::periodic;
   }
 
   /// Returns the largest pressure of the method; none if it is elastic.

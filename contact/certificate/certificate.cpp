@@ -3,6 +3,7 @@
 #include "base/array_memory.hpp"
 #include "contact/certificate/feasible.hpp"
 #include "contact/solvers/solver.hpp"
+#include "mechanics/contact_nodes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,12 +45,13 @@ void find_gap_errors(const Feasible& answer, const Weighted& weighted,
     const double own = at.separation - answer.excess(i);
     return answer.pressure[i] >= at.hardness ? std::max(0.0, own) : own;
   };
+  const auto contact = mechanics::ContactNodes::under(answer.pressure);
   const std::array<double, 3> means =
       weighted.means<3>(nodes, [&](std::size_t i) {
         const double p = answer.pressure[i];
         const double overlap = std::max(-gap(i), 0.0);
-        return std::array{p > 0.0 ? 1.0 : 0.0, p * std::abs(gap(i)),
-                          overlap * overlap};
+        return std::array{contact.in_contact(i) ? 1.0 : 0.0,
+                          p * std::abs(gap(i)), overlap * overlap};
       });
   check.area_fraction = means[0];
   check.complementarity = means[1] / at.load;
@@ -184,8 +186,9 @@ Solved punch_pressure(SurfaceOperator& elasticity,
                               largest_size(problem.heights, workers) +
                               largest_size(face, workers));
   free_memory(contact.displacement);
+  const auto nodes = mechanics::ContactNodes::under(contact.pressure);
   for (std::size_t i = 0; i < face.size(); ++i)
-    face[i] -= contact.pressure[i] > 0.0 ? 0.0 : depth;
+    face[i] -= nodes.in_contact(i) ? 0.0 : depth;
   ContactSolution pressed = solve(elasticity, problem, face,
                                   4.0 * contact.roundoff, contact.pressure);
   return {std::move(pressed.pressure), pressed.iterations};
@@ -196,10 +199,12 @@ Solved punch_pressure(SurfaceOperator& elasticity,
 /// @param top    kappa [m]
 double excess_of_high(const Feasible& answer, const Feasible& punch, double top,
                       double gap_over_load) {
+  const auto carries = mechanics::ContactNodes::under(answer.pressure);
+  const auto pressed = mechanics::ContactNodes::under(punch.pressure);
   double ratio = 0.0; // b'
-  for (std::size_t i = 0; i < punch.pressure.size(); ++i)
-    if (punch.pressure[i] > 0.0)
-      ratio = answer.pressure[i] > 0.0
+  for (std::size_t i = 0; i < pressed.size(); ++i)
+    if (pressed.in_contact(i))
+      ratio = carries.in_contact(i)
                   ? std::max(ratio, punch.pressure[i] / answer.pressure[i])
                   : std::numeric_limits<double>::infinity();
   double least = std::numeric_limits<double>::infinity();

@@ -76,8 +76,8 @@ public:
     ProblemAnswer answer;
     answer.nominal_pressure = solution.nominal_pressure;
     answer.mean_gap = solution.mean_gap;
-    answer.area_fraction =
-        results::counted_area_fraction(solution.pressure, {});
+    answer.area_fraction = results::counted_area_fraction(
+        results::ContactNodes::under(solution.pressure));
     answer.elastic_energy =
         results::elastic_energy(solution.pressure, solution.displacement, {});
     answer.largest_pressure = std::ranges::max(solution.pressure);

@@ -1,5 +1,7 @@
 #include "fem/newton/contact_state.hpp"
 
+#include "mechanics/contact_nodes.hpp"
+
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
@@ -15,8 +17,9 @@ using dealii::Utilities::MPI::sum;
 
 ContactSet contact_set(std::span<const double> pressure) {
   ContactSet set(pressure.size());
-  std::transform(pressure.begin(), pressure.end(), set.begin(),
-                 [](double p) { return p > 0.0; });
+  std::transform(pressure.begin(), pressure.end(), set.begin(), [](double p) {
+    return mechanics::ContactCriterion{}.holds(p);
+  });
   return set;
 }
 

@@ -104,6 +104,20 @@ SurfaceScales scales_of(const results::Result& result,
   return scales;
 }
 
+mechanics::ContactCriterion
+contact_criterion_of(const cases::Case& contact_case,
+                     const results::MethodRecord& method, double rms_height) {
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  return spec != nullptr ? spec->contact_criterion(rms_height)
+                         : mechanics::ContactCriterion{};
+}
+
+mechanics::Border border_of(const cases::Case& contact_case,
+                            const results::MethodRecord& method) {
+  const cases::MethodSpec* const spec = spec_of(contact_case, method);
+  return spec != nullptr ? spec->border() : mechanics::Border::periodic;
+}
+
 bool has_free_boundaries(const cases::Case& contact_case,
                          const results::MethodRecord& method) {
   const auto* const half =

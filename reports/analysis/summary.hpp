@@ -168,6 +168,16 @@ SurfaceScales scales_of(const results::Result& result,
                         const results::MethodRecord& method,
                         std::size_t realization);
 
+/// Returns how contact is decided in the maps of a method, and what lies beyond
+/// their border: of a method that is not in the case, as of another program, by
+/// the pressure, on a periodic map.
+/// @param rms_height  of its surface [m]
+mechanics::ContactCriterion
+contact_criterion_of(const cases::Case& contact_case,
+                     const results::MethodRecord& method, double rms_height);
+mechanics::Border border_of(const cases::Case& contact_case,
+                            const results::MethodRecord& method);
+
 /// Returns true if the method presses the surface once on an infinite
 /// half-space.
 bool has_free_boundaries(const cases::Case& contact_case,

@@ -587,15 +587,7 @@
            i) => [{...quantity, map : i, factor : 1},
                   ...(quantity.other
                           ? [ {...quantity, ...quantity.other, map : i} ]
-                          : []),
-                  ...(quantity.contact ? [ {
-                    label : 'contact',
-                    colors : 'contact',
-                    map : i,
-                    factor : 1,
-                    isContact : true
-                  } ]
-                                       : [])]);
+                          : [])]);
       this.frame = stack.frames.length - 1;
       this.quantity = 0;
       this.isCommon = false;
@@ -638,9 +630,9 @@
 
     // Range of values that the colours cover, as on paper.
     range() {
-      const {map, colors, isContact, span : least, factor} =
+      const {map, colors, span : least, factor} =
           this.quantities[this.quantity];
-      if (isContact) return [0, 1];
+      if (colors === 'contact') return [0, 1];
       if (least > 0)
         return [ -least * factor, least * factor ];
       const maps = (this.isCommon ? this.stack.frames : [this.stack.frames[this.frame]]).map(frame => frame.maps[map]);
@@ -654,7 +646,6 @@
       const step = this.steps[i];
       const {low, high} = this.map();
       if (step > this.stack.steps) return NaN;
-      if (this.quantities[this.quantity].isContact) return step > 0 ? 1 : 0;
       return this.quantities[this.quantity].factor *
              (low + (high - low) * step / this.stack.steps);
     }
@@ -752,7 +743,7 @@
     }
 
     drawColors(context, place) {
-      const {colors, isContact} = this.quantities[this.quantity];
+      const {colors} = this.quantities[this.quantity];
       const [low, high] = this.range();
       const x = place.x + place.width + 12;
       for (let i = 0; i < place.height; ++i) {
@@ -768,7 +759,7 @@
       context.fillText(this.quantities[this.quantity].label, 0, 0);
       context.restore();
       context.textAlign = 'left';
-      if (isContact) return;
+      if (colors === 'contact') return;
       for (const value of roundValues(low, high, place.height / 40))
         context.fillText(tickText(value), x + 19, place.y + place.height * (high - value) / (high - low || 1) + 4);
     }
@@ -811,12 +802,13 @@
       const {columns, rows, left, right, lower, upper, xLabel, yLabel} = this.stack;
       if (across < this.view.left || across >= this.view.right || up < this.view.low || up >= this.view.high) return '\u00a0';
       const at = Math.floor(up * rows) * columns + Math.floor(across * columns);
-      const {label, isContact} = this.quantities[this.quantity];
-      const value = this.valueAt(at) ? 'yes' : 'no';
+      const {label, colors} = this.quantities[this.quantity];
+      const share = this.valueAt(at); // of the nodes of a block
+      const value = share === 1 ? 'yes' : share ? `${Math.round(100 * share)} %` : 'no';
       return `${valueWords(xLabel, left + (right - left) * across)}, ${
                  valueWords(yLabel, lower + (upper - lower) * up)}; ` +
-             (isContact ? `${label}: ${value}`
-                        : valueWords(label, this.valueAt(at)));
+             (colors === 'contact' ? `${label}: ${value}`
+                                   : valueWords(label, share));
     }
 
     zoom([x0, y0, x1, y1]) {

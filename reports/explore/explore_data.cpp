@@ -97,7 +97,6 @@ Json json_of(const MapStack& stack) {
   for (const MapQuantity& quantity : stack.quantities) {
     json["quantities"].push_back({{"label", plain_label(quantity.label)},
                                   {"colors", quantity.colors},
-                                  {"contact", quantity.has_contact},
                                   {"span", quantity.span}});
     if (quantity.other)
       json["quantities"].back()["other"] = {

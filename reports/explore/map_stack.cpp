@@ -65,6 +65,20 @@ ReducedMap reduced(const Grid& grid, const results::MapView& map, int most) {
   return std::move(blocks).means();
 }
 
+ReducedMap reduced_contact(const Grid& grid, const results::MapView& pressure,
+                           const results::MapView& gap,
+                           const mechanics::ContactCriterion& criterion,
+                           int most) {
+  BlockMeans blocks(grid, most);
+  results::each_piece(std::array{pressure, gap}, [&](std::size_t,
+                                                     const auto& values) {
+    const mechanics::ContactNodes nodes(criterion, values[0], values[1]);
+    blocks.take(nodes.size(),
+                [&](std::size_t i) { return nodes.in_contact(i) ? 1.0 : 0.0; });
+  });
+  return std::move(blocks).means();
+}
+
 ReducedMap reduced_difference(const Grid& grid, const results::MapView& map,
                               const results::MapView& other, int most) {
   BlockMeans blocks(grid, most);

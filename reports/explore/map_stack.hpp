@@ -4,6 +4,7 @@
 // between which a slider moves.
 
 #include "base/grid.hpp"
+#include "mechanics/contact_nodes.hpp"
 #include "reports/explore/chart.hpp"
 #include "reports/explore/packed.hpp"
 #include "results/types/map_view.hpp"
@@ -15,10 +16,9 @@ namespace asperity::reports {
 
 /// What a map shows, and in which colours.
 struct MapQuantity {
-  std::string label;        ///< with its unit: "pressure / (E* h')"
-  std::string colors;       ///< "pressure", "gap", "height"
-  bool has_contact = false; ///< zero means no contact; contact is shown as well
-  double span = 0.0;        ///< colours reach from -span to span; 0: all values
+  std::string label;  ///< with its unit: "pressure / (E* h')"
+  std::string colors; ///< "pressure", "gap", "height", "contact"
+  double span = 0.0;  ///< colours reach from -span to span; 0: all values
   std::optional<OtherUnits> other = {};
 };
 
@@ -49,6 +49,12 @@ struct ReducedMap {
 /// Averages over blocks so that no side has more than `most` points.
 /// @param map  grid.size() values
 ReducedMap reduced(const Grid& grid, const results::MapView& map, int most);
+
+/// Returns the share of nodes in contact of each block.
+ReducedMap reduced_contact(const Grid& grid, const results::MapView& pressure,
+                           const results::MapView& gap,
+                           const mechanics::ContactCriterion& criterion,
+                           int most);
 
 /// Averages the difference of two maps in the same way.
 ReducedMap reduced_difference(const Grid& grid, const results::MapView& map,

@@ -133,24 +133,19 @@ std::vector<results::Cluster> clusters_of(const ReportEntry& entry,
                                           const results::MethodRecord& method,
                                           const results::Fields& map,
                                           bool is_gap) {
-  const bool by_pressure =
-      (method.kind == "halfspace" || method.kind == "fem") &&
-      !is_adhesive(*entry.contact_case, method);
+  const mechanics::ContactCriterion criterion = contact_criterion_of(
+      *entry.contact_case, method, method_scales(entry, method).rms_height);
   std::vector<std::uint8_t> set;
   set.reserve(map.grid.size());
   results::each_piece(
       std::array{map.pressure_map(), map.gap_map()},
       [&](std::size_t, const auto& values) {
-        for (const std::uint8_t touches : results::contact_set(
-                 by_pressure ? values[0] : std::span<const double>(),
-                 values[1]))
-          set.push_back(is_gap ? touches ^ 1U : touches);
+        const mechanics::ContactNodes nodes(criterion, values[0], values[1]);
+        std::ranges::copy(is_gap ? nodes.open_set() : nodes.contact_set(),
+                          std::back_inserter(set));
       });
-  const bool is_free = has_free_boundaries(*entry.contact_case, method) ||
-                       has_free_sides(*entry.contact_case, method);
   return results::find_clusters(map.grid, set,
-                                is_free ? results::Border::free
-                                        : results::Border::periodic);
+                                border_of(*entry.contact_case, method));
 }
 
 /// Adds how many clusters have at least an area, one row for each area.

@@ -19,10 +19,6 @@ using results::PressureFit;
 constexpr int most_bins = 2000;
 constexpr int gap_bins = 60;
 
-// Gap in units of h_rms below which a point under pressure counts as closed,
-// whatever residual gap the solver's tolerance leaves there.
-constexpr double closed_gap = 1e-4;
-
 /// One load of a figure: its saved fields, the fitted distribution and its
 /// histogram.
 struct Load {
@@ -155,14 +151,10 @@ Figure pressure_figure(const std::string& method,
   return figure;
 }
 
-Histogram open_gaps(const Fields& fields, double rms_height) {
-  return results::gap_histogram(fields.gap_map(), fields.pressure_map(),
-                                gap_bins, {}, closed_gap * rms_height);
-}
-
 Figure gap_figure(const std::string& method,
                   const std::vector<const Fields*>& maps,
-                  const FigureScales& scales) {
+                  const FigureScales& scales,
+                  const mechanics::ContactCriterion& criterion) {
   Figure figure;
   figure.name = "gap-distribution-" + file_word(method);
   figure.title = "Distribution of the separation, " + method;
@@ -172,7 +164,8 @@ Figure gap_figure(const std::string& method,
       .has_narrow_legend = true};
   double widest = 0.0;
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    const Histogram histogram = open_gaps(*maps[i], scales.rms_height);
+    const Histogram histogram = results::gap_histogram(
+        maps[i]->gap_map(), maps[i]->pressure_map(), gap_bins, criterion);
     double open = 0.0;
     for (const double density : histogram.density)
       open += density * histogram.bin_width();
@@ -220,7 +213,7 @@ std::vector<const Fields*> chosen_maps(const results::MethodRecord& method) {
   return chosen;
 }
 
-/// Calls draw(name, maps, scales) for every method that has maps, with the
+/// Calls draw(method, maps, scales) for every method that has maps, with the
 /// scales of its realisation 0.
 template <class Draw>
 std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
@@ -229,7 +222,7 @@ std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
     const std::vector<const Fields*> maps = chosen_maps(*method);
     const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
-      figures.push_back(draw(method->name, maps, scales));
+      figures.push_back(draw(*method, maps, scales));
   }
   std::erase_if(figures, [](const Figure& one) { return one.name.empty(); });
   return figures;
@@ -238,11 +231,21 @@ std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
 } // namespace
 
 std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry) {
-  return figure_a_method(entry, pressure_figure);
+  return figure_a_method(entry,
+                         [](const results::MethodRecord& method,
+                            const auto& maps, const FigureScales& scales) {
+                           return pressure_figure(method.name, maps, scales);
+                         });
 }
 
 std::vector<Figure> gap_distribution_figures(const ReportEntry& entry) {
-  return figure_a_method(entry, gap_figure);
+  return figure_a_method(entry, [&](const results::MethodRecord& method,
+                                    const auto& maps,
+                                    const FigureScales& scales) {
+    return gap_figure(
+        method.name, maps, scales,
+        contact_criterion_of(*entry.contact_case, method, scales.rms_height));
+  });
 }
 
 } // namespace asperity::reports

@@ -163,7 +163,8 @@ void add_maps(const ReportEntry& entry, const MagnifiedLoad& load,
       continue;
     const std::size_t index = panel.curves.size();
     const results::Histogram histogram = results::gap_histogram(
-        map->gap_map(), map->pressure_map(), shown_gap_bins);
+        map->gap_map(), map->pressure_map(), shown_gap_bins,
+        contact_criterion_of(*entry.contact_case, *method, rms_height));
     double open = 0.0;
     for (std::size_t i = 0; i < histogram.density.size(); ++i) {
       open += histogram.density[i] * histogram.bin_width();

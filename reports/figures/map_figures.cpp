@@ -26,7 +26,8 @@ PanelGrid map_grid(int rows, std::size_t columns) {
 
 Figure map_figure(const std::string& method,
                   const std::vector<const results::Fields*>& maps,
-                  const FigureScales& scales) {
+                  const FigureScales& scales,
+                  const mechanics::ContactCriterion& criterion) {
   const std::vector<std::size_t> chosen = three_of(maps.size());
   const MapUnits units = map_units(maps, scales);
   Figure figure;
@@ -46,9 +47,11 @@ Figure map_figure(const std::string& method,
     const std::string pressure_name = fmt::format("pressure-{}", fields.step);
     const std::string gap_name = fmt::format("gap-{}", fields.step);
     ChartPanel& upper = figure.panels.emplace_back(
-        map_panel(pressure, pressure_name, "pressure"));
+        map_panel(pressure, pressure_name, units.quantities[0].colors));
     upper.title = load_text(scales, fields.nominal_pressure);
-    set_colors(upper, 0.0, std::max(pressure.largest, 1e-12));
+    const double span = std::max(
+        {pressure.largest, units.has_tension ? -pressure.least : 0.0, 1e-12});
+    set_colors(upper, units.has_tension ? -span : 0.0, span);
     ChartPanel& lower = gaps.emplace_back(map_panel(gap, gap_name, "gap"));
     set_colors(lower, 0.0, std::max(gap.largest, 1e-12));
     lower.x.label = "x [µm]";
@@ -56,24 +59,24 @@ Figure map_figure(const std::string& method,
       upper.y.label = lower.y.label = "y [µm]";
     if (i == chosen.back()) {
       upper.image->label = units.quantities[0].label;
-      lower.image->label = units.quantities[1].label;
+      lower.image->label = units.quantities[2].label;
     }
     figure.maps.emplace_back(pressure_name, map_csv(pressure));
     figure.maps.emplace_back(gap_name, map_csv(gap));
   }
   figure.caption = fmt::format(
-      "Realisation 0 at {} loads. Pressure, white where there is none, and gap "
-      "(in print the lower maps), dark where the surfaces touch. E* h' = "
-      "{:.3g} "
-      "MPa, h_rms = {:.3g} nm.",
-      chosen.size(), scales.contact_modulus * scales.rms_slope * 1e-6,
+      "Realisation 0 at {} loads. Pressure, white where there is none{}, and "
+      "gap (in print the lower maps), dark where the surfaces touch. E* h' = "
+      "{:.3g} MPa, h_rms = {:.3g} nm.",
+      chosen.size(), units.has_tension ? " and blue where it is a tension" : "",
+      scales.contact_modulus * scales.rms_slope * 1e-6,
       scales.rms_height * 1e9);
   std::ranges::move(gaps, std::back_inserter(figure.panels));
   figure.grid = map_grid(2, chosen.size());
   figure.grid->margins = {{0.07, 0.92, 0.08, 0.94}};
   figure.grid->down = 0.06;
   figure.data = table.text();
-  figure.stack = contact_stack(maps, scales, units);
+  figure.stack = contact_stack(maps, scales, units, criterion);
   return figure;
 }
 
@@ -167,7 +170,10 @@ std::vector<Figure> map_figures(const ReportEntry& entry) {
     const std::vector<const results::Fields*> maps = whole_maps(*method);
     const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
-      figures.push_back(map_figure(method->name, maps, scales));
+      figures.push_back(
+          map_figure(method->name, maps, scales,
+                     contact_criterion_of(*entry.contact_case, *method,
+                                          scales.rms_height)));
   }
   return figures;
 }

@@ -2,6 +2,8 @@
 
 #include "reports/figures/map_image.hpp"
 
+#include <cmath>
+
 namespace asperity::reports {
 
 MapStack stack_on(const Grid& grid) {
@@ -41,7 +43,12 @@ MapUnits map_units(const std::vector<const results::Fields*>& maps,
                   .y =
                       length_axis("gap g / h_{rms}", "gap g", scales.rms_height,
                                   widest / scales.rms_height)};
-  MapUnits units{.pressure = stress, .gap = scales.rms_height};
+  constexpr double least_shown = 1e-3;
+  const double smallest =
+      results::extremes_of(maps.back()->pressure_map()).least;
+  MapUnits units{.pressure = stress,
+                 .gap = scales.rms_height,
+                 .has_tension = smallest < -least_shown * std::abs(largest)};
   if (scales.is_physical) {
     units.pressure /= axes.x.other->factor;
     units.gap /= axes.y.other->factor;
@@ -49,15 +56,16 @@ MapUnits map_units(const std::vector<const results::Fields*>& maps,
   }
   units.quantities = {
       {.label = axes.x.label,
-       .colors = "pressure",
-       .has_contact = true,
+       .colors = units.has_tension ? "height" : "pressure",
        .other = axes.x.other},
+      {.label = "contact", .colors = "contact"},
       {.label = axes.y.label, .colors = "gap", .other = axes.y.other}};
   return units;
 }
 
 MapStack contact_stack(const std::vector<const results::Fields*>& maps,
-                       const FigureScales& scales, const MapUnits& units) {
+                       const FigureScales& scales, const MapUnits& units,
+                       const mechanics::ContactCriterion& criterion) {
   MapStack stack = stack_on(maps.front()->grid);
   stack.quantities = units.quantities;
   const std::vector<std::size_t> chosen = stack_frames(maps.size());
@@ -70,6 +78,10 @@ MapStack contact_stack(const std::vector<const results::Fields*>& maps,
         {load_text(scales, fields.nominal_pressure),
          {add_map(stack, fields.grid, fields.pressure_map(), units.pressure,
                   most),
+          add_reduced(stack,
+                      reduced_contact(fields.grid, fields.pressure_map(),
+                                      fields.gap_map(), criterion, most),
+                      1.0),
           add_map(stack, fields.grid, fields.gap_map(), units.gap, most)}});
   }
   return stack;

@@ -27,17 +27,19 @@ PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit);
 struct MapUnits {
   double pressure = 0.0;                    ///< [Pa]
   double gap = 0.0;                         ///< [m]
-  std::vector<MapQuantity> quantities = {}; ///< pressure and gap
+  bool has_tension = false;                 ///< of a size that colours can show
+  std::vector<MapQuantity> quantities = {}; ///< pressure, contact and gap
 };
 
 /// @param maps  at least one
 MapUnits map_units(const std::vector<const results::Fields*>& maps,
                    const FigureScales& scales);
 
-/// Returns the pressure and gap maps of up to twelve loads.
+/// Returns the maps of pressure, contact and gap of up to twelve loads.
 /// @param maps  at least one
 MapStack contact_stack(const std::vector<const results::Fields*>& maps,
-                       const FigureScales& scales, const MapUnits& units);
+                       const FigureScales& scales, const MapUnits& units,
+                       const mechanics::ContactCriterion& criterion);
 
 /// Returns one height map in nm.
 MapStack height_stack(const Grid& grid, const results::MapView& heights);

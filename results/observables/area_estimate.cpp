@@ -41,6 +41,11 @@ struct ContactSums {
   }
 };
 
+/// Whether a node of hard contact is in contact.
+bool under_pressure(double pressure) {
+  return mechanics::ContactCriterion{}.holds(pressure);
+}
+
 /// What n_1 - n_3 counts of a square with so many nodes in contact.
 long twist(int in_contact) {
   return (in_contact == 1) - (in_contact == 3);
@@ -134,10 +139,11 @@ private:
     for (std::size_t ix = first - row; ix < last - row; ++ix) {
       const bool has_right = !is_free || ix + 1 < width_;
       const std::size_t right = ix + 1 < width_ ? ix + 1 : 0;
-      const bool here = own[ix] > 0.0;
-      const bool beside = has_right && own[right] > 0.0;
-      const bool up = has_above && above[ix] > 0.0;
-      const bool across = has_right && has_above && above[right] > 0.0;
+      const bool here = under_pressure(own[ix]);
+      const bool beside = has_right && under_pressure(own[right]);
+      const bool up = has_above && under_pressure(above[ix]);
+      const bool across =
+          has_right && has_above && under_pressure(above[right]);
       sums.nodes += here;
       sums.twists += twist(here + beside + up + across);
       if (has_right && here != beside)
@@ -159,7 +165,7 @@ private:
     const int rows = static_cast<int>(pressure_.size() / width_);
     const auto holds = [&](int ix, int iy) {
       return ix >= 0 && ix < grid_.points_x &&
-             pressure_[grid_.index(ix, iy)] > 0.0;
+             under_pressure(pressure_[grid_.index(ix, iy)]);
     };
     long twists = 0;
     if (workers_.rows == nullptr || workers_.rows->first() == 0)
@@ -167,8 +173,9 @@ private:
         twists += twist(holds(ix, 0) + holds(ix + 1, 0));
     for (int iy = 0; iy < rows; ++iy) {
       const bool above =
-          iy + 1 < rows ? holds(0, iy + 1)
-                        : !ends_at_border() && pressure_above_.front() > 0.0;
+          iy + 1 < rows
+              ? holds(0, iy + 1)
+              : !ends_at_border() && under_pressure(pressure_above_.front());
       twists += twist(holds(0, iy) + above);
     }
     RankGroup* const ranks =

@@ -11,8 +11,9 @@
 
 namespace asperity::results {
 
-/// Every map here has grid.size() values in the order of Grid, and a node is in
-/// contact where its pressure is > 0. Beyond a free border there is neither
+/// Every map here has grid.size() values in the order of Grid and is that of a
+/// contact without tension, ContactField::pressure, for which alone (A.1)
+/// holds. Beyond a free border there is neither
 /// contact nor a gap: a contact that reaches it ends with its last cell. Each
 /// function throws std::domain_error if the size of a map is not that of the
 /// grid.

@@ -145,14 +145,6 @@ std::vector<Cluster> find_clusters(const Grid& grid,
   return Search(grid, is_inside, border).all();
 }
 
-std::vector<std::uint8_t> contact_set(std::span<const double> pressure,
-                                      std::span<const double> gap) {
-  std::vector<std::uint8_t> set(gap.size());
-  for (std::size_t i = 0; i < gap.size(); ++i)
-    set[i] = (pressure.empty() ? gap[i] <= 0.0 : pressure[i] > 0.0) ? 1 : 0;
-  return set;
-}
-
 ClusterNumbers cluster_numbers(std::span<const Cluster> clusters,
                                std::size_t smallest) {
   ClusterNumbers numbers;

@@ -37,11 +37,6 @@ std::vector<Cluster> find_clusters(const Grid& grid,
                                    std::span<const std::uint8_t> is_inside,
                                    Border border);
 
-/// 1 at nodes in contact: under pressure, or, without pressures, where the gap
-/// is <= 0.
-std::vector<std::uint8_t> contact_set(std::span<const double> pressure,
-                                      std::span<const double> gap);
-
 /// Numbers of all clusters of a set.
 struct ClusterNumbers {
   double count = 0.0;

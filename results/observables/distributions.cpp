@@ -54,18 +54,22 @@ Histogram histogram(const std::array<MapView, n>& maps, int bins,
 Histogram pressure_histogram(const MapView& pressure, int bins,
                              std::span<const double> weights) {
   require_size("pressure", pressure.size(), pressure.size());
-  return histogram(
-      std::array{pressure}, bins, weights,
-      [](const auto& values, std::size_t i) { return values[0][i] > 0.0; });
+  return histogram(std::array{pressure}, bins, weights,
+                   [](const auto& values, std::size_t i) {
+                     return mechanics::ContactCriterion{}.holds(values[0][i]);
+                   });
 }
 
 Histogram gap_histogram(const MapView& gap, const MapView& pressure, int bins,
-                        std::span<const double> weights, double closed) {
+                        const mechanics::ContactCriterion& criterion,
+                        std::span<const double> weights) {
   require_size("gap", gap.size(), gap.size());
   require_size("pressure", pressure.size(), gap.size());
   return histogram(std::array{gap, pressure}, bins, weights,
                    [=](const auto& values, std::size_t i) {
-                     return !(values[1][i] > 0.0) || values[0][i] > closed;
+                     return !mechanics::ContactNodes(criterion, values[1],
+                                                     values[0])
+                                 .in_contact(i);
                    });
 }
 

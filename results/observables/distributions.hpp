@@ -3,9 +3,9 @@
 // Computes the distributions of pressure and gap over the contact surface. Each
 // density is normalised so that its integral is an area fraction.
 
+#include "mechanics/contact_nodes.hpp"
 #include "results/types/map_view.hpp"
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -41,12 +41,11 @@ Histogram pressure_histogram(const MapView& pressure, int bins,
 /// to roundoff counts in the first bin. Without any open gap > 0 there are no
 /// bins.
 /// @param gap       [m]
-/// @param pressure  [Pa], a node is open where it is <= 0
-/// @param closed    a node is also open where the gap exceeds this [m]
+/// @param pressure   [Pa]
+/// @param criterion  which nodes are in contact; all others are open
 /// @throws std::domain_error  an argument is outside its range
-Histogram
-gap_histogram(const MapView& gap, const MapView& pressure, int bins,
-              std::span<const double> weights = {},
-              double closed = std::numeric_limits<double>::infinity());
+Histogram gap_histogram(const MapView& gap, const MapView& pressure, int bins,
+                        const mechanics::ContactCriterion& criterion = {},
+                        std::span<const double> weights = {});
 
 } // namespace asperity::results

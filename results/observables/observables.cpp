@@ -39,25 +39,24 @@ struct BoundaryPairCount {
 };
 
 /// Counts the pairs of the nodes with their neighbours to the right and above.
-/// @param after  the row above the last one
-BoundaryPairCount pairs_in_map(std::size_t width,
-                               std::span<const double> pressure,
+/// @param after  the field of the row above the last one
+BoundaryPairCount pairs_in_map(std::size_t width, const ContactNodes& nodes,
                                std::span<const double> after,
                                const Workers& workers) {
   return chunked_sum<BoundaryPairCount>(
-      pressure.size(), workers, [=](std::size_t begin, std::size_t end) {
+      nodes.size(), workers, [&](std::size_t begin, std::size_t end) {
         BoundaryPairCount pairs;
         for (std::size_t i = begin; i < end;) {
           const std::size_t row = i / width * width;
           const std::size_t last = std::min(end, row + width);
-          const double* const above = row + width < pressure.size()
-                                          ? pressure.data() + row + width
-                                          : after.data();
+          const std::span<const double> above =
+              row + width < nodes.size() ? nodes.field().subspan(row + width)
+                                         : after;
           for (; i < last; ++i) {
-            const bool here = pressure[i] > 0.0;
+            const bool here = nodes.in_contact(i);
             const std::size_t right = i + 1 < row + width ? i + 1 : row;
-            pairs.along_x += here != (pressure[right] > 0.0);
-            pairs.along_y += here != (above[i - row] > 0.0);
+            pairs.along_x += here != nodes.in_contact(right);
+            pairs.along_y += here != nodes.criterion().holds(above[i - row]);
           }
         }
         return pairs;
@@ -66,19 +65,19 @@ BoundaryPairCount pairs_in_map(std::size_t width,
 
 /// Adds the edges of nodes in contact at a free border which a periodic border
 /// does not have: two for each pair at opposite borders.
-void free_border(const Grid& grid, std::span<const double> pressure,
+void free_border(const Grid& grid, const ContactNodes& nodes,
                  const Workers& workers, BoundaryPairCount& pairs) {
   const SharedRows rows =
       workers.rows != nullptr ? *workers.rows : SharedRows(grid);
-  const std::vector<double> after = rows.row_after(pressure);
+  const std::vector<double> after = rows.row_after(nodes.field());
   const bool ends = rows.first() + rows.count() == grid.points_y;
   std::size_t both_x = 0, both_y = 0;
   for (int iy = 0; iy < rows.count(); ++iy)
-    both_x += pressure[grid.index(0, iy)] > 0.0 &&
-              pressure[grid.index(grid.points_x - 1, iy)] > 0.0;
+    both_x += nodes.in_contact(grid.index(0, iy)) &&
+              nodes.in_contact(grid.index(grid.points_x - 1, iy));
   for (std::size_t ix = 0; ends && ix < rows.width(); ++ix)
-    both_y +=
-        after[ix] > 0.0 && pressure[rows.size() - rows.width() + ix] > 0.0;
+    both_y += nodes.criterion().holds(after[ix]) &&
+              nodes.in_contact(rows.size() - rows.width() + ix);
   pairs.along_x += 2 * total_count(workers, both_x);
   pairs.along_y += 2 * total_count(workers, both_y);
 }
@@ -92,29 +91,29 @@ double weighted_mean(std::span<const double> field,
                    [&](std::size_t i) { return field[i]; });
 }
 
-double counted_area_fraction(std::span<const double> pressure,
+double counted_area_fraction(const ContactNodes& nodes,
                              std::span<const double> weights,
                              const Workers& workers) {
-  require_size("pressure", pressure.size(), pressure.size());
+  require_size("nodes", nodes.size(), nodes.size());
   const double share =
-      mean_over(pressure.size(), weights, workers,
-                [&](std::size_t i) { return pressure[i] > 0.0 ? 1.0 : 0.0; });
+      mean_over(nodes.size(), weights, workers,
+                [&](std::size_t i) { return nodes.in_contact(i) ? 1.0 : 0.0; });
   return std::clamp(share, 0.0, 1.0); // the weights have mean 1 only up to
                                       // roundoff
 }
 
-double contact_perimeter(const Grid& grid, std::span<const double> pressure,
+double contact_perimeter(const Grid& grid, const ContactNodes& nodes,
                          Border border, const Workers& workers) {
   const SharedRows* const rows = workers.rows;
-  require_size("pressure", pressure.size(),
+  require_size("nodes", nodes.size(),
                rows != nullptr ? rows->size() : grid.size());
   const auto width = static_cast<std::size_t>(grid.points_x);
   BoundaryPairCount pairs =
       rows != nullptr
-          ? pairs_in_map(width, pressure, rows->row_after(pressure), workers)
-          : pairs_in_map(width, pressure, pressure.first(width), workers);
+          ? pairs_in_map(width, nodes, rows->row_after(nodes.field()), workers)
+          : pairs_in_map(width, nodes, nodes.field().first(width), workers);
   if (border == Border::free)
-    free_border(grid, pressure, workers, pairs);
+    free_border(grid, nodes, workers, pairs);
   return (static_cast<double>(pairs.along_x) * grid.spacing_y() +
           static_cast<double>(pairs.along_y) * grid.spacing_x()) /
          grid.area();

@@ -4,6 +4,7 @@
 // definitions apply to all methods.
 
 #include "base/grid.hpp"
+#include "mechanics/contact_nodes.hpp"
 #include "ranks/workers.hpp"
 
 #include <limits>
@@ -25,14 +26,12 @@ struct Observed {
   std::string reason; ///< why not; empty if it is determined
 };
 
-/// What lies beyond the border of a map: its periodic continuation, or a
-/// surface that carries no pressure.
-enum class Border { periodic, free };
+using mechanics::Border;
+using mechanics::ContactNodes;
 
 /// Every map here has grid.size() values in the order of Grid. `weights` are
 /// the areas of the nodes relative to their mean (mean 1, as
-/// contact::SurfaceOperator::nodal_weights); empty if all are equal. A node is
-/// in contact where its pressure is > 0.
+/// contact::SurfaceOperator::nodal_weights); empty if all are equal.
 ///
 /// Sums are those of ranks/chunked_sum.hpp: bitwise the same on any number of
 /// threads and ranks. If ranks share the rows, the maps have the nodes of this
@@ -47,12 +46,11 @@ double weighted_mean(std::span<const double> field,
 
 /// Returns A/A_0, the fraction of the nominal area that belongs to nodes in
 /// contact.
-/// @param pressure  [Pa]
-/// @return          [1] 0..1
-/// @throws std::domain_error  the sizes differ or the map is empty
+/// @return  [1] 0..1
+/// @throws std::domain_error  the sizes differ or there are no nodes
 /// @par Accuracy    first order in the spacing; see
 ///                  results/observables/area_estimate.hpp for the correction
-double counted_area_fraction(std::span<const double> pressure,
+double counted_area_fraction(const ContactNodes& nodes,
                              std::span<const double> weights = {},
                              const Workers& workers = 1);
 
@@ -68,12 +66,12 @@ double counted_area_fraction(std::span<const double> pressure,
 /// A boundary made of cell edges is longer than the smooth curve it represents,
 /// by a factor 4/pi on average over directions. The perimeter of an isotropic
 /// contact is therefore pi/4 S_d.
-/// @param pressure  grid.size() values [Pa]
-/// @return          S_d [1/m] >= 0
-/// @throws std::domain_error  the size of the map is not that of the grid
+/// @param nodes  grid.size()
+/// @return       S_d [1/m] >= 0
+/// @throws std::domain_error  their number is not that of the grid
 /// @see  V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161
 ///       (2017)
-double contact_perimeter(const Grid& grid, std::span<const double> pressure,
+double contact_perimeter(const Grid& grid, const ContactNodes& nodes,
                          Border border = Border::periodic,
                          const Workers& workers = 1);
 

@@ -46,6 +46,8 @@ void write_method(Hdf5File& file, const MethodChange& change) {
     method.set_attribute("kind", *change.kind);
   if (change.description)
     method.set_attribute("description", *change.description);
+  if (change.contact)
+    method.set_attribute("contact", *change.contact);
   if (change.realization >= 0)
     write_curve(std::move(method), change);
 }
@@ -165,6 +167,7 @@ void merge_change(Result& result, Change change, MapsInFile left) {
     MethodRecord& method = named(result.methods, one.name);
     method.kind = one.kind.value_or(method.kind);
     method.description = one.description.value_or(method.description);
+    method.contact = one.contact.value_or(method.contact);
     if (one.realization >= 0) {
       Curve& curve = at_index(method.realizations, one.realization);
       merge_curve(curve, std::move(one), left);

@@ -46,6 +46,7 @@ struct MethodChange {
   int realization = -1; ///< -1: none
   std::optional<std::string> kind = {};
   std::optional<std::string> description = {};
+  std::optional<std::string> contact = {};
   std::optional<double> setup_cpu_time = {}; ///< [s]
   std::optional<SurfaceChange> own_surface = {};
   std::vector<FieldsChange> fields = {}; ///< replace those of the same step

@@ -213,6 +213,7 @@ private:
     stream_.number(method.realization);
     pass(method.kind);
     pass(method.description);
+    pass(method.contact);
     pass(method.setup_cpu_time);
     pass(method.own_surface);
     pass(method.fields);

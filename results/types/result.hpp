@@ -188,10 +188,13 @@ struct Curve {
 };
 
 struct MethodRecord {
-  std::string name;                ///< "fem", "fem.hard", "theory", ...
-  std::string kind;                ///< fem | halfspace | theory | md | ...
-  std::string description;         ///< one line for the report
+  std::string name;        ///< "fem", "fem.hard", "theory", ...
+  std::string kind;        ///< fem | halfspace | theory | md | ...
+  std::string description; ///< one line for the report
   std::vector<Curve> realizations; ///< one for a theory with a formula
+  /// The field of its maps by which contact is decided: "pressure" or "gap",
+  /// see mechanics::ContactField.
+  std::string contact = "pressure";
 };
 
 /// One column of a table.

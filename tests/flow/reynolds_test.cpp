@@ -12,6 +12,7 @@
 namespace asperity::flow::reynolds_test {
 namespace {
 
+using mechanics::Border;
 using std::numbers::pi;
 
 NetworkSolution by_plugin(const Network& network) {
@@ -33,7 +34,8 @@ std::vector<double> sampled(const Grid& grid, const Gap& gap) {
 template <class Gap>
 GapFlow flow_of(int n, const Gap& gap, Direction direction = Direction::x) {
   const Grid grid{n, n, 1.0, 1.0};
-  return flow_through(grid, sampled(grid, gap), direction, by_plugin);
+  return flow_through(grid, sampled(grid, gap), direction, Border::periodic,
+                      by_plugin);
 }
 
 // The error of a second-order method falls to a quarter.
@@ -46,8 +48,10 @@ TEST(Reynolds, ParallelPlatesOfAnyShape) {
   // Q = u^3 W/L for 12 eta = Dp = 1, and phi = 1.
   const Grid grid{24, 16, 3e-6, 1e-6};
   const std::vector<double> gap(grid.size(), 2e-9);
-  const GapFlow x = flow_through(grid, gap, Direction::x, by_plugin);
-  const GapFlow y = flow_through(grid, gap, Direction::y, by_plugin);
+  const GapFlow x =
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin);
+  const GapFlow y =
+      flow_through(grid, gap, Direction::y, Border::periodic, by_plugin);
   EXPECT_NEAR(x.conductance, 8e-27 / 3.0, 1e-36);
   EXPECT_NEAR(y.conductance, 8e-27 * 3.0, 1e-35);
   EXPECT_NEAR(x.flow_factor, 1.0, 1e-10);
@@ -144,7 +148,8 @@ std::vector<double> rough_gap(const Grid& grid, double closed) {
 TEST(Reynolds, RoughGapIsBalancedAndTurnsWithTheMap) {
   const Grid grid{96, 96, 1.0, 1.0};
   const std::vector<double> gap = rough_gap(grid, -0.8);
-  const GapFlow x = flow_through(grid, gap, Direction::x, by_plugin);
+  const GapFlow x =
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin);
   ASSERT_TRUE(x.percolates);
   EXPECT_LT(x.flow_factor, 0.9);
   EXPECT_LT(x.imbalance, 1e-6);
@@ -153,13 +158,15 @@ TEST(Reynolds, RoughGapIsBalancedAndTurnsWithTheMap) {
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
       turned[grid.index(iy, ix)] = gap[grid.index(ix, iy)];
-  const GapFlow y = flow_through(grid, turned, Direction::y, by_plugin);
+  const GapFlow y =
+      flow_through(grid, turned, Direction::y, Border::periodic, by_plugin);
   EXPECT_NEAR(y.conductance, x.conductance, 1e-10 * x.conductance);
   EXPECT_EQ(y.critical_gap, x.critical_gap);
   EXPECT_EQ(y.critical_x, x.critical_y);
   for (double& u : scaled)
     u *= 1e-9;
-  const GapFlow small = flow_through(grid, scaled, Direction::x, by_plugin);
+  const GapFlow small =
+      flow_through(grid, scaled, Direction::x, Border::periodic, by_plugin);
   EXPECT_NEAR(small.conductance, 1e-27 * x.conductance, 1e-36 * x.conductance);
   EXPECT_NEAR(small.flow_factor, x.flow_factor, 1e-9);
 }
@@ -173,16 +180,19 @@ TEST(Reynolds, WidestPathIsThatOfAMazeWithOneGate) {
   gap[grid.index(8, 3)] = 0.2;
   gap[grid.index(20, 25)] = 0.1;
   gap[grid.index(20, 5)] = 0.05;
-  const GapFlow flow = flow_through(grid, gap, Direction::x, by_plugin);
+  const GapFlow flow =
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin);
   EXPECT_EQ(flow.critical_gap, 0.1);
   EXPECT_EQ(flow.critical_x, 20);
   EXPECT_EQ(flow.critical_y, 25);
   gap[grid.index(8, 3)] = 0.0;
   gap[grid.index(8, 4)] = 0.0;
-  const GapFlow sealed = flow_through(grid, gap, Direction::x, by_plugin);
+  const GapFlow sealed =
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin);
   EXPECT_FALSE(sealed.percolates);
   EXPECT_EQ(sealed.conductance, 0.0);
-  EXPECT_TRUE(flow_through(grid, gap, Direction::y, by_plugin).percolates);
+  EXPECT_TRUE(flow_through(grid, gap, Direction::y, Border::periodic, by_plugin)
+                  .percolates);
 }
 
 TEST(Reynolds, CornersDoNotLeak) {
@@ -190,9 +200,12 @@ TEST(Reynolds, CornersDoNotLeak) {
   std::vector<double> gap(grid.size(), 0.0);
   gap[grid.index(0, 0)] = gap[grid.index(1, 0)] = gap[grid.index(2, 1)] =
       gap[grid.index(3, 1)] = 1.0;
-  EXPECT_FALSE(flow_through(grid, gap, Direction::x, by_plugin).percolates);
+  EXPECT_FALSE(
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin)
+          .percolates);
   gap[grid.index(2, 0)] = 1.0;
-  EXPECT_TRUE(flow_through(grid, gap, Direction::x, by_plugin).percolates);
+  EXPECT_TRUE(flow_through(grid, gap, Direction::x, Border::periodic, by_plugin)
+                  .percolates);
 }
 
 TEST(Reynolds, LognormalConductivity) {
@@ -227,7 +240,8 @@ TEST(Reynolds, FluxOfAChannelWithAWall) {
     for (int ix = 0; ix < 16; ++ix)
       if (iy == 0 || iy == 1 || iy == 6 || iy == 7)
         gap[grid.index(ix, iy)] = 0.0;
-  const GapFlow flow = flow_through(grid, gap, Direction::x, by_plugin, true);
+  const GapFlow flow =
+      flow_through(grid, gap, Direction::x, Border::periodic, by_plugin, true);
   ASSERT_EQ(flow.flux.size(), grid.size());
   for (int iy = 0; iy < 16; ++iy)
     for (int ix = 0; ix < 16; ++ix)
@@ -235,16 +249,52 @@ TEST(Reynolds, FluxOfAChannelWithAWall) {
                   gap[grid.index(ix, iy)] > 0.0 ? 4.0 / 3.0 : 0.0, 1e-7);
 }
 
-TEST(Reynolds, ContactIsClosed) {
-  const std::vector<double> pressure{0.0, 1.0, 0.0, 0.0},
-      gap{2.0, 2.0, 1e-9, -1.0};
-  EXPECT_EQ(open_gap(pressure, gap, 1e-8),
-            (std::vector<double>{2.0, 0.0, 0.0, 0.0}));
+// A map with a free border is insulated: it is a periodic one with one more
+// column, or row, that is closed. Random gaps, an eighth of them closed.
+TEST(Reynolds, FreeBorderIsInsulated) {
+  const Grid grid{12, 10, 1.2, 1.0}, wider{12, 11, 1.2, 1.1};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> width(-0.1, 0.7);
+  int open = 0;
+  for (int map = 0; map < 20; ++map) {
+    std::vector<double> gap(grid.size());
+    std::ranges::generate(gap, [&] { return std::max(0.0, width(random)); });
+    std::vector<double> closed_above = gap;
+    closed_above.resize(wider.size());
+
+    const GapFlow free =
+        flow_through(grid, gap, Direction::x, Border::free, by_plugin);
+    const GapFlow walled = flow_through(wider, closed_above, Direction::x,
+                                        Border::periodic, by_plugin);
+
+    EXPECT_EQ(free.percolates, walled.percolates);
+    EXPECT_NEAR(free.conductance, walled.conductance,
+                1e-12 * walled.conductance);
+    EXPECT_EQ(free.critical_gap, walled.critical_gap);
+    open += free.percolates ? 1 : 0;
+  }
+  EXPECT_GT(open, 10);
+}
+
+// An oblique ridge closes every row of the map, and no row of its periodic
+// continuation.
+TEST(Reynolds, ObliqueRidgeSealsAMapThatIsPressedOnce) {
+  const Grid grid{16, 16, 1.0, 1.0};
+  std::vector<double> gap(grid.size(), 1.0);
+  for (int iy = 0; iy < 16; ++iy)
+    for (const int ix : {4 + iy / 2, 5 + iy / 2})
+      gap[grid.index(ix, iy)] = 0.0;
+  const auto along_x = [&](Border border) {
+    return flow_through(grid, gap, Direction::x, border, by_plugin);
+  };
+
+  EXPECT_FALSE(along_x(Border::free).percolates);
+  EXPECT_TRUE(along_x(Border::periodic).percolates);
 }
 
 TEST(Reynolds, RefusesAnotherSize) {
   EXPECT_THROW(flow_through({8, 8, 1.0, 1.0}, std::vector<double>(63),
-                            Direction::x, by_plugin),
+                            Direction::x, Border::periodic, by_plugin),
                std::domain_error);
 }
 

@@ -38,6 +38,7 @@ results::CurvePoint row_of(const PressureAt& pressure_at,
                   1e9,
                   true,
                   results::Border::periodic,
+                  {},
                   has_middle},
                  surface)
       .row;

@@ -88,6 +88,21 @@ TEST(MapImage, IsThatOfAMapInMemoryIfItIsReadByPieces) {
   EXPECT_EQ(difference.size(), 2U * 2U);
 }
 
+// With adhesion the largest tension is no contact, and a closed node in tension
+// is: the shares of two blocks of two nodes.
+TEST(MapImage, OfContactIsThatOfTheArea) {
+  const Grid grid{4, 1, 1.0, 1.0};
+  const std::vector<double> pressure{-1e-12, -3.0, -2.0, 5.0},
+      gap{1.0, 0.5, 0.0, 0.0};
+  using mechanics::ContactField;
+  const auto shares = [&](ContactField field) {
+    return reduced_contact(grid, pressure, gap, {field, 0.0}, 2).values;
+  };
+
+  EXPECT_EQ(shares(ContactField::gap), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(shares(ContactField::pressure), (std::vector<double>{0.0, 0.5}));
+}
+
 // The colours of the browser end where those on paper do, though its map is
 // finer: one node of 4 in a block of four nodes is 1 on paper.
 TEST(MapImage, HasTheColoursOfThePrintedMapInTheBrowser) {

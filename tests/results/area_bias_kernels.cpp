@@ -86,14 +86,16 @@ Sample measure(const Grid& grid, const contact::ContactSolution& solution,
                const results::AreaCoefficients& coefficients) {
   const auto& pressure = solution.pressure;
   Sample sample;
-  sample.counted = results::counted_area_fraction(pressure);
+  sample.counted =
+      results::counted_area_fraction(results::ContactNodes::under(pressure));
   sample.lines = results::line_area_fraction(grid, pressure, solution.gap, 1.0);
   sample.corrected = results::corrected_area_fraction(
                          grid, pressure, solution.gap, {1.0, coefficients})
                          .value;
   sample.fitted = results::fit_pressure_distribution(pressure).area_fraction;
   sample.perimeter =
-      results::contact_perimeter(grid, pressure) * grid.spacing_x();
+      results::contact_perimeter(grid, results::ContactNodes::under(pressure)) *
+      grid.spacing_x();
   sample.euler = results::euler_characteristic(grid, pressure) /
                  static_cast<double>(grid.size());
   sample.mean_gap = solution.mean_gap / rms_height;

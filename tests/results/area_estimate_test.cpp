@@ -94,7 +94,8 @@ RC_GTEST_PROP(LineArea, FindsTheRimsOfAStrip, ()) {
     return half_width -
            std::abs(periodic_distance(is_along_y ? x : y, centre, 1.0));
   });
-  const double counted = counted_area_fraction(maps.pressure);
+  const double counted =
+      counted_area_fraction(ContactNodes::under(maps.pressure));
 
   const double area =
       line_area_fraction(grid, maps.pressure, maps.gap, modulus);
@@ -161,7 +162,8 @@ TEST(LineArea, OfASphereIsTooLargeByTheObliqueCrossings) {
         line_area_fraction(grid, maps.pressure, maps.gap, modulus);
     const double excess =
         (lines - std::numbers::pi * radius * radius / grid.area()) /
-        (contact_perimeter(grid, maps.pressure) * grid.spacing_x());
+        (contact_perimeter(grid, ContactNodes::under(maps.pressure)) *
+         grid.spacing_x());
     sum += excess;
     sum_of_squares += excess * excess;
   }
@@ -203,10 +205,13 @@ TEST(CorrectedArea, SubtractsThePerimeterAndAddsThePatches) {
                               {modulus, {0.1, 0.5}})
           .value;
 
-  EXPECT_NEAR(corrected,
-              lines - 0.1 * contact_perimeter(grid, maps.pressure) * spacing +
-                  0.5 * spacing * spacing,
-              64 * epsilon);
+  EXPECT_NEAR(
+      corrected,
+      lines -
+          0.1 * contact_perimeter(grid, ContactNodes::under(maps.pressure)) *
+              spacing +
+          0.5 * spacing * spacing,
+      64 * epsilon);
 }
 
 // Neither the unit of pressure nor that of length matters: a power of two

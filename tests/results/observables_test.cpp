@@ -28,8 +28,9 @@ TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
                std::abs(periodic_distance(y, centre_y, 3.0)) < 0.3; // 3 rows
       });
 
-      EXPECT_NEAR(counted_area_fraction(pressure), 6 * 3 / 240.0, 4 * epsilon);
-      EXPECT_NEAR(contact_perimeter(grid, pressure),
+      EXPECT_NEAR(counted_area_fraction(ContactNodes::under(pressure)),
+                  6 * 3 / 240.0, 4 * epsilon);
+      EXPECT_NEAR(contact_perimeter(grid, ContactNodes::under(pressure)),
                   2.0 * (0.6 + 0.75) / grid.area(), 4 * epsilon);
     }
 }
@@ -39,26 +40,35 @@ TEST(ContactPerimeter, OfARectangleIsExactAlsoAcrossTheBorder) {
 // rectangle in one corner its own.
 TEST(ContactPerimeter, IncludesAFreeBorder) {
   const Grid grid{20, 12, 2.0, 3.0};
-  EXPECT_NEAR(
-      contact_perimeter(grid, std::vector<double>(240, 2.0), Border::free),
-      2.0 * (2.0 + 3.0) / grid.area(), 4 * epsilon);
+  EXPECT_NEAR(contact_perimeter(
+                  grid, ContactNodes::under(std::vector<double>(240, 2.0)),
+                  Border::free),
+              2.0 * (2.0 + 3.0) / grid.area(), 4 * epsilon);
   std::vector<double> pressure(240, 0.0);
   for (const int iy : {0, 1, 2})
     for (const int ix : {16, 17, 18, 19})
       pressure[grid.index(ix, iy)] = 1.0;
-  EXPECT_NEAR(contact_perimeter(grid, pressure, Border::free),
-              2.0 * (0.4 + 0.75) / grid.area(), 4 * epsilon);
+  EXPECT_NEAR(
+      contact_perimeter(grid, ContactNodes::under(pressure), Border::free),
+      2.0 * (0.4 + 0.75) / grid.area(), 4 * epsilon);
   pressure[grid.index(0, 0)] = 1.0; // no neighbour across the border
-  EXPECT_NEAR(contact_perimeter(grid, pressure, Border::free),
-              2.0 * (0.4 + 0.75 + 0.1 + 0.25) / grid.area(), 4 * epsilon);
+  EXPECT_NEAR(
+      contact_perimeter(grid, ContactNodes::under(pressure), Border::free),
+      2.0 * (0.4 + 0.75 + 0.1 + 0.25) / grid.area(), 4 * epsilon);
 }
 
 TEST(ContactPerimeter, VanishesWithoutContactAndInFullContact) {
   const Grid grid{8, 8, 1.0, 1.0};
 
-  EXPECT_EQ(contact_perimeter(grid, std::vector<double>(64, 0.0)), 0.0);
-  EXPECT_EQ(contact_perimeter(grid, std::vector<double>(64, 2.0)), 0.0);
-  EXPECT_EQ(counted_area_fraction(std::vector<double>(64, 2.0)), 1.0);
+  EXPECT_EQ(contact_perimeter(
+                grid, ContactNodes::under(std::vector<double>(64, 0.0))),
+            0.0);
+  EXPECT_EQ(contact_perimeter(
+                grid, ContactNodes::under(std::vector<double>(64, 2.0))),
+            0.0);
+  EXPECT_EQ(
+      counted_area_fraction(ContactNodes::under(std::vector<double>(64, 2.0))),
+      1.0);
 }
 
 // The perimeter on the grid of a disc, as a set of nodes, is that of its
@@ -74,9 +84,10 @@ TEST(ContactPerimeter, OfADiscIsThatOfItsBoundingBox) {
     return std::hypot(x - 0.503, y - 0.498) < radius;
   });
 
-  const double perimeter = contact_perimeter(grid, pressure);
+  const double perimeter =
+      contact_perimeter(grid, ContactNodes::under(pressure));
   EXPECT_NEAR(perimeter, 8.0 * radius, 4.0 * spacing);
-  EXPECT_NEAR(counted_area_fraction(pressure),
+  EXPECT_NEAR(counted_area_fraction(ContactNodes::under(pressure)),
               std::numbers::pi * radius * radius,
               2 * std::numbers::sqrt2 * std::numbers::pi * radius * spacing);
 }
@@ -114,7 +125,8 @@ TEST(NodalWeights, CountANodeByItsArea) {
   const std::vector<double> pressure{0.0, 4.0};
 
   EXPECT_DOUBLE_EQ(weighted_mean(pressure, weights), 3.0);
-  EXPECT_DOUBLE_EQ(counted_area_fraction(pressure, weights), 0.75);
+  EXPECT_DOUBLE_EQ(
+      counted_area_fraction(ContactNodes::under(pressure), weights), 0.75);
   EXPECT_DOUBLE_EQ(elastic_energy(pressure, pressure, weights), 6.0);
   EXPECT_DOUBLE_EQ(contact_energy(pressure, 2.0, weights), 12.0);
 }
@@ -126,7 +138,7 @@ TEST(NodalWeights, OfRoundedSumsGiveNoAreaAboveOne) {
   const std::vector<double> pressure(36, 1.0);
   ASSERT_GT(weighted_mean(pressure, weights), 1.0);
 
-  EXPECT_EQ(counted_area_fraction(pressure, weights), 1.0);
+  EXPECT_EQ(counted_area_fraction(ContactNodes::under(pressure), weights), 1.0);
 }
 
 // The lever of a force is the mean place of its pressure, from the node in the
@@ -157,7 +169,7 @@ TEST(MapSizes, AreCheckedByName) {
   const Grid grid{4, 4, 1.0, 1.0};
   const std::vector<double> pressure(15, 1.0);
   try {
-    contact_perimeter(grid, pressure);
+    contact_perimeter(grid, ContactNodes::under(pressure));
     FAIL() << "a map of another size was accepted";
   } catch (const std::domain_error& error) {
     EXPECT_STREQ(error.what(), "pressure.size() = 15, but must be equal to 16");

@@ -56,19 +56,21 @@ Numbers observed(const Grid& grid, const Maps& maps, const Workers& workers) {
   const std::vector<double>& p = maps.pressure;
   const PressureFit fit = fit_pressure_distribution(p, {}, workers);
   const PressureCentre centre = pressure_centre(grid, p, {}, workers);
-  return {weighted_mean(maps.displacement, {}, workers),
-          counted_area_fraction(p, {}, workers),
-          contact_perimeter(grid, p, Border::periodic, workers),
-          corrected(grid, maps, 2.0, workers).value,
-          contact_perimeter(grid, p, Border::free, workers),
-          corrected(grid, maps, 2.0, workers, Border::free).value,
-          elastic_energy(p, maps.displacement, {}, workers),
-          contact_energy(p, 0.7, {}, workers),
-          fit.area_fraction,
-          fit.variance,
-          pressure_fit_by_moment(p, {}, workers).area_fraction,
-          centre.x,
-          centre.y};
+  return {
+      weighted_mean(maps.displacement, {}, workers),
+      counted_area_fraction(ContactNodes::under(p), {}, workers),
+      contact_perimeter(grid, ContactNodes::under(p), Border::periodic,
+                        workers),
+      corrected(grid, maps, 2.0, workers).value,
+      contact_perimeter(grid, ContactNodes::under(p), Border::free, workers),
+      corrected(grid, maps, 2.0, workers, Border::free).value,
+      elastic_energy(p, maps.displacement, {}, workers),
+      contact_energy(p, 0.7, {}, workers),
+      fit.area_fraction,
+      fit.variance,
+      pressure_fit_by_moment(p, {}, workers).area_fraction,
+      centre.x,
+      centre.y};
 }
 
 Maps rows_in(const SharedRows& rows, const Maps& maps) {
