@@ -117,15 +117,19 @@ void add_conductance(const StudiedMethod& studied,
   set_conductances(study, row);
 }
 
-void add_spots(const cases::SpotsStudy& study, const Grid& grid, Border border,
+void add_spots(const StudiedMethod& studied, const Grid& grid,
                std::vector<std::uint8_t> set, results::CurvePoint& row) {
-  const auto smallest = static_cast<std::size_t>(study.smallest);
-  const results::ClusterNumbers spots = results::cluster_numbers(
-      results::find_clusters(grid, set, border), smallest);
+  const results::SurfaceRecord& pressed = studied.surface.record;
+  const auto numbers = [&] {
+    return results::cluster_numbers(
+        results::find_clusters(grid, set, border_of(studied.method),
+                               pressed.map.on(pressed.grid, grid)),
+        static_cast<std::size_t>(studied.contact_case.spots_study->smallest));
+  };
+  const results::ClusterNumbers spots = numbers();
   for (std::uint8_t& is_inside : set)
     is_inside ^= 1U;
-  const results::ClusterNumbers gaps = results::cluster_numbers(
-      results::find_clusters(grid, set, border), smallest);
+  const results::ClusterNumbers gaps = numbers();
   row.spot_count = spots.count;
   row.largest_spot = spots.largest;
   row.spot_dimension = spots.dimension;
@@ -165,8 +169,7 @@ void add_contact_studies(const StudiedMethod& studied,
   const std::vector<std::uint8_t> set = results::contact_set(
       by_pressure ? answer.pressure : std::vector<double>(), answer.gap);
   if (contact_case.spots_study)
-    add_spots(*contact_case.spots_study, answer.grid, border_of(studied.method),
-              set, row);
+    add_spots(studied, answer.grid, set, row);
   if (contact_case.conductance_study)
     add_conductance(studied, answer, set, row);
 }

@@ -110,7 +110,7 @@ kainjow::mustache::list physical_rows(const ReportEntry& entry) {
   const results::MethodRecord* const method = main_method(*entry.result);
   if (method == nullptr || entry.result->surfaces.empty())
     return rows;
-  const double nominal = nominal_area(*entry.result, *entry.contact_case);
+  const double nominal = nominal_area(*entry.result);
   for (const PhysicalLoad& load : physical_loads(*method)) {
     kainjow::mustache::data row;
     row.set("pressure", in_unit(load.pressure, "Pa"));
