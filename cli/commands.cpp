@@ -291,8 +291,7 @@ results_or_curves(const std::vector<std::string>& paths) {
   for (const std::string& path : paths)
     read.push_back(
         is_curve_file(path)
-            ? reports::read_measured_curve(path, read.front(),
-                                           reports::case_of(read.front()))
+            ? reports::read_measured_curve(path, read.front())
             : results::read_result(path, results::MapsInFile::large));
   return read;
 }

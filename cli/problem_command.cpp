@@ -2,6 +2,7 @@
 
 #include "base/folder_lock.hpp"
 #include "base/shown_number.hpp"
+#include "exchange/answers/own_reference.hpp"
 #include "exchange/answers/reference_answers.hpp"
 #include "exchange/problem_folder.hpp"
 #include "input/input_error.hpp"
@@ -72,10 +73,9 @@ run::ExitCode write_problem_of(const ProblemCommand& command) {
     mesh = exchange::problem_mesh(answered->problem, answered->block);
   // A map or spectrum that the case names is not part of the problem.
   const bool is_complete = read.contact_case.surface.file.empty();
-  exchange::write_problem(answered->problem, answered->answers,
-                          answered->continuum,
-                          is_complete ? read.contact_case.text : "", folder,
-                          mesh ? &*mesh : nullptr);
+  exchange::write_certified_problem(*answered,
+                                    is_complete ? read.contact_case.text : "",
+                                    folder, mesh ? &*mesh : nullptr);
   print_answers(*answered);
   if (mesh)
     fmt::print("mesh: {} by {} by {} cells for {}, {} nodes\n", mesh->cells_x,

@@ -141,14 +141,21 @@ run::ExitCode write_field(const SurfaceCommand& command) {
   if (values.empty())
     throw input::InputError(
         fmt::format("{}: the {} is not saved", result.path, command.field));
-  const Grid& grid = is_heights ? surface->grid : fields->grid;
+  const Grid& cell = is_heights ? surface->grid : fields->grid;
+  const results::MapInCell shown = command.is_whole_cell ? results::MapInCell{}
+                                   : is_heights          ? surface->map
+                                                         : fields->map;
+  const Grid grid = shown.grid(cell);
+  const results::StoredMap shown_values = shown.of(values, cell);
   const surfaces::MapQuantity quantity{command.field, is_pressure ? "Pa" : "m"};
   const std::string title =
       is_heights
           ? "Height"
           : fmt::format("{} of {}, step {}", is_pressure ? "Pressure" : "Gap",
                         method->name, fields->step);
-  surfaces::write_map(command.write, {grid, values.whole()}, title, quantity);
+  surfaces::write_map(command.write,
+                      {grid, results::MapView(shown_values).whole()}, title,
+                      quantity);
   fmt::print("written: {} ({} [{}], p = {:.6g} Pa, {} x {} points, {:.6g} x "
              "{:.6g} m)\n",
              command.write, title, quantity.unit, fields->nominal_pressure,
@@ -338,6 +345,9 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
                    "with --write, the input is a result, of which this\n"
                    "map is written: pressure, gap or heights")
       ->check(CLI::IsMember({"pressure", "gap", "heights"}));
+  command->add_flag("--cell", surface.is_whole_cell,
+                    "with --field: the whole cell that was pressed, with\n"
+                    "the mirror images of a measured map");
   command->add_option("--method", surface.method,
                       "method of this map (default: the first that has\n"
                       "saved fields)");

@@ -30,6 +30,7 @@ struct SurfaceCommand {
   std::string out;             ///< empty: out/<name>
   std::string write;           ///< file to convert the map to
   std::string field;           ///< of a result: pressure, gap or heights
+  bool is_whole_cell = false;  ///< the map with its mirror images
   std::string method;          ///< whose field; empty: the first with fields
   int step = -1;               ///< of the field; negative: the last saved one
   bool lists_channels = false; ///< print the channels of files, no more

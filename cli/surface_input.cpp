@@ -168,11 +168,15 @@ SurfaceInput case_input(const std::string& word,
         "a formula, no heights; give them by --set",
         found.path));
   SurfaceInput input;
-  input.origin = surfaces::is_random(surface.kind)
-                     ? "Realisation 0 of the random surface of the case; "
-                       "periodic."
-                     : "The exact shape of the case; periodic.";
-  input.heights = SurfaceMap{surfaces::build_surface(surface, 0), true};
+  // The edges at which the images of a single shape meet are not of the shape.
+  const bool is_periodic = !surface.has_middle();
+  input.origin = fmt::format("{}; {}.",
+                             surfaces::is_random(surface.kind)
+                                 ? "Realisation 0 of the random surface of the "
+                                   "case"
+                                 : "The exact shape of the case",
+                             is_periodic ? "periodic" : "inside its square");
+  input.heights = SurfaceMap{surfaces::build_surface(surface, 0), is_periodic};
   return input;
 }
 

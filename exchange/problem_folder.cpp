@@ -121,12 +121,17 @@ std::string reference_json(const Problem& problem,
   return text_of_json(json, 2) + "\n";
 }
 
-std::string body_text(const Problem& problem) {
+} // namespace
+
+StatedBody stated_body(const Problem& problem) {
   const mechanics::ElasticBlock& body = problem.body;
+  mechanics::ElasticBlock half_space;
+  half_space.contact_modulus = body.contact_modulus;
+  half_space.thickness = infinity;
   if (!problem.is_periodic)
-    return free_half_space_text;
+    return {free_half_space_text, true, half_space, false};
   if (std::isinf(body.thickness) && body.layers.empty())
-    return half_space_text;
+    return {half_space_text, true, half_space, true};
   std::string text =
       std::isinf(body.thickness)
           ? std::string("The body is a half-space")
@@ -135,12 +140,9 @@ std::string body_text(const Problem& problem) {
     text += fmt::format(", of which {} bonded layer(s) at the contact surface "
                         "have other moduli",
                         body.layers.size());
-  return text +
-         "; `body` in problem.json has all\nmoduli, thicknesses (from the "
-         "contact surface downwards) and the far boundary.\n";
+  return {text + "; `body` in problem.json has all\nmoduli, thicknesses (from "
+                 "the contact surface downwards) and the far boundary.\n"};
 }
-
-} // namespace
 
 void require_own_problem(const fs::path& folder) {
   const std::map<std::string, std::string> sums = sums_in(folder);
@@ -210,7 +212,7 @@ void write_problem(const Problem& problem,
                   fmt::arg("points_y", grid.points_y),
                   fmt::arg("loads", problem.loads.size()),
                   fmt::arg("first_load", problem.loads.front()),
-                  fmt::arg("body", body_text(problem))));
+                  fmt::arg("body", stated_body(problem).text)));
   write("problem.json", json);
 }
 

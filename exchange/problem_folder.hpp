@@ -18,6 +18,18 @@ namespace asperity::exchange {
 /// @throws input::InputError  naming the file that is not, and what to do
 void require_own_problem(const std::filesystem::path& folder);
 
+/// What the README of a problem says of the body.
+struct StatedBody {
+  std::string text;
+  /// Whether the text says everything, and the body that it states; else the
+  /// text refers to `body` in problem.json.
+  bool is_complete = false;
+  mechanics::ElasticBlock body = {};
+  bool is_periodic = true;
+};
+
+StatedBody stated_body(const Problem& problem);
+
 /// Writes the folder, problem.json last: a folder that has it is complete.
 /// @param answers    one per load of the discrete problem; the first one is
 ///                   given as the example

@@ -20,6 +20,9 @@ SurfaceOfCase as_taken(const cases::Case& contact_case, SurfaceOfCase surface) {
                             ": the surface is flat; there is no roughness "
                             "to press on");
   surface.has_middle = contact_case.surface.has_middle();
+  if (const Grid map = grid_without_images(contact_case, surface.record.grid);
+      map != surface.record.grid)
+    surface.record.map = {map.points_x, map.points_y};
   return surface;
 }
 
@@ -47,6 +50,7 @@ bool presses_whole(const cases::Case& contact_case,
 SurfaceOfCase single_map(const cases::Case& contact_case, SurfaceOfCase surface,
                          const BuildSurface& build) {
   surface.record.heights = {};
+  surface.record.map = {};
   mechanics::SurfaceSpec alone = contact_case.surface;
   alone.has_images = false;
   SurfaceOfCase built = build({alone, 0});
@@ -79,8 +83,10 @@ Grid pressed_grid(const cases::Case& contact_case,
 }
 
 Grid grid_without_images(const cases::Case& contact_case, const Grid& grid) {
-  const mechanics::Edges edges = contact_case.surface.edges;
-  if (surfaces::grid_with_edges(grid, edges).points_x == grid.points_x)
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  const mechanics::Edges edges = surface.edges;
+  if (surface.kind != mechanics::SurfaceKind::measured ||
+      surfaces::grid_with_edges(grid, edges).points_x == grid.points_x)
     return grid;
   return {grid.points_x / 2, grid.points_y / 2, grid.length_x / 2.0,
           grid.length_y / 2.0};

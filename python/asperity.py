@@ -69,11 +69,23 @@ def to_toml(case, path=()):
     return "\n".join(lines) + "\n" + "".join(tables)
 
 
+def _map(group, name, fields):
+    """A map of a group: of its user's map, or of the whole cell that a solver pressed."""
+    if fields not in ("map", "cell"):
+        raise ValueError(f'fields = {fields!r}, but must be "map" or "cell"')
+    values = group[name]
+    if fields == "cell" or values.ndim != 2:
+        return values[()]
+    rows, columns = (int(group.attrs.get(f"map_points_{axis}", points))
+                     for axis, points in zip("yx", values.shape))
+    return values[:rows, :columns]
+
+
 class Method:
     """The curves of one method. Each column of docs/reference/results.md is an attribute: an array
     [realization, step], with NaN where a step is missing. `units` has the unit of each."""
 
-    def __init__(self, group):
+    def __init__(self, group, fields="map"):
         self.kind, self.description = (str(group.attrs.get(k, "")) for k in ("kind", "description"))
         curves = [group[r]["curve"] for r in sorted(filter(str.isdigit, group), key=int)]
         self.units = {name: str(values.attrs.get("unit", "")) for curve in curves
@@ -89,8 +101,7 @@ class Method:
         self._by_gap = str(group.attrs.get("contact", "pressure")) == "gap"
         self.fields = {}  # of realisation 0: step -> (pressure [Pa], gap [m]), each [y, x]
         for step, maps in group.get("0/fields", {}).items():
-            self.fields[int(step)] = (maps["pressure"][()], maps["gap"][()])
-
+            self.fields[int(step)] = tuple(_map(maps, name, fields) for name in ("pressure", "gap"))
 
     def contact(self, step):
         """Which points of the maps of a step are in contact: a bool for each, [y, x]. With adhesion
@@ -101,20 +112,23 @@ class Method:
 
 class Result:
     """A result file. `result["fem"]` is a Method; iterating gives the names of the methods.
-    `tables["leak"]["mass_flow"]` is a column of a table of docs/reference/results.md."""
+    `tables["leak"]["mass_flow"]` is a column of a table of docs/reference/results.md. The heights
+    and fields of a measured map that continues by its mirror images are those of the map, or, with
+    fields="cell", those of the whole cell that was pressed."""
 
-    def __init__(self, folder, exit_code=0):
+    def __init__(self, folder, exit_code=0, fields="map"):
         self.folder, self.exit_code = Path(folder), exit_code
         summary = self.folder / "summary.json"
         self.summary = json.loads(summary.read_text("utf-8")) if summary.exists() else None
         with h5py.File(self.folder / "result.h5") as file:
             self.contact_modulus = float(file.attrs["contact_modulus"])  # E* [Pa]
-            self.methods = {name: Method(group) for name, group in file["methods"].items()}
+            self.methods = {name: Method(group, fields) for name, group in file["methods"].items()}
             surfaces = file.get("surfaces", {})
             first = sorted(surfaces, key=int)
             self.rms_height = np.array([surfaces[r].attrs["rms_height"] for r in first])  # [m]
             self.rms_slope = np.array([surfaces[r].attrs["rms_slope"] for r in first])
-            self.heights = [surfaces[r]["heights"][()] for r in first if "heights" in surfaces[r]]
+            self.heights = [_map(surfaces[r], "heights", fields) for r in first
+                            if "heights" in surfaces[r]]
             self.tables = {name: {column: values[()] for column, values in table.items()}
                            for name, table in file.get("tables", {}).items()}
 
@@ -146,7 +160,7 @@ class Sweep:
     """The results of a sweep: `points[i]` is the Result at `values[i]`, a dict that has the value
     of each key, or None if this point has no result."""
 
-    def __init__(self, folder, exit_code=0):
+    def __init__(self, folder, exit_code=0, fields="map"):
         self.folder, self.exit_code = Path(folder), exit_code
         self.summary = json.loads((self.folder / "sweep.json").read_text("utf-8"))
         keys = [(key["key"], [tomllib.loads("v = " + v)["v"] for v in key["values"]])
@@ -154,7 +168,8 @@ class Sweep:
         self.values = [{key: values[i] for (key, values), i in zip(keys, point["choice"])}
                        for point in self.summary["points"]]
         folders = [self.folder / point["folder"] for point in self.summary["points"]]
-        self.points = [Result(f) if (f / "result.h5").exists() else None for f in folders]
+        self.points = [Result(f, fields=fields) if (f / "result.h5").exists() else None
+                       for f in folders]
 
 
 def _checkout():
@@ -222,7 +237,7 @@ def _write_case(case, folder):
     (folder / "case.toml").write_text(to_toml(case), "utf-8")
 
 
-def run(case, out=None, methods=(), overrides=None, threads=0, report=False):
+def run(case, out=None, methods=(), overrides=None, threads=0, report=False, fields="map"):
     """Runs a case and returns its Result, or the Sweep if it is one. Without `out` the files are
     in a temporary folder, which is removed. A result is also returned if a step did not converge
     (exit_code 3) or, with `report`, an expectation is not met (1); `report` also writes summary
@@ -230,6 +245,8 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False):
 
     case       a dict, or the path or name of a case
     overrides  keys of the case file and their values: {"surface.points": 128}
+    fields     map: fields and heights are those of a measured map; cell: also those of the mirror
+               images that continue it
     """
     with tempfile.TemporaryDirectory(prefix="asperity-") as scratch:
         folder = Path(out or scratch).resolve()
@@ -247,10 +264,11 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False):
         has_result = any((folder / name).exists() for name in ("result.h5", "sweep.json"))
         if ended.returncode not in (0, 1, 3) or not has_result:
             raise Error(ended.stderr.strip() or f"exit code {ended.returncode}")
-        return read(folder, ended.returncode)
+        return read(folder, ended.returncode, fields)
 
 
-def press(heights, length, contact_modulus, pressures, level="none", edges="periodic", threads=0):
+def press(heights, length, contact_modulus, pressures, level="none", edges="periodic", threads=0,
+          fields="map"):
     """Presses heights on an elastic half-space in hard contact without friction, by `run`.
     Returns the Method, with arrays [step] of one number per pressure, and `fields[step]`, the
     maps (pressure [Pa], gap [m]) in double precision, each [y, x].
@@ -261,8 +279,9 @@ def press(heights, length, contact_modulus, pressures, level="none", edges="peri
     contact_modulus  E* [Pa], or a text with a unit
     pressures        one or several nominal pressures [Pa], or texts with units
     level            what is removed from the map: none, plane, bow, sphere, cylinder
-    edges            periodic: the array is one cell; mirror: it continues by its mirror images,
-                     which the maps also show; free: it is pressed once, on an infinite half-space
+    edges            periodic: the array is one cell; mirror: it continues by its mirror images;
+                     free: it is pressed once, on an infinite half-space
+    fields           map: the maps have the shape of the array; cell: with the mirror images
     """
     case = {"schema": 1, "title": "Heights from Python",
             "surface": {"heights": heights, "length": length, "level": level, "edges": edges},
@@ -270,14 +289,15 @@ def press(heights, length, contact_modulus, pressures, level="none", edges="peri
             "load": {"nominal_pressure": np.atleast_1d(pressures).tolist()},
             "halfspace": {"contact": "hard"},
             "report": {"fields": "all", "precision": "double"}}
-    contact = copy.copy(run(case, threads=threads)["halfspace"])
+    contact = copy.copy(run(case, threads=threads, fields=fields)["halfspace"])
     for name in contact.columns:
         setattr(contact, name, getattr(contact, name)[0])
     return contact
 
 
-def read(path, exit_code=0):
-    """Reads a result or a sweep that exists: its folder, or the file result.h5 in it."""
+def read(path, exit_code=0, fields="map"):
+    """Reads a result or a sweep that exists: its folder, or the file result.h5 in it. The fields
+    are those of the user's map, or of the whole "cell" that was pressed."""
     folder = Path(path) if Path(path).is_dir() else Path(path).parent
     is_sweep = (folder / "sweep.json").exists() and not (folder / "result.h5").exists()
-    return (Sweep if is_sweep else Result)(folder, exit_code)
+    return (Sweep if is_sweep else Result)(folder, exit_code, fields)

@@ -32,7 +32,8 @@ FieldsChange change_of(const Grid& grid, const Fields& fields) {
           grid,
           {rows_of_map(fields.pressure_map())},
           {rows_of_map(fields.gap_map())},
-          fields.has_double_pressure};
+          fields.has_double_pressure,
+          fields.map};
 }
 
 /// @param heights  empty: those of the surface, which must outlive the result

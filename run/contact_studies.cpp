@@ -107,11 +107,14 @@ void add_conductance(const StudiedMethod& studied,
   set_conductances(study, row);
 }
 
-void add_spots(const cases::SpotsStudy& study, const Grid& grid, Border border,
+void add_spots(const StudiedMethod& studied, const Grid& grid,
                const mechanics::ContactNodes& nodes, results::CurvePoint& row) {
+  const results::SurfaceRecord& pressed = studied.surface.record;
   const auto numbers_of = [&](const std::vector<std::uint8_t>& set) {
-    return results::cluster_numbers(results::find_clusters(grid, set, border),
-                                    static_cast<std::size_t>(study.smallest));
+    return results::cluster_numbers(
+        results::find_clusters(grid, set, studied.method.border(),
+                               pressed.map.on(pressed.grid, grid)),
+        static_cast<std::size_t>(studied.contact_case.spots_study->smallest));
   };
   const results::ClusterNumbers spots = numbers_of(nodes.contact_set());
   const results::ClusterNumbers gaps = numbers_of(nodes.open_set());
@@ -153,8 +156,7 @@ void add_contact_studies(const StudiedMethod& studied,
       studied.method.contact_criterion(studied.surface.scales.rms_height),
       answer.pressure, answer.gap);
   if (contact_case.spots_study)
-    add_spots(*contact_case.spots_study, answer.grid, studied.method.border(),
-              nodes, row);
+    add_spots(studied, answer.grid, nodes, row);
   if (contact_case.conductance_study)
     add_conductance(studied, answer, nodes.contact_set(), row);
 }

@@ -4,6 +4,9 @@
 #include "run/flow_of_step.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace asperity::run {
 namespace {
@@ -31,12 +34,48 @@ std::vector<double> values_of(const results::MapView& view) {
   return values;
 }
 
+/// Keeps the rows of a flow map that are on the user's map. The narrowest place
+/// is in its mirror images, too, and is marked on the map.
+void keep_user_map(const results::Fields& fields, results::Table& table) {
+  const Grid& cell = fields.grid;
+  const Grid map = fields.map.grid(cell);
+  if (map == cell || table.columns.front().values.empty())
+    return;
+  const auto folded = [](double place, double spacing, double length) {
+    return std::min(place, length - spacing - place); // node i and n - 1 - i
+  };
+  const std::vector<double> x = table.values("x"), y = table.values("y"),
+                            critical = table.values("is_critical");
+  std::vector<std::size_t> kept;
+  std::array<double, 2> narrowest{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] < map.length_x - 0.5 * cell.spacing_x() &&
+        y[i] < map.length_y - 0.5 * cell.spacing_y())
+      kept.push_back(i);
+    if (critical[i] > 0.0)
+      narrowest = {folded(x[i], cell.spacing_x(), cell.length_x),
+                   folded(y[i], cell.spacing_y(), cell.length_y)};
+  }
+  const auto distance = [&](std::size_t i) {
+    return std::hypot(x[i] - narrowest[0], y[i] - narrowest[1]);
+  };
+  const std::size_t nearest = *std::ranges::min_element(kept, {}, distance);
+  for (results::Column& column : table.columns) {
+    std::vector<double> values;
+    for (const std::size_t i : kept)
+      values.push_back(column.name != "is_critical" ? column.values[i]
+                       : i == nearest               ? 1.0
+                                                    : 0.0);
+    column.values = std::move(values);
+  }
+}
+
 void record_flow_map(const RunContext& run, const cases::MethodSpec& method,
                      const results::Result& result) {
   const mechanics::ContactCriterion criterion =
       method.contact_criterion(run.surfaces.of(method, 0).scales.rms_height);
   for (const results::Fields* map : maps_of(result, method.name)) {
-    const auto table = run.tally.attempt("flow map, " + method.name, [&] {
+    auto table = run.tally.attempt("flow map, " + method.name, [&] {
       const std::vector<double> pressure = values_of(map->pressure_map());
       const std::vector<double> gap = values_of(map->gap_map());
       return flow_map_table(method.name, map->grid, {criterion, pressure, gap},
@@ -46,6 +85,7 @@ void record_flow_map(const RunContext& run, const cases::MethodSpec& method,
       return;
     if (table->columns.front().values.empty())
       continue;
+    keep_user_map(*map, *table);
     run.writer->record_table(*table);
     return;
   }

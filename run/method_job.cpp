@@ -6,6 +6,7 @@
 #include "methods/chosen.hpp"
 #include "methods/curve_row.hpp"
 #include "methods/theory_method.hpp"
+#include "results/types/curve_columns.hpp"
 #include "run/contact_studies.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
@@ -175,6 +176,8 @@ void MethodJob::take(std::size_t step, results::Change kept,
 /// A step, with maps that the answer holds.
 results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
   const CurvePoint& row = answer.row;
+  const results::SurfaceRecord& pressed =
+      context_.surfaces.of(method_, realization_).record;
   results::MethodChange method{.points = {row}};
   if (answer.rows || !answer.pressure.empty()) {
     const results::FieldRows maps = answer.rows.value_or(
@@ -185,7 +188,8 @@ results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
                       answer.grid,
                       {maps.pressure},
                       {maps.gap},
-                      context_.contact_case.report.has_double_pressure}};
+                      context_.contact_case.report.has_double_pressure,
+                      pressed.map.on(pressed.grid, answer.grid)}};
   }
   results::Change change{.methods = {std::move(method)}};
   if (answer.section)
@@ -387,6 +391,9 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
   }
   root_.act([&] {
     study(answer);
+    const results::SurfaceRecord& pressed =
+        context_.surfaces.of(method_, realization_).record;
+    results::state_of_map(answer.row, pressed.map.share(pressed.grid));
     if (!needs_maps(static_cast<std::size_t>(answer.row.step))) {
       free_memory(answer.pressure, answer.gap);
       answer.rows = {};

@@ -72,6 +72,7 @@ struct MapHead {
   int step;
   double nominal_pressure; ///< [Pa]
   Grid grid;
+  results::MapInCell map;
 };
 
 /// The maps of a method for all ranks, whose pressures rank 0 alone can read.
@@ -81,7 +82,7 @@ std::vector<results::Fields> maps_for_ranks(RootWork& root,
     std::vector<MapHead> own;
     own.reserve(maps.size());
     for (const results::Fields& map : maps)
-      own.push_back({map.step, map.nominal_pressure, map.grid});
+      own.push_back({map.step, map.nominal_pressure, map.grid, map.map});
     return own;
   });
   maps.resize(heads.size());
@@ -89,6 +90,7 @@ std::vector<results::Fields> maps_for_ranks(RootWork& root,
     maps[k].step = heads[k].step;
     maps[k].nominal_pressure = heads[k].nominal_pressure;
     maps[k].grid = heads[k].grid;
+    maps[k].map = heads[k].map;
   }
   return maps;
 }
@@ -167,8 +169,9 @@ results::Table stress_table(const std::string& method,
     strongest.values.push_back(peak.von_mises);
     shear.values.push_back(largest_shear);
     depth.values.push_back(peak.depth);
-    const std::size_t column = peak.node % columns;
-    const std::size_t row = peak.node / columns;
+    const std::size_t node = map.map.node_on_map(peak.node, map.grid);
+    const std::size_t column = node % columns;
+    const std::size_t row = node / columns;
     x.values.push_back(static_cast<double>(column) * map.grid.spacing_x());
     y.values.push_back(static_cast<double>(row) * map.grid.spacing_y());
   }

@@ -85,6 +85,9 @@ public:
     return answer;
   }
 
+  /// The pressure of the last answer [Pa].
+  const std::vector<double>& pressure() const { return pressure_; }
+
   /// A bound of the error of the last answer's mean gap [m].
   double certified_error(const ProblemAnswer& last) {
     return contact::bound_separation(
@@ -288,6 +291,7 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
     answer.mean_gap_error = solver.certified_error(answer);
     problem.loads.push_back(answer.nominal_pressure);
     answered.answers.push_back(answer);
+    answered.pressures.push_back(solver.pressure());
   }
   answered.continuum = continuum_answers(contact_case, answered);
   return answered;

@@ -25,6 +25,7 @@ struct AnsweredProblem {
   /// How it is meshed: as the method does, a half-space by Q1 in the same way.
   mechanics::BlockSettings block;
   std::vector<exchange::ProblemAnswer> answers;     ///< one per load
+  std::vector<std::vector<double>> pressures;       ///< of these answers [Pa]
   std::vector<exchange::ContinuumAnswer> continuum; ///< one per load
 };
 

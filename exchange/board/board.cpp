@@ -1,6 +1,7 @@
 #include "exchange/board/board.hpp"
 
 #include "cases/reader/read_case.hpp"
+#include "exchange/answers/own_reference.hpp"
 #include "exchange/answers/reference_answers.hpp"
 #include "exchange/checksums.hpp"
 #include "exchange/problem_folder.hpp"
@@ -110,8 +111,7 @@ BoardProblem board_problem(const fs::path& folder, const std::string& name,
   } else {
     read.contact_case = case_of_problem(home);
     const AnsweredProblem answered = answered_problem(*read.contact_case, "");
-    exchange::write_problem(answered.problem, answered.answers,
-                            answered.continuum, "", copy);
+    write_certified_problem(answered, "", copy);
   }
   read.problem = exchange::read_problem(copy);
   if (read.problem.name != name)

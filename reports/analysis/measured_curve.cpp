@@ -5,7 +5,6 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
-#include "reports/analysis/surface_theory.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
@@ -144,22 +143,12 @@ rows_of_table(const surfaces::NumberTable& table,
 
 } // namespace
 
-double nominal_area(const results::Result& result,
-                    const cases::Case& contact_case) {
-  const results::SurfaceRecord& pressed = result.surfaces.front();
-  const Grid& grid = pressed.grid;
-  const mechanics::SurfaceSpec& surface = contact_case.surface;
-  const bool is_continued = surface.edges == mechanics::Edges::mirror ||
-                            surface.edges == mechanics::Edges::free;
-  const bool has_images = !result.case_text.empty() && is_continued &&
-                          surface.kind == mechanics::SurfaceKind::measured &&
-                          !has_spectrum_of_images(pressed); // a map alone
-  return grid.length_x * grid.length_y / (has_images ? 4.0 : 1.0);
+double nominal_area(const results::Result& result) {
+  return result.surfaces.front().map_grid().area();
 }
 
 results::Result read_measured_curve(const std::filesystem::path& file,
-                                    const results::Result& beside,
-                                    const cases::Case& contact_case) {
+                                    const results::Result& beside) {
   if (beside.surfaces.empty())
     throw input::InputError(
         fmt::format("{}: is to be compared with {}, which has no surface",
@@ -170,8 +159,8 @@ results::Result read_measured_curve(const std::filesystem::path& file,
   std::string header = text.substr(0, text.find_first_of("\r\n"));
   if (header.starts_with('#'))
     header.erase(0, 1);
-  const std::vector<MeasuredColumn> columns = measured_columns(
-      header, file.string() + ":1", nominal_area(beside, contact_case));
+  const std::vector<MeasuredColumn> columns =
+      measured_columns(header, file.string() + ":1", nominal_area(beside));
   results::MethodRecord method;
   method.name = file.stem().string();
   method.kind = measured_kind;

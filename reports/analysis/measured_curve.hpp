@@ -28,16 +28,13 @@ inline constexpr const char* measured_kind = "measured";
 /// @param beside        the result that it is compared with; the curve gets its
 ///                      modulus and the size, rms height and slope of its
 ///                      surface
-/// @param contact_case  the case of that result
 /// @return        one method of the kind "measured", called as the file
 /// @throws input::InputError  file, line, what was found and what is allowed
 results::Result read_measured_curve(const std::filesystem::path& file,
-                                    const results::Result& beside,
-                                    const cases::Case& contact_case);
+                                    const results::Result& beside);
 
-/// The area of the surface of a case [m^2]: of a measured map that the result
-/// has with its mirror images, a quarter of what is pressed.
-double nominal_area(const results::Result& result,
-                    const cases::Case& contact_case);
+/// The nominal area A_0 [m^2] over which loads in N and areas in m^2 are those
+/// of the nominal pressure and of A/A_0: that of the user's map.
+double nominal_area(const results::Result& result);
 
 } // namespace asperity::reports

@@ -108,10 +108,9 @@ std::vector<surfaces::SpectrumRing> rings_of(const SurfaceRecord& surface,
 
 /// Twice the longest wave of a map and the sampling bound its reliable range,
 /// as in surfaces::estimate_spectrum().
-void add_noise(const Result& result, const cases::Case& contact_case,
-               std::vector<Warning>& warnings) {
+void add_noise(const Result& result, std::vector<Warning>& warnings) {
   const SurfaceRecord& surface = result.surfaces.front();
-  const double area = nominal_area(result, contact_case);
+  const double area = nominal_area(result);
   const std::vector<surfaces::SpectrumRing> rings = rings_of(surface, area);
   const double spacing =
       std::max(surface.grid.spacing_x(), surface.grid.spacing_y());
@@ -301,7 +300,7 @@ std::vector<Warning> warnings_of(const Result& result,
     const SurfaceRecord& first = result.surfaces.front();
     add_resolution(first, warnings);
     if (is_measured) {
-      add_noise(result, contact_case, warnings);
+      add_noise(result, warnings);
       add_lines(first, warnings);
       add_digits(first, warnings);
       add_tilt(first, warnings);

@@ -144,8 +144,14 @@ std::vector<results::Cluster> clusters_of(const ReportEntry& entry,
         std::ranges::copy(is_gap ? nodes.open_set() : nodes.contact_set(),
                           std::back_inserter(set));
       });
+  const results::SurfaceRecord* const pressed =
+      surface_of(*entry.result, method, 0);
+  const bool has_images =
+      pressed != nullptr && !pressed->map.is_whole(pressed->grid);
   return results::find_clusters(map.grid, set,
-                                border_of(*entry.contact_case, method));
+                                has_images
+                                    ? results::Border::free
+                                    : border_of(*entry.contact_case, method));
 }
 
 /// Adds how many clusters have at least an area, one row for each area.
@@ -184,14 +190,14 @@ std::vector<Figure> spot_figures(const ReportEntry& entry) {
         "lines, spots of contact; dashed lines, parts of the gap.";
     CsvTable table({"clusters", "index", "area [um^2]", "number [1]"});
     ChartPanel panel;
-    const std::vector<const results::Fields*> maps = whole_maps(*method);
+    const std::vector<results::Fields> maps = shown_maps(*method);
     const FigureScales scales = method_scales(entry, *method);
     std::size_t load = 0;
     for (const std::size_t i : three_of(maps.size())) {
-      const std::string words = load_text(scales, maps[i]->nominal_pressure);
-      add_sizes(clusters_of(entry, *method, *maps[i], false),
+      const std::string words = load_text(scales, maps[i].nominal_pressure);
+      add_sizes(clusters_of(entry, *method, maps[i], false),
                 "contact, " + words, line(load_color(load), 1.6), panel, table);
-      add_sizes(clusters_of(entry, *method, *maps[i], true), "gap, " + words,
+      add_sizes(clusters_of(entry, *method, maps[i], true), "gap, " + words,
                 line(load_color(load), 1.2, 2), panel, table);
       ++load;
     }

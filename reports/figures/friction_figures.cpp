@@ -15,23 +15,22 @@ namespace {
 /// Two saved maps of one method: under the normal load P, and at the lighter
 /// load P' of a tangential one.
 struct SlipMaps {
-  const results::Fields* pressed = nullptr;
-  const results::Fields* eased = nullptr;
+  std::optional<results::Fields> pressed, eased;
 };
 
 /// The saved map at the normal load with that nearest to half of the load.
 SlipMaps slip_maps(const results::MethodRecord& method, double normal_load) {
   SlipMaps found;
-  const std::vector<const results::Fields*> maps = whole_maps(method);
-  for (const results::Fields* map : maps)
-    if (std::abs(map->nominal_pressure - normal_load) < 1e-6 * normal_load)
+  const std::vector<results::Fields> maps = shown_maps(method);
+  for (const results::Fields& map : maps)
+    if (std::abs(map.nominal_pressure - normal_load) < 1e-6 * normal_load)
       found.pressed = map;
-  const auto distance = [=](const results::Fields* map) {
-    return map == nullptr ? normal_load
-                          : std::abs(map->nominal_pressure - 0.5 * normal_load);
+  const auto distance = [=](const std::optional<results::Fields>& map) {
+    return map ? std::abs(map->nominal_pressure - 0.5 * normal_load)
+               : normal_load;
   };
-  for (const results::Fields* map : maps)
-    if (map->nominal_pressure < normal_load * (1.0 - 1e-6) &&
+  for (const results::Fields& map : maps)
+    if (map.nominal_pressure < normal_load * (1.0 - 1e-6) &&
         distance(map) < distance(found.eased))
       found.eased = map;
   return found;

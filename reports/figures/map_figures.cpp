@@ -25,7 +25,7 @@ PanelGrid map_grid(int rows, std::size_t columns) {
 }
 
 Figure map_figure(const std::string& method,
-                  const std::vector<const results::Fields*>& maps,
+                  const std::vector<results::Fields>& maps,
                   const FigureScales& scales,
                   const mechanics::ContactCriterion& criterion) {
   const std::vector<std::size_t> chosen = three_of(maps.size());
@@ -38,7 +38,7 @@ Figure map_figure(const std::string& method,
   CsvTable table({"map", "step", "nominal_pressure [Pa]"});
   std::vector<ChartPanel> gaps;
   for (const std::size_t i : chosen) {
-    const results::Fields& fields = *maps[i];
+    const results::Fields& fields = maps[i];
     table.add(fmt::format("{}", i),
               {static_cast<double>(fields.step), fields.nominal_pressure});
     const MapImage pressure =
@@ -81,17 +81,16 @@ Figure map_figure(const std::string& method,
 }
 
 /// Pairs of maps at one load on one grid: of a method and of the reference.
-using MapPairs =
-    std::vector<std::pair<const results::Fields*, const results::Fields*>>;
+using MapPairs = std::vector<std::pair<results::Fields, results::Fields>>;
 
 MapPairs map_pairs(const results::MethodRecord& method,
                    const results::MethodRecord& reference) {
   MapPairs pairs;
-  for (const results::Fields* mine : whole_maps(method))
-    for (const results::Fields* other : whole_maps(reference))
-      if (mine->grid == other->grid &&
-          std::abs(mine->nominal_pressure - other->nominal_pressure) <=
-              1e-6 * other->nominal_pressure)
+  for (const results::Fields& mine : shown_maps(method))
+    for (const results::Fields& other : shown_maps(reference))
+      if (mine.grid == other.grid &&
+          std::abs(mine.nominal_pressure - other.nominal_pressure) <=
+              1e-6 * other.nominal_pressure)
         pairs.emplace_back(mine, other);
   return pairs;
 }
@@ -106,29 +105,30 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   figure.height = 330;
   figure.grid = map_grid(1, chosen.size());
   CsvTable table({"map", "nominal_pressure [Pa]", "largest (p - p_ref)/p_0"});
-  MapStack stack = stack_on(pairs.front().first->grid);
+  MapStack stack = stack_on(pairs.front().first.grid);
   stack.quantities = {{.label = "(p − p_{ref}) / p_0", .colors = "height"}};
   for (const std::size_t i : chosen) {
-    const auto [mine, other] = pairs[i];
-    const auto difference = [&, one = mine, two = other](int most) {
-      return reduced_difference(one->grid, one->pressure_map(),
-                                two->pressure_map(), most);
+    const results::Fields& mine = pairs[i].first;
+    const results::Fields& other = pairs[i].second;
+    const auto difference = [&](int most) {
+      return reduced_difference(mine.grid, mine.pressure_map(),
+                                other.pressure_map(), most);
     };
-    const MapImage picture = image_of(mine->grid, difference(most_image_points),
-                                      mine->nominal_pressure);
-    if (mine->grid == pairs.front().first->grid)
+    const MapImage picture = image_of(mine.grid, difference(most_image_points),
+                                      mine.nominal_pressure);
+    if (mine.grid == pairs.front().first.grid)
       stack.frames.push_back(
-          {load_text(scales, mine->nominal_pressure),
+          {load_text(scales, mine.nominal_pressure),
            {add_reduced(stack, difference(stack_side(chosen.size())),
-                        mine->nominal_pressure)}});
+                        mine.nominal_pressure)}});
     const double span =
         std::max({std::abs(picture.least), picture.largest, 1e-300});
     const std::string suffix = std::to_string(i);
     figure.maps.emplace_back(suffix, map_csv(picture));
-    table.add(suffix, {mine->nominal_pressure, span});
+    table.add(suffix, {mine.nominal_pressure, span});
     ChartPanel& panel =
         figure.panels.emplace_back(map_panel(picture, suffix, "height"));
-    panel.title = load_text(scales, mine->nominal_pressure);
+    panel.title = load_text(scales, mine.nominal_pressure);
     panel.x.label = "x [µm]";
     if (i == chosen.front())
       panel.y.label = "y [µm]";
@@ -152,7 +152,7 @@ std::vector<Figure> difference_figures(std::span<const ReportEntry> entries) {
       entries.front().result->methods;
   const auto reference =
       std::ranges::find_if(own, [](const results::MethodRecord& method) {
-        return !whole_maps(method).empty();
+        return !shown_maps(method).empty();
       });
   if (reference == own.end())
     return figures;
@@ -167,7 +167,7 @@ std::vector<Figure> difference_figures(std::span<const ReportEntry> entries) {
 std::vector<Figure> map_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   for (const results::MethodRecord* method : methods_with_maps(*entry.result)) {
-    const std::vector<const results::Fields*> maps = whole_maps(*method);
+    const std::vector<results::Fields> maps = shown_maps(*method);
     const FigureScales scales = method_scales(entry, *method);
     if (!maps.empty() && scales.rms_height > 0.0 && scales.rms_slope > 0.0)
       figures.push_back(
@@ -184,13 +184,15 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
   const results::SurfaceRecord& surface = entry.result->surfaces.front();
   if (!surface.has_heights())
     return std::nullopt;
-  const MapImage picture = map_image(surface.grid, surface.height_map(), 1e-9);
+  const Grid grid = surface.map_grid();
+  const results::StoredMap heights = surface.heights_of_map();
+  const MapImage picture = map_image(grid, heights, 1e-9);
   const double span = std::max(std::abs(picture.least), picture.largest);
   Figure figure;
   figure.name = "surface";
   figure.title = "The surface";
   figure.maps.emplace_back("map", map_csv(picture));
-  figure.stack = height_stack(surface.grid, surface.height_map());
+  figure.stack = height_stack(grid, heights);
   CsvTable table({"realization", "rms_height [m]", "rms_slope [1]",
                   "rms_curvature [1/m]", "skewness [1]", "kurtosis [1]",
                   "highest [m]"});
@@ -205,9 +207,9 @@ std::optional<Figure> surface_figure(const ReportEntry& entry) {
       "Heights in nm of realisation 0 over {:.4g} × {:.4g} µm, {} × {} points: "
       "rms height {:.4g} nm, rms slope {:.3g}, skewness {:.2f}, kurtosis "
       "{:.2f}.",
-      surface.grid.length_x * 1e6, surface.grid.length_y * 1e6,
-      surface.grid.points_x, surface.grid.points_y, surface.rms_height * 1e9,
-      surface.rms_slope, Shown{surface.skewness}, surface.kurtosis);
+      grid.length_x * 1e6, grid.length_y * 1e6, grid.points_x, grid.points_y,
+      surface.rms_height * 1e9, surface.rms_slope, Shown{surface.skewness},
+      surface.kurtosis);
   ChartPanel& panel =
       figure.panels.emplace_back(map_panel(picture, "map", "height"));
   set_colors(panel, -span, span);

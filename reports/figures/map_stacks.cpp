@@ -32,12 +32,12 @@ PackedMap add_reduced(MapStack& stack, ReducedMap small, double unit) {
   return packed_map(small.values, static_cast<std::size_t>(small.columns));
 }
 
-MapUnits map_units(const std::vector<const results::Fields*>& maps,
+MapUnits map_units(std::span<const results::Fields> maps,
                    const FigureScales& scales) {
   const double stress = scales.contact_modulus * scales.rms_slope; // E* h'
   const double largest =
-      results::extremes_of(maps.back()->pressure_map()).largest;
-  const double widest = results::extremes_of(maps.front()->gap_map()).largest;
+      results::extremes_of(maps.back().pressure_map()).largest;
+  const double widest = results::extremes_of(maps.front().gap_map()).largest;
   ChartPanel axes{.x = pressure_axis("pressure p / (E* h')", "pressure p",
                                      stress, largest / stress),
                   .y =
@@ -45,7 +45,7 @@ MapUnits map_units(const std::vector<const results::Fields*>& maps,
                                   widest / scales.rms_height)};
   constexpr double least_shown = 1e-3;
   const double smallest =
-      results::extremes_of(maps.back()->pressure_map()).least;
+      results::extremes_of(maps.back().pressure_map()).least;
   MapUnits units{.pressure = stress,
                  .gap = scales.rms_height,
                  .has_tension = smallest < -least_shown * std::abs(largest)};
@@ -63,16 +63,16 @@ MapUnits map_units(const std::vector<const results::Fields*>& maps,
   return units;
 }
 
-MapStack contact_stack(const std::vector<const results::Fields*>& maps,
+MapStack contact_stack(std::span<const results::Fields> maps,
                        const FigureScales& scales, const MapUnits& units,
                        const mechanics::ContactCriterion& criterion) {
-  MapStack stack = stack_on(maps.front()->grid);
+  MapStack stack = stack_on(maps.front().grid);
   stack.quantities = units.quantities;
   const std::vector<std::size_t> chosen = stack_frames(maps.size());
   const int most = stack_side(chosen.size());
   for (const std::size_t i : chosen) {
-    const results::Fields& fields = *maps[i];
-    if (fields.grid != maps.front()->grid)
+    const results::Fields& fields = maps[i];
+    if (fields.grid != maps.front().grid)
       continue;
     stack.frames.push_back(
         {load_text(scales, fields.nominal_pressure),

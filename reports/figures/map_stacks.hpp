@@ -7,6 +7,7 @@
 #include "reports/figures/plot_parts.hpp"
 #include "results/types/result.hpp"
 
+#include <span>
 #include <vector>
 
 namespace asperity::reports {
@@ -32,12 +33,12 @@ struct MapUnits {
 };
 
 /// @param maps  at least one
-MapUnits map_units(const std::vector<const results::Fields*>& maps,
+MapUnits map_units(std::span<const results::Fields> maps,
                    const FigureScales& scales);
 
 /// Returns the maps of pressure, contact and gap of up to twelve loads.
 /// @param maps  at least one
-MapStack contact_stack(const std::vector<const results::Fields*>& maps,
+MapStack contact_stack(std::span<const results::Fields> maps,
                        const FigureScales& scales, const MapUnits& units,
                        const mechanics::ContactCriterion& criterion);
 

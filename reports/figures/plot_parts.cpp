@@ -32,7 +32,7 @@ FigureScales scales_of_entry(const ReportEntry& entry) {
   scales.rms_slope =
       mean_of_surfaces(*entry.result, &results::SurfaceRecord::rms_slope);
   if (!entry.result->surfaces.empty())
-    scales.nominal_area = nominal_area(*entry.result, *entry.contact_case);
+    scales.nominal_area = nominal_area(*entry.result);
   const auto is_in_si = [](const mechanics::Quantity& target) {
     return target.reference == mechanics::ReferenceUnit::si;
   };
@@ -304,6 +304,13 @@ whole_maps(const results::MethodRecord& method) {
         all_finite(fields.pressure) && all_finite(fields.gap))
       whole.push_back(&fields);
   return whole;
+}
+
+std::vector<results::Fields> shown_maps(const results::MethodRecord& method) {
+  std::vector<results::Fields> shown;
+  for (const results::Fields* fields : whole_maps(method))
+    shown.push_back(fields->on_map());
+  return shown;
 }
 
 std::string file_word(std::string name) {

@@ -98,6 +98,10 @@ methods_with_maps(const results::Result& result);
 std::vector<const results::Fields*>
 whole_maps(const results::MethodRecord& method);
 
+/// The same maps on the user's map, as figures show them. The record must
+/// outlive the result.
+std::vector<results::Fields> shown_maps(const results::MethodRecord& method);
+
 /// Converts a name to a file name of at most 60 characters from [a-z0-9-]:
 /// "fem-hard" for "fem.hard".
 std::string file_word(std::string name);

@@ -87,11 +87,12 @@ std::string grid_words(const ReportEntry& entry) {
   if (result.surfaces.empty())
     return "";
   const results::SurfaceRecord& surface = stated_surface(entry);
+  const Grid grid = surface.map_grid();
   std::string words = fmt::format(
       "; {} × {} points over {:.4g} × {:.4g} µm, rms height {:.4g} nm, rms "
       "slope {:.3g}",
-      surface.grid.points_x, surface.grid.points_y, surface.grid.length_x * 1e6,
-      surface.grid.length_y * 1e6, surface.rms_height * 1e9, surface.rms_slope);
+      grid.points_x, grid.points_y, grid.length_x * 1e6, grid.length_y * 1e6,
+      surface.rms_height * 1e9, surface.rms_slope);
   if (result.surfaces.size() > 1)
     words += fmt::format("; {} realisations", result.surfaces.size());
   return words;
@@ -180,14 +181,15 @@ std::string surface_sentence(const ReportEntry& entry) {
   if (result.surfaces.empty())
     return words + ".";
   const results::SurfaceRecord& surface = stated_surface(entry);
+  const Grid grid = surface.map_grid();
   words += fmt::format(
       ". {} {} × {} points over {:.4g} × {:.4g} µm, with rms height {:.4g} nm "
       "and rms slope {:.3g}{}.",
       result.surfaces.size() > 1
           ? fmt::format("Each of {} realisations had", result.surfaces.size())
           : "It had",
-      surface.grid.points_x, surface.grid.points_y, surface.grid.length_x * 1e6,
-      surface.grid.length_y * 1e6, surface.rms_height * 1e9, surface.rms_slope,
+      grid.points_x, grid.points_y, grid.length_x * 1e6, grid.length_y * 1e6,
+      surface.rms_height * 1e9, surface.rms_slope,
       result.surfaces.size() > 1 ? " in the first one" : "");
   return words;
 }

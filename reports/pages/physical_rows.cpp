@@ -4,6 +4,7 @@
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/numbers/fits.hpp"
 #include "reports/pages/page_data.hpp"
+#include "surfaces/inner_roughness.hpp"
 
 #include <fmt/format.h>
 
@@ -74,6 +75,24 @@ std::string with_interval(const Estimate& number, double scale) {
                          : "");
 }
 
+/// The roughness by which the adhesion of a method is judged.
+mechanics::Roughness judged_roughness(const cases::Case& contact_case,
+                                      const results::MethodRecord& method,
+                                      const results::SurfaceRecord& surface) {
+  if (const auto exact = surfaces::exact_roughness(
+          contact_case.surface, surface.grid.length_x, surface.grid.length_y))
+    return *exact;
+  if (!surfaces::is_judged_inside(contact_case.surface,
+                                  has_free_boundaries(contact_case, method)))
+    return {surface.rms_slope, surface.rms_curvature};
+  if (!surface.has_heights())
+    return {surface.rms_slope, not_a_number};
+  const results::StoredMap heights = surface.heights_of_map();
+  return {surface.rms_slope,
+          surfaces::inner_curvature(
+              {surface.map_grid(), results::MapView(heights).whole()})};
+}
+
 /// Pull-off and stickiness of a method with adhesion; otherwise nothing.
 std::string adhesive_sentence(const ReportEntry& entry,
                               const results::MethodRecord& method) {
@@ -94,8 +113,8 @@ std::string adhesive_sentence(const ReportEntry& entry,
   if (tension != summary->quantities.end() && tension->second.has_value())
     words += fmt::format(": the largest tension of the path is {}",
                          in_unit(tension->second.value * modulus, "Pa"));
-  const double criterion =
-      stickiness(*law, modulus, {surface->rms_slope, surface->rms_curvature});
+  const double criterion = stickiness(
+      *law, modulus, judged_roughness(contact_case, method, *surface));
   if (std::isfinite(criterion) && criterion > 0.0)
     words += fmt::format("; the criterion of Pastewka and Robbins (2014) is "
                          "{:.3g}, below 1 where faces stick",
@@ -110,7 +129,7 @@ kainjow::mustache::list physical_rows(const ReportEntry& entry) {
   const results::MethodRecord* const method = main_method(*entry.result);
   if (method == nullptr || entry.result->surfaces.empty())
     return rows;
-  const double nominal = nominal_area(*entry.result, *entry.contact_case);
+  const double nominal = nominal_area(*entry.result);
   for (const PhysicalLoad& load : physical_loads(*method)) {
     kainjow::mustache::data row;
     row.set("pressure", in_unit(load.pressure, "Pa"));

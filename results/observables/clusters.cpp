@@ -20,8 +20,9 @@ struct Place {
 class Search {
 public:
   Search(const Grid& grid, std::span<const std::uint8_t> is_inside,
-         Border border)
+         Border border, const MapInCell& map)
       : grid_(grid),
+        map_(map.grid(grid)),
         is_inside_(is_inside),
         is_periodic_(border == Border::periodic),
         is_found_(grid.size()),
@@ -40,11 +41,13 @@ public:
 private:
   Cluster from(const Place& first) {
     Cluster cluster;
+    std::size_t on_map = 0;
     join(first);
     while (!open_.empty()) {
       const Place at = open_.back();
       open_.pop_back();
       ++cluster.nodes;
+      on_map += at.x < map_.points_x && at.y < map_.points_y ? 1 : 0;
       touch_sides(at);
       visit({at.x - 1, at.y, at.periods}, grid_.spacing_y(), cluster);
       visit({at.x + 1, at.y, at.periods}, grid_.spacing_y(), cluster);
@@ -52,6 +55,7 @@ private:
       visit({at.x, at.y + 1, at.periods}, grid_.spacing_x(), cluster);
     }
     cluster.area = static_cast<double>(cluster.nodes) * grid_.cell_area();
+    cluster.map_area = static_cast<double>(on_map) * grid_.cell_area();
     cluster.spans_x |= sides_[0] && sides_[1];
     cluster.spans_y |= sides_[2] && sides_[3];
     sides_ = {};
@@ -104,6 +108,7 @@ private:
   }
 
   const Grid& grid_;
+  Grid map_; ///< of the user's map
   std::span<const std::uint8_t> is_inside_;
   bool is_periodic_;
   std::vector<bool> is_found_;
@@ -140,17 +145,17 @@ double dimension_of(std::span<const Cluster> clusters, std::size_t smallest) {
 
 std::vector<Cluster> find_clusters(const Grid& grid,
                                    std::span<const std::uint8_t> is_inside,
-                                   Border border) {
+                                   Border border, const MapInCell& map) {
   require_size("is_inside", is_inside.size(), grid.size());
-  return Search(grid, is_inside, border).all();
+  return Search(grid, is_inside, border, map).all();
 }
 
 ClusterNumbers cluster_numbers(std::span<const Cluster> clusters,
                                std::size_t smallest) {
   ClusterNumbers numbers;
-  numbers.count = static_cast<double>(clusters.size());
   for (const Cluster& cluster : clusters) {
-    numbers.largest = std::max(numbers.largest, cluster.area);
+    numbers.count += cluster.map_area > 0.0 ? 1.0 : 0.0;
+    numbers.largest = std::max(numbers.largest, cluster.map_area);
     numbers.percolates_x |= cluster.spans_x;
     numbers.percolates_y |= cluster.spans_y;
     numbers.radii += std::sqrt(cluster.area / std::numbers::pi);

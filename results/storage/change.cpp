@@ -98,6 +98,7 @@ void merge_fields(std::vector<Fields>& all, const FieldsChange& change,
                 [&](const Fields& old) { return old.step == change.step; });
   Fields fields{change.step, change.nominal_pressure, {}, {}, change.grid};
   fields.has_double_pressure = change.has_double_pressure;
+  fields.map = change.map;
   merge_map(change.pressure, left, fields.pressure, fields.stored_pressure);
   merge_map(change.gap, left, fields.gap, fields.stored_gap);
   all.push_back(std::move(fields));

@@ -38,6 +38,7 @@ struct FieldsChange {
   ChangeMap pressure = {};
   ChangeMap gap = {};
   bool has_double_pressure = false; ///< else in single precision
+  MapInCell map = {};               ///< the user's map in these
 };
 
 /// Changes of one method or, with a realisation, of one curve.

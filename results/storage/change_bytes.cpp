@@ -223,6 +223,7 @@ private:
   void pass(SurfaceChange& change) {
     SurfaceRecord& surface = change.record;
     pass(surface.grid);
+    pass(surface.map);
     stream_.template map<double>(change.heights, surface.grid);
     for (double* number :
          {&surface.rms_height, &surface.rms_slope, &surface.rms_curvature,
@@ -238,6 +239,11 @@ private:
     stream_.number(grid.length_y);
   }
 
+  void pass(MapInCell& map) {
+    stream_.number(map.columns);
+    stream_.number(map.rows);
+  }
+
   void pass(SpectrumPoint& point) {
     stream_.number(point.wavevector);
     stream_.number(point.spectrum);
@@ -247,6 +253,7 @@ private:
     stream_.number(fields.step);
     stream_.number(fields.nominal_pressure);
     pass(fields.grid);
+    pass(fields.map);
     stream_.flag(fields.has_double_pressure);
     if (fields.has_double_pressure)
       stream_.template map<double>(fields.pressure, fields.grid);

@@ -72,6 +72,32 @@ void set_points(Grid& grid, const std::vector<std::size_t>& extents,
   grid.points_x = points_in(static_cast<double>(extents[1]), place);
 }
 
+/// Says which part of its maps is the user's map.
+void write_map_in_cell(Hdf5Group& group, const MapInCell& map,
+                       const Grid& cell) {
+  const Grid own = map.grid(cell);
+  group.set_attribute("map_points_x", own.points_x);
+  group.set_attribute("map_points_y", own.points_y);
+}
+
+/// @return  the whole cell if the file does not say
+MapInCell read_map_in_cell(const Hdf5Group& group, const Grid& cell) {
+  const auto read = [&](const char* name, int points) {
+    const double number = number_or(group, name, points);
+    if (!(number >= 1.0 && number <= points && number == std::floor(number)))
+      throw input::InputError(fmt::format(
+          "{} = {} points, but must be an integer between 1 and {}, the points "
+          "of its maps",
+          group.place(name), number, points));
+    return static_cast<int>(number);
+  };
+  if (cell.size() == 0)
+    return {};
+  const MapInCell map{read("map_points_x", cell.points_x),
+                      read("map_points_y", cell.points_y)};
+  return map.is_whole(cell) ? MapInCell{} : map;
+}
+
 Grid read_grid(const Hdf5Group& surface) {
   Grid grid;
   if (surface.has("heights")) {
@@ -192,6 +218,7 @@ void write_surface(Hdf5Group& group, const SurfaceRecord& surface,
   group.set_attribute("points_y", grid.points_y);
   set_with_unit(group, "length_x", grid.length_x, "m");
   set_with_unit(group, "length_y", grid.length_y, "m");
+  write_map_in_cell(group, surface.map, grid);
   for (const auto& [name, unit, number] : surface_numbers)
     set_with_unit(group, name, surface.*number, unit);
   if (heights)
@@ -205,6 +232,7 @@ SurfaceRecord read_surface(const Hdf5Group& group,
                            const std::filesystem::path& path, MapsInFile left) {
   SurfaceRecord surface;
   surface.grid = read_grid(group);
+  surface.map = read_map_in_cell(group, surface.grid);
   if (group.has("heights"))
     read_map(group, "heights", path, left, surface.heights,
              surface.stored_heights);
@@ -224,6 +252,7 @@ void write_fields(Hdf5Group& group, const FieldsChange& fields) {
   set_with_unit(maps, "nominal_pressure", fields.nominal_pressure, "Pa");
   set_with_unit(maps, "length_x", grid.length_x, "m");
   set_with_unit(maps, "length_y", grid.length_y, "m");
+  write_map_in_cell(maps, fields.map, grid);
   maps.write_map("pressure", fields.pressure.rows, shape_of(grid),
                  fields.has_double_pressure ? Hdf5Number::float64
                                             : Hdf5Number::float32_packed,
@@ -244,6 +273,7 @@ std::vector<Fields> read_fields(const Hdf5Group& group,
       fields.nominal_pressure =
           number_or(maps, "nominal_pressure", not_a_number);
       fields.grid = grid_of_map(maps);
+      fields.map = read_map_in_cell(maps, fields.grid);
       read_map(maps, "pressure", path, left, fields.pressure,
                fields.stored_pressure);
       fields.has_double_pressure =

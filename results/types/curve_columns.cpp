@@ -25,12 +25,14 @@ constexpr ColumnRange share{0.0, 1.0};
 
 template <auto member>
 constexpr CurveColumn column(std::string_view name, std::string_view unit,
-                             const ColumnRange& range = not_negative) {
+                             const ColumnRange& range = not_negative,
+                             Extent extent = Extent::intensive) {
   using Number = MemberType<member>;
   return {name,
           unit,
           range,
           !std::is_same_v<Number, double>,
+          extent,
           [](const CurvePoint& point) {
             return static_cast<double>(point.*member);
           },
@@ -68,8 +70,10 @@ constexpr std::array all_columns{
     column<&CurvePoint::preconditioner_setups>("preconditioner_setups", "1"),
     column<&CurvePoint::unknowns>("unknowns", "1"),
     column<&CurvePoint::memory>("memory", "bytes"),
-    column<&CurvePoint::normal_stiffness>("normal_stiffness", "N/m"),
-    column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m"),
+    column<&CurvePoint::normal_stiffness>("normal_stiffness", "N/m",
+                                          not_negative, Extent::extensive),
+    column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m",
+                                              not_negative, Extent::extensive),
     column<&CurvePoint::pressure_centre_x>("pressure_centre_x", "m", any),
     column<&CurvePoint::pressure_centre_y>("pressure_centre_y", "m", any),
     column<&CurvePoint::mean_displacement>("mean_displacement", "m", any),
@@ -145,6 +149,12 @@ const CurveColumn& curve_column(std::string_view name) {
   if (const CurveColumn* found = find_curve_column(name))
     return *found;
   throw std::domain_error("a curve has no column " + std::string(name));
+}
+
+void state_of_map(CurvePoint& row, double share) {
+  for (const CurveColumn& one : all_columns)
+    if (one.extent == Extent::extensive)
+      one.set(row, share * one.get(row));
 }
 
 std::string_view status_word(StepStatus status) {

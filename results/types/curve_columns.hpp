@@ -30,6 +30,10 @@ struct ColumnRange {
 inline constexpr ColumnRange not_negative{0.0,
                                           std::numeric_limits<double>::max()};
 
+/// Whether a number is the same for the user's map and for the cell that a
+/// solver presses (map_in_cell.hpp), or in proportion to the area.
+enum class Extent { intensive, extensive };
+
 /// Description of one number of CurvePoint. Integers are converted to double
 /// exactly.
 struct CurveColumn {
@@ -37,6 +41,7 @@ struct CurveColumn {
   std::string_view unit;
   ColumnRange range;
   bool is_integer;
+  Extent extent;
   double (*get)(const CurvePoint&);
   void (*set)(CurvePoint&, double);
 };
@@ -50,6 +55,11 @@ const CurveColumn* find_curve_column(std::string_view name);
 /// Returns the column of that name.
 /// @throws std::domain_error  there is none
 const CurveColumn& curve_column(std::string_view name);
+
+/// Makes the extensive numbers of a row, which are those of the cell that a
+/// solver presses, those of the user's map.
+/// @param share  MapInCell::share() of the surface
+void state_of_map(CurvePoint& row, double share);
 
 /// Returns "converged" or "not_converged".
 std::string_view status_word(StepStatus status);

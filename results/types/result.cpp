@@ -4,6 +4,16 @@
 
 namespace asperity::results {
 
+Fields Fields::on_map() const {
+  Fields shown;
+  shown.step = step;
+  shown.nominal_pressure = nominal_pressure;
+  shown.grid = map.grid(grid);
+  shown.stored_pressure = map.of(pressure_map(), grid);
+  shown.stored_gap = map.of(gap_map(), grid);
+  return shown;
+}
+
 std::vector<double> Table::values(const std::string& column) const {
   const auto found =
       std::find_if(columns.begin(), columns.end(),

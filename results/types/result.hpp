@@ -4,6 +4,7 @@
 // It defines the names of the observables and does not depend on any method.
 
 #include "base/grid.hpp"
+#include "results/types/map_in_cell.hpp"
 #include "results/types/map_view.hpp"
 
 #include <limits>
@@ -142,11 +143,16 @@ struct Fields {
   StoredMap stored_pressure = {};
   StoredMap stored_gap = {};
   bool has_double_pressure = false; ///< in the file; else in single precision
+  MapInCell map = {};               ///< the user's map in these
 
   /// The maps, wherever they are; the fields must outlive the views.
   MapView pressure_map() const { return view_of(pressure, stored_pressure); }
 
   MapView gap_map() const { return view_of(gap, stored_gap); }
+
+  /// The maps on the user's map, which are read from these; these must outlive
+  /// the result.
+  Fields on_map() const;
 };
 
 /// One bin of the isotropic spectrum of a map.
@@ -167,6 +173,14 @@ struct SurfaceRecord {
   double highest = 0.0;        ///< max of the heights [m]
   std::vector<SpectrumPoint> spectrum;
   StoredMap stored_heights = {}; ///< if they are not in memory
+  MapInCell map = {};            ///< the user's map in the grid
+
+  /// The grid of the user's map.
+  Grid map_grid() const { return map.grid(grid); }
+
+  /// The heights of the user's map, which are read from these; this must
+  /// outlive the result.
+  StoredMap heights_of_map() const { return map.of(height_map(), grid); }
 
   /// The heights, wherever they are, or nothing; this must outlive the view.
   MapView height_map() const { return view_of(heights, stored_heights); }
@@ -188,9 +202,9 @@ struct Curve {
 };
 
 struct MethodRecord {
-  std::string name;        ///< "fem", "fem.hard", "theory", ...
-  std::string kind;        ///< fem | halfspace | theory | md | ...
-  std::string description; ///< one line for the report
+  std::string name;                ///< "fem", "fem.hard", "theory", ...
+  std::string kind;                ///< fem | halfspace | theory | md | ...
+  std::string description;         ///< one line for the report
   std::vector<Curve> realizations; ///< one for a theory with a formula
   /// The field of its maps by which contact is decided: "pressure" or "gap",
   /// see mechanics::ContactField.

@@ -5,6 +5,7 @@
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
 #include "run/plan/memory_check.hpp"
+#include "surfaces/inner_roughness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,10 @@ struct KnownSurface {
   bool is_built = false;         ///< the statistics are those of realisation 0
   double rms_height = not_given; ///< [m]
   double rms_slope = not_given;  ///< both directions [1]
-  double rms_curvature = not_given; ///< [1/m]
-  double highest = not_given;       ///< [m]
+  double rms_curvature = not_given;   ///< of the continuation [1/m]
+  double inner_curvature = not_given; ///< inside the map [1/m]
+  double highest = not_given;         ///< [m]
+  bool has_images = false;            ///< the grid has those of a measured map
 };
 
 /// Returns the methods with the full roughness of the surface.
@@ -41,9 +44,33 @@ KnownSurface built_surface(const cases::Case& contact_case,
   const methods::CaseSurfaces surfaces(first, without_magnification(methods));
   const methods::SurfaceOfCase& surface = surfaces.whole().front();
   const results::SurfaceRecord& record = surface.record;
-  return {surface.scales,    record.grid,      true,
-          record.rms_height, record.rms_slope, record.rms_curvature,
-          record.highest};
+  KnownSurface known{surface.scales,    record.grid,      true,
+                     record.rms_height, record.rms_slope, record.rms_curvature};
+  known.highest = record.highest;
+  known.has_images = !record.map.is_whole(record.grid);
+  if (surfaces::is_judged_inside(first.surface, true) && record.has_heights())
+    known.inner_curvature = surfaces::inner_curvature(
+        {record.map_grid(), results::MapView(record.heights_of_map()).whole()});
+  return known;
+}
+
+/// The roughness by which the adhesion of a method is judged.
+mechanics::Roughness roughness_of(const cases::Case& contact_case,
+                                  const KnownSurface& known, bool is_free) {
+  const mechanics::SurfaceSpec& surface = contact_case.surface;
+  const double side = known.scales.length;
+  const double side_y = known.grid.length_y > 0.0 ? known.grid.length_y : side;
+  if (const auto exact = surfaces::exact_roughness(surface, side, side_y))
+    return *exact;
+  return {known.rms_slope, surfaces::is_judged_inside(surface, is_free)
+                               ? known.inner_curvature
+                               : known.rms_curvature};
+}
+
+bool is_pressed_once(const MethodSpec& method) {
+  const auto* half =
+      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  return half != nullptr && half->has_free_boundaries;
 }
 
 bool has_formula(const cases::Case& contact_case) {
@@ -76,12 +103,13 @@ void add(std::vector<DerivedNumber>& numbers, const std::string& name,
 }
 
 void add_surface(std::vector<DerivedNumber>& numbers,
-                 const KnownSurface& known) {
+                 const cases::Case& contact_case, const KnownSurface& known) {
   const std::string which =
       known.is_built ? ", realisation 0" : ", from the spectrum";
   if (known.grid.points_x > 0) {
-    add(numbers, "points_x", known.grid.points_x, "1", "nodes along x");
-    add(numbers, "points_y", known.grid.points_y, "1", "nodes along y");
+    const std::string of = known.has_images ? ", mirror images included" : "";
+    add(numbers, "points_x", known.grid.points_x, "1", "nodes along x" + of);
+    add(numbers, "points_y", known.grid.points_y, "1", "nodes along y" + of);
     add(numbers, "node_spacing_y", known.grid.spacing_y(), "m",
         "distance of nodes along y");
   }
@@ -90,7 +118,9 @@ void add_surface(std::vector<DerivedNumber>& numbers,
   add(numbers, "rms_height", known.rms_height, "m", "h_rms" + which);
   add(numbers, "rms_slope", known.rms_slope, "1",
       "h'_rms, both directions" + which);
-  add(numbers, "rms_curvature", known.rms_curvature, "1/m",
+  const bool is_free = contact_case.surface.edges == mechanics::Edges::free;
+  add(numbers, "rms_curvature",
+      roughness_of(contact_case, known, is_free).rms_curvature, "1/m",
       "half the Laplacian" + which);
   add(numbers, "highest_peak", known.highest, "m",
       "above the mean plane" + which);
@@ -142,6 +172,7 @@ void add_material(std::vector<DerivedNumber>& numbers,
 
 /// Adds by what the adhesion of a method is judged.
 void add_adhesion(std::vector<DerivedNumber>& numbers,
+                  const cases::Case& contact_case,
                   const std::vector<MethodSpec>& methods,
                   const KnownSurface& known) {
   for (const MethodSpec& method : methods) {
@@ -149,7 +180,8 @@ void add_adhesion(std::vector<DerivedNumber>& numbers,
       continue;
     const mechanics::ContactInterface law = *method.adhesion(known.scales);
     const double modulus = known.scales.contact_modulus;
-    const mechanics::Roughness rough{known.rms_slope, known.rms_curvature};
+    const mechanics::Roughness rough =
+        roughness_of(contact_case, known, is_pressed_once(method));
     add(numbers, "work_of_adhesion", law.work_of_adhesion, "J/m^2",
         "w of " + method.name);
     add(numbers, "adhesion_range", law.adhesion_range, "m",
@@ -206,10 +238,10 @@ CaseDescription describe_case(const cases::Case& contact_case,
           ? built_surface(contact_case, methods)
           : stated_surface(contact_case);
   description.keys = cases::resolved_keys(contact_case, known.scales);
-  add_surface(description.derived, known);
+  add_surface(description.derived, contact_case, known);
   add_wavevectors(description.derived, contact_case, known);
   add_material(description.derived, contact_case.material, known);
-  add_adhesion(description.derived, methods, known);
+  add_adhesion(description.derived, contact_case, methods, known);
   description.loads = loads_of(contact_case.load, known);
   return description;
 }

@@ -102,7 +102,11 @@ def check_press(asperity, folder):
     wide = np.ma.masked_greater(heights[:16], 1.99e-9)
     mirrored, same = (asperity.press(h, "1 um", "2 GPa", "1 MPa", level="plane", edges="mirror")
                       for h in (wide, wide.filled(np.nan)))
-    assert mirrored.mean_gap.shape == (1,) and mirrored.fields[0][0].shape == (32, 64)
+    assert mirrored.mean_gap.shape == (1,) and mirrored.fields[0][0].shape == (16, 32)
+    cell = asperity.press(wide, "1 um", "2 GPa", "1 MPa", level="plane", edges="mirror",
+                          fields="cell").fields[0]
+    for shown, whole in zip(mirrored.fields[0], cell):
+        assert whole.shape == (32, 64) and np.array_equal(whole[:16, :32], shown)
     assert mirrored.mean_gap == same.mean_gap
     for wrong, words in ((heights[0], "[y, x]"), (heights * np.nan, "all points are missing")):
         try:

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
@@ -23,7 +22,7 @@ protected:
 
   results::Result read(const std::string& text) const {
     std::ofstream(folder / "mine.csv") << text;
-    return read_measured_curve(folder / "mine.csv", result, rough);
+    return read_measured_curve(folder / "mine.csv", result);
   }
 
   std::string mistake(const std::string& text) const {
@@ -57,23 +56,15 @@ TEST_F(MeasuredCurve, HasTheUnitsOfItsColumns) {
   EXPECT_DOUBLE_EQ(loads[0].area_fraction, 2e-12 / nominal);
   EXPECT_TRUE(std::isnan(loads[0].mean_gap));
 
-  rough.surface.kind = mechanics::SurfaceKind::measured;
-  rough.surface.edges = mechanics::Edges::mirror; // a quarter is the map
+  // A quarter of what was pressed is the map.
+  result.surfaces[0].map = {grid.points_x / 2, grid.points_y / 2};
   EXPECT_DOUBLE_EQ(read("load [N],gap [nm]\n1e-3,2\n")
                        .methods[0]
                        .realizations[0]
                        .points[0]
                        .nominal_pressure,
                    4e-3 / nominal);
-
-  // A map that was pressed alone is stored without its images, whose spectrum
-  // begins at half the wavevector of its longer side.
-  rough.surface.edges = mechanics::Edges::free;
-  result.surfaces[0].spectrum = {
-      {std::numbers::pi / std::max(grid.length_x, grid.length_y), 1e-30}};
-  EXPECT_DOUBLE_EQ(nominal_area(result, rough), nominal);
-  result.surfaces[0].spectrum[0].wavevector *= 2.0;
-  EXPECT_DOUBLE_EQ(nominal_area(result, rough), nominal / 4.0);
+  EXPECT_DOUBLE_EQ(nominal_area(result), nominal / 4.0);
 }
 
 TEST_F(MeasuredCurve, AnswersMistakes) {

@@ -157,6 +157,7 @@ inline SurfaceRecord sample_surface(int points_x, int points_y) {
 /// Bit for bit.
 inline void expect_same(const SurfaceRecord& a, const SurfaceRecord& b) {
   EXPECT_EQ(a.grid, b.grid);
+  EXPECT_EQ(a.map, b.map);
   EXPECT_EQ(a.heights, b.heights);
   EXPECT_EQ(a.rms_height, b.rms_height);
   EXPECT_EQ(a.rms_slope, b.rms_slope);
