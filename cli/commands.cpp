@@ -36,6 +36,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace asperity::cli {
 namespace {
@@ -222,6 +223,15 @@ std::vector<std::string> overrides_of(const RunCommand& command,
           "--length and --height-unit apply only to measured maps, but {} is a "
           "case: please use --set {}",
           word, overrides.front()));
+  for (const auto& [option, value] :
+       {std::pair("--work-of-adhesion", &command.work_of_adhesion),
+        std::pair("--hardness", &command.hardness)})
+    if (!command.friction.empty() && !value->empty())
+      throw input::InputError(fmt::format(
+          "--friction cannot be combined with {}: partial slip follows from "
+          "the "
+          "normal contact of a half-space without adhesion and hardness",
+          option));
   if (!command.flow.empty())
     for (std::string& flow : run::flow_overrides(command.flow))
       overrides.push_back(std::move(flow));

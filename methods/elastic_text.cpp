@@ -53,6 +53,12 @@ std::string in_words(const std::vector<mechanics::MaterialLayer>& layers) {
 
 std::string material_text(const cases::MethodSpec& method,
                           const mechanics::MaterialSpec& material) {
+  const auto* const fem = std::get_if<FemSettings>(&method.settings);
+  const bool is_full =
+      fem != nullptr && fem->solver == mechanics::FemSolver::full;
+  if (!is_full && (material.inclusion || material.variation))
+    return material.inclusion ? "uniform: without the inclusion"
+                              : "uniform: without the variation";
   if (material.layers.empty())
     return {};
   if (!method.uses_layers())

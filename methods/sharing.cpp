@@ -12,28 +12,31 @@
 namespace asperity::methods {
 namespace {
 
-/// Whether a method is of a kind, and its grid of a size, that ranks share.
+/// Whether a method has an operator, and its grid a size, that ranks share.
 bool is_for_ranks(const cases::MethodSpec& method, const Grid& grid) {
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
   const bool has_columns =
       half != nullptr || (block != nullptr && !is_full_block(method));
-  return has_columns && !method.is_adhesive() &&
-         grid.size() >= least_shared_nodes;
+  return has_columns && grid.size() >= least_shared_nodes;
 }
 
 } // namespace
 
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks) {
-  return n_ranks > 1 && is_for_ranks(method, grid) &&
+  return n_ranks > 1 && is_for_ranks(method, grid) && !method.is_adhesive() &&
          n_ranks <= most_ranks(grid);
 }
 
 std::string obstacle_to_sharing(const cases::MethodSpec& method,
                                 const Grid& grid, int n_ranks) {
-  if (!is_for_ranks(method, grid) || n_ranks <= most_ranks(grid))
+  if (!is_for_ranks(method, grid) || n_ranks == 1)
+    return "";
+  if (method.is_adhesive())
+    return "the solver of adhesion works on whole surfaces";
+  if (n_ranks <= most_ranks(grid))
     return "";
   return fmt::format("a grid of {} by {} points can be divided among at most "
                      "{} rank{}",

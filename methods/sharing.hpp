@@ -14,8 +14,8 @@ namespace asperity::methods {
 inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
 
 /// Returns whether the ranks share the rows of a method on this grid: it is a
-/// half-space or slab or a condensed block, with at least least_shared_nodes
-/// nodes, and the rows can be divided among so many ranks.
+/// half-space or slab or a condensed block without adhesion, with at least
+/// least_shared_nodes nodes, and the rows can be divided among so many ranks.
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks);
 

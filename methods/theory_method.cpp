@@ -48,6 +48,14 @@ void yield(results::CurvePoint& row, const theory::PerssonContact& contact,
            double hardness) {
   row.area_fraction = row.area_fraction_corrected = not_a_number;
   results::RowObserver observe(row);
+  if (row.is_unloading) {
+    observe("area_fraction", [] {
+      return results::Observed{
+          results::Observed::none,
+          "the theory knows no imprint of an earlier, larger load"};
+    });
+    return;
+  }
   observe("plastic_area", [&] {
     const theory::PlasticShares shares = theory::plastic_shares(
         row.nominal_pressure, contact.stress_variance(row.nominal_pressure),
@@ -108,11 +116,12 @@ MethodDescription describe(const mechanics::TheorySettings& settings) {
   return {"theory",
           fmt::format("Persson's theory{}, gamma = {:g}{}, spectrum {}",
                       law_words(settings.loss_factor), settings.gamma,
-                      settings.hardness
-                          ? ", hardness " + cases::write_quantity(
-                                                *settings.hardness,
-                                                cases::Dimension::pressure)
-                          : std::string(),
+                      settings.hardness ? ", hardness " +
+                                              cases::write_quantity(
+                                                  *settings.hardness,
+                                                  cases::Dimension::pressure) +
+                                              " of the areas alone"
+                                        : std::string(),
                       settings.spectrum == mechanics::TheorySpectrum::formula
                           ? "by the formula"
                           : "measured on the surface"),
@@ -133,10 +142,10 @@ theory_rows(const mechanics::TheorySettings& settings,
     const bool by_gap = load.control == mechanics::Control::mean_gap;
     results::CurvePoint row =
         by_gap ? row_at_gap(contact, target) : row_at(contact, target);
-    if (settings.hardness && std::isfinite(row.nominal_pressure))
-      yield(row, contact, settings.hardness->in_si(scales));
     row.step = static_cast<int>(step);
     row.is_unloading = load.is_unloading[step];
+    if (settings.hardness && std::isfinite(row.nominal_pressure))
+      yield(row, contact, settings.hardness->in_si(scales));
     row.cpu_time = clock.seconds();
     rows.push_back(row);
   }

@@ -27,17 +27,20 @@ std::vector<double> map_of(const results::MapRows& rows) {
   return map;
 }
 
+results::Observed observed(double stiffness, bool has_converged) {
+  if (!has_converged)
+    return {results::Observed::none, "the linear solver did not converge"};
+  if (stiffness == infinity)
+    return {results::Observed::none, "all nodes are in contact"};
+  return stiffness;
+}
+
 results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
                                std::span<const std::uint8_t> set,
-                               double local_compliance,
-                               std::span<const double> film = {}) {
+                               double local_compliance) {
   const contact::PunchStiffness found =
-      contact::punch_stiffness(elasticity, set, local_compliance, film);
-  if (!found.converged)
-    return {results::Observed::none, "the linear solver did not converge"};
-  if (found.stiffness == infinity)
-    return {results::Observed::none, "all nodes are in contact"};
-  return found.stiffness;
+      contact::punch_stiffness(elasticity, set, local_compliance);
+  return observed(found.stiffness, found.converged);
 }
 
 /// Whether the operator of a method is that of the half-space with E*.
@@ -67,10 +70,9 @@ results::Observed gap_conductance(const cases::ConductanceStudy& study,
   for (std::size_t i = 0; i < film.size(); ++i)
     film[i] = std::max(gap[i], *study.smallest_gap) * study.conductivity() /
               *study.gap_conductivity;
-  const results::Observed spots = stiffness_of(halfspace, set, 0.0);
-  results::Observed both = stiffness_of(halfspace, set, 0.0, film);
-  both.value -= spots.value;
-  return std::isfinite(spots.value) ? both : spots;
+  const contact::FilmStiffness found =
+      contact::film_stiffness(halfspace, set, film);
+  return observed(found.stiffness, found.converged);
 }
 
 void add_conductance(const StudiedMethod& studied,

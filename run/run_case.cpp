@@ -5,6 +5,7 @@
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/locking.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cases/types/omissions.hpp"
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 #include "md/engines.hpp"
@@ -244,6 +245,11 @@ void Run::warn() const {
   for (const std::string& warning :
        cases::interpolation_warnings(case_, methods_))
     fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : cases::omission_warnings(case_, methods_))
+    fmt::print(stderr, "warning: {}\n", warning);
+  for (const MethodSpec& method : methods_)
+    for (const cases::Omission& one : cases::omissions(case_, method))
+      fmt::print("{}: {}\n", method.name, one.sentence());
   const auto by_rows = std::ranges::find_if(
       surfaces_.whole(), [](const methods::SurfaceOfCase& surface) {
         return surface.rows != nullptr;

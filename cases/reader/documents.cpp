@@ -163,7 +163,7 @@ Schema, and `asperity new NAME` writes a template.
 - A method runs only if its table is present. A table inside a method's table is
   a variant: `[fem.hard]` is the method `fem.hard`; it inherits the keys of
   `[fem]`, and its own keys override them. Its name consists of the letters a-z,
-  digits and hyphens.
+  digits and hyphens, and has at most 80 characters with that of the method.
 - All mistakes are reported together: file, line, key, what was found, what is
   allowed and the nearest valid word. The program then ends with exit code 2.
 - `--set key.path=value` overrides a value of the file. The value is TOML, or

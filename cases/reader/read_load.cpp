@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -100,6 +101,33 @@ std::vector<mechanics::Quantity> read_sweep(TableReader part, const Key& key) {
 
 enum class Cycle { load, load_unload };
 
+/// Whether the answer at a load depends on the loads before it.
+bool remembers_loads(const MethodSpec& method) {
+  const auto* const fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  return method.is_adhesive() || method.hardness() ||
+         (fem != nullptr && fem->full.yield_stress) ||
+         std::holds_alternative<mechanics::MdSettings>(method.settings);
+}
+
+/// The steps of a list that are lighter than an earlier one. Loads in other
+/// units than the first are compared when the surface is known, and not here.
+std::vector<bool> lighter_steps(const mechanics::LoadingPath& program) {
+  const double sign =
+      program.control == mechanics::Control::nominal_pressure ? 1.0 : -1.0;
+  std::vector<bool> lighter;
+  double heaviest = -std::numeric_limits<double>::infinity();
+  for (const mechanics::Quantity& target : program.targets) {
+    const bool is_comparable =
+        target.value == 0.0 ||
+        target.reference == program.targets.front().reference;
+    const double weight = sign * target.value;
+    lighter.push_back(is_comparable && weight < heaviest);
+    if (is_comparable)
+      heaviest = std::max(heaviest, weight);
+  }
+  return lighter;
+}
+
 void append_way_back(mechanics::LoadingPath& program) {
   for (std::size_t step = program.targets.size(); step-- > 1;) {
     program.targets.push_back(program.targets[step - 1]);
@@ -151,7 +179,9 @@ mechanics::LoadingPath read_load(TableReader load,
   else if (program.spring && !program.may_be_tensile)
     load.refuse(load.said_by("spring"),
                 "needs adhesion in all methods, none of them [md]");
-  program.is_unloading.assign(program.targets.size(), false);
+  program.is_unloading = std::ranges::any_of(methods, remembers_loads)
+                             ? lighter_steps(program)
+                             : std::vector<bool>(program.targets.size());
   if (load.choice("cycle", Cycle::load) == Cycle::load_unload)
     append_way_back(program);
   return program;

@@ -1,3 +1,4 @@
+#include "base/plain_text.hpp"
 #include "cases/reader/read_parts.hpp"
 
 #include <fmt/format.h>
@@ -220,7 +221,17 @@ bool is_variant(const NodeEntry& entry, const std::string& kind) {
   return entry.node.is_table() && find_key(kind, entry.key) == nullptr;
 }
 
+/// Tables of a result are named after a method, with a word before it that is
+/// no longer than this: "stress-sections-".
+constexpr std::size_t longest_word = 20;
+
 void check_variant_name(const NodeEntry& entry, TableReader& file) {
+  if (entry.node.path.size() + longest_word > longest_name)
+    file.complain(
+        entry.node,
+        fmt::format("is a name of {} characters, but that of a method "
+                    "must have at most {}",
+                    entry.node.path.size(), longest_name - longest_word));
   if (entry.key.empty() ||
       entry.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") !=
           std::string::npos)

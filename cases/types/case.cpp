@@ -16,15 +16,25 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
   return nullptr;
 }
 
-bool has_partial_slip(const MethodSpec& method,
-                      const mechanics::MaterialSpec& material) {
-  if (!material.is_uniform() || method.is_adhesive() || method.hardness())
-    return false;
+std::string obstacle_to_partial_slip(const MethodSpec& method,
+                                     const mechanics::MaterialSpec& material) {
   const auto* half =
       std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  return half != nullptr ? !half->thickness.has_value()
-                         : std::holds_alternative<mechanics::TheorySettings>(
-                               method.settings);
+  if (half == nullptr &&
+      !std::holds_alternative<mechanics::TheorySettings>(method.settings))
+    return "needs a [halfspace] or a [theory]";
+  if (half != nullptr && half->thickness)
+    return "needs a half-space without thickness";
+  if (method.is_adhesive())
+    return "needs a contact without adhesion";
+  if (method.hardness())
+    return "needs a contact without hardness";
+  return material.is_uniform() ? "" : "needs a uniform material";
+}
+
+bool has_partial_slip(const MethodSpec& method,
+                      const mechanics::MaterialSpec& material) {
+  return obstacle_to_partial_slip(method, material).empty();
 }
 
 } // namespace asperity::cases

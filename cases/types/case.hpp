@@ -66,8 +66,13 @@ struct Case {
   std::vector<Expectation> expectations;
 };
 
-/// Returns whether partial slip follows from the normal contact of a method:
-/// that of a theory, or of a uniform half-space without adhesion and hardness.
+/// Returns why partial slip does not follow from the normal contact of a
+/// method, as "needs ..."; "" for a theory and for a uniform half-space, both
+/// without adhesion and hardness.
+std::string obstacle_to_partial_slip(const MethodSpec& method,
+                                     const mechanics::MaterialSpec& material);
+
+/// Returns whether there is no such obstacle.
 bool has_partial_slip(const MethodSpec& method,
                       const mechanics::MaterialSpec& material);
 

@@ -1,5 +1,6 @@
 #include "reports/analysis/summary.hpp"
 
+#include "cases/types/omissions.hpp"
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"
@@ -97,6 +98,9 @@ MethodSummary summarize_method(const Result& result,
   summary.name = method.name;
   summary.kind = method.kind;
   summary.description = method.description;
+  if (const cases::MethodSpec* const spec = spec_of(contact_case, method))
+    for (const cases::Omission& one : cases::omissions(contact_case, *spec))
+      summary.omissions.push_back(one.sentence());
   summary.cost = cost_of(method);
   summary.certified = certified_of(result, method);
   if (is_adhesive(contact_case, method))

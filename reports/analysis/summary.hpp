@@ -61,6 +61,9 @@ struct MethodSummary {
   /// What could not be computed at all and why: "claims: ...". The quantities
   /// concerned are absent; all others are present.
   std::vector<std::string> problems;
+  /// What the case asks and the method has no answer to, with the reason: a
+  /// sentence each.
+  std::vector<std::string> omissions;
   Cost cost;
   Certified certified;
 };

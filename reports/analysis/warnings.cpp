@@ -1,6 +1,7 @@
 #include "reports/analysis/warnings.hpp"
 
 #include "cases/reader/locking.hpp"
+#include "cases/types/omissions.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/surface_theory.hpp"
@@ -220,6 +221,15 @@ void add_locking(const Result& result, const cases::Case& contact_case,
                         "material; do not judge other methods by them."});
 }
 
+void add_omissions(const Result& result, const cases::Case& contact_case,
+                   std::vector<Warning>& warnings) {
+  for (const std::string& text :
+       cases::omission_warnings(contact_case, methods_in(result, contact_case)))
+    warnings.push_back({"omitted", text + ".",
+                        "What the case asks is not in this result, or not for "
+                        "the methods with fields."});
+}
+
 void add_interpolation(const Result& result, const cases::Case& contact_case,
                        std::vector<Warning>& warnings) {
   for (const std::string& text : cases::interpolation_warnings(
@@ -287,6 +297,7 @@ std::vector<Warning> warnings_of(const Result& result,
   std::vector<Warning> warnings;
   add_locking(result, contact_case, warnings);
   add_interpolation(result, contact_case, warnings);
+  add_omissions(result, contact_case, warnings);
   add_recess(result, contact_case, warnings);
   add_no_contact(result, warnings);
   const mechanics::SurfaceKind kind = contact_case.surface.kind;

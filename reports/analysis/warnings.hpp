@@ -17,7 +17,8 @@ namespace asperity::reports {
 struct Warning {
   std::string kind;        ///< not_gaussian, not_resolved, too_steep,
                            ///< scan_lines, few_digits, tilted, noise, windowed,
-                           ///< locking, oscillating_heights, recess_touches,
+                           ///< locking, oscillating_heights, omitted,
+                           ///< recess_touches,
                            ///< no_contact, theory_area or theory_gap
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result

@@ -133,7 +133,10 @@ Value method_row(const MethodSummary& method, const char* color,
                  const Columns& columns) {
   Value row;
   row.set("name", method.name);
-  row.set("description", method.description);
+  std::string description = method.description;
+  for (const std::string& omission : method.omissions)
+    description += "; " + omission;
+  row.set("description", description);
   row.set("color", color);
   row.set("key_cells", cells_of(method, columns.key(), false));
   List cells = cells_of(method, columns.others(), true);

@@ -115,6 +115,8 @@ Json to_json(const MethodSummary& method) {
     json["quantities"][name] = to_json(estimate);
   for (const RealizationFits& fits : method.fits)
     json["fits"].push_back(to_json(fits, method.kind == "theory"));
+  if (!method.omissions.empty())
+    json["omissions"] = method.omissions;
   if (!method.problems.empty())
     json["problems"] = method.problems;
   return json;

@@ -1,6 +1,7 @@
 #include "run/plan/plan.hpp"
 
 #include "cases/reader/locking.hpp"
+#include "cases/types/omissions.hpp"
 #include "fem/plugin.hpp"
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
@@ -277,6 +278,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
   plan.warnings = cases::locking_warnings(contact_case.material, methods);
   for (std::string& warning :
        cases::interpolation_warnings(contact_case, methods))
+    plan.warnings.push_back(std::move(warning));
+  for (std::string& warning : cases::omission_warnings(contact_case, methods))
     plan.warnings.push_back(std::move(warning));
   plan.threads = methods::WorkerPool(options.threads).threads();
   bool uses_fem = false;

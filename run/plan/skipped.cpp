@@ -1,6 +1,7 @@
 #include "run/plan/skipped.hpp"
 
 #include "base/special_numbers.hpp"
+#include "cases/types/omissions.hpp"
 #include "input/input_error.hpp"
 #include "methods/chosen.hpp"
 #include "methods/surfaces_of_case.hpp"
@@ -28,6 +29,7 @@ public:
   void add_surfaces();
   void add_maps();
   void add_of(const MethodSpec& method);
+  void add_omissions(const MethodSpec& method);
 
   std::vector<Skipped> list;
 
@@ -121,6 +123,13 @@ void Skips::add_of(const MethodSpec& method) {
              method.settings);
 }
 
+/// What the case asks and the method has no answer to.
+void Skips::add_omissions(const MethodSpec& method) {
+  for (const cases::Omission& one :
+       cases::omissions(selected_.contact_case, method))
+    add_unpriced(method.name + ": " + one.what, one.why);
+}
+
 void Skips::add_realizations(const MethodSpec& method) {
   const int omitted = selected_.contact_case.surface.realizations -
                       methods::n_realizations(selected_.contact_case, method);
@@ -178,6 +187,8 @@ std::vector<Skipped> skipped_by_case(const SelectedCase& selected,
   skips.add_methods_left_out();
   skips.add_surfaces();
   skips.add_maps();
+  for (const MethodSpec& method : selected.methods)
+    skips.add_omissions(method);
   for (const MethodSpec& method : selected.methods)
     skips.add_of(method);
   return skips.list;

@@ -54,7 +54,28 @@ TEST(AdhesionCase, MayBePulled) {
     ASSERT_EQ(read.load.targets.size(), 3U);
     EXPECT_EQ(read.load.targets[1].value, 0.0);
     EXPECT_EQ(read.load.targets[2].value, -1e6);
+    EXPECT_EQ(read.load.is_unloading, std::vector({false, true, true}));
   }
+}
+
+// Loads that are lighter than an earlier one are on the way back where the
+// answer depends on the path, and nowhere else.
+TEST(AdhesionCase, IsUnloadedByAListThatFalls) {
+  const auto is_unloading = [](const std::string& contact,
+                               const std::string& load) {
+    return read_case_text(sticky(contact, load), "it/case.toml")
+        .load.is_unloading;
+  };
+  const std::string gaps = "mean_gap = [\"2 h_rms\", \"1 h_rms\", \"2 "
+                           "h_rms\", \"1 h_rms\"]";
+  const std::string pressures =
+      "nominal_pressure = [\"1e-3 E*\", \"1e-2 E*\", 0, \"1e-3 E*\"]";
+
+  EXPECT_EQ(is_unloading(law, gaps), std::vector({false, false, true, false}));
+  EXPECT_EQ(is_unloading(law, pressures),
+            std::vector({false, false, true, true}));
+  EXPECT_EQ(is_unloading("contact = \"hard\"\n", gaps),
+            std::vector({false, false, false, false}));
 }
 
 TEST(AdhesionCase, MayHaveFreeBoundariesOrNoWall) {

@@ -282,4 +282,18 @@ TEST(Mistakes, RequirePoissonsRatioOnlyWhereItMatters) {
             "is missing\n");
 }
 
+// A result names tables after a method, and its reader takes names of up to 100
+// characters.
+TEST(Mistakes, OfANameThatAResultCannotHold) {
+  const auto named = [](std::size_t length) {
+    return "halfspace." + std::string(length - 10, 'x') + "={}";
+  };
+  EXPECT_EQ(mistakes_in({named(80)}), "");
+  EXPECT_NE(mistakes_in({named(81)})
+                .find("is a name of 81 characters, but that of a method must "
+                      "have at most 80"),
+            std::string::npos)
+      << mistakes_in({named(81)});
+}
+
 } // namespace asperity::cases::mistakes_test

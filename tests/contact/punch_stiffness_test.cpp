@@ -277,34 +277,120 @@ TEST(PunchStiffness, OfAFilmBetweenFlatFacesIsThatOfPlates) {
   EXPECT_NEAR(found, 8.0, 1e-12);
 }
 
+/// The operator on all nodes as a dense matrix.
+template <class Number>
+Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>
+dense(SurfaceOperator& elasticity) {
+  const std::size_t nodes = elasticity.n_nodes();
+  const auto n = static_cast<Eigen::Index>(nodes);
+  Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> matrix(n, n);
+  std::vector<double> unit(nodes), column(nodes);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    unit[static_cast<std::size_t>(j)] = 1.0;
+    elasticity.displacement(unit, column);
+    unit[static_cast<std::size_t>(j)] = 0.0;
+    matrix.col(j) =
+        Eigen::Map<const Eigen::VectorXd>(column.data(), n).cast<Number>();
+  }
+  return (matrix + matrix.transpose()) / Number(2);
+}
+
+/// K by the equations of the nodes in contact, and with a film of all nodes,
+/// solved by factors in long double.
+long double dense_stiffness(SurfaceOperator& elasticity,
+                            const std::vector<std::uint8_t>& set,
+                            const std::vector<double>& film = {}) {
+  const auto all = dense<long double>(elasticity);
+  std::vector<Eigen::Index> acting;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (!film.empty() || set[i] != 0)
+      acting.push_back(static_cast<Eigen::Index>(i));
+  const auto n = static_cast<Eigen::Index>(acting.size());
+  Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic> equations =
+      all(acting, acting);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto node =
+        static_cast<std::size_t>(acting[static_cast<std::size_t>(i)]);
+    if (set[node] == 0)
+      equations(i, i) += static_cast<long double>(film[node]);
+  }
+  const Eigen::Vector<long double, Eigen::Dynamic> ones =
+      Eigen::Vector<long double, Eigen::Dynamic>::Ones(n);
+  return ones.dot(equations.fullPivLu().solve(ones)) /
+         static_cast<long double>(set.size());
+}
+
+std::vector<double> times(std::vector<double> film, double factor) {
+  for (double& compliance : film)
+    compliance *= factor;
+  return film;
+}
+
 // The equations of all nodes as a dense matrix, solved by factors.
 TEST(PunchStiffness, OfContactAndFilmSolvesTheEquations) {
   const Grid grid{12, 12, 1.0, 1.0};
   FourierOperator elasticity = unit_halfspace(grid);
-  const auto n = static_cast<Eigen::Index>(grid.size());
   const std::vector<double> film = uneven_film(grid.size());
   const std::vector<std::uint8_t> set = set_where(grid, [](double x, double y) {
     return std::hypot(x - 0.5, y - 0.4) < 0.2;
   });
-  Eigen::MatrixXd equations = Eigen::MatrixXd::Zero(n + 1, n + 1);
-  std::vector<double> unit(grid.size()), column(grid.size());
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const auto node = static_cast<std::size_t>(j);
-    unit[node] = 1.0;
-    elasticity.displacement(unit, column);
-    unit[node] = 0.0;
-    equations.col(j).head(n) =
-        Eigen::Map<const Eigen::VectorXd>(column.data(), n);
-    equations(j, j) += set[node] != 0 ? 0.0 : film[node];
-    equations(j, n) = -1.0; // 1/K
-    equations(n, j) = 1.0 / static_cast<double>(n);
-  }
-  const Eigen::VectorXd mean = Eigen::VectorXd::Unit(n + 1, n);
 
   const PunchStiffness found = punch_stiffness(elasticity, set, 0.0, film);
 
   EXPECT_TRUE(found.converged);
-  EXPECT_NEAR(found.stiffness * equations.lu().solve(mean)(n), 1.0, 1e-9);
+  EXPECT_NEAR(found.stiffness /
+                  static_cast<double>(dense_stiffness(elasticity, set, film)),
+              1.0, 1e-9);
+}
+
+// A film adds the difference of two stiffnesses, of which double precision
+// leaves nothing when the film is weak: here it is 1e-11 of each.
+TEST(FilmStiffness, IsTheDifferenceHoweverWeakTheFilm) {
+  const Grid grid{12, 12, 1.0, 1.0};
+  FourierOperator periodic = unit_halfspace(grid);
+  FreeHalfspace free(grid, 1.0);
+  const std::vector<std::uint8_t> set = set_where(grid, [](double x, double y) {
+    return std::hypot(x - 0.5, y - 0.4) < 0.2;
+  });
+  for (SurfaceOperator* const elasticity :
+       {static_cast<SurfaceOperator*>(&periodic),
+        static_cast<SurfaceOperator*>(&free)}) {
+    const long double alone = dense_stiffness(*elasticity, set);
+    for (const double factor : {1e-6, 1e-3, 1e-1, 1.0, 1e2, 1e4, 1e6, 1e8}) {
+      const std::vector<double> film = times(uneven_film(grid.size()), factor);
+
+      const FilmStiffness found = film_stiffness(*elasticity, set, film);
+
+      const long double exact = dense_stiffness(*elasticity, set, film) - alone;
+      EXPECT_TRUE(found.converged) << factor;
+      EXPECT_NEAR(found.stiffness / static_cast<double>(exact), 1.0, 1e-7)
+          << factor << ": " << found.stiffness << " beside "
+          << static_cast<double>(alone);
+    }
+    // So weak that its pressure is that of the gap alone.
+    const auto weak = [&](double factor) {
+      return film_stiffness(*elasticity, set,
+                            times(uneven_film(grid.size()), factor))
+                 .stiffness *
+             factor;
+    };
+    EXPECT_GT(weak(1e12), 0.0);
+    EXPECT_NEAR(weak(1e30) / weak(1e12), 1.0, 1e-7);
+  }
+}
+
+TEST(FilmStiffness, WithoutContactAndInFullContact) {
+  const Grid grid{12, 12, 1.0, 1.0};
+  FourierOperator periodic = unit_halfspace(grid);
+  FreeHalfspace free(grid, 1.0);
+  const std::vector<std::uint8_t> none(grid.size(), 0), all(grid.size(), 1);
+  const std::vector<double> film = uneven_film(grid.size());
+
+  EXPECT_EQ(film_stiffness(periodic, none, film).stiffness,
+            punch_stiffness(periodic, none, 0.0, film).stiffness);
+  EXPECT_EQ(film_stiffness(periodic, all, film).stiffness, infinity);
+  EXPECT_EQ(film_stiffness(free, all, film).stiffness, 0.0);
+  EXPECT_THROW(film_stiffness(free, all, {}), std::domain_error);
 }
 
 // A film of an extreme compliance is the contact alone, or contact everywhere

@@ -32,8 +32,50 @@ TEST_F(FrictionTest, TangentialLoadsAddTheStepsThatTheyNeed) {
   EXPECT_NE(table.find("\"theory\",0,0.5,"), std::string::npos) << table;
   EXPECT_TRUE(std::filesystem::exists(folder / "slip/figures/"
                                                "traction-halfspace.svg"));
-  EXPECT_NE(text_of(folder / "slip/report.html").find("load P of 43.96 MPa A_0"),
+  EXPECT_NE(
+      text_of(folder / "slip/report.html").find("load P of 43.96 MPa A_0"),
+      std::string::npos);
+}
+
+// What a method has no answer to is said at the top, in its row, in
+// summary.json and in the list of skipped work.
+TEST_F(FrictionTest, TheTheoryAloneIsSaid) {
+  write("alone.toml",
+        rough("", "hardness = \"0.2 E*\"\n[halfspace.sticky]\nhardness = "
+                  "\"1 E*\"\n"));
+  const Ended alone = run("run alone.toml --out alone");
+  ASSERT_EQ(alone.exit_code, 0) << alone.output;
+  const std::string why = "needs a contact without hardness";
+  const std::string warning = "[friction] is computed by the theory alone: "
+                              "halfspace " +
+                              why + ", halfspace.sticky " + why;
+  const std::string omission = "[friction] is not computed: " + why;
+  const std::string page = text_of(folder / "alone/report.html");
+  EXPECT_LT(alone.output.find("warning: " + warning),
+            alone.output.find(" step "))
+      << alone.output;
+  EXPECT_NE(alone.output.find("halfspace.sticky: " + omission),
+            std::string::npos)
+      << alone.output;
+  EXPECT_LT(page.find(warning), page.find("<figure")) << page.size();
+  EXPECT_NE(page.find("; " + omission + "</td>"), std::string::npos);
+  EXPECT_NE(page.find("<td>halfspace: [friction]</td><td>" + why + "</td>"),
             std::string::npos);
+  const std::string summary = text_of(folder / "alone/summary.json");
+  EXPECT_NE(summary.find('"' + omission + '"'), std::string::npos) << summary;
+  EXPECT_NE(summary.find("\"kind\": \"omitted\""), std::string::npos);
+
+  for (const char* const option : {"--hardness", "--work-of-adhesion"}) {
+    const Ended both = run("run alone.toml --out both --friction 0.5 " +
+                           std::string(option) + " 1e9");
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_NE(both.output.find(std::string("--friction cannot be combined "
+                                           "with ") +
+                               option),
+              std::string::npos)
+        << both.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "both"));
+  }
 }
 
 TEST_F(FrictionTest, MistakesAreAnswered) {

@@ -192,6 +192,31 @@ def check_stress_inside(runner):
     assert stresses(runner.folder / "stress-2") == alone
 
 
+def check_studies(runner):
+    """Flow, spots, conductance and slip are those of one process, with periodic and with free
+    borders; a method with adhesion says that rank 0 solves it alone."""
+    studies = ["flow={ viscosity = 1e-3, pressure_drop = 1e5 }", "spots={}",
+               "conductance={ thermal_conductivity = 50.0, counter_thermal_conductivity = 16.0, "
+               "gap_conductivity = 0.026, smallest_gap = 1e-9 }", "friction.coefficient=0.3",
+               'load.nominal_pressure=["0.002 E*", "0.003 E*"]']
+    others = ["winkler.stiffness=1 E*/h", "magnification={ nominal_pressure = 1e6, from = 1.0, "
+              "to = 8.0, points = 4 }"]
+    adhesive = ['halfspace.sticky.contact="exponential"', "halfspace.sticky.work_of_adhesion=1e-4"]
+    ask = ["run", "shared.toml", "--methods", "theory,halfspace,halfspace.island,halfspace.sticky,winkler",
+           "--exactly", "--no-cache"]
+    for setting in studies + others + adhesive:
+        ask += ["--set", setting]
+    runner.run(*ask, "--out", "studies-alone")
+    output = runner.run(*ask, "--out", "studies-2", ranks=2)
+    assert "halfspace.sticky, realization 0: rank 0 solves it alone, because the solver of " \
+        "adhesion" in output, output
+    runner.run("diff", "studies-alone", "studies-2", "--tolerance", "0")
+    for name in ("curves.csv", "figures/partial-slip.csv"):
+        alone, shared = ((runner.folder / folder / name).read_bytes()
+                         for folder in ("studies-alone", "studies-2"))
+        assert alone == shared, name
+
+
 def check_plan(runner):
     output = runner.run("run", "shared.toml", "--dry-run", ranks=2)
     for name in SHARED:
@@ -314,7 +339,7 @@ def main(program, mpirun, folder, same_maps):
     (folder / "shared.toml").write_text(CASE)
     runner = Runner(program, mpirun, folder, same_maps)
     for check in (check_plan, check_bits, check_surface_by_rows,
-                  check_other_surfaces, check_stress_inside, check_small,
+                  check_other_surfaces, check_stress_inside, check_studies, check_small,
                   check_any_grid, check_too_many_ranks, check_cache,
                   check_cache_by_rows, check_kill):
         check(runner)

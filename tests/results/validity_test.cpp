@@ -305,8 +305,48 @@ TEST_F(Validity, OfAnUnloadedStepWithTension) {
     });
   };
   EXPECT_EQ(with_mean(1.0), "accepted");
-  EXPECT_EQ(with_mean(1e4).substr(0, 66),
-            "/methods/other/0/fields/0/nominal_pressure = 0, but its pressure m");
+  EXPECT_EQ(
+      with_mean(1e4).substr(0, 66),
+      "/methods/other/0/fields/0/nominal_pressure = 0, but its pressure m");
+}
+
+// The tension of faces far apart is 0 in single precision.
+TEST_F(Validity, OfATensionThatNoMapHolds) {
+  const auto with_pressure = [&](double pressure) {
+    return complaint_of([&](ResultWriter& writer) {
+      CurvePoint row = sample_point(0);
+      row.nominal_pressure = pressure;
+      row.mean_gap = 1.0;
+      row.plastic_area = not_a_number;
+      writer.begin_method("other", "halfspace", "");
+      writer.append_step_with_fields(
+          "other", 0, row, {2, 2, 1e-6, 1e-6},
+          {0, pressure, {0.0, 0.0, 0.0, 0.0}, {1.0, 1.0, 1.0, 1.0}});
+    });
+  };
+  EXPECT_EQ(with_pressure(-2.2618133010724967e-47), "accepted");
+  EXPECT_NE(with_pressure(-1e-30), "accepted");
+}
+
+// Where the whole surface yields its gap is 0, and the mean gap is that of the
+// imprint alone, which follows from the work to rounding.
+TEST_F(Validity, OfASurfaceAllOfWhichYields) {
+  const auto with_gap = [&](double mean_gap) {
+    return complaint_of([&](ResultWriter& writer) {
+      CurvePoint row = sample_point(0);
+      row.nominal_pressure = 3e6;
+      row.mean_gap = mean_gap;
+      row.plastic_area = 1.0;
+      row.plastic_work = 3e6 * 2.2380388288374566e-07;
+      writer.begin_method("other", "halfspace", "");
+      writer.append_step_with_fields(
+          "other", 0, row, {2, 2, 1e-6, 1e-6},
+          {0, 3e6, {3e6, 3e6, 3e6, 3e6}, {0.0, 0.0, 0.0, 0.0}});
+    });
+  };
+  EXPECT_EQ(with_gap(-2.2380388288374566e-07), "accepted");
+  EXPECT_EQ(with_gap(-2.2380388288375e-07), "accepted");
+  EXPECT_NE(with_gap(-2.3e-07), "accepted");
 }
 
 TEST_F(Validity, OfTablesByTheNameOfTheirColumns) {

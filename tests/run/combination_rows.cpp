@@ -1,0 +1,162 @@
+#include "tests/run/combination_rows.hpp"
+
+namespace asperity::run::combinations_test {
+namespace {
+
+constexpr auto refused = Kind::refused;
+constexpr auto omitted = Kind::omitted;
+constexpr auto tested = Kind::tested;
+
+const std::string elastic = "penalty|hard|augmented";
+const std::string adhesive =
+    "exponential|dugdale|cubic|lennard-jones|lennard-jones-10-4|morse";
+const std::string of_the_theory = "[magnification]|[adhesion]";
+
+const std::string limit =
+    "CombinedStudies.OfEveryLawInItsLimitAreThoseOfHardContact";
+const std::string cell = "CombinedStudies.OfAContinuedMapAreThoseOfItsCell";
+const std::string turned = "CombinedStudies.OfATurnedMapAreTurned";
+const std::string any_method =
+    "CombinedStudies.OfTheTheoryDoNotDependOnTheMethods";
+const std::string any_path = "CombinedStudies.OfALoadDoNotDependOnThePath";
+const std::string on_ranks = "program/shared_halfspace_test";
+
+} // namespace
+
+std::vector<Row> law_study_rows() {
+  return {
+      {"*", of_the_theory, tested, any_method},
+      {elastic + "|hardness", "[flow]", tested, limit},
+      {adhesive, "[flow]", tested, limit},
+      {"*", "[spots]|[conductance]", tested, limit},
+      {elastic, "normal_stiffness of [conductance]", tested,
+       "RoughContact.StiffnessIsTheSlopeOfTheCurve"},
+      {"hardness", "normal_stiffness of [conductance]", tested,
+       "CombinedStudies.OfAYieldedContactHaveTheStiffnessOfItsUnloading"},
+      {adhesive, "normal_stiffness of [conductance]", omitted,
+       "needs a contact without adhesion"},
+      {"hard", "[friction]", tested, "RoughSlip.IsExactWithoutPoissonsEffect"},
+      {"penalty|augmented", "[friction]", tested, limit},
+      {adhesive + "|hardness", "[friction]", refused,
+       "friction needs a [theory] or a [halfspace] without thickness, adhesion "
+       "and hardness"},
+      {"*", "stress_inside of [report]", tested, limit},
+      {"*", "vtu of [report]", omitted, "needs [fem] with solver = \"full\""},
+  };
+}
+
+std::vector<Row> edges_study_rows() {
+  const std::string continued = "periodic|window|mirror";
+  return {
+      {continued, "[magnification]", tested, cell},
+      {"free", "[magnification]", tested, any_method},
+      {"periodic|free", "[adhesion]", tested, any_method},
+      {"window|mirror", "[adhesion]", refused,
+       "only a measured map is continued in this way"},
+      {continued,
+       "[flow]|[spots]|[conductance]|normal_stiffness of "
+       "[conductance]|[friction]|stress_inside of [report]",
+       tested, cell},
+      {"free", "[flow]", tested, turned},
+      {"free", "[spots]", tested,
+       "Clusters.SpanAMapWithFreeBordersFromSideToSide"},
+      {"free", "[conductance]", tested,
+       "ConductanceTest.OfASphereIsThatOfHolm"},
+      {"free", "normal_stiffness of [conductance]", tested,
+       "PunchStiffness.OfACircleIsThatOfHolm"},
+      {"free", "[friction]", tested, "cases/cattaneo"},
+      {"free", "stress_inside of [report]", refused,
+       "report.stress_inside computes the stress of a periodic block"},
+      {"*", "vtu of [report]", omitted, "needs [fem] with solver = \"full\""},
+  };
+}
+
+std::vector<Row> method_study_rows() {
+  const std::string fem = "fem auto|fem condensed|fem full";
+  const std::string fields = "halfspace|winkler|md|" + fem;
+  return {
+      {"*", of_the_theory, tested, any_method},
+      {"halfspace|winkler|" + fem, "[flow]|[spots]|[conductance]", tested,
+       turned},
+      {"md", "[flow]|[spots]|[conductance]", tested, limit},
+      {"theory", "[flow]", refused, "flow needs a method with a gap"},
+      {"theory", "[spots]", refused, "spots needs a method with a contact map"},
+      {"theory", "[conductance]|normal_stiffness of [conductance]", refused,
+       "conductance needs a method with a contact map"},
+      {"halfspace|fem auto|fem condensed", "normal_stiffness of [conductance]",
+       tested, "RoughContact.StiffnessIsTheSlopeOfTheCurve"},
+      {"fem full", "normal_stiffness of [conductance]", omitted,
+       "needs stiffness = true"},
+      {"winkler|md", "normal_stiffness of [conductance]", omitted,
+       "needs a [halfspace] or [fem]"},
+      {"halfspace", "[friction]", tested,
+       "RoughSlip.IsExactWithoutPoissonsEffect"},
+      {"theory", "[friction]", tested, "PartialSlip.IsThatOfCattaneo"},
+      {"winkler|md|" + fem, "[friction]", refused,
+       "friction needs a [theory] or a [halfspace] without thickness, adhesion "
+       "and hardness"},
+      {"theory|winkler", "stress_inside of [report]", omitted,
+       "has no elastic continuum"},
+      {"halfspace|md|" + fem, "stress_inside of [report]", tested,
+       "StressTables.HaveHertzsMaximumInEachRow"},
+      {"fem full", "vtu of [report]", tested, "BlockFiles.AreListedStepByStep"},
+      {"halfspace|theory|winkler|md|fem auto|fem condensed", "vtu of [report]",
+       omitted, "needs [fem] with solver = \"full\""},
+  };
+}
+
+std::vector<Row> law_path_rows() {
+  const std::string up = "nominal_pressure load";
+  const std::string back = "nominal_pressure load-unload";
+  const std::string gaps = "mean_gap load|mean_gap load-unload";
+  return {
+      {elastic, up + "|" + back + "|" + gaps + "|falling list", tested,
+       any_path},
+      {elastic + "|hardness", "spring", refused,
+       "needs adhesion in all methods, none of them [md]"},
+      {"hardness", up, tested,
+       "Hardness.TheStateUnderFirstLoadDoesNotDependOnTheSteps"},
+      {"hardness", back, tested,
+       "Hardness.UnloadingIsElasticAndReloadingRetracesIt"},
+      {"hardness", gaps, tested, "Hardness.IsSolvedAtAMeanGapToo"},
+      {"hardness", "falling list", tested,
+       "CombinedStudies.OfAYieldedContactHaveTheStiffnessOfItsUnloading"},
+      {adhesive, up + "|" + back + "|" + gaps, tested,
+       "AdhesiveRoughness.LoadsByGapAndByPressureAgree"},
+      {adhesive, "spring", tested, "AdhesiveRoughness.IsHeldByASpring"},
+      {adhesive, "falling list", tested,
+       "CombinedStudies.OfAListThatFallsAreThoseOfACycle"},
+  };
+}
+
+std::vector<Row> law_edges_rows() {
+  return {
+      {"*", "periodic|free", tested, limit},
+      {"*", "window|mirror", tested, cell},
+  };
+}
+
+std::vector<Row> ranks_rows() {
+  return {
+      {"*",
+       "penalty|hard|" + adhesive +
+           "|[magnification]|[adhesion]|[flow]|[friction]|[spots]|"
+           "[conductance]|normal_stiffness of [conductance]|stress_inside of "
+           "[report]|periodic|window|mirror|free|halfspace|theory|winkler|"
+           "fem auto|fem condensed|nominal_pressure load",
+       tested, on_ranks},
+      {"*", "augmented|mean_gap load|mean_gap load-unload", tested,
+       "SharedRows.GiveTheBitsOfOneProcessForOtherLawsAndControls"},
+      {"*", "hardness", tested,
+       "SharedRows.GiveTheBitsOfOneProcessForAnImprint"},
+      {"*", "nominal_pressure load-unload|falling list", tested,
+       "SharedRows.GiveTheBitsOfOneProcessForALoadingPath"},
+      {"*", "fem full", tested, "program/ranks_test"},
+      {"*", "md", tested, "program/rank_parts_test"},
+      {"*", "spring", refused,
+       "needs adhesion in all methods, none of them [md]"},
+      {"*", "vtu of [report]", omitted, "needs [fem] with solver = \"full\""},
+  };
+}
+
+} // namespace asperity::run::combinations_test

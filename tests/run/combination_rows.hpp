@@ -1,0 +1,31 @@
+#pragma once
+
+// The rows of combinations_test.cpp.
+
+#include <string>
+#include <vector>
+
+namespace asperity::run::combinations_test {
+
+enum class Kind {
+  refused, ///< by the reader or the plan
+  omitted, ///< the method says that it leaves this out
+  tested,  ///< allowed, with a test of a property
+};
+
+/// Pairs of which the program does the same.
+struct Row {
+  std::string first;  ///< values, "a|b"; "*": all
+  std::string second; ///< likewise
+  Kind kind = Kind::tested;
+  std::string text; ///< part of the refusal or of the reason, or a test
+};
+
+std::vector<Row> law_study_rows();
+std::vector<Row> edges_study_rows();
+std::vector<Row> method_study_rows();
+std::vector<Row> law_path_rows();
+std::vector<Row> law_edges_rows();
+std::vector<Row> ranks_rows();
+
+} // namespace asperity::run::combinations_test

@@ -1,0 +1,395 @@
+// Properties of pairs that the table of combinations_test.cpp names: limits of
+// laws, two ways to the same load, and two ways to the same map.
+#include "cases/reader/read_case.hpp"
+#include "reports/analysis/partial_slip.hpp"
+#include "results/result_reader.hpp"
+#include "results/types/curve_columns.hpp"
+#include "run/run_case.hpp"
+#include "tests/folder.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace asperity::run::combined_studies_test {
+
+using Entries = std::vector<std::string>;
+using results::CurvePoint;
+using results::MethodRecord;
+using results::Result;
+
+constexpr const char* rough = R"(schema = 1
+[surface]
+kind = "self-affine"
+length = "1 um"
+points = 32
+seed = 5
+rms_slope = 0.1
+hurst = 0.8
+wavelength_long = "1 length"
+wavelength_roll_off = "1 length"
+wavelength_short = "4 h"
+[material]
+youngs_modulus = "2 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["4 MPa", "10 MPa", "30 MPa"]
+[halfspace]
+tolerance = 1e-11
+[flow]
+viscosity = 1e-3
+pressure_drop = 1e5
+[spots]
+[conductance]
+thermal_conductivity = 50.0
+counter_thermal_conductivity = 16.0
+gap_conductivity = 0.026
+smallest_gap = 70e-9
+[friction]
+coefficient = 0.3
+[report]
+stress_inside = true
+fields = "all"
+)";
+
+/// Columns of contact and of the studies that do not depend on the size of the
+/// map.
+const std::vector<const char*> contact_columns{
+    "area_fraction",        "spots_percolate_x",        "spots_percolate_y",
+    "gap_percolates_x",     "gap_percolates_y",         "spot_radii",
+    "relative_conductance", "relative_gap_conductance", "thermal_conductance"};
+const std::vector<const char*> flow_columns{
+    "flow_factor_x",  "flow_factor_y",  "flow_conductance_x",
+    "critical_gap_x", "critical_gap_y", "effective_medium"};
+
+std::vector<const char*> all_columns() {
+  std::vector<const char*> all = contact_columns;
+  all.insert(all.end(), flow_columns.begin(), flow_columns.end());
+  return all;
+}
+
+class CombinedStudies : public tests::FolderTest {
+protected:
+  Result run(const Entries& entries) {
+    const std::filesystem::path out = folder / fmt::format("out-{}", n_runs_++);
+    case_ =
+        cases::read_case_text(rough, (folder / "case.toml").string(), entries);
+    run_case(case_, {out, {}, false, 1});
+    return results::read_result(out);
+  }
+
+  void write_map(const std::string& name, const Grid& grid,
+                 const std::vector<double>& heights) const {
+    std::ofstream map(folder / name);
+    for (int iy = 0; iy < grid.points_y; ++iy)
+      for (int ix = 0; ix < grid.points_x; ++ix)
+        map << fmt::format("{:.17e}{}", heights[grid.index(ix, iy)],
+                           ix + 1 == grid.points_x ? '\n' : ' ');
+  }
+
+  cases::Case case_; ///< of the last run
+
+private:
+  int n_runs_ = 0;
+};
+
+const MethodRecord& method_of(const Result& result, const std::string& name) {
+  return *std::ranges::find(result.methods, name, &MethodRecord::name);
+}
+
+const std::vector<CurvePoint>& rows_of(const Result& result,
+                                       const std::string& name) {
+  return method_of(result, name).realizations.front().points;
+}
+
+bool are_same(const std::vector<double>& one,
+              const std::vector<double>& other) {
+  return std::ranges::equal(one, other, [](double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+  });
+}
+
+void expect_same(const CurvePoint& found, const CurvePoint& expected,
+                 const std::vector<const char*>& columns, double tolerance) {
+  for (const char* const name : columns) {
+    const results::CurveColumn& column = results::curve_column(name);
+    const double own = column.get(expected);
+    ASSERT_TRUE(std::isfinite(own)) << name << ": " << expected.note;
+    EXPECT_NEAR(column.get(found), own, tolerance * std::abs(own))
+        << name << " of step " << found.step << ": " << found.note;
+  }
+}
+
+/// Entries that make a variant of [halfspace] nearly hard contact.
+Entries nearly_hard(const mechanics::ContactLawTraits& law) {
+  const std::string variant = fmt::format("halfspace.like-{}", law.name);
+  Entries entries{fmt::format("{}.contact={}", variant, law.name)};
+  if (law.needs_penalty)
+    entries.push_back(variant + ".penalty=1e6 E*/h");
+  if (mechanics::is_adhesive(law.law)) {
+    entries.push_back(variant + ".work_of_adhesion=1e-10");
+    entries.push_back(variant + ".range=2e-13");
+  }
+  return entries;
+}
+
+void expect_stress(const Result& result, const std::string& method) {
+  const results::Table* const hard = result.table("stress-inside-halfspace");
+  const results::Table* const own = result.table("stress-inside-" + method);
+  ASSERT_NE(hard, nullptr);
+  ASSERT_NE(own, nullptr);
+  const std::vector<double> expected = hard->values("von_mises");
+  const std::vector<double> found = own->values("von_mises");
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_NEAR(found[i] / expected[i], 1.0, 1e-3);
+}
+
+void expect_slip(const Result& result, const cases::Case& read,
+                 const std::string& method) {
+  const auto hard =
+      reports::partial_slips(result, read, method_of(result, "halfspace"));
+  const auto own =
+      reports::partial_slips(result, read, method_of(result, method));
+  ASSERT_EQ(own.size(), 1U);
+  ASSERT_EQ(own.front().size(), hard.front().size());
+  for (std::size_t i = 0; i < own.front().size(); ++i)
+    EXPECT_NEAR(own.front()[i].slip.displacement /
+                    hard.front()[i].slip.displacement,
+                1.0, 1e-3);
+}
+
+/// Compares every method of a case with [halfspace].
+void expect_hard_contact(const Result& result, const cases::Case& read) {
+  const std::vector<CurvePoint>& hard = rows_of(result, "halfspace");
+  for (const cases::MethodSpec& method : read.methods) {
+    SCOPED_TRACE(method.name);
+    const std::vector<CurvePoint>& rows = rows_of(result, method.name);
+    ASSERT_EQ(rows.size(), hard.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      expect_same(rows[i], hard[i], contact_columns, 1e-3);
+      if (!method.is_adhesive())
+        expect_same(rows[i], hard[i], flow_columns, 1e-3);
+    }
+    if (read.report.stress_inside)
+      expect_stress(result, method.name);
+    if (cases::has_partial_slip(method, read.material))
+      expect_slip(result, read, method.name);
+  }
+}
+
+// A law that tends to hard contact has its contact, conductance, flow, stress
+// and slip. Tolerance: the penetration and the range of the law are 1e-5 h_rms.
+TEST_F(CombinedStudies, OfEveryLawInItsLimitAreThoseOfHardContact) {
+  Entries entries{"halfspace.like-hardness.hardness=1e3 E*"};
+  for (const mechanics::ContactLawTraits& law : mechanics::contact_laws())
+    if (law.law != mechanics::ContactLaw::hard)
+      for (const std::string& entry : nearly_hard(law))
+        entries.push_back(entry);
+  expect_hard_contact(run(entries), case_);
+  entries.emplace_back("surface.edges=free");
+  entries.emplace_back("report.stress_inside=false"); // of a periodic block
+  expect_hard_contact(run(entries), case_);
+}
+
+// Without memory, a load has one answer: on the way back, and by the mean gap
+// that it was found to have.
+TEST_F(CombinedStudies, OfALoadDoNotDependOnThePath) {
+  for (const Entries& law :
+       {Entries{},
+        Entries{"halfspace.contact=penalty", "halfspace.penalty=10 E*/h"},
+        Entries{"halfspace.contact=augmented", "halfspace.penalty=10 E*/h"}}) {
+    Entries entries = law;
+    entries.emplace_back("load.cycle=load-unload");
+    const Result cycle = run(entries);
+    const std::vector<CurvePoint>& rows = rows_of(cycle, "halfspace");
+    ASSERT_EQ(rows.size(), 5U);
+    for (std::size_t i = 0; i < 2; ++i)
+      expect_same(rows[4 - i], rows[i], all_columns(), 1e-6);
+
+    entries = law;
+    entries.push_back(fmt::format("load={{ mean_gap = [{:.17e}, {:.17e}] }}",
+                                  rows[1].mean_gap, rows[2].mean_gap));
+    const Result by_gap = run(entries);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const CurvePoint& found = rows_of(by_gap, "halfspace")[i];
+      EXPECT_NEAR(found.nominal_pressure / rows[i + 1].nominal_pressure, 1.0,
+                  1e-6);
+      expect_same(found, rows[i + 1], all_columns(), 1e-5);
+    }
+  }
+}
+
+// A map that is continued is the periodic map of the heights of its cell: a
+// window changes them, mirror images are four times as many.
+TEST_F(CombinedStudies, OfAContinuedMapAreThoseOfItsCell) {
+  const Result periodic = run({"report.stress_inside=false"});
+  const results::SurfaceRecord& surface = periodic.surfaces.front();
+  write_map("map.txt", surface.grid, surface.heights);
+  const auto pressed = [&](const std::string& file, const std::string& edges,
+                           double length) {
+    return run(
+        {fmt::format("surface={{ kind = \"measured\", file = \"{}\", "
+                     "length = {:.17e}, height_unit = 1.0, level = "
+                     "\"none\", edges = \"{}\"{} }}",
+                     file, length, edges,
+                     edges == "window" ? ", press_windowed_map = true" : "")});
+  };
+  const Grid& grid = surface.grid;
+
+  const Result same = pressed("map.txt", "periodic", grid.length_x);
+  const Result window = pressed("map.txt", "window", grid.length_x);
+  const results::SurfaceRecord& windowed = window.surfaces.front();
+  write_map("windowed.txt", windowed.grid, windowed.heights);
+  const Result of_windowed =
+      pressed("windowed.txt", "periodic", windowed.grid.length_x);
+
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_same(rows_of(same, "halfspace")[i],
+                rows_of(periodic, "halfspace")[i], all_columns(), 1e-8);
+    expect_same(rows_of(of_windowed, "halfspace")[i],
+                rows_of(window, "halfspace")[i], all_columns(), 1e-8);
+  }
+
+  const Result mirrored = pressed("map.txt", "mirror", grid.length_x);
+  const Grid images{2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
+                    2.0 * grid.length_y};
+  std::vector<double> heights(images.size());
+  for (int iy = 0; iy < images.points_y; ++iy)
+    for (int ix = 0; ix < images.points_x; ++ix)
+      heights[images.index(ix, iy)] =
+          surface.heights[grid.index(std::min(ix, images.points_x - 1 - ix),
+                                     std::min(iy, images.points_y - 1 - iy))];
+  write_map("images.txt", images, heights);
+  const Result cell = pressed("images.txt", "periodic", images.length_x);
+  for (std::size_t i = 0; i < 3; ++i)
+    expect_same(rows_of(mirrored, "halfspace")[i],
+                rows_of(cell, "halfspace")[i], all_columns(), 1e-8);
+}
+
+// A surface that has yielded is stiff as in its elastic unloading, because
+// nodes at the hardness carry no more: K is the slope of a small step back.
+TEST_F(CombinedStudies, OfAYieldedContactHaveTheStiffnessOfItsUnloading) {
+  const Result result =
+      run({"halfspace.hardness=100 MPa", "halfspace.tolerance=1e-12",
+           "friction=", "load.nominal_pressure=[10e6, 9.9999e6]"});
+  const std::vector<CurvePoint>& rows = rows_of(result, "halfspace");
+  ASSERT_GT(rows[0].plastic_area, 0.01);
+  ASSERT_EQ(rows[0].area_fraction, rows[1].area_fraction);
+  EXPECT_FALSE(rows[0].is_unloading);
+  EXPECT_TRUE(rows[1].is_unloading);
+  const double slope = (rows[0].nominal_pressure - rows[1].nominal_pressure) /
+                       (rows[1].mean_gap - rows[0].mean_gap);
+  const double area = 1e-12;
+  EXPECT_NEAR(rows[0].normal_stiffness / (slope * area), 1.0, 1e-4);
+}
+
+// The theory of yielding contact is that of first load.
+TEST_F(CombinedStudies, OfATheoryWithAHardnessEndAtTheLargestLoad) {
+  const Result result =
+      run({"theory.gamma=0.4", "theory.hardness=200 MPa",
+           "load.cycle=load-unload", "report.stress_inside=false", "flow="});
+  const std::vector<CurvePoint>& rows = rows_of(result, "theory");
+  ASSERT_EQ(rows.size(), 5U);
+  for (const CurvePoint& row : rows) {
+    EXPECT_EQ(std::isnan(row.area_fraction), row.is_unloading);
+    EXPECT_EQ(std::isnan(row.plastic_area), row.is_unloading);
+    EXPECT_EQ(row.note.find("the theory knows no imprint") != row.note.npos,
+              row.is_unloading)
+        << row.note;
+  }
+}
+
+// Loads in a list that falls are on the way back, as those of a cycle, where
+// the answer depends on the path.
+TEST_F(CombinedStudies, OfAListThatFallsAreThoseOfACycle) {
+  const Entries law{"halfspace.contact=exponential",
+                    "halfspace.work_of_adhesion=2 mJ/m^2", "friction="};
+  Entries entries = law;
+  entries.emplace_back("load.cycle=load-unload");
+  const Result cycle = run(entries);
+  entries = law;
+  entries.emplace_back("load.nominal_pressure=[4e6, 1e7, 3e7, 1e7, 4e6]");
+  const Result list = run(entries);
+  const std::vector<CurvePoint>& expected = rows_of(cycle, "halfspace");
+  ASSERT_EQ(expected.size(), 5U);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const CurvePoint& found = rows_of(list, "halfspace")[i];
+    EXPECT_EQ(found.is_unloading, expected[i].is_unloading) << i;
+    EXPECT_EQ(found.mean_gap, expected[i].mean_gap) << i;
+  }
+}
+
+// A map that is turned by a quarter has the numbers of x along y, by every
+// method whose block has no direction of its own.
+TEST_F(CombinedStudies, OfATurnedMapAreTurned) {
+  const Result made = run({"report.stress_inside=false"});
+  const results::SurfaceRecord& surface = made.surfaces.front();
+  const Grid& grid = surface.grid;
+  std::vector<double> turned(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      turned[grid.index(iy, ix)] = surface.heights[grid.index(ix, iy)];
+  write_map("map.txt", grid, surface.heights);
+  write_map("turned.txt", grid, turned);
+  const auto pressed = [&](const std::string& file) {
+    return run({"surface={ kind = \"measured\", file = \"" + file +
+                    "\", length = 1e-6, height_unit = 1.0, level = \"none\", "
+                    "edges = \"periodic\" }",
+                "halfspace.slab.thickness=0.5 length",
+                "halfspace.island.boundaries=free", "winkler.stiffness=1 E*/h",
+                "fem.element=Q1", "fem.growth=2.0", "fem.tolerance=1e-11",
+                "fem.second.element=Q2", "fem.full.solver=full",
+                "fem.full.tolerance=1e-9", "report.stress_inside=false"});
+  };
+  const Result along_x = pressed("map.txt");
+  const Result along_y = pressed("turned.txt");
+  for (const MethodRecord& method : along_x.methods)
+    for (std::size_t i = 0; i < 3; ++i) {
+      SCOPED_TRACE(method.name);
+      CurvePoint back = rows_of(along_y, method.name)[i];
+      std::swap(back.flow_factor_x, back.flow_factor_y);
+      std::swap(back.flow_conductance_x, back.flow_conductance_y);
+      std::swap(back.critical_gap_x, back.critical_gap_y);
+      std::swap(back.spots_percolate_x, back.spots_percolate_y);
+      std::swap(back.gap_percolates_x, back.gap_percolates_y);
+      expect_same(back, method.realizations.front().points[i], all_columns(),
+                  1e-5);
+    }
+}
+
+// The tables of the theory are those of the surface, whatever presses it.
+TEST_F(CombinedStudies, OfTheTheoryDoNotDependOnTheMethods) {
+  const Entries studies{
+      "theory.gamma=0.4", "report.stress_inside=false", "flow=",
+      "magnification={ nominal_pressure = 1e6, from = 1.0, to = 8.0, points = "
+      "2 }",
+      "adhesion={ work_of_adhesion = 0.1, from = 0.5, to = 1.5, points = 2, "
+      "steps = 20 }"};
+  const Result alone = run(studies);
+  ASSERT_EQ(alone.tables.size(), 5U);
+  for (const Entries& other :
+       {Entries{"halfspace.contact=exponential",
+                "halfspace.work_of_adhesion=2 mJ/m^2"},
+        Entries{"halfspace.hardness=100 MPa"}, Entries{"surface.edges=free"},
+        Entries{"winkler.stiffness=1 E*/h", "fem.element=Q1"}}) {
+    Entries entries = studies;
+    entries.insert(entries.end(), other.begin(), other.end());
+    const Result beside = run(entries);
+    for (const results::Table& table : alone.tables) {
+      const results::Table* const found = beside.table(table.name);
+      ASSERT_NE(found, nullptr) << table.name;
+      for (const results::Column& column : table.columns)
+        EXPECT_TRUE(are_same(found->values(column.name), column.values))
+            << table.name << ", " << column.name;
+    }
+  }
+}
+
+} // namespace asperity::run::combined_studies_test
