@@ -345,9 +345,11 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
                    "with --write, the input is a result, of which this\n"
                    "map is written: pressure, gap or heights")
       ->check(CLI::IsMember({"pressure", "gap", "heights"}));
-  command->add_flag("--cell", surface.is_whole_cell,
-                    "with --field: the whole cell that was pressed, with\n"
-                    "the mirror images of a measured map");
+  command
+      ->add_flag("--cell", surface.is_whole_cell,
+                 "with --field: the whole cell that was pressed, with\n"
+                 "the mirror images of a measured map")
+      ->needs(command->get_option("--field"));
   command->add_option("--method", surface.method,
                       "method of this map (default: the first that has\n"
                       "saved fields)");
