@@ -19,10 +19,10 @@ MAY_INCLUDE = {
     "surfaces": {"base", "input", "mechanics", "ranks", "results/storage/hdf5_file.hpp",
                  "results/trial_read.hpp"},
     "meshes": {"base", "input", "mechanics", "surfaces"},
-    "flow": {"base"},
+    "flow": {"base", "mechanics"},
     "fem": {"base", "flow", "ranks", "input", "mechanics", "surfaces", "meshes", "contact"},
     "md": {"base", "input", "mechanics", "surfaces"},
-    "results": {"base", "ranks", "input", "theory"},  # its Eq. (20) is (1) with another variance
+    "results": {"base", "input", "mechanics", "ranks", "theory"},  # its Eq. (20) is (1) with another variance
     "reports": {"base", "input", "mechanics", "cases", "surfaces", "theory", "results"},
     # It makes case files and reads them.
     "robustness": {"base", "input", "mechanics", "cases", "surfaces", "theory", "contact",

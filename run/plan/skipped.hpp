@@ -20,9 +20,9 @@ struct SelectedCase {
              ///< and the case does not give the grid
 };
 
-/// Lists methods that were not selected, what the case asks of a method that has
-/// no answer (cases/types/omissions.hpp), realisations that are identical for a
-/// closed formula, maps that are not saved, unknowns and wavevectors that
+/// Lists methods that were not selected, what the case asks of a method that
+/// has no answer (cases/types/omissions.hpp), realisations that are identical
+/// for a closed formula, maps that are not saved, unknowns and wavevectors that
 /// symmetry makes redundant, and bulk material that a closed form replaces. The
 /// costs of methods and realisations are predictions of cost_model.hpp, NaN
 /// where the method cannot be computed.
