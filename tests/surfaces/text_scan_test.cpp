@@ -63,7 +63,7 @@ TEST(TextScan, ReadsTheHeaderOfAMatrix) {
             "map.txt:1: found 'w=3', but the file has 2 columns");
   EXPECT_EQ(refusal("pixel size = 0.5\n1 2 3\n4 5 6\n"),
             "map.txt:1: pixel size: found '0.5', but must be a number > 0 and "
-            "a unit of m, mm, um, nm, pm, angstrom");
+            "a unit of m, mm, um, nm, angstrom");
   EXPECT_EQ(refusal(header + "1 2 3\n4 5 6\n", {1e-6, {}}),
             "surface.length = 1e-06 m, but must be left out: the header of "
             "map.txt gives it");
