@@ -20,6 +20,7 @@
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
+#include "run/arguments/option_quantity.hpp"
 #include "run/arguments/physics.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
@@ -252,6 +253,8 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   if (!command.friction.empty())
     overrides.push_back("friction.coefficient=" + command.friction);
   if (!command.hardness.empty()) {
+    (void)run::positive_quantity("--hardness", command.hardness,
+                                 input::Dimension::pressure);
     overrides.push_back("halfspace.hardness=\"" + command.hardness + "\"");
     if (has_maps_only)
       overrides.push_back("theory.hardness=\"" + command.hardness + "\"");

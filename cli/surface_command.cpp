@@ -195,12 +195,12 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
   std::optional<double> tip_radius;
   if (!command.tip_radius.empty())
     tip_radius = run::positive_quantity("--tip-radius", command.tip_radius,
-                                        cases::Dimension::length);
+                                        input::Dimension::length);
   std::optional<double> contact_modulus;
   if (!command.contact_modulus.empty())
     contact_modulus =
         run::positive_quantity("--contact-modulus", command.contact_modulus,
-                               cases::Dimension::pressure);
+                               input::Dimension::pressure);
   reports::SurfaceReport report;
   for (const std::string& word : command.inputs) {
     SurfaceInput input = read_surface_input(word, command);

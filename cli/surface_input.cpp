@@ -2,11 +2,11 @@
 
 #include "cases/reader/read_case.hpp"
 #include "cases/text/toml_text.hpp"
-#include "cases/types/units.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/limits.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
+#include "run/arguments/option_quantity.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
 
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 namespace asperity::cli {
@@ -44,8 +45,9 @@ cases::Case case_of_file(const std::string& file,
   if (!command.missing_value.empty())
     overrides.push_back("surface.missing_value=" + command.missing_value);
   if (!command.length_unit.empty())
-    overrides.push_back("surface.length_unit=" +
-                        run::with_number(command.length_unit));
+    overrides.push_back(
+        "surface.length_unit=" +
+        as_text(run::length_unit_text("--length-unit", command.length_unit)));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return cases::read_case_text(run::map_case_text({file, "1 Pa"}), file,
@@ -76,18 +78,6 @@ SurfaceInput measured_input(const mechanics::SurfaceSpec& surface) {
   return input;
 }
 
-double length_of(const std::string& option, const std::string& text) {
-  const cases::QuantityReading read =
-      cases::read_quantity(text, cases::Dimension::length, {});
-  if (!read.quantity)
-    throw input::InputError(
-        fmt::format("{} = \"{}\" {}", option, text, read.mistake));
-  if (!(read.quantity->value > 0.0))
-    throw input::InputError(
-        fmt::format("{} = \"{}\", but must be > 0", option, text));
-  return read.quantity->value;
-}
-
 SurfaceInput line_input(const std::string& file,
                         const SurfaceCommand& command) {
   if (!command.missing_value.empty())
@@ -95,13 +85,16 @@ SurfaceInput line_input(const std::string& file,
         file + ": --missing-value: the points of a line scan must be measured");
   surfaces::LineScale scale;
   if (!command.length.empty())
-    scale.length = length_of("--length", command.length);
-  if (!command.height_unit.empty())
-    scale.height_unit =
-        length_of("--height-unit", run::with_number(command.height_unit));
-  if (!command.length_unit.empty())
-    scale.length_unit =
-        length_of("--length-unit", run::with_number(command.length_unit));
+    scale.length = run::positive_quantity("--length", command.length,
+                                          input::Dimension::length);
+  const auto unit = [](const char* option, const std::string& text) {
+    return text.empty() ? std::nullopt
+                        : std::optional(run::positive_quantity(
+                              option, run::length_unit_text(option, text),
+                              input::Dimension::length));
+  };
+  scale.height_unit = unit("--height-unit", command.height_unit);
+  scale.length_unit = unit("--length-unit", command.length_unit);
   surfaces::LineScan line = surfaces::read_line_scan(file, scale);
   for (const double height : line.heights)
     if (!(std::abs(height) <= mechanics::largest_length))

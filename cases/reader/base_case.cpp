@@ -6,14 +6,19 @@
 #include "cases/text/toml_text.hpp"
 #include "input/input_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 namespace asperity::cases {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 8; // a longer chain is assumed to be circular
+constexpr std::size_t most_files = 50; // in a chain of bases
 
 std::string text_of_file(const std::string& path, const Place& asked_at) {
   try {
@@ -78,10 +83,17 @@ void move_paths(const Node& base, const fs::path& base_folder,
     }
 }
 
+/// @param above  the files that are based on this one, the case first
 StackedText read_level(const std::string& path, const Place& asked_at,
-                       int level) {
-  if (level > deepest)
+                       std::vector<fs::path> above) {
+  const fs::path file_path = fs::weakly_canonical(path);
+  if (std::ranges::find(above, file_path) != above.end())
     input::throw_mistake(asked_at, "base refers back to itself in a cycle");
+  if (above.size() == most_files)
+    input::throw_mistake(
+        asked_at, fmt::format("base: the chain of bases has more than {} files",
+                              most_files));
+  above.push_back(file_path);
   StackedText stacked{text_of_file(path, asked_at), path, {}};
   Node file = parse_toml(stacked.text, path);
   const Node* const base = file.find("base");
@@ -97,7 +109,8 @@ StackedText read_level(const std::string& path, const Place& asked_at,
       named.is_absolute() ? named : fs::path(path).parent_path() / named;
   const Place place = base->place;
   const std::vector<std::string> own_lines = overrides_in(stacked.text);
-  stacked = read_level(base_path.lexically_normal().string(), place, level + 1);
+  stacked = read_level(base_path.lexically_normal().string(), place,
+                       std::move(above));
   move_paths(parsed(stacked), named.parent_path(), stacked.overrides);
   std::erase_if(file.entries,
                 [](const NodeEntry& entry) { return entry.key == "base"; });
@@ -120,7 +133,7 @@ Node parsed(const StackedText& stacked) {
 }
 
 StackedText read_stacked(const std::string& path) {
-  return read_level(path, {path, 0}, 0);
+  return read_level(path, {path, 0}, {});
 }
 
 } // namespace asperity::cases

@@ -33,8 +33,8 @@ struct StackedText {
 /// the base are rewritten to start at the folder of this file.
 ///
 /// @throws input::InputError  a file cannot be opened or is not TOML; `base` is
-///                            not the first key, is not a string, or refers
-///                            back to itself
+///                            not the first key, is not a string, refers back
+///                            to itself, or the chain has more than 50 files
 StackedText read_stacked(const std::string& path);
 
 /// Returns the parsed text with all overrides applied, for inspection. An

@@ -5,9 +5,12 @@
 #include "cases/types/quantity_at_load.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <cctype>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 namespace asperity::cases {
 namespace {
@@ -24,12 +27,28 @@ void bound(Json& schema, const Range& range) {
     schema[range.is_high_allowed ? "maximum" : "exclusiveMaximum"] = range.high;
 }
 
-std::string escaped(const std::string& symbol) {
+// Returns the pattern of a unit in the spellings that are most common.
+std::string unit_pattern(std::string_view symbol) {
+  constexpr std::string_view angstrom = "angstrom";
+  const auto is_letter = [&](std::size_t at) {
+    return at < symbol.size() &&
+           std::isalpha(static_cast<unsigned char>(symbol[at])) != 0;
+  };
   std::string pattern;
-  for (const char letter : symbol) {
-    if (std::string_view("*^/()").find(letter) != std::string_view::npos)
-      pattern += '\\';
-    pattern += letter;
+  for (std::size_t i = 0; i < symbol.size(); ++i) {
+    const char letter = symbol[i];
+    if (letter == 'u' && is_letter(i + 1) && (i == 0 || !is_letter(i - 1))) {
+      pattern += "[u\u00b5\u03bc]";
+    } else if (symbol.substr(i).starts_with(angstrom)) {
+      pattern += "(angstrom|\u00c5)";
+      i += angstrom.size() - 1;
+    } else if (letter == '^' && i + 1 < symbol.size()) {
+      pattern += symbol[++i] == '2' ? "(\\^?2|\u00b2)" : "(\\^?3|\u00b3)";
+    } else {
+      if (std::string_view("*/()").find(letter) != std::string_view::npos)
+        pattern += '\\';
+      pattern += letter;
+    }
   }
   return pattern;
 }
@@ -41,14 +60,16 @@ Json quantity_schema(const Key& key) {
   bound(number, key.range);
   if (key.dimension == Dimension::none)
     return number;
-  std::string choice;
-  for (const Unit& unit : units())
-    if (is_allowed(unit, key.dimension, key.references))
-      choice +=
-          fmt::format("{}{}", choice.empty() ? "" : "|", escaped(unit.symbol));
-  const Json text = {
-      {"type", "string"},
-      {"pattern", fmt::format("{}({}) *$", number_pattern, choice)}};
+  std::vector<std::string> symbols;
+  for (const input::Unit& unit : input::units())
+    if (unit.dimension == key.dimension)
+      symbols.push_back(unit_pattern(unit.symbol));
+  for (const mechanics::ReferenceUnit reference : key.references)
+    if (reference_dimension(reference) == key.dimension)
+      symbols.push_back(unit_pattern(reference_symbol(reference)));
+  const Json text = {{"type", "string"},
+                     {"pattern", fmt::format("{}({}) *$", number_pattern,
+                                             fmt::join(symbols, "|"))}};
   Json schema = {{"anyOf", {number, text}}};
   if (!key.words.empty())
     schema["anyOf"].push_back({{"enum", key.words}});

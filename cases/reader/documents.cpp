@@ -144,6 +144,30 @@ std::string at_load_section() {
   return page + "\n";
 }
 
+// Returns the section with the table of units.
+std::string units_section() {
+  std::string page =
+      "## Units\n\nCases, options of commands, height maps, line scans and "
+      "measured curves have the same\nunits. `µ` and `~` are `u`, `Å` is "
+      "`angstrom`, `Ω` is `Ohm`, `²` and `2` behind a letter are\n`^2`, and a "
+      "product may have a blank, a dot or a star: `µm²`, `N/mm2` and `Pa*s`.\n"
+      "Upper and lower case differ: there is no pressure in `mPa`, for which "
+      "`MPa` would be meant.\n\n| quantity | units |\n|---|---|\n";
+  std::string row;
+  const std::vector<input::Unit>& all = input::units();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    row += fmt::format("{}`{}`", row.empty() ? "" : ", ", all[i].symbol);
+    const bool is_last =
+        i + 1 == all.size() || all[i + 1].dimension != all[i].dimension;
+    if (is_last && all[i].dimension != Dimension::none)
+      page += fmt::format("| {} | {} |\n",
+                          input::dimension_name(all[i].dimension), row);
+    if (is_last)
+      row.clear();
+  }
+  return page;
+}
+
 const char* const page_head =
     R"(# The case file
 
@@ -156,7 +180,9 @@ Schema, and `asperity new NAME` writes a template.
   Units of the problem: `E*` is the contact modulus, `length` the side of the
   square, `h` the node spacing, `h_rms` the rms height of the realisation (for a
   theory by the formula, that of the formula) and `E*/h` a stiffness per area.
-  The row of each key lists its units; `µm` is read as `um`. Other than 0, the
+  The row of each key lists its usual units, [Units](#units) all of them. A
+  number in quotes without a unit is refused, and so is a number without a unit
+  in an option of a command. Other than 0, the
   magnitude of a length is between 1e-16 and 1e16 m, that of a pressure or
   modulus between 1e-15 and 1e21 Pa, and that of a number in a unit of the
   problem between 1e-15 and 1e9.
@@ -215,8 +241,7 @@ std::string case_reference_markdown() {
     if (table.name == "expect")
       page += at_load_section();
   }
-  page.pop_back(); // the page ends with a single newline
-  return page;
+  return page + units_section();
 }
 
 } // namespace asperity::cases

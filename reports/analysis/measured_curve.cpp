@@ -1,10 +1,11 @@
 #include "reports/analysis/measured_curve.hpp"
 
 #include "base/plain_text.hpp"
-#include "cases/types/units.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
+#include "input/units.hpp"
+#include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 
 #include <fmt/format.h>
@@ -12,91 +13,114 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <vector>
 
 namespace asperity::reports {
 namespace {
 
-using cases::Dimension;
+using input::Dimension;
 using results::CurvePoint;
 
-constexpr const char* allowed_columns =
-    "pressure [Pa, kPa, MPa or GPa] or load [N]; area [1, %, m^2, mm^2, um^2 "
-    "or "
-    "nm^2]; gap [m, mm, um or nm]";
+constexpr const char* column_names[] = {"pressure", "load", "area", "gap"};
+
+std::string allowed_columns() {
+  const auto units = [](Dimension dimension) {
+    return fmt::format("{}", fmt::join(input::usual_units(dimension), ", "));
+  };
+  return fmt::format("pressure [{}] or load [{}]; area [{}, {}]; gap [{}]",
+                     units(Dimension::pressure), units(Dimension::force),
+                     units(Dimension::none), units(Dimension::area),
+                     units(Dimension::length));
+}
 
 /// A column: where its numbers go, and by what they are multiplied.
 struct MeasuredColumn {
-  double CurvePoint::*number;
-  double factor; // to SI, or to a share of the nominal area
+  double CurvePoint::*number; ///< null: a column without a head
+  double factor;              // to SI, or to a share of the nominal area
 };
 
-/// The SI value of one of this unit; nothing if it has another dimension.
-std::optional<double> unit_in_si(const std::string& unit, Dimension dimension) {
-  const auto read = cases::read_quantity("1 " + unit, dimension, {});
-  return read.quantity ? std::optional(read.quantity->value) : std::nullopt;
+/// What one of the unit of a head is in the numbers of a row; nothing if the
+/// unit is not one of the column.
+std::optional<double> factor_of(const surfaces::ColumnHead& head,
+                                double nominal_area) {
+  const auto in_si = [&](Dimension dimension) {
+    return input::unit_in_si(head.unit, dimension);
+  };
+  if (head.name == "pressure")
+    return in_si(Dimension::pressure);
+  if (head.name == "gap")
+    return in_si(Dimension::length);
+  const bool is_load = head.name == "load";
+  if (const auto share = in_si(Dimension::none); share && !is_load)
+    return share;
+  const auto whole = in_si(is_load ? Dimension::force : Dimension::area);
+  return whole ? std::optional(*whole / nominal_area) : std::nullopt;
 }
 
-std::optional<double> area_factor(const std::string& unit,
-                                  double nominal_area) {
-  if (unit == "1" || unit == "%")
-    return unit == "1" ? 1.0 : 0.01;
-  if (!unit.ends_with("^2"))
-    return std::nullopt;
-  const auto length =
-      unit_in_si(unit.substr(0, unit.size() - 2), Dimension::length);
-  return length ? std::optional(*length * *length / nominal_area)
-                : std::nullopt;
+Dimension dimension_of(const surfaces::ColumnHead& head) {
+  return head.name == "pressure" ? Dimension::pressure
+         : head.name == "load"   ? Dimension::force
+         : head.name == "area"   ? Dimension::area
+                                 : Dimension::length;
 }
 
 /// @param place  of the header, "mine.csv:1"
-MeasuredColumn measured_column(const std::string& head,
+MeasuredColumn measured_column(const surfaces::ColumnHead& head,
                                const std::string& place, double nominal_area) {
-  const std::size_t open = head.find('[');
-  const std::size_t close = head.find(']');
-  const std::string name = trimmed(head.substr(0, open));
-  const std::vector<std::string> names{"pressure", "load", "area", "gap"};
-  if (std::ranges::find(names, name) == names.end())
+  if (head.name.empty() && head.unit.empty()) // as the index of pandas
+    return {nullptr, 1.0};
+  if (std::ranges::find(column_names, head.name) == std::end(column_names))
     throw input::InputError(fmt::format(
         "{}: the column \"{}\" is unknown; allowed: {}; nearest: {}", place,
-        printable(head), allowed_columns, input::nearest(name, names)));
-  const std::string unit =
-      open == head.npos || close == head.npos || close < open
-          ? ""
-          : trimmed(head.substr(open + 1, close - open - 1));
-  const std::optional<double> factor =
-      name == "pressure" ? unit_in_si(unit, Dimension::pressure)
-      : name == "gap"    ? unit_in_si(unit, Dimension::length)
-      : name == "area"   ? area_factor(unit, nominal_area)
-                         : unit_in_si(unit, Dimension::force);
+        printable(head.name), allowed_columns(),
+        input::nearest(head.name,
+                       {std::begin(column_names), std::end(column_names)})));
+  const std::optional<double> factor = factor_of(head, nominal_area);
   if (!factor)
     throw input::InputError(
-        fmt::format("{}: the column \"{}\" has no known unit; allowed: {}",
-                    place, printable(head), allowed_columns));
-  if (name == "gap")
-    return {&CurvePoint::mean_gap, *factor};
-  if (name == "area")
-    return {&CurvePoint::area_fraction, *factor};
-  return {&CurvePoint::nominal_pressure,
-          name == "load" ? *factor / nominal_area : *factor};
+        head.unit.empty()
+            ? fmt::format("{}: the column \"{}\" has no unit; allowed: {}",
+                          place, printable(head.name), allowed_columns())
+            : fmt::format(
+                  "{}: the column \"{}\" {}", place, printable(head.name),
+                  input::unit_mistake(head.unit, dimension_of(head),
+                                      input::usual_units(dimension_of(head)))));
+  return {head.name == "gap"    ? &CurvePoint::mean_gap
+          : head.name == "area" ? &CurvePoint::area_fraction
+                                : &CurvePoint::nominal_pressure,
+          *factor};
 }
 
-std::vector<MeasuredColumn> measured_columns(const std::string& header,
-                                             const std::string& place,
+/// The last line above the numbers that has the head of a known column, else
+/// the last one.
+surfaces::CommentLine line_of_heads(const surfaces::NumberTable& table) {
+  const std::vector<surfaces::CommentLine> lines =
+      surfaces::lines_above_numbers(table);
+  for (const surfaces::CommentLine& line : lines)
+    for (const surfaces::ColumnHead& head :
+         surfaces::column_heads(line.text, table.columns))
+      if (std::ranges::find(column_names, head.name) != std::end(column_names))
+        return line;
+  return lines.empty() ? surfaces::CommentLine{table.lines.front(), ""}
+                       : lines.front();
+}
+
+std::vector<MeasuredColumn> measured_columns(const surfaces::NumberTable& table,
                                              double nominal_area) {
-  const char separator = header.find(',') != header.npos   ? ','
-                         : header.find(';') != header.npos ? ';'
-                                                           : '\t';
+  const surfaces::CommentLine line = line_of_heads(table);
+  const std::string place = fmt::format("{}:{}", table.name, line.line);
   std::vector<MeasuredColumn> columns;
-  std::istringstream heads(header);
-  for (std::string head; std::getline(heads, head, separator);) {
-    columns.push_back(measured_column(trimmed(head), place, nominal_area));
-    if (std::ranges::count(columns, columns.back().number,
+  for (const surfaces::ColumnHead& head :
+       surfaces::column_heads(line.text, table.columns)) {
+    columns.push_back(measured_column(head, place, nominal_area));
+    if (columns.back().number != nullptr &&
+        std::ranges::count(columns, columns.back().number,
                            &MeasuredColumn::number) > 1)
       throw input::InputError(fmt::format(
-          "{}: the column \"{}\" is there twice", place, printable(head)));
+          "{}: the column \"{}\" is there twice", place, printable(head.name)));
   }
   const auto has = [&](double CurvePoint::*number) {
     return std::ranges::find(columns, number, &MeasuredColumn::number) !=
@@ -106,38 +130,81 @@ std::vector<MeasuredColumn> measured_columns(const std::string& header,
       !(has(&CurvePoint::mean_gap) || has(&CurvePoint::area_fraction)))
     throw input::InputError(
         fmt::format("{}: \"{}\" must name a pressure and an area or a gap: {}",
-                    place, printable(header), allowed_columns));
+                    place, printable(line.text), allowed_columns()));
+  if (table.columns != columns.size())
+    surfaces::refuse_line(
+        table.name, table.lines.front(),
+        fmt::format("has {} numbers, but line {} names {} columns; if 1,5 is "
+                    "one number, separate the columns by semicolons",
+                    table.columns, line.line, columns.size()));
   return columns;
+}
+
+/// Whether the surfaces of a result attract each other, so that it has
+/// tensions.
+bool has_attraction(const results::Result& result) {
+  for (const results::MethodRecord& method : result.methods)
+    for (const results::Curve& curve : method.realizations)
+      for (const CurvePoint& point : curve.points)
+        if (point.nominal_pressure < 0.0 ||
+            std::isfinite(point.adhesive_energy))
+          return true;
+  return false;
+}
+
+/// @return  a row without a number, which only its step is known of
+CurvePoint empty_point(int step) {
+  CurvePoint row;
+  row.step = step;
+  row.nominal_pressure = row.mean_gap = row.area_fraction = results::not_given;
+  row.contact_perimeter = row.elastic_energy = row.contact_energy =
+      row.contact_stiffness = row.residual = row.cpu_time = results::not_given;
+  return row;
+}
+
+/// @param row           of the table
+/// @param may_be_tension  whether the pressure may be 0 or less
+void require_sound_point(const CurvePoint& point,
+                         const surfaces::NumberTable& table, std::size_t row,
+                         bool may_be_tension) {
+  for (const double number :
+       {point.nominal_pressure, point.mean_gap, point.area_fraction})
+    if (std::isinf(number))
+      surfaces::refuse_line(table.name, table.lines[row],
+                            "has a number that is infinite in SI units");
+  if (std::isnan(point.nominal_pressure) ||
+      (!may_be_tension && !(point.nominal_pressure > 0.0)))
+    surfaces::refuse_line(
+        table.name, table.lines[row],
+        may_be_tension ? "must have a pressure"
+                       : "must have a pressure > 0: the result beside it has "
+                         "no adhesion, so that there is no tension");
+  if (point.area_fraction < 0.0 || point.area_fraction > 1.0)
+    surfaces::refuse_line(table.name, table.lines[row],
+                          "must have an area from 0 to the nominal area");
 }
 
 std::vector<CurvePoint>
 rows_of_table(const surfaces::NumberTable& table,
-              const std::vector<MeasuredColumn>& columns,
-              const std::string& file) {
+              const std::vector<MeasuredColumn>& columns, bool may_be_tension) {
   std::vector<CurvePoint> rows;
   rows.reserve(table.rows());
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (table.columns != columns.size())
-      surfaces::refuse_line(
-          file, table.lines[i],
-          fmt::format("has {} numbers, but the first line names {} columns",
-                      table.columns, columns.size()));
-    CurvePoint row;
-    row.step = static_cast<int>(i);
-    row.mean_gap = row.area_fraction = results::not_given;
-    row.contact_perimeter = row.elastic_energy = row.contact_energy =
-        row.contact_stiffness = row.residual = row.cpu_time =
-            results::not_given;
+    CurvePoint row = empty_point(static_cast<int>(rows.size()));
+    bool is_empty = true;
     for (std::size_t c = 0; c < columns.size(); ++c)
-      row.*columns[c].number = table.number(i, c) * columns[c].factor;
+      if (columns[c].number != nullptr) {
+        row.*columns[c].number = table.number(i, c) * columns[c].factor;
+        is_empty = is_empty && std::isnan(table.number(i, c));
+      }
+    if (is_empty) // below the table of a spreadsheet
+      continue;
     row.area_fraction_corrected = row.area_fraction;
-    if (!(row.nominal_pressure > 0.0) || row.area_fraction < 0.0 ||
-        row.area_fraction > 1.0)
-      surfaces::refuse_line(file, table.lines[i],
-                            "must have a pressure > 0 and an area from 0 to "
-                            "the nominal area");
+    require_sound_point(row, table, i, may_be_tension);
     rows.push_back(row);
   }
+  if (rows.empty())
+    throw input::InputError(table.name + ": contains no numbers");
   return rows;
 }
 
@@ -156,19 +223,16 @@ results::Result read_measured_curve(const std::filesystem::path& file,
   const Grid& grid = beside.surfaces.front().grid;
   const std::string text =
       input::read_input_file(file, input::largest_text_file);
-  std::string header = text.substr(0, text.find_first_of("\r\n"));
-  if (header.starts_with('#'))
-    header.erase(0, 1);
-  const std::vector<MeasuredColumn> columns =
-      measured_columns(header, file.string() + ":1", nominal_area(beside));
+  const surfaces::NumberTable table = surfaces::read_number_text(
+      text, file.string(), surfaces::NumberStyle::instrument);
   results::MethodRecord method;
   method.name = file.stem().string();
   method.kind = measured_kind;
   method.description = "curve read from " + file.filename().string();
   method.realizations.emplace_back();
   method.realizations.front().points =
-      rows_of_table(surfaces::read_number_text("#" + text, file.string()),
-                    columns, file.string());
+      rows_of_table(table, measured_columns(table, nominal_area(beside)),
+                    has_attraction(beside));
   results::Result result;
   result.path = file.string();
   result.case_name = method.name;

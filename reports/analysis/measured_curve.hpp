@@ -14,16 +14,18 @@ namespace asperity::reports {
 /// The kind of a method whose curve is read from a table.
 inline constexpr const char* measured_kind = "measured";
 
-/// Reads a table whose first line names its columns with their units, as in
+/// Reads a table whose header line names its columns with their units, as in
 ///
 ///     pressure [MPa],area [%],gap [nm]
 ///
-/// "pressure" is the nominal pressure [Pa, kPa, MPa, GPa], or "load" the normal
-/// force [N] on the nominal area of `beside`; "area" is the contact area, as a
-/// share [1, %] of the nominal area or itself [m^2, mm^2, um^2, nm^2], and
-/// "gap" the mean gap [m, mm, um, nm]. One of area and gap may be missing, and
-/// is NaN then. The numbers are separated by commas, semicolons, blanks or
-/// tabs.
+/// "pressure" is the nominal pressure, or "load" the normal force on the
+/// nominal area of `beside`; "area" is the contact area, as a share of the
+/// nominal area [1, %] or itself, and "gap" the mean gap. One of area and gap
+/// may be missing, and is NaN then, as in empty cells. Rows without a number
+/// and columns without a head are left out. The units are those of
+/// input/units.hpp, the forms of heads those of column_heads.hpp, and the
+/// numbers are read as those of instruments (number_table.hpp). A pressure of 0
+/// or less is allowed beside a result with adhesion.
 ///
 /// @param beside        the result that it is compared with; the curve gets its
 ///                      modulus and the size, rms height and slope of its

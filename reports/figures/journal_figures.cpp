@@ -4,6 +4,7 @@
 #include "base/content_hash.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
+#include "input/units.hpp"
 #include "reports/figures/journal_layout.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -75,17 +75,6 @@ void set_size_on_paper(const std::filesystem::path& path, double width,
   write_file_atomically(path, svg);
 }
 
-double unit_of(const std::string& name, const std::string& width) {
-  for (const auto& [known, metres] :
-       {std::pair("mm", 1e-3), std::pair("cm", 1e-2),
-        std::pair("in", metres_per_inch)})
-    if (name == known)
-      return metres;
-  throw std::domain_error(
-      fmt::format("--width {}: the unit must be mm, cm or in, as in 86mm",
-                  printable(width)));
-}
-
 constexpr const char* drawn_record = ".drawn";
 
 /// The SHA-256 of all drawings, tables and scripts with their names.
@@ -139,16 +128,13 @@ JournalFormat journal_format(const std::vector<std::string>& endings,
                       printable(ending), fmt::join(endings_known, ", ")));
     format.endings.insert(ending);
   }
-  double number = 0.0;
-  const char* const last = width.data() + width.size();
-  const auto [end, error] = std::from_chars(width.data(), last, number);
-  if (error != std::errc())
-    throw std::domain_error(
-        fmt::format("--width {}: must be a number with a unit, as in 86mm",
-                    printable(width)));
-  std::string unit(end, last);
-  unit.erase(0, std::min(unit.find_first_not_of(' '), unit.size()));
-  format.width = number * unit_of(unit, width);
+  const input::ValueReading read =
+      input::read_with_unit(width, input::Dimension::length);
+  if (!read.value)
+    throw std::domain_error(fmt::format("--width = \"{}\" {}; a column is, for "
+                                        "example, 86mm wide",
+                                        printable(width), read.mistake));
+  format.width = *read.value;
   if (!(format.width >= 0.03 && format.width <= 0.3))
     throw std::domain_error(fmt::format(
         "--width {}: must be from 30mm to 300mm", printable(width)));

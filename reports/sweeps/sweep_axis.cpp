@@ -1,5 +1,6 @@
 #include "reports/sweeps/sweep_axis.hpp"
 
+#include "input/units.hpp"
 #include "reports/explore/chart.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 
@@ -7,29 +8,30 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
 
-struct NumberWithUnit {
-  double number = 0.0;
-  std::string unit;
-};
-
 /// Reads "14 nm" or 0.5; nothing for anything else.
-std::optional<NumberWithUnit> number_in(const std::string& label) {
-  NumberWithUnit read;
-  const char* const end = label.data() + label.size();
-  const auto [rest, error] = std::from_chars(label.data(), end, read.number);
-  if (error != std::errc{} || !std::isfinite(read.number))
-    return std::nullopt;
-  read.unit.assign(rest, end);
-  if (!read.unit.empty() && read.unit.front() == ' ')
-    read.unit.erase(0, 1);
-  return read;
+std::optional<input::NumberWithUnit> number_in(const std::string& label) {
+  input::NumberWithUnit read =
+      input::split_number(label, input::Dimension::none);
+  return read.mistake.empty() ? std::optional(std::move(read)) : std::nullopt;
+}
+
+/// The number in another unit; nothing if that has not the same dimension.
+std::optional<double> number_in_unit(const input::NumberWithUnit& read,
+                                     const std::string& unit) {
+  if (read.unit == unit)
+    return read.number;
+  const input::Unit* const from = input::unit_called(read.unit);
+  const input::Unit* const to = input::unit_called(unit);
+  return from != nullptr && to != nullptr && from->dimension == to->dimension
+             ? std::optional(from->in_si(read.number) / to->in_si(1.0))
+             : std::nullopt;
 }
 
 } // namespace
@@ -40,11 +42,12 @@ FigureAxis axis_of(const cases::SweptKey& key) {
   std::string unit;
   for (const std::string& value : key.values) {
     axis.labels.push_back(value_label(value));
-    const auto number = number_in(axis.labels.back());
-    if (!number || (!axis.positions.empty() && number->unit != unit))
-      axis.is_numeric = false;
-    axis.positions.push_back(number ? number->number : 0.0);
-    unit = number ? number->unit : "";
+    const auto read = number_in(axis.labels.back());
+    if (axis.positions.empty() && read)
+      unit = read->unit;
+    const auto number = read ? number_in_unit(*read, unit) : std::nullopt;
+    axis.is_numeric = axis.is_numeric && number.has_value();
+    axis.positions.push_back(number.value_or(0.0));
   }
   axis.title = key.key;
   if (!axis.is_numeric)

@@ -14,7 +14,8 @@ namespace asperity::reports {
 struct FigureAxis {
   std::string title; ///< "surface.length [um]"
   /// Position of each value: the number itself if all values are numbers, or
-  /// numbers in one unit; otherwise 0, 1, 2, ...
+  /// numbers with units of one dimension, in that of the first; otherwise 0, 1,
+  /// 2, ...
   std::vector<double> positions;
   std::vector<std::string> labels; ///< without quotes: "14 nm", "none"
   bool is_numeric = false;

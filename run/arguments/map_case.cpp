@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
@@ -70,7 +69,7 @@ std::string titled_case_text(const MapOfCase& map, const std::string& title) {
         "--contact-modulus, for example --contact-modulus \"2 GPa\"",
         map.file));
   (void)positive_quantity("--contact-modulus", map.contact_modulus,
-                          cases::Dimension::pressure);
+                          input::Dimension::pressure);
   return fmt::format(fmt::runtime(text_of_case),
                      fmt::arg("title", quoted(title)),
                      fmt::arg("file", quoted(map_path(map).string())),
@@ -85,19 +84,16 @@ bool is_map_file(const std::string& word) {
          fs::path(word).extension() != ".toml";
 }
 
-std::string with_number(const std::string& unit) {
-  const bool has_number =
-      unit.empty() || std::isalpha(static_cast<unsigned char>(unit[0])) == 0;
-  return has_number ? unit : "1 " + unit;
-}
-
 std::vector<std::string> map_overrides(const std::string& length,
                                        const std::string& height_unit) {
   std::vector<std::string> overrides;
-  if (!length.empty())
-    overrides.push_back("surface.length=" + length);
+  if (!length.empty()) {
+    (void)positive_quantity("--length", length, input::Dimension::length);
+    overrides.push_back("surface.length=" + quoted(length));
+  }
   if (!height_unit.empty())
-    overrides.push_back("surface.height_unit=" + with_number(height_unit));
+    overrides.push_back("surface.height_unit=" +
+                        quoted(length_unit_text("--height-unit", height_unit)));
   return overrides;
 }
 

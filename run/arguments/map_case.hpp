@@ -22,11 +22,9 @@ struct MapOfCase {
 /// state.
 /// @param length       side length in x, "20 um"; "": stated
 /// @param height_unit  unit of its numbers, "nm" or "2 nm"; "": stated
+/// @throws input::InputError  one of them is no length with a unit
 std::vector<std::string> map_overrides(const std::string& length,
                                        const std::string& height_unit);
-
-/// Returns "1 nm" for "nm", and a text that begins with a number as it is.
-std::string with_number(const std::string& unit);
 
 /// Returns true if the word names a regular file that is no case file: a map.
 bool is_map_file(const std::string& word);

@@ -1,32 +1,35 @@
 #include "run/arguments/option_quantity.hpp"
 
+#include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace asperity::run {
 
 double positive_quantity(const std::string& option, const std::string& text,
-                         cases::Dimension dimension) {
-  const cases::QuantityReading read = cases::read_quantity(text, dimension, {});
-  // The case reader's advice for a number without unit is on quotes, which a
-  // shell has removed.
-  if (!read.quantity && read.mistake.starts_with("has no unit")) {
-    std::string forms;
-    for (const std::string& unit : cases::unit_symbols(dimension, {}))
-      forms +=
-          fmt::format("{}\"{} {}\"", forms.empty() ? "" : " or ", text, unit);
+                         input::Dimension dimension) {
+  const input::ValueReading read = input::read_with_unit(text, dimension);
+  if (!read.value)
     throw input::InputError(
-        fmt::format("{} = \"{}\" has no unit; write {}", option, text, forms));
-  }
-  if (!read.quantity)
-    throw input::InputError(
-        fmt::format("{} = \"{}\" {}", option, text, read.mistake));
-  if (!(read.quantity->value > 0.0))
+        fmt::format("{} = \"{}\" {}", option, printable(text), read.mistake));
+  if (!(*read.value > 0.0))
     throw input::InputError(fmt::format("{} = \"{}\", but must be > 0 [{}]",
                                         option, text,
-                                        cases::si_unit(dimension)));
-  return read.quantity->value;
+                                        input::si_unit(dimension)));
+  return *read.value;
+}
+
+std::string length_unit_text(const std::string& option,
+                             const std::string& unit) {
+  const bool has_number =
+      unit.empty() || std::string_view("0123456789.+-").find(unit.front()) !=
+                          std::string_view::npos;
+  std::string text = has_number ? unit : "1 " + unit;
+  (void)positive_quantity(option, text, input::Dimension::length);
+  return text;
 }
 
 } // namespace asperity::run

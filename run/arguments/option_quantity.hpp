@@ -2,7 +2,7 @@
 
 // Quantities with units that are given as options on the command line.
 
-#include "cases/types/units.hpp"
+#include "input/units.hpp"
 
 #include <string>
 
@@ -14,6 +14,12 @@ namespace asperity::run {
 /// @throws input::InputError  no number with a unit of the dimension, or the
 ///                            number is not above 0
 double positive_quantity(const std::string& option, const std::string& text,
-                         cases::Dimension dimension);
+                         input::Dimension dimension);
+
+/// Returns the unit of length that an option gives, as a quantity of a case:
+/// "1 nm" for "nm", and "2 nm" as it is.
+/// @throws input::InputError  it is no unit of length
+std::string length_unit_text(const std::string& option,
+                             const std::string& unit);
 
 } // namespace asperity::run

@@ -23,7 +23,7 @@ std::vector<std::string> flow_overrides(const std::string& fluid) {
         "--flow = \"{}\" is no known fluid: water, air, or a viscosity such as "
         "\"0.1 Pa s\"; nearest: {}",
         fluid, input::nearest(fluid, {"air", "water"})));
-  (void)positive_quantity("--flow", viscosity, cases::Dimension::viscosity);
+  (void)positive_quantity("--flow", viscosity, input::Dimension::viscosity);
   return {"flow.viscosity=\"" + viscosity + "\"",
           "flow.pressure_drop=\"100 kPa\""};
 }
@@ -31,7 +31,7 @@ std::vector<std::string> flow_overrides(const std::string& fluid) {
 std::vector<std::string> adhesion_overrides(const std::string& work,
                                             AdhesivePath path) {
   (void)positive_quantity("--work-of-adhesion", work,
-                          cases::Dimension::energy_per_area);
+                          input::Dimension::energy_per_area);
   std::vector<std::string> overrides{"halfspace.contact=\"exponential\"",
                                      "halfspace.work_of_adhesion=\"" + work +
                                          '"'};

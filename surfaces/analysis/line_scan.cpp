@@ -5,8 +5,10 @@
 #include "base/require.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
+#include "input/units.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/scan_formats.hpp"
+#include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
@@ -41,32 +43,26 @@ bool is_line(const NumberTable& table) {
          (table.columns == 2 && table.rows() >= 4);
 }
 
-/// A unit of length that a header line gives in brackets.
-struct HeaderUnit {
-  double metres = 0.0;
-  std::string text;
-  int line = 0;
-};
-
-/// The units in the last header line that has any, in their order.
-std::vector<HeaderUnit> header_units(const NumberTable& table) {
-  std::vector<HeaderUnit> units;
-  for (const CommentLine& comment : table.comments) {
-    std::vector<HeaderUnit> in_line;
-    const std::string& text = comment.text;
-    for (std::size_t at = 0;
-         (at = text.find_first_of("[(", at)) != std::string::npos; ++at) {
-      const std::size_t end = text.find_first_of("])", at);
-      if (end == std::string::npos)
-        break;
-      const std::string unit = trimmed(text.substr(at + 1, end - at - 1));
-      if (const auto metres = surfaces::length_unit(unit))
-        in_line.push_back({*metres, unit, comment.line});
-    }
-    if (!in_line.empty() && comment.line < table.lines.front())
-      units = std::move(in_line);
+/// The unit that the last header line with a unit for any column gives for one;
+/// its line is 0 if there is none.
+/// @param column  of a table with one row: 0
+CommentLine header_unit(const NumberTable& table, std::size_t column) {
+  const std::size_t columns = table.rows() == 1 ? 1 : table.columns;
+  for (const CommentLine& line : lines_above_numbers(table)) {
+    const std::vector<ColumnHead> heads = column_heads(line.text, columns);
+    const bool is_header =
+        heads.size() == columns &&
+        std::ranges::any_of(heads, [](const ColumnHead& head) {
+          return surfaces::length_unit(head.unit).has_value();
+        });
+    const bool has_all =
+        heads.size() == columns &&
+        std::ranges::none_of(
+            heads, [](const ColumnHead& head) { return head.unit.empty(); });
+    if (is_header || has_all)
+      return {heads[column].unit.empty() ? 0 : line.line, heads[column].unit};
   }
-  return units;
+  return {};
 }
 
 /// The unit of a column, from the header or the option.
@@ -74,27 +70,34 @@ std::vector<HeaderUnit> header_units(const NumberTable& table) {
 std::optional<double> unit_of(const NumberTable& table, std::size_t column,
                               const std::optional<double>& given,
                               const char* option) {
-  const std::vector<HeaderUnit> units = header_units(table);
-  if (units.size() != (table.rows() == 1 ? 1 : table.columns))
+  const CommentLine unit = header_unit(table, table.rows() == 1 ? 0 : column);
+  if (unit.line == 0)
     return given;
-  const HeaderUnit& unit = units[table.rows() == 1 ? 0 : column];
-  if (given && std::abs(*given / unit.metres - 1.0) > 1e-9)
+  const std::optional<double> metres = surfaces::length_unit(unit.text);
+  if (!metres)
+    refuse_line(table.name, unit.line,
+                fmt::format("column {} has the unit '{}', which is no unit of "
+                            "length; known are {} and others: correct the "
+                            "header, or remove it and give {}",
+                            column + 1, printable(unit.text),
+                            known_length_units(), option));
+  if (given && std::abs(*given / *metres - 1.0) > 1e-9)
     throw input::InputError(fmt::format(
         "{} = {:.6g} m, but line {} of {} gives the unit '{}'; leave it out",
         option, *given, unit.line, table.name, printable(unit.text)));
-  return unit.metres;
+  return metres;
 }
 
 /// The unit of x for which a number of points, or one less, times their
 /// spacing is the length [m].
 double unit_for_length(const NumberTable& table, const ListAxis& x,
                        double length) {
-  for (const double unit :
-       {1e3, 1.0, 1e-2, 1e-3, 1e-6, 1e-9, 1e-10, 1e-12, 1e-15}) {
-    const double points = length / (unit * x.spacing);
+  for (const input::Unit& unit : input::units()) {
+    const double points = length / (unit.in_si(1.0) * x.spacing);
     const auto count = static_cast<double>(x.points);
-    if (points > count - 1.5 && points < count + 0.5)
-      return unit;
+    if (unit.dimension == input::Dimension::length && points > count - 1.5 &&
+        points < count + 0.5)
+      return unit.in_si(1.0);
   }
   throw input::InputError(fmt::format(
       "--length = {:.6g} m, but the {} points of {} are {:.6g} apart in the "

@@ -37,8 +37,9 @@ bool is_line_scan(const std::string& path);
 
 /// Reads such a file, which may have header lines and decimal commas. The
 /// spacing of two columns x and z is that of x, ascending or descending, whose
-/// positions must be equidistant as those of lists (xyz_list.hpp). Units of all
-/// columns in brackets in the last header line are used: "x [mm]; z [um]".
+/// positions must be equidistant as those of lists (xyz_list.hpp). The units in
+/// the last header line that has any are used: "x [mm]; z [um]"
+/// (column_heads.hpp). One that is no unit of length is refused.
 /// Otherwise x needs `length_unit`, or a `length` that is the number of points,
 /// or one less, times their spacing in some unit of length.
 /// @throws input::InputError  the file is no line scan, with the line of the

@@ -133,7 +133,7 @@ void take_height_unit(std::optional<double>& given,
     throw input::InputError(
         fmt::format("{}: the dataset is in '{}', but heights must be in one of "
                     "{}",
-                    path, printable(text), known_length_units));
+                    path, printable(text), known_length_units()));
   if (given)
     throw input::InputError(fmt::format(
         "surface.height_unit = {:.6g} m, but must be left out: {} gives the "

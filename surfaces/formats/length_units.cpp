@@ -1,5 +1,10 @@
 #include "surfaces/formats/length_units.hpp"
 
+#include "input/units.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -34,39 +39,18 @@ std::string with_decimal_point(std::string_view text) {
 
 } // namespace
 
+std::string known_length_units() {
+  return fmt::format(
+      "{}", fmt::join(input::usual_units(input::Dimension::length), ", "));
+}
+
 std::optional<double> length_unit(std::string_view unit) {
-  static constexpr std::pair<std::string_view, double> units[] = {
-      {"m", 1.0},
-      {"km", 1e3},
-      {"cm", 1e-2},
-      {"mm", 1e-3},
-      {"um", 1e-6},
-      {"\xC2\xB5m", 1e-6}, // micro sign, UTF-8
-      {"\xCE\xBCm", 1e-6}, // Greek mu, UTF-8
-      {"\xB5m", 1e-6},     // micro sign, Latin-1
-      {"~m", 1e-6},        // written by instruments without a micro sign
-      {"nm", 1e-9},
-      {"pm", 1e-12},
-      {"fm", 1e-15},
-      {"angstrom", 1e-10},
-      {"\xC3\x85", 1e-10},     // A with ring, UTF-8
-      {"\xE2\x84\xAB", 1e-10}, // Angstrom sign, UTF-8
-      {"\xC5", 1e-10},         // A with ring, Latin-1
-  };
-  for (const auto& [name, metres] : units)
-    if (unit == name)
-      return metres;
-  return std::nullopt;
+  return input::unit_in_si(unit, input::Dimension::length);
 }
 
 std::optional<double> length_of_text(std::string_view text) {
   const std::string pointed = with_decimal_point(text);
-  auto [number, unit] = leading_number(pointed);
-  // A no-break space, in UTF-8 or Latin-1, separates the unit in some
-  // languages.
-  for (const std::string_view blank : {" ", "\xC2\xA0", "\xA0"})
-    while (unit.starts_with(blank))
-      unit.remove_prefix(blank.size());
+  const auto [number, unit] = leading_number(pointed);
   const std::optional<double> metres = length_unit(unit);
   if (!metres || !std::isfinite(number))
     return std::nullopt;

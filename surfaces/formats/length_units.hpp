@@ -1,7 +1,6 @@
 #pragma once
 
-// Knows the length units that instrument files use, in their various spellings
-// and character sets.
+// Lengths and numbers in the files of instruments.
 
 #include <optional>
 #include <string>
@@ -9,12 +8,11 @@
 
 namespace asperity::surfaces {
 
-/// Units for messages.
-inline constexpr const char* known_length_units = "m, mm, um, nm, pm, angstrom";
+/// The usual units of length, for messages.
+std::string known_length_units();
 
-/// Metres per unit: m, cm, mm, um, nm, pm, fm, km or angstrom, or the symbols
-/// of micro and angstrom in UTF-8 or Latin-1. Empty if the unit is not a
-/// length.
+/// Metres per unit, by the table of units (input/units.hpp). Empty if the unit
+/// is not a length.
 std::optional<double> length_unit(std::string_view unit);
 
 /// Reads "20.0 um" or, if decimal commas are allowed, "20,0 um" [m]; empty if

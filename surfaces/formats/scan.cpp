@@ -3,23 +3,42 @@
 #include "input/input_error.hpp"
 #include "surfaces/formats/map_format.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace asperity::surfaces {
 namespace {
 
+/// Only NaN is a point without a height: an infinite one is a mistake of the
+/// file, or its unit makes it overflow.
+/// @param first  row of the first height
+void refuse_infinite(const std::vector<double>& heights, int first, int width,
+                     const std::string& name) {
+  const auto found = std::ranges::find_if(
+      heights, [](double height) { return std::isinf(height); });
+  if (found == heights.end())
+    return;
+  const auto at = found - heights.begin();
+  throw input::InputError(fmt::format(
+      "{}: the height in row {}, column {} is infinite, but must be a finite "
+      "number; write NaN at a point without a height",
+      name, first + at / width + 1, at % width + 1));
+}
+
 OpenMap opened(const MapBytes& bytes, const ScanRequest& request) {
   OpenMap map = reader_of_map(bytes, request.format).open(bytes, request);
-  if (request.missing_value || map.numbers.missing)
-    map.rows = [rows = std::move(map.rows), numbers = map.numbers,
-                value = request.missing_value](int first, int count) {
-      std::vector<double> heights = rows(first, count);
+  map.rows = [rows = std::move(map.rows), numbers = map.numbers,
+              value = request.missing_value, width = map.grid.points_x,
+              name = bytes.name()](int first, int count) {
+    std::vector<double> heights = rows(first, count);
+    if (value || numbers.missing)
       mark_missing_value(heights, numbers, value);
-      return heights;
-    };
+    refuse_infinite(heights, first, width, name);
+    return heights;
+  };
   return map;
 }
 
@@ -35,9 +54,6 @@ Scan scan_of_map(const OpenMap& map, const std::string& name) {
             map.channel,
             map.reader,
             map.numbers};
-  std::ranges::replace_if(
-      scan.map.heights, [](double height) { return !std::isfinite(height); },
-      std::numeric_limits<double>::quiet_NaN());
   if (count_missing(scan) == scan.map.heights.size())
     throw input::InputError(name + ": all points are missing");
   return scan;

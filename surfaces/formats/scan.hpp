@@ -70,8 +70,9 @@ struct OpenMap {
   Grid grid;           ///< of the whole file
   std::string channel; ///< title; may be empty
   std::string reader;  ///< as Scan::reader
-  /// Returns whole rows in the order of the file [m], not finite at missing
-  /// points. Throws input::InputError if the file can no longer be read.
+  /// Returns whole rows in the order of the file [m], NaN at missing points.
+  /// Throws input::InputError if the file can no longer be read or a height is
+  /// infinite.
   std::function<std::vector<double>(int first, int count)> rows;
   FileNumbers numbers = {};
   /// Whether these rows alone are read from the file; else the whole map is in

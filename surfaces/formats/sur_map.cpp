@@ -73,7 +73,7 @@ double sur_unit(std::string_view text, SurAxis axis, const std::string& name) {
   if (!metres)
     throw input::InputError(fmt::format(
         "{}: the step along {} is in '{}', but must be in one of {}", name,
-        "xyz"[axis], printable(unit), known_length_units));
+        "xyz"[axis], printable(unit), known_length_units()));
   return *metres;
 }
 

@@ -39,7 +39,7 @@ struct WsxmHeader {
     const std::optional<double> metres = length_of_text(text(key));
     if (!metres || *metres <= 0.0)
       refuse(key,
-             std::string("a number > 0 and a unit of ") + known_length_units);
+             std::string("a number > 0 and a unit of ") + known_length_units());
     return *metres;
   }
 

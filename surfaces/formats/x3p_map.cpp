@@ -73,7 +73,8 @@ public:
       take_listed_points();
     else
       take_stored_points();
-    return map_in_memory(grid(), std::move(points_.z), "own reader of X3P",
+    const Grid found = grid(); // asks which heights are missing
+    return map_in_memory(found, std::move(points_.z), "own reader of X3P",
                          {.has_own_marks = true});
   }
 
@@ -130,7 +131,7 @@ private:
   }
 
   /// Takes the points of main.xml: the absolute coordinates, separated by
-  /// semicolons; an empty text is a missing point.
+  /// semicolons; an empty text is a missing point, without coordinates.
   void take_listed_points() {
     const std::vector<std::string> texts =
         document_.texts_in("Record3/DataList");
@@ -156,19 +157,24 @@ private:
   std::vector<double> listed_numbers(const std::string& text) const {
     const std::size_t stored = 1 + (header_.x.is_absolute ? 1U : 0U) +
                                (header_.y.is_absolute ? 1U : 0U);
-    if (text.empty() && stored == 1)
-      return {std::numeric_limits<double>::quiet_NaN()};
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    if (text.empty())
+      return std::vector<double>(stored, missing);
     std::vector<double> numbers;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(';'), rest.size());
-      numbers.push_back(number_of_text(trimmed(rest.substr(0, end))));
-      rest.remove_prefix(std::min(end + 1, rest.size()));
+    bool is_good = true;
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min(text.find(';', begin), text.size());
+      const std::string word = trimmed(text.substr(begin, end - begin));
+      numbers.push_back(number_of_text(word));
+      is_good = is_good && (word.empty() || lower_case(word) == "nan" ||
+                            !std::isnan(numbers.back()));
+      begin = end + 1;
     }
-    if (numbers.size() != stored)
-      document_.refuse(
-          fmt::format("found the point '{}', but must be {} number(s)",
-                      printable(text), stored));
+    if (!is_good || numbers.size() != stored)
+      document_.refuse(fmt::format(
+          "found the point '{}', but must be {} number(s), separated by "
+          "semicolons, or empty at a missing point",
+          printable(text), stored));
     std::ranges::reverse(numbers);
     return numbers;
   }
@@ -197,12 +203,12 @@ private:
     grid.points_y = static_cast<int>(header_.size_y);
     const double spacing_x =
         header_.x.is_absolute
-            ? regular_step(points_.x, width - 1, "x",
+            ? regular_step(points_.x, "x",
                            [&](std::size_t i) { return i % width; })
             : header_.x.increment;
     const double spacing_y =
         header_.y.is_absolute
-            ? regular_step(points_.y, count() - width, "y",
+            ? regular_step(points_.y, "y",
                            [&](std::size_t i) { return i / width; })
             : header_.y.increment;
     grid.length_x = grid.points_x * spacing_x;
@@ -212,19 +218,30 @@ private:
   }
 
   /// The distance of adjacent points, whose positions along an absolute axis
-  /// must be equidistant within 2 % of it.
-  /// @param last      a point at the other end of the axis
+  /// must be equidistant within 2 % of it. A missing point may have none.
   /// @param place_of  number of a point along the axis
   template <class Place>
-  double regular_step(const std::vector<double>& positions, std::size_t last,
-                      const char* axis, const Place& place_of) const {
+  double regular_step(const std::vector<double>& positions, const char* axis,
+                      const Place& place_of) const {
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      if (!std::isnan(positions[i]) || !std::isnan(points_.z[i]))
+        known.push_back(i);
     const auto place = [&](std::size_t point) {
       return static_cast<double>(place_of(point));
     };
-    const double first = positions.front();
-    const double step = (positions[last] - first) / place(last);
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      if (!(std::abs(positions[i] - (first + place(i) * step)) <=
+    const auto ends = std::ranges::minmax_element(known, {}, place);
+    if (known.empty() || place(*ends.min) == place(*ends.max))
+      document_.refuse(fmt::format("too many points are missing to tell the "
+                                   "absolute positions along {}",
+                                   axis));
+    const double first_place = place(*ends.min);
+    const double first = positions[*ends.min];
+    const double step =
+        (positions[*ends.max] - first) / (place(*ends.max) - first_place);
+    for (const std::size_t i : known)
+      if (!(std::abs(positions[i] -
+                     (first + (place(i) - first_place) * step)) <=
             0.02 * std::abs(step))) {
         const auto width = static_cast<std::size_t>(header_.size_x);
         document_.refuse(fmt::format("the absolute positions along {} are not "

@@ -138,6 +138,23 @@ TEST_F(BaseCase, NamesTheFileAMistakeIsIn) {
             "[1]\n");
 }
 
+// A long chain is no cycle; one that is too long is called that.
+TEST_F(BaseCase, MayHaveManyBases) {
+  std::string below = "block.toml";
+  for (int i = 0; i < 60; ++i) {
+    const std::string name = "chain" + std::to_string(i) + ".toml";
+    write(name, "base = \"" + below + "\"\ntitle = \"Case " +
+                    std::to_string(i) + "\"\n");
+    below = name;
+  }
+
+  EXPECT_EQ(read("chain9.toml").title, "Case 9");
+  EXPECT_EQ(read("chain48.toml").title, "Case 48");
+  EXPECT_EQ(mistakes_of("chain49.toml"),
+            "  chain0.toml:1: base: the chain of bases has more than 50 "
+            "files\n");
+}
+
 TEST_F(BaseCase, StatesWhatABaseMustBe) {
   write("lost.toml", "base = \"nowhere.toml\"\n");
   write("second.toml", "title = \"A\"\nbase = \"block.toml\"\n");
@@ -156,6 +173,10 @@ TEST_F(BaseCase, StatesWhatABaseMustBe) {
             "  number.toml:1: base = 3, but must be the path of a file\n");
   EXPECT_EQ(mistakes_of("circle.toml"),
             "  circle.toml:1: base refers back to itself in a cycle\n");
+  write("one.toml", "base = \"other.toml\"\n");
+  write("other.toml", "base = \"deep/../one.toml\"\n");
+  EXPECT_EQ(mistakes_of("one.toml"),
+            "  other.toml:1: base refers back to itself in a cycle\n");
   EXPECT_NE(
       asperity::cases::mistakes_of("base = \"block.toml\"\n" + contact_case)
           .find("only a case file can have a base case"),

@@ -279,7 +279,7 @@ TEST_F(FolderUse, AWriteThatFailsAnywhereIsAnErrorThatNamesTheFile) {
   fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
   tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
 
-  const std::string convert = "surface map.txt --length 1e-6 --height-unit nm "
+  const std::string convert = "surface map.txt --length 1um --height-unit nm "
                               "--no-report --write ";
   for (const char* ending : {"h5", "npy", "gwy", "txt"})
     for (const int limit : {0, 1, 2, 4}) {

@@ -43,7 +43,7 @@ protected:
   }
 
   const std::string quick = "--methods halfspace --set surface.points=32 ";
-  const std::string scale = " --length 1e-6 --height-unit nm ";
+  const std::string scale = " --length 1um --height-unit nm ";
 };
 
 TEST_F(OwnOutputs, FilesOfOthersAreRefusedByEveryCommand) {
@@ -122,7 +122,7 @@ TEST_F(OwnOutputs, NoOutputIsAnInput) {
   fs::create_symlink("m.npy", folder / "link.npy");
   fs::create_hard_link(folder / "m.npy", folder / "hard.npy");
   for (const char* name : {"m.npy", "link.npy", "hard.npy", "./m.npy"})
-    expect_refused("surface m.npy --length 1e-6 --height-unit m --no-report "
+    expect_refused("surface m.npy --length 1um --height-unit m --no-report "
                    "--write " +
                        std::string(name),
                    name);

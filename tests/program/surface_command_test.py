@@ -276,6 +276,9 @@ def check_messages(program, folder):
     some = folder / "some.txt"
     flat = folder / "flat.txt"
     write_map(flat, np.zeros((8, 8)))
+    line = folder / "inch.csv"
+    line.write_text("Lateral [in],Raw [uin]\n"
+                    + "".join(f"{0.1 + 0.001 * i:.3f},{i % 3}\n" for i in range(40)))
     tiny = folder / "tiny.txt"
     write_map(tiny, np.eye(3))
     for words, expected in [
@@ -283,7 +286,14 @@ def check_messages(program, folder):
             (["polimer"], "polymer"),
             (["paper"], "is a collection"),
             ([some], '--length "20 um"'),
-            ([some, "--length", "1 Pa", "--height-unit", "nm"], "surface.length"),
+            ([some, "--length", "1 Pa", "--height-unit", "nm"], '--length = "1 Pa" has the unit Pa'),
+            ([some, "--length", "10", "--height-unit", "nm"],
+             '--length = "10" has no unit; write "10 m"'),
+            ([some, "--length", "1 um", "--height-unit", "5"], '--height-unit = "5" has no unit'),
+            ([some, "--length", "1 um", "--height-unit", "Nm"], "nearest: nm"),
+            ([line, "--length-unit", "3", "--height-unit", "nm"], '--length-unit = "3" has no unit'),
+            ([line, "--length-unit", "mm"], "gives the unit 'in'"),
+            ([some, "--tip-radius", "10", *scale], '--tip-radius = "10" has no unit'),
             ([some, *scale, "--level", "spere"], "surface.level"),
             ([some, *scale, "--tip-radius", "-1 nm"], "--tip-radius"),
             ([some, *scale, "--contact-modulus", "2 nm"], "--contact-modulus"),

@@ -1,6 +1,7 @@
 // Tests of reports/analysis/measured_curve.hpp and of the names of several
 // results: a user's own curve, in the user's units, stands beside a result with
 // its deviations, and results of one case have names that differ.
+#include "input/units.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/entry_names.hpp"
@@ -67,13 +68,111 @@ TEST_F(MeasuredCurve, HasTheUnitsOfItsColumns) {
   EXPECT_DOUBLE_EQ(nominal_area(result), nominal / 4.0);
 }
 
+// As Excel, pandas, LibreOffice and COMSOL save a table.
+TEST_F(MeasuredCurve, IsReadAsProgramsSaveIt) {
+  const char* const texts[] = {
+      "\xEF\xBB\xBFpressure [MPa],area [%]\r\n1,1.5\r\n10,\r\n,\r\n",
+      "\"pressure [MPa]\",\"area [%]\"\n1,1.5\n10,\n",
+      "\"pressure [MPa]\",\"area [%]\"\n\"1\",\"1.5\"\n\"10\",\"\"\n",
+      "\"pressure (MPa)\",\"area (%)\"\n\"1,0\",\"1,5\"\n\"10,0\",\n",
+      "pressure (MPa),area (1)\n1,0.015\n10,NaN\n",
+      "Pressure / MPa;Area / %\n1,0;1,5\n10,0;\n",
+      "sep=;\npressure [N/mm^2];area [%]\n1;1,5\n10;\n",
+      ",pressure [MPa],area [%]\n0,1.0,1.5\n1,10.0,\n",
+      "pressure [MPa],area [%],gap [nm]\n1,1.5,\n10,,\n",
+      "pressure [MPa],area [%],,\n1,1.5,,\n10,,,\n",
+      "pressure_MPa\tarea_%\n1\t1.5\n10\tn/a\n",
+      "% Model:              contact.mph\n% Version:            COMSOL "
+      "6.0.0.318"
+      "\n% Date:               Nov 20 2026, 15:04\n"
+      "% pressure (MPa)          area (1)\n"
+      "1                         0.015\n10                        NaN\n",
+      "# measured on 3 May\n# pressure [MPa] area [%] gap [nm]\n1 1.5 nan\n10 "
+      "nan nan\n"};
+  for (const char* const text : texts) {
+    ASSERT_EQ(mistake(text), "") << text;
+    const auto rows = read(text).methods[0].realizations[0].points;
+
+    ASSERT_EQ(rows.size(), 2U) << text;
+    EXPECT_NEAR(rows[0].nominal_pressure, 1e6, 1e-9) << text;
+    EXPECT_NEAR(rows[0].area_fraction, 0.015, 1e-17) << text;
+    EXPECT_NEAR(rows[1].nominal_pressure, 1e7, 1e-8) << text;
+    EXPECT_TRUE(std::isnan(rows[1].area_fraction)) << text;
+    EXPECT_TRUE(std::isnan(rows[1].mean_gap)) << text;
+  }
+}
+
+TEST_F(MeasuredCurve, HasEveryUnitOfTheTable) {
+  const Grid& grid = result.surfaces[0].grid;
+  const double nominal = grid.length_x * grid.length_y;
+  int pressures = 0, areas = 0;
+  for (const input::Unit& unit : input::units()) {
+    const std::string symbol(unit.symbol);
+    if (unit.dimension == input::Dimension::pressure) {
+      EXPECT_DOUBLE_EQ(read("pressure [" + symbol + "];gap [m]\n3;1\n")
+                           .methods[0]
+                           .realizations[0]
+                           .points[0]
+                           .nominal_pressure,
+                       unit.in_si(3.0))
+          << symbol;
+      ++pressures;
+    }
+    if (unit.dimension == input::Dimension::area) {
+      const double number = 0.1 * nominal / unit.in_si(1.0);
+      EXPECT_NEAR(
+          read(fmt::format("pressure (bar);area ({})\n1;{}\n", symbol, number))
+              .methods[0]
+              .realizations[0]
+              .points[0]
+              .area_fraction,
+          0.1, 1e-15)
+          << symbol;
+      ++areas;
+    }
+  }
+  EXPECT_GT(pressures, 20);
+  EXPECT_GT(areas, 5);
+}
+
+// Tension needs a result in which there is adhesion.
+TEST_F(MeasuredCurve, MayHaveTensionBesideAdhesion) {
+  const std::string text = "pressure [MPa],gap [nm]\n-2,30\n0,25\n4,20\n";
+  EXPECT_NE(mistake(text).find("mine.csv:2: must have a pressure > 0: the "
+                               "result beside it has no adhesion"),
+            std::string::npos)
+      << mistake(text);
+
+  result.methods[1].realizations[0].points[0].adhesive_energy = -1e-12;
+
+  const auto rows = read(text).methods[0].realizations[0].points;
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_DOUBLE_EQ(rows[0].nominal_pressure, -2e6);
+  EXPECT_EQ(rows[1].nominal_pressure, 0.0);
+  EXPECT_NE(mistake("pressure [MPa],gap [nm]\n,30\n").find("mine.csv:2: "),
+            std::string::npos);
+  const results::Result mine = read(text);
+  const cases::Case without = case_of(mine);
+  std::vector<ReportEntry> entries{entry_of(result, rough),
+                                   entry_of(mine, without)};
+  EXPECT_TRUE(write_report(entries, folder, "no-such-gnuplot").size() > 0);
+}
+
 TEST_F(MeasuredCurve, AnswersMistakes) {
   for (const auto& [text, part] :
        {std::pair("presure [MPa],gap [nm]\n1,2\n",
-                  "mine.csv:1: the column \"presure [MPa]\" is unknown"),
+                  "mine.csv:1: the column \"presure\" is unknown"),
         std::pair("presure [MPa],gap [nm]\n1,2\n", "nearest: pressure"),
-        std::pair("pressure,gap [nm]\n1,2\n", "\"pressure\" has no known unit"),
-        std::pair("pressure [nm],gap [nm]\n1,2\n", "has no known unit"),
+        std::pair("pressure,gap [nm]\n1,2\n", "\"pressure\" has no unit"),
+        std::pair("pressure [nm],gap [nm]\n1,2\n",
+                  "has the unit nm of a length, but must have one of: Pa"),
+        std::pair("pressure [kn/mm^2],gap [nm]\n1,2\n", "nearest: kN/mm^2"),
+        std::pair("gap [nm],pressure [MPa]\n1,1e308\n",
+                  "mine.csv:2: has a number that is infinite in SI units"),
+        std::pair("pressure [MPa],gap [nm]\n1,5,2,5\n",
+                  "separate the columns by semicolons"),
+        std::pair("\xFF\xFEp", "is written in UTF-16; save it as CSV in UTF-8"),
+        std::pair(",pressure [MPa],area [%]\n0,1,\n1,,3\n", "mine.csv:3: "),
         std::pair("pressure [Pa]\n1\n", "must name a pressure and an area"),
         std::pair("pressure [Pa],load [N]\n1,1\n", "is there twice"),
         std::pair("pressure [Pa],gap [m]\n1,1\n-2,1\n", "mine.csv:3: "),

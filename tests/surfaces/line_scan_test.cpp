@@ -199,6 +199,52 @@ TEST(LineScan, HasTheSpacingOfItsColumn) {
       << line_refusal(stated, {{}, 1e-6, {}});
 }
 
+// Each column has the unit of its head, however the head is written. An option
+// that says otherwise is refused, and so is a unit that is no length.
+TEST(LineScan, HasTheUnitsOfItsHeader) {
+  struct Header {
+    const char* line;
+    const char* separator;
+  };
+
+  for (const Header& header :
+       {Header{"Lateral [in],Raw [uin]\n", ","},
+        Header{"\"Lateral [in]\",\"Raw (uin)\"\n", ","},
+        Header{"Lateral (in) Raw (\u00b5in)\n", " "},
+        Header{"x / in;z / uin\n", ";"}, Header{"x_in\tz_uin\n", "\t"},
+        Header{"% x in   z uin\n", "  "},
+        Header{"# x [in] z [uin]\n# measured\n", " "}}) {
+    const std::string text =
+        two_columns(header.line, header.separator, false, false);
+    const LineScan line = line_of(text, {});
+    EXPECT_NEAR(line.spacing, 2.0 * 25.4e-3, 1e-15) << header.line;
+    EXPECT_NEAR(line.heights[1], 25.4e-9, 1e-20) << header.line;
+    EXPECT_NE(line_refusal(text, {{}, {}, 1e-3})
+                  .find("--length-unit = 0.001 m, but line 1 of "
+                        "asperity-line.txt gives the unit 'in'"),
+              std::string::npos);
+    EXPECT_NEAR(line_of(text, {{}, {}, 0.0254}).spacing, 0.0508, 1e-15);
+  }
+  // Only x has a unit, and the option is of the heights.
+  const std::string half = two_columns("x [mm],z\n", ",", false, false);
+  EXPECT_NEAR(line_of(half, {{}, 1e-9, {}}).spacing, 2e-3, 1e-15);
+  EXPECT_NE(line_refusal(half, {{}, 1e-9, 1e-6}).find("gives the unit 'mm'"),
+            std::string::npos);
+
+  for (const char* const header :
+       {"x [furlong],z [foo]\n", "x (V),z (mV)\n", "x [furlong],z [nm]\n"})
+    EXPECT_NE(
+        line_refusal(two_columns(header, ",", false, false), {{}, 1e-9, 1e-3})
+            .find("asperity-line.txt:1: column"),
+        std::string::npos)
+        << header;
+  EXPECT_EQ(line_refusal(two_columns("x [furlong],z [nm]\n", ",", false, false),
+                         {{}, {}, 1e-3}),
+            "asperity-line.txt:1: column 1 has the unit 'furlong', which is no "
+            "unit of length; known are m, mm, um, nm, angstrom and others: "
+            "correct the header, or remove it and give --length-unit");
+}
+
 TEST(LineScan, IsReadFromOneColumnOrRow) {
   std::string row, column;
   for (int i = 0; i < 20; ++i) {

@@ -56,6 +56,7 @@ TEST(MapFile, ReadsEverySpellingOfALengthUnit) {
     EXPECT_EQ(width(micro), 2e-6) << micro;
   EXPECT_EQ(width("nm"), 2e-9);
   EXPECT_EQ(width("pm"), 2e-12);
+  EXPECT_EQ(width("in"), 2.0 * 0.0254);
   for (const char* angstrom : {"angstrom", "\xC3\x85", "\xE2\x84\xAB", "\xC5"})
     EXPECT_EQ(width(angstrom), 2e-10) << angstrom;
 }
@@ -146,11 +147,11 @@ TEST(MapFile, NamesTheMistakeInTheHeader) {
     EXPECT_EQ(message_of("# Width: " + width + "\n" + rows),
               "map.txt:1: Width: found '" + width +
                   "', but must be a number > 0 and a unit of m, mm, um, nm, "
-                  "pm, angstrom");
+                  "angstrom");
   EXPECT_EQ(
       message_of("# Width: 1 um\n# Height: 1 um\n# Value units: V\n" + rows),
       "map.txt:3: Value units: found 'V', but must be one of m, mm, um, "
-      "nm, pm, angstrom");
+      "nm, angstrom");
 }
 
 TEST(MapFile, NamesMissingAndSuperfluousKeysOfTheCase) {

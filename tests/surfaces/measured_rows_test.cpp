@@ -192,9 +192,10 @@ TEST(MissingRows, AreRefusedAsInOneProcess) {
   SurfaceSpec none = few;
   few.max_missing = 0.01;
   none.fill = mechanics::Filling::none;
-  const SurfaceSpec all = with_holes(npy_file(
-      "all.npy", std::vector<double>(columns * rows_of_file,
-                                     std::numeric_limits<double>::infinity())));
+  const SurfaceSpec all = with_holes(
+      npy_file("all.npy",
+               std::vector<double>(columns * rows_of_file,
+                                   std::numeric_limits<double>::quiet_NaN())));
   EXPECT_EQ(reason_for_whole_map(all), "all points are missing");
   for (const SurfaceSpec& surface : {few, none}) {
     const std::string expected = tests::message_of<input::InputError>(

@@ -50,6 +50,26 @@ TEST(TextScan, ReadsTranslatedHeaders) {
   }
 }
 
+// Spreadsheets write cells in quotes, COMSOL its header behind '%'.
+TEST(TextScan, ReadsTheCellsOfSpreadsheets) {
+  const MapScale scale{2e-6, 1e-9};
+  for (const std::string text :
+       {"\"1.5\",\"2.5\"\n\"3.5\",\"-4.25\"\n",
+        "\"1,5\",\"2,5\"\n\"3,5\",\"-4,25\"\n", "1.5,\"2.5\"\n\"3.5\",-4.25\n",
+        "\"1,5\";2,5\r\n3,5;\"-4,25\"\r\n",
+        "% Model: a.mph\n% Nodes: 4\n1.5 2.5\n3.5 -4.25\n"}) {
+    const Scan scan = text_scan(text, scale);
+    EXPECT_EQ(scan.map.grid.points_x, 2) << text;
+    EXPECT_NEAR(scan.map.heights[1], 2.5e-9, 1e-23) << text;
+    EXPECT_NEAR(scan.map.heights[3], -4.25e-9, 1e-23) << text;
+  }
+  EXPECT_EQ(
+      missing_of(text_scan("\"1\",\"2\"\n\"3\",\"\"\n\"5\",\"6\"\n", scale)),
+      (std::vector<char>{0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(refusal("\"1\",\"2\"\n\"3\",\"four\"\n", scale),
+            "map.txt:2: column 2: found 'four', but must be a finite number");
+}
+
 // The header of interferometers gives counts, pixel size and the factor of the
 // heights.
 TEST(TextScan, ReadsTheHeaderOfAMatrix) {
@@ -63,7 +83,7 @@ TEST(TextScan, ReadsTheHeaderOfAMatrix) {
             "map.txt:1: found 'w=3', but the file has 2 columns");
   EXPECT_EQ(refusal("pixel size = 0.5\n1 2 3\n4 5 6\n"),
             "map.txt:1: pixel size: found '0.5', but must be a number > 0 and "
-            "a unit of m, mm, um, nm, pm, angstrom");
+            "a unit of m, mm, um, nm, angstrom");
   EXPECT_EQ(refusal(header + "1 2 3\n4 5 6\n", {1e-6, {}}),
             "surface.length = 1e-06 m, but must be left out: the header of "
             "map.txt gives it");

@@ -10,6 +10,7 @@
 #include "tests/surfaces/missing_of.hpp"
 #include "tests/surfaces/rows_check.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -101,8 +102,9 @@ TEST(X3pScan, ReadsAbsoluteAxes) {
   document.x = document.y = document.z;
   std::vector<double> points;
   for (int i = 0; i < 6; ++i)
-    points.insert(points.end(), {7e-6 + (i % 3) * 1e-6, (i / 3) * 2e-6,
-                                 six[static_cast<std::size_t>(i)]});
+    points.insert(points.end(),
+                  {7e-6 + static_cast<double>(i % 3) * 1e-6, (i / 3) * 2e-6,
+                   six[static_cast<std::size_t>(i)]});
   expect_six(x3p_scan(document, numbers_as_bytes(points)));
   points[3] += 0.1e-6;
   EXPECT_EQ(x3p_refusal(document, numbers_as_bytes(points)),
@@ -124,6 +126,41 @@ TEST(X3pScan, ReadsTheMaskAndTheList) {
   const Scan listed = x3p_scan({{"main.xml", document.text()}});
   EXPECT_EQ(missing_of(listed), (std::vector<char>{0, 1, 0, 0, 0, 0}));
   EXPECT_EQ(listed.map.heights[5], 60e-9);
+}
+
+// A missing point of an absolute axis has no position, wherever it is.
+TEST(X3pScan, ReadsListsWithPositions) {
+  for (std::size_t missing = 0; missing < 6; ++missing)
+    for (const char* const form :
+         {"", "{x};{y};", "{x};{y};NaN", "NaN;nan;nan"}) {
+      X3pText document;
+      document.x = document.y = document.z;
+      std::string list = "<DataList>";
+      for (std::size_t i = 0; i < 6; ++i)
+        list +=
+            "<Datum>" +
+            fmt::format(fmt::runtime(i == missing ? form : "{x};{y};{z}"),
+                        fmt::arg("x", 7e-6 + static_cast<double>(i % 3) * 1e-6),
+                        fmt::arg("y", static_cast<double>(i / 3) * 2e-6),
+                        fmt::arg("z", six.at(i))) +
+            "</Datum>";
+      document.record3 = list + "</DataList>";
+
+      const Scan scan = x3p_scan({{"main.xml", document.text()}});
+
+      EXPECT_NEAR(scan.map.grid.length_x, 3e-6, 1e-12);
+      EXPECT_NEAR(scan.map.grid.length_y, 4e-6, 1e-12);
+      std::vector<char> expected(6, 0);
+      expected.at(missing) = 1;
+      EXPECT_EQ(missing_of(scan), expected) << form;
+    }
+  X3pText document;
+  document.record3 = "<DataList><Datum>1</Datum><Datum>x</Datum><Datum>3"
+                     "</Datum><Datum>4</Datum><Datum>5</Datum><Datum>6"
+                     "</Datum></DataList>";
+  EXPECT_EQ(x3p_refusal(Members{{"main.xml", document.text()}}),
+            "map.x3p: main.xml: found the point 'x', but must be 1 number(s), "
+            "separated by semicolons, or empty at a missing point");
 }
 
 TEST(X3pScan, ComparesTheChecksums) {

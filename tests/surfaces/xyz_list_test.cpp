@@ -173,7 +173,7 @@ TEST(XyzList, MayBeAMatrixOfThreeColumns) {
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 3; ++y)
       numbers.insert(numbers.end(), {0.1 * x, 0.2 * y, std::sin(x + 5.0 * y)});
-  numbers[5] = std::numeric_limits<double>::infinity();
+  numbers[5] = std::numeric_limits<double>::quiet_NaN();
   const std::string path = written("list.npy", npy_bytes(numbers, 12, 3));
   expect_rows_of(path, automatic, false);
   const Scan scan = read_scan(path, automatic);
@@ -181,6 +181,13 @@ TEST(XyzList, MayBeAMatrixOfThreeColumns) {
   EXPECT_EQ(scan.reader, "own reader of .npy");
   EXPECT_EQ(scan.map.heights[1], std::sin(1.0) * 1e-9);
   EXPECT_EQ(count_missing(scan), 1U);
+  // Row 3 of the map, column 2: an infinite height is no missing one.
+  std::vector<double> infinite = numbers;
+  infinite[5] = -std::numeric_limits<double>::infinity();
+  EXPECT_NE(
+      refusal_of(written("inf.npy", npy_bytes(infinite, 12, 3)), automatic)
+          .find("inf.npy: the height in row"),
+      std::string::npos);
   EXPECT_NE(refusal_of(written("two.npy", npy_bytes(numbers, 18, 2)), automatic)
                 .find("a line scan x z"),
             std::string::npos);

@@ -30,7 +30,7 @@ double header_length(const NumberTable& table, const CommentLine& line,
     refuse_line(table.name, line.line,
                 fmt::format("{}: found '{}', but must be a number > 0 and a "
                             "unit of {}",
-                            key, printable(line.text), known_length_units));
+                            key, printable(line.text), known_length_units()));
   return *length;
 }
 
@@ -52,7 +52,7 @@ double header_height_unit(const NumberTable& table, const CommentLine& line,
   if (!metres)
     refuse_line(table.name, line.line,
                 fmt::format("Value units: found '{}', but must be one of {}",
-                            printable(line.text), known_length_units));
+                            printable(line.text), known_length_units()));
   return *metres;
 }
 

@@ -7,6 +7,7 @@
 #include "surfaces/formats/text/text_header.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -66,7 +67,41 @@ std::vector<std::string_view> words_of(std::string_view line,
   return words;
 }
 
+/// The separator of a line of quoted cells: the first of semicolon, tab and
+/// comma that it has outside of the quotes.
+char separator_of_quoted(std::string_view line) {
+  std::string outside;
+  bool is_quoted = false;
+  for (const char letter : line) {
+    if (letter == '"')
+      is_quoted = !is_quoted;
+    else if (!is_quoted)
+      outside += letter;
+  }
+  for (const char separator : {';', '\t'})
+    if (outside.find(separator) != std::string::npos)
+      return separator;
+  return ',';
+}
+
 } // namespace
+
+std::vector<std::string> quoted_cells(std::string_view line) {
+  const char separator = separator_of_quoted(line);
+  std::vector<std::string> cells(1);
+  bool is_quoted = false;
+  for (const char letter : line) {
+    if (letter == '"')
+      is_quoted = !is_quoted;
+    else if (letter == separator && !is_quoted)
+      cells.emplace_back();
+    else
+      cells.back() += letter;
+  }
+  for (std::string& cell : cells)
+    cell = trimmed(cell);
+  return cells;
+}
 
 void PrintedDigits::take(std::string_view word) {
   int digits = 0, decimals = 0, exponent = 0;
@@ -97,7 +132,7 @@ void NumberTableReader::take(std::string_view line) {
   const std::string_view text = without_blanks(line);
   if (text.empty() && !is_empty_row(line))
     return;
-  if (text.starts_with('#'))
+  if (text.starts_with('#') || text.starts_with('%'))
     table_.comments.push_back(
         {line_number_, std::string(without_blanks(text.substr(1)))});
   else if (!text.empty() && is_header(text))
@@ -124,10 +159,16 @@ bool NumberTableReader::is_header(std::string_view line) const {
   if (line.find('=') != std::string_view::npos ||
       is_grid_key(line.substr(0, line.find_first_of(" \t"))))
     return true;
-  const auto words = words_of(line, separators);
   const auto is_number = [](std::string_view word) {
     return !std::isnan(number_of_text(word)) || is_missing_word(word);
   };
+  if (line.find('"') != std::string_view::npos) { // all numbers: no header
+    const std::vector<std::string> cells = quoted_cells(line);
+    return !std::ranges::all_of(cells, [&](const std::string& cell) {
+      return cell.empty() || is_number(cell);
+    });
+  }
+  const auto words = words_of(line, separators);
   if (style_ == NumberStyle::profile && !words.empty() &&
       std::isalpha(static_cast<unsigned char>(words.front().front())) != 0)
     return !is_number(words.front());
@@ -135,6 +176,11 @@ bool NumberTableReader::is_header(std::string_view line) const {
 }
 
 void NumberTableReader::take_row(std::string_view line) {
+  if (style_ != NumberStyle::strict &&
+      line.find('"') != std::string_view::npos) {
+    take_row(fmt::format("{}", fmt::join(quoted_cells(line), ";")));
+    return;
+  }
   const bool has_decimal_comma = has_ambiguous_comma(line);
   const bool has_point = line.find('.') != std::string_view::npos;
   if (has_decimal_comma && style_ == NumberStyle::strict)
@@ -164,10 +210,22 @@ void NumberTableReader::take_row(std::string_view line) {
       take_word(word, ++column);
     begin = end + 1;
   }
-  if (!table_.lines.empty())
-    for (; n_empty > 0 && column < table_.columns; --n_empty)
-      take_empty_cell(++column);
+  const std::size_t columns =
+      table_.lines.empty() ? headed_columns(column, n_empty) : table_.columns;
+  for (; n_empty > 0 && column < columns; --n_empty)
+    take_empty_cell(++column);
   finish_row(column);
+}
+
+std::size_t NumberTableReader::headed_columns(std::size_t words,
+                                              std::size_t n_empty) const {
+  if (style_ == NumberStyle::strict || table_.comments.empty())
+    return words;
+  std::vector<std::string> heads = quoted_cells(table_.comments.back().text);
+  while (!heads.empty() && heads.back().empty())
+    heads.pop_back();
+  return heads.size() <= words + n_empty ? std::max(heads.size(), words)
+                                         : words;
 }
 
 char NumberTableReader::separator_of(std::string_view line,
@@ -236,6 +294,9 @@ void each_line(std::string_view text,
 
 NumberTable read_number_text(std::string_view text, const std::string& name,
                              NumberStyle style) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw input::InputError(name + ": is written in UTF-16; save it as CSV in "
+                                   "UTF-8");
   NumberTableReader reader(name, style);
   each_line(text, [&](std::string_view line) {
     reader.take(line);

@@ -14,7 +14,8 @@
 
 namespace asperity::surfaces {
 
-/// A line that begins with '#', without this character, or a header line.
+/// A line that begins with '#' or '%', without this character, or a header
+/// line.
 struct CommentLine {
   int line = 0; ///< line number, from 1
   std::string text;
@@ -92,6 +93,9 @@ private:
   void take_row(std::string_view line);
   void take_word(std::string_view word, std::size_t column);
   void take_empty_cell(std::size_t column);
+  /// The columns of the first row, which ends with empty cells: those that are
+  /// below a cell of the header line above it are columns.
+  std::size_t headed_columns(std::size_t words, std::size_t n_empty) const;
   /// What separates the cells of a row; ' ' for blanks and tabs.
   char separator_of(std::string_view line, bool has_decimal_comma) const;
   /// Whether a line has the tabs of a row, which is empty if it has no more.
@@ -105,6 +109,11 @@ private:
   int line_number_ = 0;
 };
 
+/// Returns the cells of a line, some of which are in quotes, without these.
+/// They are separated by the first of semicolon, tab and comma that stands
+/// outside of quotes.
+std::vector<std::string> quoted_cells(std::string_view line);
+
 /// Calls take(line) for the lines of a text, which end with LF, CR LF or CR,
 /// until it returns false.
 void each_line(std::string_view text,
@@ -112,22 +121,23 @@ void each_line(std::string_view text,
 
 /// Reads a whole text. Numbers are separated by blanks, tabs, commas or
 /// semicolons and written with a decimal point, whatever the locale. Lines end
-/// with LF, CR LF or CR. Empty lines are skipped, lines that begin with '#' are
-/// comments; a UTF-8 byte order mark is accepted. A comma inside a column is
-/// rejected if the columns are separated by something else, because it may be a
-/// decimal comma.
+/// with LF, CR LF or CR. Empty lines are skipped, lines that begin with '#' or
+/// '%' are comments; a UTF-8 byte order mark is accepted. A comma inside a
+/// column is rejected if the columns are separated by something else, because
+/// it may be a decimal comma.
 ///
 /// The separator of a row is the first of semicolon, comma and tab that it has,
 /// else blanks; tabs may stand beside a comma or semicolon. Nothing between two
 /// separators, or before the first one, is an empty cell, which never moves the
 /// columns behind it. Empty cells at the end of the first row are no columns,
-/// and may be there in other rows, too.
+/// unless the header line above them has them, and may be there in other rows,
+/// too.
 ///
-/// In the style of instruments, empty cells and the words nan, bad, void, ***
-/// and --- are missing points in any case of letters; a comma inside a column
-/// is a decimal comma unless the line has a decimal point, too; and lines
-/// before the first row that contain '=' or no number are kept with the
-/// comments.
+/// In the style of instruments, cells may be in quotes, between which a comma
+/// is a decimal comma; empty cells and the words nan, bad, void, *** and ---
+/// are missing points in any case of letters; a comma inside a column is a
+/// decimal comma unless the line has a decimal point, too; and lines before the
+/// first row that contain '=' or no number are kept with the comments.
 /// @throws input::InputError  name:line: of the first entry that is not a
 ///                            finite number, or of a row whose length differs
 ///                            from the first, or the text contains no numbers

@@ -211,7 +211,7 @@ private:
                   fmt::format("{}: found '{}', but must be a number > 0 and a "
                               "unit of {}",
                               printable(entry.key), printable(entry.content),
-                              known_length_units));
+                              known_length_units()));
     const double pixel = positive_number(table_, entry, *size);
     header_.length_x = pixel * static_cast<double>(table_.columns);
     header_.length_y = pixel * static_cast<double>(table_.rows());
@@ -227,7 +227,7 @@ private:
       refuse_line(table_.name, entry.line,
                   fmt::format("{}: found '{}', but must be one of {}",
                               printable(entry.key), printable(entry.content),
-                              known_length_units));
+                              known_length_units()));
   }
 
   void check_count(const HeaderEntry& entry, std::size_t found,
@@ -300,18 +300,18 @@ struct NamedLengths {
 NamedLengths named_lengths(const CommentLine& comment) {
   NamedLengths found;
   double number = std::nan("");
-  bool is_bracketed = false;
   for (const std::string& word : words_of_header(comment.text)) {
-    // pm is a time of the day more often than a unit.
+    const bool is_bracketed =
+        comment.text.find('[' + word + ']') != std::string::npos ||
+        comment.text.find('(' + word + ')') != std::string::npos;
+    // pm is a time of the day more often than a unit, and in a word. A letter
+    // m is a unit behind a number or in brackets only.
+    const bool is_prose = word == "pm" || (word == "in" && !is_bracketed);
     const std::optional<double> unit =
-        word == "pm" ? std::nullopt : length_unit(word);
-    // A letter m is a unit behind a number or in brackets only.
-    is_bracketed = word != "m" ||
-                   comment.text.find("[m]") != std::string::npos ||
-                   comment.text.find("(m)") != std::string::npos;
+        is_prose ? std::nullopt : length_unit(word);
     if (unit && std::isfinite(number))
       found.lengths.push_back(number * *unit);
-    else if (unit && is_bracketed)
+    else if (unit && (word != "m" || is_bracketed))
       found.units.push_back(*unit);
     number = number_of_text(word);
   }
