@@ -3,6 +3,7 @@
 #include "fem/plugin.hpp"
 #include "flow/effective_medium.hpp"
 #include "flow/reynolds.hpp"
+#include "results/observables/row_observer.hpp"
 #include "theory/persson/leakage.hpp"
 
 #include <fmt/format.h>
@@ -132,8 +133,13 @@ void add_flow(const cases::FlowStudy& study,
     const OpeningGaps opening = opening_gaps(magnified);
     row.effective_medium = flow::effective_medium(opening.gaps, opening.shares);
     row.flow_conductance_x = row.flow_conductance_y = row.effective_medium;
-    row.flow_factor_x = row.flow_factor_y =
-        row.effective_medium / std::pow(row.mean_gap, 3.0);
+    results::RowObserver observe(row);
+    for (const char* const factor : {"flow_factor_x", "flow_factor_y"})
+      observe(factor, [&] {
+        return results::Observed{row.effective_medium /
+                                     std::pow(row.mean_gap, 3.0),
+                                 "the mean gap is too small for a number"};
+      });
     row.critical_gap_x = row.critical_gap_y =
         theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop)
             .pore_gap;

@@ -62,8 +62,10 @@ Grid grid_by_scale(const Grid& points, const std::string& name,
   require_positive("height_unit", *scale.height_unit, "m");
   Grid grid = points;
   grid.length_x = *scale.length;
-  grid.length_y =
-      scale.length_y.value_or(*scale.length * grid.points_y / grid.points_x);
+  // A ratio of 1 is exact: as many rows as columns are a square, which atoms
+  // need.
+  const double sides = static_cast<double>(grid.points_y) / grid.points_x;
+  grid.length_y = scale.length_y.value_or(*scale.length * sides);
   require_positive("length_y", grid.length_y, "m");
   return grid;
 }

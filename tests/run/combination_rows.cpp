@@ -27,7 +27,9 @@ std::vector<Row> law_study_rows() {
   return {
       {"*", of_the_theory, tested, any_method},
       {elastic + "|hardness", "[flow]", tested, limit},
-      {adhesive, "[flow]", tested, limit},
+      {"exponential|dugdale|cubic", "[flow]", tested, limit},
+      {"lennard-jones|lennard-jones-10-4|morse", "[flow]", tested,
+       "program/contact_sets_test"},
       {"*", "[spots]|[conductance]", tested, limit},
       {elastic, "normal_stiffness of [conductance]", tested,
        "RoughContact.StiffnessIsTheSlopeOfTheCurve"},
@@ -57,7 +59,7 @@ std::vector<Row> edges_study_rows() {
        "[flow]|[spots]|[conductance]|normal_stiffness of "
        "[conductance]|[friction]|stress_inside of [report]",
        tested, cell},
-      {"free", "[flow]", tested, turned},
+      {"free", "[flow]", tested, "program/contact_sets_test"},
       {"free", "[spots]", tested,
        "Clusters.SpanAMapWithFreeBordersFromSideToSide"},
       {"free", "[conductance]", tested,

@@ -73,6 +73,18 @@ TEST(MapFile, ReadsAPlainMatrixWithTheUnitsOfTheCase) {
   EXPECT_NEAR(map.heights[5], 6e-9, 1e-23);
 }
 
+// Atoms need a square; 6.24 nm times 24 over 24 is another number.
+TEST(MapFile, OfAsManyRowsAsColumnsIsASquare) {
+  std::string text;
+  for (int row = 0; row < 24; ++row)
+    text += "0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3\n";
+
+  const Grid grid = read(text, {6.24e-9, 1e-9}).grid;
+
+  EXPECT_EQ(grid.length_y, 6.24e-9);
+  EXPECT_TRUE(grid.is_square());
+}
+
 TEST(MapFile, ReadsAGwyddionFileAsPlainOnRequest) {
   const HeightMap map = read(gwyddion, {3.0, 1.0}, MapFormat::plain);
 
