@@ -145,8 +145,8 @@ std::vector<std::size_t> MethodJob::take_kept() {
 /// Whether the pressure of a cached step was kept in single precision, and the
 /// result is to have it in double.
 bool MethodJob::has_less_precision(const results::Change& kept) const {
-  return context_.contact_case.report.has_double_pressure &&
-         !kept.methods.front().fields.front().has_double_pressure;
+  return context_.contact_case.report.has_double_maps &&
+         !kept.methods.front().fields.front().has_double_maps;
 }
 
 /// Takes over a cached step, whose index was that of the run that computed it:
@@ -164,8 +164,7 @@ void MethodJob::take(std::size_t step, results::Change kept,
   context_.tally.failed_steps += has_failed(row);
   for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
-    fields.has_double_pressure =
-        context_.contact_case.report.has_double_pressure;
+    fields.has_double_maps = context_.contact_case.report.has_double_maps;
   }
   if (needs_maps(step))
     record(std::move(kept));
@@ -188,7 +187,7 @@ results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
                       answer.grid,
                       {maps.pressure},
                       {maps.gap},
-                      context_.contact_case.report.has_double_pressure,
+                      context_.contact_case.report.has_double_maps,
                       pressed.map.on(pressed.grid, answer.grid)}};
   }
   results::Change change{.methods = {std::move(method)}};

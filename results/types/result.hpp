@@ -142,8 +142,8 @@ struct Fields {
   Grid grid = {};
   StoredMap stored_pressure = {};
   StoredMap stored_gap = {};
-  bool has_double_pressure = false; ///< in the file; else in single precision
-  MapInCell map = {};               ///< the user's map in these
+  bool has_double_maps = false; ///< in the file; else in single precision
+  MapInCell map = {};           ///< the user's map in these
 
   /// The maps, wherever they are; the fields must outlive the views.
   MapView pressure_map() const { return view_of(pressure, stored_pressure); }
