@@ -4,7 +4,6 @@
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
 #include "methods/chosen.hpp"
-#include "methods/curve_row.hpp"
 #include "methods/theory_method.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/contact_studies.hpp"
@@ -358,7 +357,6 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
       target_of(context_.contact_case.load, step, surface.scales);
   target.needs_maps = needs_maps(step) || needs_all_maps(context_.contact_case);
   methods::StepAnswer answer = solver.solve(target);
-  methods::distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_to_end())
     return false;
