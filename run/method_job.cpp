@@ -7,6 +7,7 @@
 #include "methods/theory_method.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/contact_studies.hpp"
+#include "run/friction_study.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 
@@ -412,9 +413,11 @@ void MethodJob::study(methods::StepAnswer& answer) {
   hold_maps(answer);
   const methods::SurfaceOfCase& surface =
       context_.surfaces.of(method_, realization_);
-  add_contact_studies({contact_case, method_, surface, context_.solvers,
-                       context_.pool.threads_per_job()},
-                      answer);
+  const StudiedMethod studied{contact_case, method_, surface, context_.solvers,
+                              context_.pool.threads_per_job()};
+  add_contact_studies(studied, answer);
+  if (contact_case.friction_study)
+    add_stick_stiffness(studied, answer);
   if (contact_case.flow_study)
     add_flow(*contact_case.flow_study, method_, surface.scales.rms_height,
              answer);
