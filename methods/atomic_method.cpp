@@ -119,14 +119,21 @@ public:
         layer_(request_.layer),
         atoms_(md::make_atomic_contact(std::move(request_))) {}
 
-  StepAnswer solve(const StepTarget& target) override {
+  StepAnswer find(const StepTarget& target) override {
     md::AtomStep step = atoms_->solve(target.load, target.step, watch_);
-    results::CurvePoint row = row_of(step, criterion_, law_);
-    if (target.load.control == mechanics::Control::nominal_pressure)
-      // balanced only within the tolerance
-      row.nominal_pressure = target.load.amount;
-    return {std::move(row), layer_, std::move(step.pressure),
-            std::move(step.gap)};
+    StepAnswer answer{row_of(step, criterion_, law_), layer_,
+                      std::move(step.pressure), std::move(step.gap)};
+    answer.reached = {.nominal_pressure = step.nominal_pressure,
+                      .mean_gap = step.mean_gap,
+                      .imbalance = 0.0, // the residual bounds it
+                      .pressure_tolerance = step.pressure_tolerance,
+                      .gap_tolerance = step.gap_tolerance};
+    // A row that is balanced, though only within the tolerance, has the load
+    // that was asked for.
+    if (step.converged &&
+        target.load.control == mechanics::Control::nominal_pressure)
+      answer.row.nominal_pressure = target.load.amount;
+    return answer;
   }
 
   std::string found_at_setup() const override {

@@ -9,6 +9,7 @@
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -75,7 +76,7 @@ public:
     contact_.watch = watch;
   }
 
-  StepAnswer solve(const StepTarget& target) override {
+  StepAnswer find(const StepTarget& target) override {
     fem::BlockSolution solution =
         block_->solve(surface_.record.heights, target.load, contact_);
     const double area = solution.area_by_points;
@@ -90,12 +91,14 @@ public:
     const double plastic_work = solution.plastic_work;
     const double plastic_strain = solution.plastic_strain;
     const auto [centre_x, centre_y] = solution.pressure_centre;
+    const Reached reached = reached_by(solution);
     StepAnswer answer =
         observe(as_contact(std::move(solution), surface_),
                 {block_->nodal_weights(), contact_.local_compliance(),
                  area_coefficients(settings_), boundary_modulus_,
                  resolves_boundary, border_, criterion_, surface_.has_middle},
                 surface_);
+    answer.reached = reached;
     answer.row.area_fraction = area;
     answer.row.estimated_gap_error = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
@@ -137,6 +140,22 @@ public:
   }
 
 private:
+  /// The residual bounds nodal forces and gaps, relative to the largest contact
+  /// force and to the rms height.
+  Reached reached_by(const fem::BlockSolution& solution) const {
+    double strongest = 0.0;
+    for (const double pressure : solution.pressure)
+      strongest = std::max(strongest, pressure);
+    const double height = surface_.scales.rms_height > 0.0
+                              ? surface_.scales.rms_height
+                              : surface_.scales.spacing;
+    return {.nominal_pressure = solution.nominal_pressure,
+            .mean_gap = solution.mean_gap,
+            .imbalance = solution.residual * strongest,
+            .pressure_tolerance = contact_.tolerance * strongest,
+            .gap_tolerance = contact_.tolerance * height};
+  }
+
   void find_stiffness(StepAnswer& answer) {
     const fem::ContactStiffness stiffness = block_->stiffness();
     answer.row.linear_iterations += stiffness.linear_iterations;

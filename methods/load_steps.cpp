@@ -5,10 +5,12 @@
 #include "base/field_sums.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "methods/timed_operator.hpp"
+#include "ranks/node_sums.hpp"
 #include "ranks/rank_sums.hpp"
 #include "ranks/rows_from_rank_0.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -55,11 +57,27 @@ std::vector<double> own_memory(const SharedRows& rows,
   return own;
 }
 
+/// Of the mean of many numbers, relative to the largest.
+constexpr double rounding_of_sums = 1e-13;
+
+/// The largest absolute value on all ranks.
+double largest_of(std::span<const double> field, const Workers& workers) {
+  return chunked_sum<Largest>(field.size(), workers,
+                              [=](std::size_t begin, std::size_t end) {
+                                Largest own{0.0};
+                                for (std::size_t i = begin; i < end; ++i)
+                                  own += {std::abs(field[i])};
+                                return own;
+                              })
+      .value;
+}
+
 class LoadSteps final : public StepSolver {
 public:
   LoadSteps(std::unique_ptr<contact::SurfaceOperator> elasticity,
             std::vector<double> heights, const LoadStepsSetting& setting)
       : threads_(setting.threads),
+        gap_tolerance_(setting.gap_tolerance),
         saved_setup_time_(setting.saved_setup_time),
         observation_(setting.observation),
         sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
@@ -73,14 +91,16 @@ public:
     observation_.workers = {setting.threads, c.grid(), c.shared_rows()};
   }
 
-  StepAnswer solve(const StepTarget& target) override {
+  StepAnswer find(const StepTarget& target) override {
     free_memory(pressure_, gap_);
     tally_->cpu_time = 0.0;
     contact::ContactSolution solution = sequence_.solve(target.load);
     const int transforms = solution.transforms;
     const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
+    const Reached reached = reached_by(solution);
     StepAnswer answer = observe(std::move(solution), observation_, surface_);
+    answer.reached = reached;
     if (observation_.workers.rows != nullptr) {
       const bool is_finite =
           all_finite(answer.pressure) && all_finite(answer.gap);
@@ -119,6 +139,42 @@ public:
   double saved_setup_time() const override { return saved_setup_time_; }
 
 private:
+  /// Collective.
+  Reached reached_by(const contact::ContactSolution& solution) {
+    const Workers& workers = observation_.workers;
+    const std::span<const double> heights = sequence_.heights();
+    const double* const p = solution.pressure.data();
+    const double* const g = solution.gap.data();
+    const auto mean_of = [&](const auto& value) {
+      return weighted_sum(observation_.nodal_weights, heights.size(), workers,
+                          value) /
+             static_cast<double>(workers.all_nodes(heights.size()));
+    };
+    const double borne = mean_of([=](std::size_t i) { return std::abs(p[i]); });
+    const double height = largest_of(heights, workers);
+    const double depth = std::max(std::abs(solution.mean_gap),
+                                  observation_.local_compliance *
+                                      largest_of(solution.pressure, workers));
+    Reached reached;
+    reached.nominal_pressure = solution.nominal_pressure;
+    reached.mean_gap = solution.mean_gap;
+    reached.imbalance = 0.0; // the gap_error bounds it
+    if (observation_.adhesion)
+      reached.imbalance =
+          mean_of([=, law = *observation_.adhesion](std::size_t i) {
+            return g[i] > 0.0 || !mechanics::has_wall(law.law)
+                       ? p[i] - law.pressure(g[i])
+                       : 0.0;
+          });
+    const double tolerance = gap_tolerance_ / surface_.scales.rms_height;
+    reached.pressure_tolerance = std::max(
+        solution.load_tolerance, std::max(tolerance, rounding_of_sums) * borne);
+    reached.gap_tolerance =
+        std::max(gap_tolerance_, rounding_of_sums * (height + depth));
+    reached.is_detached = solution.is_detached;
+    return reached;
+  }
+
   /// Keeps the rows of this rank until the next call, if they are needed.
   void keep_rows(const StepTarget& target, StepAnswer& answer) {
     if (target.needs_maps) {
@@ -154,6 +210,7 @@ private:
   }
 
   int threads_;
+  double gap_tolerance_; ///< [m]
   double saved_setup_time_;
   Observation observation_;
   SurfaceOfCase surface_; ///< grid and rms height only

@@ -25,6 +25,26 @@ struct StepTarget {
   bool needs_maps = true; ///< otherwise the answer may be without fields
 };
 
+/// What the fields of a step have of what a step prescribes, and by how much
+/// they may miss it.
+struct Reached {
+  double nominal_pressure = results::not_given; ///< [Pa]
+  double mean_gap = results::not_given;         ///< [m]
+  /// The load, over the nominal area, that the bodies carry and the contact law
+  /// does not [Pa].
+  double imbalance = results::not_given;
+  double pressure_tolerance = 0.0; ///< of load and imbalance [Pa]
+  double gap_tolerance = 0.0;      ///< [m]
+  /// A tensile load parted the faces, as the note says: none is reached.
+  bool is_detached = false;
+};
+
+/// Marks a row as not converged if what was reached is not what was asked for,
+/// to the tolerances, and notes both numbers. Every method passes it; a number
+/// that a method does not give is not reached.
+void check_reached(const mechanics::LoadTarget& asked, const Reached& reached,
+                   results::CurvePoint& row);
+
 /// The solution of one load step. The row is complete except for the times, the
 /// step and the stiffness, which are set with the curve.
 struct StepAnswer {
@@ -39,6 +59,7 @@ struct StepAnswer {
   bool has_finite_fields = true;
   /// Stress section computed by the method itself, only at step_with_section().
   std::optional<results::Table> section = {};
+  Reached reached = {};
 };
 
 /// The state of a solver, as numbers that are passed on piece by piece, because
@@ -84,7 +105,11 @@ inline StateReader saved_reader(std::span<const double> numbers) {
 class StepSolver {
 public:
   virtual ~StepSolver() = default;
-  virtual StepAnswer solve(const StepTarget& target) = 0;
+
+  /// Solves a load step. The row is not converged if it has a number that is
+  /// not finite (distrust_non_finite()) or misses what is prescribed
+  /// (check_reached()), whatever the method reports.
+  StepAnswer solve(const StepTarget& target);
 
   /// Returns details for the description of the method that are known only
   /// after set-up; empty if there are none.
@@ -103,6 +128,10 @@ public:
   /// Returns the additional CPU time that set-up would have taken without the
   /// cached parts of an earlier run [s].
   virtual double saved_setup_time() const { return 0.0; }
+
+private:
+  /// The solution by the method, with what it reached.
+  virtual StepAnswer find(const StepTarget& target) = 0;
 };
 
 /// The description of a method for the report.

@@ -3,6 +3,7 @@
 #include "base/cpu_clock.hpp"
 #include "base/special_numbers.hpp"
 #include "cases/types/units.hpp"
+#include "methods/step_solver.hpp"
 #include "results/observables/row_observer.hpp"
 #include "theory/persson/persson.hpp"
 #include "theory/persson/plastic_contact.hpp"
@@ -15,6 +16,9 @@
 
 namespace asperity::methods {
 namespace {
+
+/// Of the search for the pressure that belongs to a mean gap, over h_rms.
+constexpr double gap_accuracy = 1e-9;
 
 theory::PerssonContact contact_of(const mechanics::TheorySettings& settings,
                                   const theory::HeightSpectrum& spectrum,
@@ -142,6 +146,13 @@ theory_rows(const mechanics::TheorySettings& settings,
     const bool by_gap = load.control == mechanics::Control::mean_gap;
     results::CurvePoint row =
         by_gap ? row_at_gap(contact, target) : row_at(contact, target);
+    if (row.status == results::StepStatus::converged)
+      check_reached(load.target(step, scales),
+                    {.nominal_pressure = row.nominal_pressure,
+                     .mean_gap = row.mean_gap,
+                     .imbalance = 0.0, // a formula
+                     .gap_tolerance = gap_accuracy * scales.rms_height},
+                    row);
     row.step = static_cast<int>(step);
     row.is_unloading = load.is_unloading[step];
     if (settings.hardness && std::isfinite(row.nominal_pressure))

@@ -8,18 +8,27 @@
 namespace asperity::methods {
 namespace {
 
+/// Of sums over the nodes, which end the search.
+constexpr double sum_accuracy = 1e-10;
+
 class WinklerSolver final : public StepSolver {
 public:
   WinklerSolver(double stiffness, const SurfaceOfCase& surface)
       : stiffness_(stiffness), surface_(surface) {}
 
-  StepAnswer solve(const StepTarget& target) override {
+  StepAnswer find(const StepTarget& target) override {
     Observation observation;
     observation.resolves_boundary = false; // each node has its part of the area
-    StepAnswer answer =
-        observe(contact::winkler_contact(surface_.record.heights, stiffness_,
-                                         target.load),
-                observation, surface_);
+    contact::ContactSolution solution = contact::winkler_contact(
+        surface_.record.heights, stiffness_, target.load);
+    const Reached reached{
+        .nominal_pressure = solution.nominal_pressure,
+        .mean_gap = solution.mean_gap,
+        .imbalance = 0.0, // each node has the pressure of its spring
+        .pressure_tolerance = sum_accuracy * solution.nominal_pressure,
+        .gap_tolerance = sum_accuracy * surface_.scales.rms_height};
+    StepAnswer answer = observe(std::move(solution), observation, surface_);
+    answer.reached = reached;
     answer.row.area_fraction_corrected = answer.row.area_fraction;
     return answer;
   }

@@ -31,7 +31,8 @@ constexpr std::array number_headers{"step",
 /// Headers of the columns after these, of a result in which some row has a
 /// number in the first column of the group: of free boundaries, of a hardness,
 /// of a block with a yield stress, of adhesion, of its jumps, of the flow
-/// through the gap, of spots, of conductance, and of the medium in the gap.
+/// through the gap, of spots, of conductance, of the medium in the gap, and of
+/// friction.
 const std::vector<std::vector<const char*>> optional_headers{
     {"mean_displacement [m]"},
     {"plastic_work [J/m^2]", "plastic_strain [1]"},
@@ -48,7 +49,8 @@ const std::vector<std::vector<const char*>> optional_headers{
      "gap_percolates_x [1]", "gap_percolates_y [1]"},
     {"relative_conductance [1/m]", "normal_stiffness [N/m]",
      "thermal_conductance [W/(m^2 K)]", "electrical_conductance [1/(Ohm m^2)]"},
-    {"relative_gap_conductance [1/m]"}};
+    {"relative_gap_conductance [1/m]"},
+    {"stick_stiffness_x [Pa/m]", "stick_stiffness_y [Pa/m]"}};
 
 /// Headers of the times after step.
 constexpr std::array time_headers{"cpu_time [s]", "transform_time [s]",

@@ -32,7 +32,7 @@ FieldsChange change_of(const Grid& grid, const Fields& fields) {
           grid,
           {rows_of_map(fields.pressure_map())},
           {rows_of_map(fields.gap_map())},
-          fields.has_double_pressure,
+          fields.has_double_maps,
           fields.map};
 }
 

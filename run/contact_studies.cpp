@@ -137,7 +137,7 @@ void add_spots(const StudiedMethod& studied, const Grid& grid,
 
 bool needs_all_maps(const cases::Case& contact_case) {
   return contact_case.flow_study || contact_case.spots_study ||
-         contact_case.conductance_study;
+         contact_case.conductance_study || contact_case.friction_study;
 }
 
 void hold_maps(methods::StepAnswer& answer) {

@@ -4,10 +4,10 @@
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
 #include "methods/chosen.hpp"
-#include "methods/curve_row.hpp"
 #include "methods/theory_method.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/contact_studies.hpp"
+#include "run/friction_study.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 
@@ -145,8 +145,8 @@ std::vector<std::size_t> MethodJob::take_kept() {
 /// Whether the pressure of a cached step was kept in single precision, and the
 /// result is to have it in double.
 bool MethodJob::has_less_precision(const results::Change& kept) const {
-  return context_.contact_case.report.has_double_pressure &&
-         !kept.methods.front().fields.front().has_double_pressure;
+  return context_.contact_case.report.has_double_maps &&
+         !kept.methods.front().fields.front().has_double_maps;
 }
 
 /// Takes over a cached step, whose index was that of the run that computed it:
@@ -164,8 +164,7 @@ void MethodJob::take(std::size_t step, results::Change kept,
   context_.tally.failed_steps += has_failed(row);
   for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
-    fields.has_double_pressure =
-        context_.contact_case.report.has_double_pressure;
+    fields.has_double_maps = context_.contact_case.report.has_double_maps;
   }
   if (needs_maps(step))
     record(std::move(kept));
@@ -188,7 +187,7 @@ results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
                       answer.grid,
                       {maps.pressure},
                       {maps.gap},
-                      context_.contact_case.report.has_double_pressure,
+                      context_.contact_case.report.has_double_maps,
                       pressed.map.on(pressed.grid, answer.grid)}};
   }
   results::Change change{.methods = {std::move(method)}};
@@ -359,7 +358,6 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
       target_of(context_.contact_case.load, step, surface.scales);
   target.needs_maps = needs_maps(step) || needs_all_maps(context_.contact_case);
   methods::StepAnswer answer = solver.solve(target);
-  methods::distrust_non_finite(answer);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_to_end())
     return false;
@@ -415,9 +413,11 @@ void MethodJob::study(methods::StepAnswer& answer) {
   hold_maps(answer);
   const methods::SurfaceOfCase& surface =
       context_.surfaces.of(method_, realization_);
-  add_contact_studies({contact_case, method_, surface, context_.solvers,
-                       context_.pool.threads_per_job()},
-                      answer);
+  const StudiedMethod studied{contact_case, method_, surface, context_.solvers,
+                              context_.pool.threads_per_job()};
+  add_contact_studies(studied, answer);
+  if (contact_case.friction_study)
+    add_stick_stiffness(studied, answer);
   if (contact_case.flow_study)
     add_flow(*contact_case.flow_study, method_, surface.scales.rms_height,
              answer);

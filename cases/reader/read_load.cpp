@@ -160,6 +160,14 @@ void read_pressures(TableReader& load, const Key& key,
   program.targets = read_targets(load, own);
 }
 
+void read_gaps(TableReader& load, const Key& key,
+               mechanics::LoadingPath& program) {
+  Key own = key;
+  if (!load.has("spring"))
+    own.range = positive();
+  program.targets = read_targets(load, own);
+}
+
 mechanics::LoadingPath read_load(TableReader load,
                                  const std::vector<MethodSpec>& methods) {
   mechanics::LoadingPath program;

@@ -35,6 +35,8 @@ mechanics::MaterialSpec read_material(TableReader material,
 /// @param read  the case with its surface and material already read
 mechanics::MeshSpec read_mesh(TableReader table, const Case& read);
 /// Reads nominal pressures, which are > 0 unless the path may be tensile.
+void read_gaps(TableReader& load, const Key& key,
+               mechanics::LoadingPath& program);
 void read_pressures(TableReader& load, const Key& key,
                     mechanics::LoadingPath& program);
 mechanics::LoadingPath read_load(TableReader load,

@@ -48,9 +48,9 @@ Table report_table() {
                       "Number of load steps, spread over the loading path, "
                       "whose pressure and gap fields are saved."))
                   .shown(),
-              key<&ReportSpec::has_double_pressure>(
+              key<&ReportSpec::has_double_maps>(
                   "precision", {"single", "double"},
-                  "Precision of the saved pressure fields. In single "
+                  "Precision of the saved pressure and gap fields. In single "
                   "precision, `asperity certify` finds errors of some 1e-7 of "
                   "the rms height in them, whatever the tolerance of the "
                   "solver.",

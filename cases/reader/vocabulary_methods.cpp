@@ -100,16 +100,20 @@ Table load_table() {
                          "spacing = \"log\" }",
                          "this or mean_gap")))
               .shown(),
-          key<&LoadingPath::targets>(
-              "mean_gap",
-              {Dimension::length,
-               positive(),
-               {mechanics::ReferenceUnit::length,
-                mechanics::ReferenceUnit::spacing,
-                mechanics::ReferenceUnit::rms_height}},
-              "Mean gap between block and surface.",
-              needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
-                     "this or nominal_pressure")),
+          read_by<LoadingPath>(
+              read_gaps,
+              key<&LoadingPath::targets>(
+                  "mean_gap",
+                  {Dimension::length,
+                   any_number(),
+                   {mechanics::ReferenceUnit::length,
+                    mechanics::ReferenceUnit::spacing,
+                    mechanics::ReferenceUnit::rms_height}},
+                  "Mean gap between block and surface, > 0; with a spring, the "
+                  "place of its far end, which is any number: a soft spring "
+                  "presses from beyond the surface.",
+                  needed("[\"2 h_rms\", \"1 h_rms\", \"0.5 h_rms\"]",
+                         "this or nominal_pressure"))),
           key<&LoadingPath::spring>(
               "spring", stiffness_per_area(),
               "Stiffness k per nominal area of a spring through which the mean "

@@ -24,7 +24,7 @@ struct ReportSpec {
   /// maps (of realisation 0) are saved.
   int fields = 3;
   /// Save the pressure maps in double precision instead of single.
-  bool has_double_pressure = false;
+  bool has_double_maps = false;
   /// Compute the subsurface stress for each saved pressure map.
   bool stress_inside = false;
   /// Write the solution of the full block for ParaView at each step whose

@@ -216,10 +216,18 @@ bool leave_saddle(AdhesiveState& state, std::vector<double>& mode) {
 /// How a minimisation ended.
 struct End {
   double error = std::numeric_limits<double>::infinity(); ///< rms(F M r) [m]
+  double missing_load = 0.0;                              ///< [Pa]
+  double accepted_load = 0.0;                             ///< [Pa]
   double smallest_stiffness = std::numeric_limits<double>::quiet_NaN();
   bool converged = false;
   std::string note = {};
 };
+
+void find_errors(AdhesiveState& state, QuasiNewton& directions, End& end) {
+  end.error = directions.error(state);
+  end.missing_load = state.missing_load();
+  end.accepted_load = state.accepted_load();
+}
 
 /// Goes downhill until the residual is small, the surfaces part, or the
 /// iterations end.
@@ -231,8 +239,9 @@ void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
     std::span<const double> direction = directions.direction(state);
     const double size = state.rms(direction);
     if (!(size > state.problem.gap_tolerance)) {
-      end.error = directions.error(state);
-      end.converged = end.error <= state.problem.gap_tolerance;
+      find_errors(state, directions, end);
+      end.converged = end.error <= state.problem.gap_tolerance &&
+                      end.missing_load <= end.accepted_load;
       if (end.converged || !std::isfinite(size))
         return;
       direction = directions.direction(state);
@@ -258,7 +267,7 @@ void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
     ++iterations;
   }
   if (!state.is_detached())
-    end.error = directions.error(state);
+    find_errors(state, directions, end);
 }
 
 ContactSolution solution_of(AdhesiveState&& state) {
@@ -356,6 +365,7 @@ ContactSolution solve_adhesive(SurfaceOperator& elasticity,
   ContactSolution answer = solution_of(std::move(state));
   answer.iterations = iterations;
   answer.gap_error = answer.is_detached ? 0.0 : end.error;
+  answer.load_tolerance = end.accepted_load;
   answer.converged = end.converged || answer.is_detached;
   answer.smallest_stiffness = end.smallest_stiffness;
   answer.note = end.note;
@@ -364,8 +374,8 @@ ContactSolution solve_adhesive(SurfaceOperator& elasticity,
   else if (!answer.converged && answer.note.empty())
     answer.note = fmt::format(
         "not converged after {} iterations: a correction of the gap of {:.3g} "
-        "m remains (rms)",
-        iterations, end.error);
+        "m remains (rms), and the law misses {:.3g} Pa of the load",
+        iterations, end.error, end.missing_load);
   return answer;
 }
 

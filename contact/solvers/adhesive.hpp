@@ -6,6 +6,7 @@
 #include "contact/solvers/solver.hpp"
 #include "mechanics/contact_law.hpp"
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,10 @@ struct AdhesiveProblem {
   int max_iterations = 2000;
   /// k_c [Pa/m] > 0, see below: adhesive_scale() of the heights.
   double preconditioner_stiffness = 0.0;
+  /// Of the load that the law does not carry, over <|p|> [1] > 0.
+  double load_tolerance = 1e-8;
+  /// 1 at nodes with a counter-surface, 0 at others; empty: all have one.
+  std::span<const std::uint8_t> opposed = {};
 };
 
 /// k_c = <h, K h> / <h, h> [Pa/m], the stiffness of the waves that have most of
@@ -50,7 +55,10 @@ std::string detached_note(double nominal_pressure);
 /// that of AdhesiveState::precondition(). The step is clipped at the wall,
 /// shortened until the exact energy has fallen (Armijo), and thus no iteration
 /// raises the energy. It has converged if the
-/// rms of M r on the free nodes is at most gap_tolerance. LOBPCG then looks for
+/// rms of M r on the free nodes is at most gap_tolerance, and the load that
+/// they carry without the law, AdhesiveState::missing_load(), at most
+/// load_tolerance: where the elastic surface is much stiffer than the law, the
+/// first alone leaves an error of the order of the load. LOBPCG then looks for
 /// the smallest eigenvalue of the Hessian K + W'' of the free nodes; where it
 /// is negative (a saddle), the solver goes along the eigenvector and on from
 /// there.
@@ -63,7 +71,7 @@ std::string detached_note(double nominal_pressure);
 ///                    control it is shifted to the prescribed mean where the
 ///                    gap is open
 /// @throws std::domain_error  a size or a number is outside its range, a mean
-///         gap is <= 0, or the operator has no inverse
+///         gap without a spring is <= 0, or the operator has no inverse
 /// @see  J. Nocedal, S. J. Wright, Numerical Optimization (2006), ch. 7;
 ///       A. V. Knyazev, SIAM J. Sci. Comput. 23, 517 (2001);
 ///       docs/numerics/adhesion.md

@@ -41,11 +41,14 @@ std::vector<double> checked_start(const SurfaceOperator& elasticity,
   require_positive("adhesion_range", problem.law.adhesion_range, "m");
   if (!(target.spring > 0.0))
     refuse_argument("spring", target.spring, "> 0 [Pa/m]");
-  if (target.control == mechanics::Control::mean_gap)
+  const bool is_gap = target.control == mechanics::Control::mean_gap;
+  if (is_gap && std::isinf(target.spring))
     require_positive("mean_gap", target.amount, "m");
-  else if (std::isfinite(target.spring))
+  else if (!is_gap && std::isfinite(target.spring))
     refuse_argument("spring", target.spring,
                     "infinite where the load is prescribed");
+  else if (is_gap && !std::isfinite(target.amount))
+    refuse_argument("mean_gap", target.amount, "finite [m]");
   else if (!std::isfinite(target.amount))
     refuse_argument("nominal_pressure", target.amount, "finite [Pa]");
   for (std::size_t i = 0; i < start.size(); ++i) {
@@ -381,6 +384,52 @@ void AdhesiveState::take() {
 
 // The tension of a law falls beyond strongest_gap(): where the smallest gap
 // cannot carry p_0, no node can, and a larger distance has less energy.
+double AdhesiveState::missing_load() const {
+  const std::uint8_t* const has_counter =
+      problem.opposed.empty() ? nullptr : problem.opposed.data();
+  const auto [opposed, alone] =
+      chunked_sum<SeveralSums<2>>(
+          gap.size(), workers,
+          [&](std::size_t begin, std::size_t end) {
+            SeveralSums<2> own;
+            for (std::size_t i = begin; i < end; ++i)
+              if (free[i] != 0) {
+                const bool is_alone =
+                    has_counter != nullptr && has_counter[i] == 0;
+                own.values[is_alone ? 1 : 0] += gradient[i] + load;
+              }
+            return own;
+          })
+          .values;
+  // A prescribed mean gap has the load that leaves none.
+  return std::max(by_gap() ? 0.0 : std::abs(opposed), std::abs(alone)) /
+         n_nodes();
+}
+
+double AdhesiveState::accepted_load() const {
+  const auto [borne, height] =
+      chunked_sum<SeveralSums<2>>(
+          gap.size(), workers,
+          [&, h = problem.heights.data()](std::size_t begin, std::size_t end) {
+            SeveralSums<2> own;
+            for (std::size_t i = begin; i < end; ++i) {
+              own.values[0] += std::abs(elastic[i] + load);
+              own.values[1] += (gap[i] + h[i]) * (gap[i] + h[i]);
+            }
+            return own;
+          })
+          .values;
+  const double n = n_nodes();
+  // The errors of the nodes are independent; a spring has those of its length.
+  const double of_spring =
+      by_spring()
+          ? target.spring * (std::abs(target.amount) + std::sqrt(height / n))
+          : 0.0;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
+                          (stiffest_waves * std::sqrt(height) / n + of_spring);
+  return std::max(problem.load_tolerance * borne / n, rounding);
+}
+
 bool AdhesiveState::is_detached() const {
   return target.control == mechanics::Control::nominal_pressure &&
          target.amount <= 0.0 && least_gap > problem.law.strongest_gap() &&

@@ -119,6 +119,15 @@ public:
   void take(std::span<float> step, std::span<float> bend);
   void take();
 
+  /// The load over the nominal area that free nodes carry and the law does not,
+  /// the mean of r where there is a counter-surface, or where there is none, if
+  /// that is larger [Pa] >= 0.
+  double missing_load() const;
+
+  /// The largest missing_load() of a solution [Pa]: load_tolerance <|p|>, or
+  /// the roundoff of the residual.
+  double accepted_load() const;
+
   /// Whether no node can carry the prescribed tensile load any more.
   bool is_detached() const;
 

@@ -41,6 +41,8 @@ FreeAdhesion::FreeAdhesion(SurfaceOperator& elasticity,
     wide[i] = heights_[own] - lowest_;
   });
   scale_ = adhesive_scale(*extension_, wide);
+  opposed_.assign(n_nodes(), 0);
+  each_inside([&](std::size_t i, std::size_t) { opposed_[i] = 1; });
 }
 
 template <class Of>
@@ -97,7 +99,8 @@ ContactSolution FreeAdhesion::solve(const AdhesiveProblem& problem,
       static_cast<double>(heights_.size()) / static_cast<double>(n_nodes());
   ContactSolution answer = solve_adhesive(
       *extension_,
-      {heights, law_, problem.gap_tolerance, problem.max_iterations, scale_},
+      {heights, law_, problem.gap_tolerance, problem.max_iterations, scale_,
+       problem.load_tolerance, opposed_},
       {target.control, share * target.amount}, std::move(start));
   state = answer.gap;
   for (double& height : state)
@@ -107,6 +110,7 @@ ContactSolution FreeAdhesion::solve(const AdhesiveProblem& problem,
     state[i] = gap[own] = answer.gap[i];
     pressure[own] = answer.pressure[i];
   });
+  answer.load_tolerance /= share;
   if (answer.is_detached)
     answer.note = detached_note(target.amount);
   answer.pressure = std::move(pressure);

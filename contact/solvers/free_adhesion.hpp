@@ -5,6 +5,7 @@
 
 #include "contact/solvers/adhesive.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,8 +38,8 @@ public:
                                std::span<const double> gap);
 
   /// A step by pressure from a state, which it replaces.
-  /// @par Accuracy  as solve_adhesive(), on the wide grid; the mean pressure is
-  ///            p_0 up to what is left outside
+  /// @par Accuracy  as solve_adhesive(), on the wide grid, whose load_tolerance
+  ///            also bounds the pressure that is left outside
   /// @throws std::domain_error  also for a prescribed mean gap, which is no
   ///         minimum of an energy here
   ContactSolution solve(const AdhesiveProblem& problem,
@@ -62,6 +63,7 @@ private:
   double lowest_ = 0.0, highest_ = 0.0; ///< heights [m]
   double softness_ = 0.0; ///< largest displacement of a uniform pressure [m/Pa]
   double scale_ = 0.0;    ///< k_c [Pa/m]
+  std::vector<std::uint8_t> opposed_; ///< see AdhesiveProblem
 };
 
 } // namespace asperity::contact

@@ -108,9 +108,13 @@ double rms_bend(std::span<const double> heights, int points_x,
       static_cast<double>(workers.all_nodes(heights.size())));
 }
 
-/// Over the stiffness of short waves. A stiffer spring is a prescribed mean gap
-/// up to 1e-6 of the height of the waves that its load flattens.
+/// Over the stiffness of short waves. The load of a stiffer spring moves it by
+/// less than 1e-6 of the height of the waves that the load flattens.
 constexpr double stiffest_spring = 1e6;
+
+/// Of a prescribed mean gap by the spring. Each one leaves the stiffness of the
+/// contact over that of the spring of the error.
+constexpr int most_corrections = 5;
 
 /// Steps of bisection for the state before faces part or come together.
 constexpr int halvings_to_jump = 6;
@@ -156,9 +160,10 @@ ContactSolution LoadSequence::solve(mechanics::LoadTarget target) {
     history_.clear();
   control_ = target.control;
   if (solver_ == mechanics::SurfaceSolver::adhesive) {
-    if (target.spring * elasticity_->short_wave_compliance() > stiffest_spring)
-      target.spring = std::numeric_limits<double>::infinity();
-    return solve_with_adhesion(target);
+    return target.spring * elasticity_->short_wave_compliance() >
+                   stiffest_spring
+               ? solve_with_stiff_spring(target)
+               : solve_with_adhesion(target);
   }
   if (target.control == mechanics::Control::nominal_pressure &&
       target.amount > interface_.hardness)
@@ -249,8 +254,12 @@ LoadSequence::step_with_adhesion(const mechanics::LoadTarget& target,
                                  std::vector<double>& state) {
   if (!free_adhesion_ && !adhesive_scale_)
     adhesive_scale_ = adhesive_scale(*elasticity_, heights_);
-  const AdhesiveProblem problem{heights_, interface_, gap_tolerance_,
-                                max_iterations_, adhesive_scale_.value_or(0.0)};
+  const AdhesiveProblem problem{heights_,
+                                interface_,
+                                gap_tolerance_,
+                                max_iterations_,
+                                adhesive_scale_.value_or(0.0),
+                                gap_tolerance_ / rms_height()};
   if (free_adhesion_)
     return free_adhesion_->solve(problem, target, state);
   ContactSolution solution =
@@ -277,6 +286,29 @@ LoadSequence::solve_with_adhesion(const mechanics::LoadTarget& target) {
   history_.clear();
   if (solution.converged)
     history_.push_back(std::move(step));
+  return solution;
+}
+
+ContactSolution
+LoadSequence::solve_with_stiff_spring(const mechanics::LoadTarget& target) {
+  if (target.amount <= 0.0)
+    return solve_with_adhesion(target);
+  const auto moved_by = [&](const ContactSolution& solution) {
+    return solution.nominal_pressure / target.spring;
+  };
+  ContactSolution solution =
+      solve_with_adhesion({target.control, target.amount});
+  for (int n = 0; n < most_corrections && solution.converged; ++n) {
+    const double gap = target.amount + moved_by(solution);
+    if (std::abs(solution.mean_gap - gap) <= gap_tolerance_ || !(gap > 0.0))
+      break;
+    ContactSolution next = solve_with_adhesion({target.control, gap});
+    next.iterations += solution.iterations;
+    next.transforms += solution.transforms;
+    next.jump_pressure = solution.jump_pressure;
+    next.jump_gap = solution.jump_gap;
+    solution = std::move(next);
+  }
   return solution;
 }
 

@@ -87,6 +87,8 @@ private:
   };
 
   ContactSolution solve_with_adhesion(const mechanics::LoadTarget& target);
+  /// Prescribes the mean gap instead, with what the load moves the spring by.
+  ContactSolution solve_with_stiff_spring(const mechanics::LoadTarget& target);
   /// One step with adhesion.
   /// @param state  that of Step, replaced
   ContactSolution step_with_adhesion(const mechanics::LoadTarget& target,

@@ -79,7 +79,8 @@ public:
     each([&](std::size_t i) { residual_[i] = -product_[i]; });
     const Descent made =
         descend(begun, [&](double gain) { return tolerance * (begun - gain); });
-    return {1.0 / (begun - made.gain), made.iterations, made.converged};
+    return {1.0 / (begun - made.gain), made.iterations, made.converged,
+            pressure_};
   }
 
   /// Minimises <v (C + c) v> - 2 <r v> over the pressures v of mean 0.
@@ -262,10 +263,11 @@ PunchStiffness punch_stiffness(SurfaceOperator& elasticity,
   const Workers workers = elasticity.workers();
   const std::size_t count = count_of(is_in_contact, workers);
   if (count == 0 && film.empty())
-    return {0.0, 0, true};
+    return {.stiffness = 0.0, .converged = true};
   if (count == workers.all_nodes(nodes) && elasticity.is_periodic() &&
       local_compliance == 0.0)
-    return {std::numeric_limits<double>::infinity(), 0, true};
+    return {.stiffness = std::numeric_limits<double>::infinity(),
+            .converged = true};
   const double share = film.empty() ? share_of(is_in_contact, elasticity) : 1.0;
   return PunchEnergy(elasticity, is_in_contact, local_compliance, film, share)
       .minimised(energy_tolerance);
@@ -282,7 +284,7 @@ FilmStiffness film_stiffness(SurfaceOperator& elasticity,
     return {elasticity.is_periodic() ? std::numeric_limits<double>::infinity()
                                      : 0.0,
             true};
-  PunchStiffness alone{0.0, 0, true};
+  PunchStiffness alone{.stiffness = 0.0, .converged = true};
   if (count > 0) {
     PunchEnergy energy(elasticity, is_in_contact, 0.0, {},
                        share_of(is_in_contact, elasticity));

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace asperity::contact {
 
@@ -17,6 +18,7 @@ struct PunchStiffness {
   double stiffness = 0.0;
   int iterations = 0;
   bool converged = false;
+  std::vector<double> pressure = {}; ///< q, if it was solved for
 };
 
 /// Solves for the change of pressure q, of mean 1, on the nodes in contact

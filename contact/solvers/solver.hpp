@@ -47,11 +47,13 @@ struct ContactSolution {
   std::vector<double> gap;          ///< [m]; -c p where in contact; where
                                     ///< p = H minus the depth of the imprint
   std::vector<double> displacement; ///< C p [m], see SurfaceOperator
-  double nominal_pressure = 0.0;    ///< mean of p [Pa]
-  double mean_gap = 0.0;            ///< mean of the gap [m]
-  double gap_error = 0.0; ///< largest violation, see gap_tolerance [m]
-  int iterations = 0;     ///< iterations on this grid, or on tiles of it
-  int transforms = 0;     ///< applications of C or its inverse on this grid
+  /// What was reached of what was prescribed: mean of p [Pa], of the gap [m].
+  double nominal_pressure = 0.0;
+  double mean_gap = 0.0;
+  double load_tolerance = 0.0; ///< accepted error of the load, if one is [Pa]
+  double gap_error = 0.0;      ///< largest violation, see gap_tolerance [m]
+  int iterations = 0;          ///< iterations on this grid, or on tiles of it
+  int transforms = 0; ///< applications of C or its inverse on this grid
   bool converged = false;
   /// With adhesion: the smallest eigenvalue of the Hessian of the energy per
   /// area on the nodes with an open gap [Pa/m], up to 10 %; > 0 at a minimum.

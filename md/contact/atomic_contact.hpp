@@ -40,6 +40,11 @@ struct AtomStep {
                                 ///< repulsion is compressed
   double nominal_pressure = 0.0; ///< [Pa]
   double mean_gap = 0.0;         ///< u = d - d_c [m]
+  /// By how much both may miss what is prescribed [Pa], [m]: what residual
+  /// forces within the tolerance add up to at most, or the fluctuations at T >
+  /// 0, and 1e-6 d_c.
+  double pressure_tolerance = 0.0;
+  double gap_tolerance = 0.0;
   double contact_count = 0.0;    ///< fraction of atoms with a pair closer than
                                  ///< d_c [1]
   double elastic_energy = 0.0;   ///< bulk, per nominal area [J/m^2]

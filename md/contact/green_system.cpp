@@ -2,6 +2,7 @@
 
 #include "base/field_sums.hpp"
 #include "base/require.hpp"
+#include "md/contact/step_reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,6 @@ namespace {
 
 /// Ratio of the lateral to the normal contact stiffness.
 constexpr double lateral_share = 0.1;
-
-double mean_size(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += std::abs(value);
-  return sum / static_cast<double>(values.size());
-}
 
 void shift(std::span<double> values, double amount) {
   for (double& value : values)

@@ -139,6 +139,13 @@ AtomStep LoadStepDriver::solve(const mechanics::LoadTarget& target, int step,
       invalidity_reason(result.inspection, request_.layer.size());
   result.note = fault.empty() ? relaxation.note : fault;
   result.converged = relaxation.converged && fault.empty();
+  // |sum r| <= sqrt(M) |r| of the M atoms that move, with the root mean square
+  // |r|/sqrt(3 M).
+  result.pressure_tolerance =
+      request_.settings.tolerance * static_cast<double>(state_.size()) /
+      std::sqrt(3.0) / static_cast<double>(result.pressure.size()) *
+      mean_size(result.pressure);
+  result.gap_tolerance = gap_accuracy * request_.settings.contact_distance;
   if (is_average)
     read_average(load, average, result);
   if (request_.settings.dump) {
@@ -157,6 +164,8 @@ void LoadStepDriver::read_average(const Load& load, const TimeAverage& average,
   result.residual = load.kind == Load::Kind::nominal_pressure
                         ? std::abs(result.nominal_pressure / load.amount - 1.0)
                         : 0.0;
+  result.pressure_tolerance = average.force_spread / request_.layer.cell_area();
+  result.gap_tolerance = std::max(result.gap_tolerance, average.height_spread);
   result.interface_energy = average.interface_energy / request_.layer.area();
   if (result.converged)
     result.note = fmt::format(

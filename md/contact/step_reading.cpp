@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <numeric>
+#include <cmath>
 
 namespace asperity::md {
-namespace {} // namespace
 
 void read_step(const System& system, std::span<const double> state,
                std::span<const double> normal_forces,
@@ -36,6 +35,13 @@ void read_step(const System& system, std::span<const double> state,
                                       all.subspan(layer.size(), layer.size()),
                                       all.subspan(2 * layer.size())}) /
                           layer.area();
+}
+
+double mean_size(std::span<const double> values) {
+  double sum = 0.0;
+  for (const double value : values)
+    sum += std::abs(value);
+  return sum / static_cast<double>(values.size());
 }
 
 std::string invalidity_reason(const Inspection& inspection, std::size_t atoms) {

@@ -26,6 +26,12 @@ void read_step(const System& system, std::span<const double> state,
                std::span<const double> normal_forces,
                const ReadingDistances& distances, AtomStep& step);
 
+/// Accuracy of the mean gap under a prescribed height, over d_c.
+inline constexpr double gap_accuracy = 1e-6;
+
+/// The mean of the absolute values.
+double mean_size(std::span<const double> values);
+
 /// Returns why an equilibrium is not valid in spite of its residual, e.g.
 /// "3.1 % of the atoms are below the substrate ..."; empty if no atom has
 /// penetrated.

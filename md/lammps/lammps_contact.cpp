@@ -177,6 +177,12 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
   }
   result.mean_gap = mean_height(block_, answer.positions) -
                     request_.settings.contact_distance;
+  // |sum r| <= sqrt(M) |r| of the M atoms that move, see residual().
+  result.pressure_tolerance =
+      request_.settings.tolerance * mean_size(result.pressure) *
+      std::sqrt(static_cast<double>(answer.positions.size()) /
+                static_cast<double>(n));
+  result.gap_tolerance = gap_accuracy * request_.settings.contact_distance;
   result.inspection =
       interface_.inspect(layer.view(), close_distance(request_.settings),
                          request_.settings.contact_distance);

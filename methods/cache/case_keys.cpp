@@ -133,7 +133,8 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
 std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
                                          int realization) const {
   // The flow of a step does not depend on the numbers of [flow], nor what its
-  // contact conducts on those of [conductance]; the gap does.
+  // contact conducts on those of [conductance], nor its tangential stiffness on
+  // those of [friction]; the gap does.
   std::string conductance = case_.conductance_study ? "\nconductance" : "";
   if (case_.conductance_study && case_.conductance_study->gap_conductivity)
     conductance += fmt::format(" {} {}",
@@ -145,7 +146,7 @@ std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
       case_.flow_study ? "\nflow" : "",
       case_.spots_study ? fmt::format("\nspots {}", case_.spots_study->smallest)
                         : "",
-      conductance));
+      conductance + (case_.friction_study ? "\nfriction" : "")));
   std::vector<std::string> keys;
   for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
     key = content_hash(key + load_text(case_.load, step));

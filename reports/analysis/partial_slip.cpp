@@ -5,11 +5,13 @@
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
+#include <span>
 
 namespace asperity::reports {
 namespace {
@@ -17,30 +19,39 @@ namespace {
 using mechanics::NormalContact;
 using results::CurvePoint;
 
-NormalContact normal_contact(const CurvePoint& row) {
+/// kappa of the contact of a row, from its stiffnesses along x and y, whose
+/// compliances have the mean of that ratio; that ratio for an isotropic theory.
+mechanics::Directions ratios_of(const CurvePoint& row, double mean_ratio) {
+  const double x = row.stick_stiffness_x, y = row.stick_stiffness_y;
+  if (!(x > 0.0 && y > 0.0))
+    return {mean_ratio, mean_ratio};
+  return {2.0 * mean_ratio * y / (x + y), 2.0 * mean_ratio * x / (x + y)};
+}
+
+NormalContact normal_contact(const CurvePoint& row, double mean_ratio) {
   const double mean =
       std::isfinite(row.mean_displacement) ? row.mean_displacement : 0.0;
   const double area = std::isfinite(row.area_fraction_corrected)
                           ? row.area_fraction_corrected
                           : row.area_fraction;
-  return {row.nominal_pressure, mean - row.mean_gap, area, row.elastic_energy};
+  return {row.nominal_pressure, mean - row.mean_gap, area, row.elastic_energy,
+          ratios_of(row, mean_ratio)};
 }
 
-/// The contact of a sphere on an infinite half-space.
+/// The contact of a sphere on an infinite half-space, whose ratio is that of
+/// all directions.
 NormalContact hertzian(const mechanics::SurfaceSpec& sphere,
-                       double contact_modulus, double pressure) {
+                       double contact_modulus, double ratio, double pressure) {
   const double side = sphere.length.value_or(not_a_number);
   const theory::HertzContact spot = theory::hertz_contact(
       pressure * side * side, sphere.radius, contact_modulus);
   const double area =
       std::numbers::pi * spot.contact_radius * spot.contact_radius;
-  return {pressure, spot.approach, area / (side * side),
-          spot.elastic_energy / (side * side)};
-}
-
-mechanics::Friction friction_of(const cases::Case& contact_case) {
-  return {contact_case.friction_study->coefficient,
-          mechanics::tangential_ratio(contact_case.material)};
+  return {pressure,
+          spot.approach,
+          area / (side * side),
+          spot.elastic_energy / (side * side),
+          {ratio, ratio}};
 }
 
 /// P of one realisation [Pa]; infinite: the largest load.
@@ -56,22 +67,35 @@ double normal_load(const results::Result& result,
                       .rms_slope = surface ? surface->rms_slope : 0.0});
 }
 
+/// The stiffness of the contact of a row that sticks [Pa/m].
+mechanics::Directions stiffness_of(const CurvePoint& row, double mean_ratio,
+                                   bool is_theory) {
+  if (!is_theory)
+    return {row.stick_stiffness_x, row.stick_stiffness_y};
+  const double of_theory = row.contact_stiffness / mean_ratio;
+  return {of_theory, of_theory};
+}
+
+/// @param rows  of rising loads
 std::vector<SlipState> slips_of(const std::vector<CurvePoint>& rows,
-                                const mechanics::Friction& friction) {
+                                const cases::Case& contact_case,
+                                bool is_theory) {
+  const double mean_ratio = mechanics::tangential_ratio(contact_case.material);
+  std::vector<NormalContact> path;
+  for (const CurvePoint& row : rows)
+    path.push_back(normal_contact(row, mean_ratio));
   std::vector<SlipState> states;
   for (std::size_t i = rows.size(); i-- > 1;) {
     const CurvePoint& eased = rows[i - 1];
-    const bool is_free = std::isfinite(eased.mean_displacement);
-    const NormalContact pressed = normal_contact(rows.back());
-    states.push_back(
-        {.step = eased.step,
-         .pressure = pressed.pressure,
-         .share = 1.0 - eased.nominal_pressure / pressed.pressure,
-         .contact = pressed.area_fraction,
-         .slip =
-             mechanics::partial_slip(pressed, normal_contact(eased), friction),
-         .stiffness = is_free ? not_a_number
-                              : eased.contact_stiffness / friction.ratio});
+    const NormalContact& pressed = path.back();
+    states.push_back({.step = eased.step,
+                      .pressure = pressed.pressure,
+                      .share = 1.0 - eased.nominal_pressure / pressed.pressure,
+                      .contact = pressed.area_fraction,
+                      .slip = mechanics::partial_slip(
+                          std::span(path).subspan(i - 1),
+                          contact_case.friction_study->coefficient),
+                      .stiffness = stiffness_of(eased, mean_ratio, is_theory)});
   }
   return states;
 }
@@ -87,6 +111,13 @@ SlipSpread spread_of(const std::vector<SlipState>& states, const Value& value) {
   return spread;
 }
 
+template <class Value>
+SlipSpreads spreads_of(const std::vector<SlipState>& states,
+                       const Value& value) {
+  return {spread_of(states, [&](const SlipState& s) { return value(s).x; }),
+          spread_of(states, [&](const SlipState& s) { return value(s).y; })};
+}
+
 SlipPoint point_of(const std::vector<SlipState>& states) {
   return {
       .share =
@@ -95,14 +126,15 @@ SlipPoint point_of(const std::vector<SlipState>& states) {
           spread_of(states,
                     [](const SlipState& s) { return s.slip.tangential_stress; })
               .mean,
-      .displacement = spread_of(
+      .displacement = spreads_of(
           states, [](const SlipState& s) { return s.slip.displacement; }),
       .stick = spread_of(
           states,
           [](const SlipState& s) { return s.slip.stick_area / s.contact; }),
       .stiffness =
-          spread_of(states, [](const SlipState& s) { return s.stiffness; }),
-      .loss = spread_of(states, [](const SlipState& s) { return s.slip.loss; }),
+          spreads_of(states, [](const SlipState& s) { return s.stiffness; }),
+      .loss =
+          spreads_of(states, [](const SlipState& s) { return s.slip.loss; }),
   };
 }
 
@@ -130,14 +162,14 @@ partial_slips(const results::Result& result, const cases::Case& contact_case,
       !cases::has_partial_slip(*spec, contact_case.material) ||
       !(result.contact_modulus > 0.0))
     return curves;
-  const mechanics::Friction friction = friction_of(contact_case);
   for (std::size_t r = 0; r < method.realizations.size(); ++r) {
     std::vector<CurvePoint> rows = loading_rows(method.realizations[r].points);
     const double load = normal_load(result, contact_case, method, r);
     std::erase_if(rows, [=](const CurvePoint& row) {
       return row.nominal_pressure > load * (1.0 + 1e-6);
     });
-    std::vector<SlipState> states = slips_of(rows, friction);
+    std::vector<SlipState> states =
+        slips_of(rows, contact_case, method.kind == "theory");
     if (!states.empty())
       curves.push_back(std::move(states));
   }
@@ -156,23 +188,23 @@ void add_slip_quantities(const results::Result& result,
   found.remark = "needs free boundaries: one sphere alone";
   if (!has_free_boundaries(contact_case, method))
     return;
-  const mechanics::Friction friction = friction_of(contact_case);
-  const double pressure = curves.front().front().pressure;
-  const double modulus = result.contact_modulus;
-  const NormalContact pressed = hertzian(surface, modulus, pressure);
-  const double sliding =
-      friction.coefficient * friction.ratio * pressed.approach;
+  const double ratio = mechanics::tangential_ratio(contact_case.material);
+  const double mu = contact_case.friction_study->coefficient;
+  const auto exact_at = [&](double pressure) {
+    return hertzian(surface, result.contact_modulus, ratio, pressure);
+  };
+  const NormalContact pressed = exact_at(curves.front().front().pressure);
+  const double sliding = mu * ratio * pressed.approach;
   double largest = not_a_number;
   for (const SlipState& state : curves.front()) {
-    const mechanics::PartialSlip exact = mechanics::partial_slip(
-        pressed, hertzian(surface, modulus, pressure * (1.0 - state.share)),
-        friction);
-    largest = std::fmax(largest,
-                        std::abs(state.slip.displacement - exact.displacement) /
-                            sliding);
-    largest =
-        std::fmax(largest, std::abs(state.slip.stick_area - exact.stick_area) /
-                               pressed.area_fraction);
+    const std::array path{exact_at(pressed.pressure * (1.0 - state.share)),
+                          pressed};
+    const mechanics::PartialSlip exact = mechanics::partial_slip(path, mu);
+    for (const double error :
+         {(state.slip.displacement.x - exact.displacement.x) / sliding,
+          (state.slip.displacement.y - exact.displacement.y) / sliding,
+          (state.slip.stick_area - exact.stick_area) / pressed.area_fraction})
+      largest = std::fmax(largest, std::abs(error));
   }
   found = largest_estimate(largest, "no tangential load");
 }

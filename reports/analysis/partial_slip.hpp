@@ -20,9 +20,9 @@ struct SlipState {
   double share = 0.0;    ///< Q/(mu P) [1]
   double contact = 0.0;  ///< A/A_0 at P [1]
   mechanics::PartialSlip slip;
-  /// dQ/d(displacement) per nominal area, from the contact stiffness at P'
-  /// [Pa/m]; NaN with free boundaries, whose mean gap is no approach.
-  double stiffness = not_a_number;
+  /// dQ/d(displacement) along x and y per nominal area: that of the contact at
+  /// P', which sticks [Pa/m]. NaN if the result has none.
+  mechanics::Directions stiffness = {not_a_number, not_a_number};
 };
 
 /// One curve per realisation, from small to large tangential loads; empty if
@@ -38,14 +38,19 @@ struct SlipSpread {
   double high = not_a_number;
 };
 
+/// A number along x and along y.
+struct SlipSpreads {
+  SlipSpread x, y;
+};
+
 /// One load P' over the realisations.
 struct SlipPoint {
   double share = 0.0;             ///< Q/(mu P), mean [1]
   double tangential_stress = 0.0; ///< mean [Pa]
-  SlipSpread displacement;        ///< [m]
+  SlipSpreads displacement;       ///< [m]
   SlipSpread stick;               ///< area that sticks over A [1]
-  SlipSpread stiffness;           ///< [Pa/m]
-  SlipSpread loss;                ///< [J/m^2]
+  SlipSpreads stiffness;          ///< [Pa/m]
+  SlipSpreads loss;               ///< [J/m^2]
 };
 
 /// The points of partial_slips() by the load step, at which every realisation

@@ -96,11 +96,13 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
   figure.panels.resize(2);
   figure.grid = side_by_side(0.2);
   figure.grid->has_shared_legend = true;
-  CsvTable table({"curve", "index", "Q/(mu P) [1]", "displacement [nm]",
-                  "least displacement [nm]", "largest displacement [nm]",
+  CsvTable table({"curve", "index", "Q/(mu P) [1]", "displacement x [nm]",
+                  "least displacement x [nm]", "largest displacement x [nm]",
                   "stick/contact [1]", "least stick/contact [1]",
                   "largest stick/contact [1]", "Q/A_0 [MPa]",
-                  "stiffness [MPa/nm]", "loss [J/m^2]"});
+                  "stiffness x [MPa/nm]", "loss x [J/m^2]",
+                  "displacement y [nm]", "stiffness y [MPa/nm]",
+                  "loss y [J/m^2]"});
   std::size_t next = 0;
   for (const results::MethodRecord& method : entry.result->methods) {
     const auto curves =
@@ -115,10 +117,12 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
     for (const SlipPoint& at : points)
       table.add(method.name,
                 {static_cast<double>(next), at.share,
-                 1e9 * at.displacement.mean, 1e9 * at.displacement.low,
-                 1e9 * at.displacement.high, at.stick.mean, at.stick.low,
+                 1e9 * at.displacement.x.mean, 1e9 * at.displacement.x.low,
+                 1e9 * at.displacement.x.high, at.stick.mean, at.stick.low,
                  at.stick.high, 1e-6 * at.tangential_stress,
-                 1e-15 * at.stiffness.mean, at.loss.mean});
+                 1e-15 * at.stiffness.x.mean, at.loss.x.mean,
+                 1e9 * at.displacement.y.mean, 1e-15 * at.stiffness.y.mean,
+                 at.loss.y.mean});
     const CurveStyle style = method.kind == "theory"
                                  ? line("#222222", 1.6)
                                  : joined(point_style(*own));
@@ -136,12 +140,12 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
     return std::nullopt;
   figure.panels[0].x =
       figure.panels[1].x = {.label = "Q / (μ P)", .low = 0.0, .high = 1.0};
-  figure.panels[0].y = {.label = "tangential displacement  [nm]", .low = 0.0};
+  figure.panels[0].y = {.label = "displacement along x  [nm]", .low = 0.0};
   figure.panels[1].y = {
       .label = "area that sticks / contact", .low = 0.0, .high = 1.0};
-  figure.caption = "Tangential displacement of far points and the share of the "
-                   "contact that sticks, under the normal load P of the case; "
-                   "bars span the realisations.";
+  figure.caption = "Tangential displacement of far points along x and the "
+                   "share of the contact that sticks, under the normal load P "
+                   "of the case; bars span the realisations.";
   figure.data = table.text();
   return figure;
 }

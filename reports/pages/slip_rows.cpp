@@ -13,6 +13,13 @@ std::string four_digits(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–";
 }
 
+/// "16.71; 23.87": along x and along y, or one number if they are equal.
+std::string along_both(double unit, const SlipSpreads& spreads) {
+  const std::string x = four_digits(unit * spreads.x.mean);
+  const std::string y = four_digits(unit * spreads.y.mean);
+  return x == y ? x : x + "; " + y;
+}
+
 } // namespace
 
 kainjow::mustache::list slip_rows(const ReportEntry& entry) {
@@ -24,10 +31,10 @@ kainjow::mustache::list slip_rows(const ReportEntry& entry) {
       row.set("name", method.name);
       row.set("share", fmt::format("{:.3g}", point.share));
       row.set("stress", four_digits(1e-6 * point.tangential_stress));
-      row.set("displacement", four_digits(1e9 * point.displacement.mean));
+      row.set("displacement", along_both(1e9, point.displacement));
       row.set("stick", four_digits(point.stick.mean));
-      row.set("stiffness", four_digits(1e-15 * point.stiffness.mean));
-      row.set("loss", four_digits(point.loss.mean));
+      row.set("stiffness", along_both(1e-15, point.stiffness));
+      row.set("loss", along_both(1.0, point.loss));
       rows.push_back(row);
     }
   return rows;
@@ -46,8 +53,9 @@ std::string slip_note(const ReportEntry& entry) {
       "A tangential load Q acts under a constant normal load P{}, with the "
       "friction coefficient {:g}: Q = {:g} (P − P'), where the nodes "
       "in contact at the lighter load P' stick and the others slip. The loss "
-      "is that of a cycle between Q and −Q, per nominal area. Tangential "
-      "compliance over normal compliance: {:.4g}. {}",
+      "is that of a cycle between Q and −Q, per nominal area. Two numbers "
+      "are those of Q along x and along y. Tangential compliance over normal "
+      "compliance, mean over the directions: {:.4g}. {}",
       load, contact_case.friction_study->coefficient,
       contact_case.friction_study->coefficient,
       mechanics::tangential_ratio(contact_case.material),

@@ -97,7 +97,7 @@ void merge_fields(std::vector<Fields>& all, const FieldsChange& change,
   std::erase_if(all,
                 [&](const Fields& old) { return old.step == change.step; });
   Fields fields{change.step, change.nominal_pressure, {}, {}, change.grid};
-  fields.has_double_pressure = change.has_double_pressure;
+  fields.has_double_maps = change.has_double_maps;
   fields.map = change.map;
   merge_map(change.pressure, left, fields.pressure, fields.stored_pressure);
   merge_map(change.gap, left, fields.gap, fields.stored_gap);

@@ -37,8 +37,8 @@ struct FieldsChange {
   Grid grid = {};
   ChangeMap pressure = {};
   ChangeMap gap = {};
-  bool has_double_pressure = false; ///< else in single precision
-  MapInCell map = {};               ///< the user's map in these
+  bool has_double_maps = false; ///< else in single precision
+  MapInCell map = {};           ///< the user's map in these
 };
 
 /// Changes of one method or, with a realisation, of one curve.

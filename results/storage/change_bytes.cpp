@@ -254,12 +254,14 @@ private:
     stream_.number(fields.nominal_pressure);
     pass(fields.grid);
     pass(fields.map);
-    stream_.flag(fields.has_double_pressure);
-    if (fields.has_double_pressure)
+    stream_.flag(fields.has_double_maps);
+    if (fields.has_double_maps) {
       stream_.template map<double>(fields.pressure, fields.grid);
-    else
+      stream_.template map<double>(fields.gap, fields.grid);
+    } else {
       stream_.template map<float>(fields.pressure, fields.grid);
-    stream_.template map<float>(fields.gap, fields.grid);
+      stream_.template map<float>(fields.gap, fields.grid);
+    }
   }
 
   void pass(CurvePoint& point) {

@@ -253,12 +253,11 @@ void write_fields(Hdf5Group& group, const FieldsChange& fields) {
   set_with_unit(maps, "length_x", grid.length_x, "m");
   set_with_unit(maps, "length_y", grid.length_y, "m");
   write_map_in_cell(maps, fields.map, grid);
-  maps.write_map("pressure", fields.pressure.rows, shape_of(grid),
-                 fields.has_double_pressure ? Hdf5Number::float64
-                                            : Hdf5Number::float32_packed,
+  const Hdf5Number number =
+      fields.has_double_maps ? Hdf5Number::float64 : Hdf5Number::float32_packed;
+  maps.write_map("pressure", fields.pressure.rows, shape_of(grid), number,
                  "Pa");
-  maps.write_map("gap", fields.gap.rows, shape_of(grid),
-                 Hdf5Number::float32_packed, "m");
+  maps.write_map("gap", fields.gap.rows, shape_of(grid), number, "m");
 }
 
 std::vector<Fields> read_fields(const Hdf5Group& group,
@@ -276,8 +275,8 @@ std::vector<Fields> read_fields(const Hdf5Group& group,
       fields.map = read_map_in_cell(maps, fields.grid);
       read_map(maps, "pressure", path, left, fields.pressure,
                fields.stored_pressure);
-      fields.has_double_pressure =
-          maps.value_bytes("pressure") >= sizeof(double);
+      fields.has_double_maps = maps.value_bytes("pressure") >= sizeof(double) &&
+                               maps.value_bytes("gap") >= sizeof(double);
       read_map(maps, "gap", path, left, fields.gap, fields.stored_gap);
       all.push_back(std::move(fields));
     }

@@ -74,6 +74,8 @@ constexpr std::array all_columns{
                                           not_negative, Extent::extensive),
     column<&CurvePoint::tangential_stiffness>("tangential_stiffness", "N/m",
                                               not_negative, Extent::extensive),
+    column<&CurvePoint::stick_stiffness_x>("stick_stiffness_x", "Pa/m"),
+    column<&CurvePoint::stick_stiffness_y>("stick_stiffness_y", "Pa/m"),
     column<&CurvePoint::pressure_centre_x>("pressure_centre_x", "m", any),
     column<&CurvePoint::pressure_centre_y>("pressure_centre_y", "m", any),
     column<&CurvePoint::mean_displacement>("mean_displacement", "m", any),

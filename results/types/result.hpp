@@ -56,6 +56,10 @@ struct CurvePoint {
   /// boundary; surface methods: against the mean gap.
   double normal_stiffness = not_given;
   double tangential_stiffness = not_given; ///< likewise, nodes that stick [N/m]
+  /// With [friction], per nominal area: tangential load over the displacement
+  /// of far points along x and along y, if all of the contact sticks [Pa/m].
+  double stick_stiffness_x = not_given;
+  double stick_stiffness_y = not_given;
   /// Place of the resultant force from the middle of the surface [m]; NaN: the
   /// surface continues periodically and has no middle, or without contact.
   double pressure_centre_x = not_given;
@@ -142,8 +146,8 @@ struct Fields {
   Grid grid = {};
   StoredMap stored_pressure = {};
   StoredMap stored_gap = {};
-  bool has_double_pressure = false; ///< in the file; else in single precision
-  MapInCell map = {};               ///< the user's map in these
+  bool has_double_maps = false; ///< in the file; else in single precision
+  MapInCell map = {};           ///< the user's map in these
 
   /// The maps, wherever they are; the fields must outlive the views.
   MapView pressure_map() const { return view_of(pressure, stored_pressure); }

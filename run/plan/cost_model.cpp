@@ -251,8 +251,10 @@ MethodCost cost_of(const cases::Case& contact_case,
     cost.step_time += rates.relative_time() * flow_time * n;
     cost.memory += flow_memory * n;
   }
-  if ((contact_case.spots_study || contact_case.conductance_study) &&
-      method.has_fields()) {
+  if (method.has_fields() &&
+      (contact_case.spots_study || contact_case.conductance_study ||
+       (contact_case.friction_study &&
+        cases::has_partial_slip(method, contact_case.material)))) {
     const double n = nodes(methods::pressed_grid(contact_case, method, grid));
     cost.step_time += rates.relative_time() * contact_study_time * n;
     cost.memory += contact_study_memory * n;

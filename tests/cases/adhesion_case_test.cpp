@@ -97,6 +97,19 @@ TEST(AdhesionCase, MayBeHeldByASpring) {
   EXPECT_EQ(target.amount, 1e-9);
   EXPECT_EQ(target.spring, 1e15);
 
+  // The far end of a soft spring is beyond the surface; a gap is not.
+  for (const char* const ends :
+       {"[\"-9 nm\", 0.0]",
+        "{ from = \"-9 nm\", to = \"-1 nm\", steps = 2, spacing = "
+        "\"linear\" }"})
+    EXPECT_LT(read_case_text(sticky(law, std::string("mean_gap = ") + ends +
+                                             "\nspring = \"1e9 Pa/m\""),
+                             "case.toml")
+                  .load.target(0, {})
+                  .amount,
+              0.0);
+  expect_mistake(sticky(law, "mean_gap = \"-9 nm\""),
+                 "load.mean_gap = \"-9 nm\", but must be");
   expect_mistake(sticky(law, "nominal_pressure = 0\nspring = \"1e15 Pa/m\""),
                  "load.spring = \"1e15 Pa/m\", but needs mean_gap");
   expect_mistake(sticky("contact = \"hard\"\n",

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace asperity::mechanics::partial_slip_test {
 namespace {
@@ -29,13 +31,17 @@ MaterialSpec equal_bodies() {
 NormalContact hertz(double load) {
   const double modulus = equal_bodies().contact_modulus;
   const double a = std::cbrt(0.75 * load * radius / modulus);
-  return {load, a * a / radius, std::numbers::pi * a * a,
-          0.4 * load * a * a / radius};
+  const double ratio = tangential_ratio(equal_bodies());
+  return {load,
+          a * a / radius,
+          std::numbers::pi * a * a,
+          0.4 * load * a * a / radius,
+          {ratio, ratio}};
 }
 
 PartialSlip at(double share) {
-  const Friction between{friction, tangential_ratio(equal_bodies())};
-  return partial_slip(hertz(force), hertz(force * (1.0 - share)), between);
+  const std::array path{hertz(force * (1.0 - share)), hertz(force)};
+  return partial_slip(path, friction);
 }
 
 } // namespace
@@ -49,7 +55,44 @@ TEST(PartialSlip, IsThatOfCattaneo) {
               1e-14);
   EXPECT_NEAR(std::sqrt(hertz(force).area_fraction / std::numbers::pi), 1.0,
               1e-5);
-  EXPECT_NEAR(slip.displacement, 0.00817241, 1e-8);
+  EXPECT_NEAR(slip.displacement.x, 0.00817241, 1e-8);
+  EXPECT_NEAR(slip.displacement.y, 0.00817241, 1e-8);
+}
+
+// Loads between P' and P change nothing while kappa is the same.
+TEST(PartialSlip, DoesNotDependOnTheLoadsBetween) {
+  const std::array path{hertz(0.3 * force), hertz(0.5 * force),
+                        hertz(0.9 * force), hertz(force)};
+  const PartialSlip slip = partial_slip(path, friction);
+
+  EXPECT_NEAR(slip.displacement.x / at(0.7).displacement.x, 1.0, 1e-14);
+  EXPECT_NEAR(slip.loss.x / at(0.7).loss.x, 1.0, 1e-13);
+}
+
+// kappa rises linearly with the approach, as of a contact whose spots become
+// longer: the displacement is mu times the integral of kappa dD, for any number
+// of loads between, and the loss tends to that of many.
+TEST(PartialSlip, FollowsTheRatiosOfTheContactsBetween) {
+  const auto path_of = [](int steps) {
+    std::vector<NormalContact> path;
+    for (int i = 0; i <= steps; ++i) {
+      path.push_back(hertz(force * (0.5 + 0.5 * i / steps)));
+      const double approach = path.back().approach / hertz(force).approach;
+      path.back().ratio = {1.0 + 0.2 * approach, 1.4 - 0.2 * approach};
+    }
+    return path;
+  };
+  const double high = hertz(force).approach;
+  const double low = hertz(0.5 * force).approach;
+  const double exact =
+      friction * (high - low) * (1.0 + 0.1 * (1.0 + low / high));
+  const PartialSlip fine = partial_slip(path_of(1000), friction);
+  for (const int steps : {1, 3}) {
+    const PartialSlip slip = partial_slip(path_of(steps), friction);
+    EXPECT_NEAR(slip.displacement.x / exact, 1.0, 1e-13);
+    EXPECT_NEAR(slip.loss.x / fine.loss.x, 1.0, 2e-3);
+    EXPECT_NEAR(slip.loss.y / fine.loss.y, 1.0, 2e-3);
+  }
 }
 
 // Johnson, Contact Mechanics (1985), Eq. (7.62), with s = 1 - Q/(mu F):
@@ -63,7 +106,7 @@ TEST(PartialSlip, LosesWhatMindlinAndDeresiewiczGive) {
         (10.0 * shear_modulus) *
         (1.0 - std::pow(left, 5.0 / 3.0) -
          5.0 / 6.0 * share * (1.0 + std::pow(left, 2.0 / 3.0)));
-    EXPECT_NEAR(at(share).loss / exact, 1.0, 1e-4) << share;
+    EXPECT_NEAR(at(share).loss.x / exact, 1.0, 1e-4) << share;
   }
 }
 
@@ -74,6 +117,10 @@ TEST(PartialSlip, RatioAndCouplingOfKnownPairs) {
   const MaterialSpec rigid{.contact_modulus = 1.0, .poisson_ratio = 0.3};
   EXPECT_NEAR(coupling(rigid), 0.4 / 1.4, 1e-15);
   EXPECT_NEAR(tangential_ratio(rigid), 1.7 / 1.4, 1e-15);
+  // Waves along the traction have the normal compliance, for any nu.
+  for (const MaterialSpec& pair : {equal_bodies(), rigid})
+    EXPECT_NEAR(tangential_ratio(pair) - 0.5 * tangential_anisotropy(pair), 1.0,
+                1e-14);
 }
 
 } // namespace asperity::mechanics::partial_slip_test

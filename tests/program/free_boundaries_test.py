@@ -119,8 +119,8 @@ def check_map():
 
 def check_map_alone():
     """No method needs the mirror images: neither their heights nor the map a
-    second time are in the result, and the numbers are the same. The pressure is
-    not that of the cache, which is in single precision."""
+    second time are in the result, and the numbers are the same. The fields are
+    not those of the cache, which are in single precision."""
     periodic = '[halfspace.mirror]\nboundaries = "periodic"\n[fem]\nelement = "Q1"\n'
     (FOLDER / "alone.toml").write_text(
         MAP_CASE.replace(periodic, "") + 'precision = "double"\n')
@@ -137,9 +137,11 @@ def check_map_alone():
                                  both["surfaces/0/spectrum/height_spectrum"])
         for place in ("theory/0/curve/mean_gap", "halfspace/0/curve/mean_gap"):
             assert numpy.array_equal(alone["methods"][place], both["methods"][place])
-        place = "methods/halfspace/0/fields/0/pressure"
-        assert both[place].dtype == "float32" and alone[place].dtype == "float64"
-        assert numpy.array_equal(alone[place][...].astype("float32"), both[place])
+        for field in ("pressure", "gap"):
+            place = f"methods/halfspace/0/fields/0/{field}"
+            assert both[place].dtype == "float32" and alone[place].dtype == "float64"
+            assert numpy.array_equal(alone[place][...].astype("float32"), both[place])
+            assert not numpy.array_equal(alone[place], both[place]), field
     bounds = [json.loads(asperity("certify", name, "--json")) for name in ("map", "alone")]
     single, double = [[field["duality_gap [J/m^2]"] for field in bound
                        if field["method"] == "halfspace"] for bound in bounds]

@@ -1,6 +1,12 @@
 // [friction] of a case: load steps, figures, the table of the page, mistakes.
+#include "results/result_reader.hpp"
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
+#include "theory/exact/westergaard.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
 
 namespace asperity::program::friction_test {
 namespace {
@@ -12,6 +18,20 @@ std::string rough(const std::string& friction,
   return tests::rough_case("Friction", 32, tests::four_loads,
                            "[halfspace]\ncontact = \"hard\"\n" + halfspace +
                                "[friction]\ncoefficient = 0.5\n" + friction);
+}
+
+/// The numbers after the beginning of a line.
+std::vector<double> numbers_at(const std::string& table,
+                               const std::string& begin) {
+  std::vector<double> numbers;
+  const std::size_t at = table.find(begin);
+  if (at == std::string::npos)
+    return numbers;
+  std::istringstream line(table.substr(
+      at + begin.size(), table.find('\n', at) - at - begin.size()));
+  for (std::string word; std::getline(line, word, ',');)
+    numbers.push_back(std::stod(word));
+  return numbers;
 }
 
 } // namespace
@@ -76,6 +96,60 @@ TEST_F(FrictionTest, TheTheoryAloneIsSaid) {
         << both.output;
     EXPECT_FALSE(std::filesystem::exists(folder / "both"));
   }
+}
+
+// A wave front of rigid ridges along y, on nu = 0.3. Westergaard's normal
+// contact is that of each row of nodes; along the ridges the tangential
+// compliance is 1/(1 - nu) times the normal one, and across them it is the
+// normal one. So at Q = mu P/2 the displacements are mu (D - D') and that over
+// 0.7.
+TEST_F(FrictionTest, RidgesYieldMoreAlongThanAcross) {
+  write("ridges.toml", R"(schema = 1
+title = "a wave front pulled across its ridges"
+[surface]
+kind = "wave-1d"
+length = "1 mm"
+points = 128
+amplitude = "1 um"
+wavelength = "1 mm"
+[material]
+youngs_modulus = "200 GPa"
+poisson_ratio = 0.3
+[load]
+nominal_pressure = ["5 MPa", "10 MPa", "20 MPa"]
+[halfspace]
+contact = "hard"
+[friction]
+coefficient = 0.3
+)");
+  const Ended ridges = run("run ridges.toml --out ridges");
+  ASSERT_EQ(ridges.exit_code, 0) << ridges.output;
+  const results::Result result =
+      results::read_result((folder / "ridges/result.h5").string());
+  const std::vector<results::CurvePoint>& rows =
+      result.methods.front().realizations.front().points;
+  ASSERT_EQ(rows.size(), 3U);
+
+  // Westergaard: p_0/p* = sin^2(pi a/L), and u = A [..] of theory/exact; its
+  // difference is that of the approaches.
+  const theory::WestergaardContact exact(1e-6, 1e-3, 200e9 / 0.91);
+  const double across = 0.3 * (exact.mean_gap(10e6) - exact.mean_gap(20e6));
+  EXPECT_NEAR(across, 16.71e-9, 0.005e-9);
+  EXPECT_NEAR(0.3 * (rows[1].mean_gap - rows[2].mean_gap), across,
+              2e-3 * across);
+  const std::string table = text_of(folder / "ridges/figures/partial-slip.csv");
+  const std::vector<double> row = numbers_at(table, "\"halfspace\",0,0.5,");
+  ASSERT_GE(row.size(), 10U) << table;
+  EXPECT_NEAR(row[0], 1e9 * across, 0.04);
+  EXPECT_NEAR(row[9], 1e9 * across / 0.7, 0.06);
+  // One linear solve: the contact of a row is a strip of half-width a, whose
+  // stiffness is pi E*/(2 L ln(1/sin(pi a/L))).
+  const double half = rows[1].area_fraction / 2.0;
+  const double stiffness =
+      std::numbers::pi * (200e9 / 0.91) /
+      (2e-3 * -std::log(std::sin(std::numbers::pi * half)));
+  EXPECT_NEAR(rows[1].stick_stiffness_x / stiffness, 1.0, 0.05);
+  EXPECT_NEAR(rows[1].stick_stiffness_y / rows[1].stick_stiffness_x, 0.7, 1e-9);
 }
 
 TEST_F(FrictionTest, MistakesAreAnswered) {

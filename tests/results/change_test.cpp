@@ -72,6 +72,16 @@ std::vector<double> in_single_precision(const std::vector<double>& map) {
   return {single.begin(), single.end()};
 }
 
+TEST_F(ChangeRecord, HasBothMapsInTheSamePrecision) {
+  Change step = finished_step();
+  step.methods.at(0).fields.at(0).has_double_maps = true;
+  const Change found = change_in(in_file(bytes_of(step)));
+
+  const FieldsChange& fields = found.methods.at(0).fields.at(0);
+  EXPECT_EQ(values_of(fields.pressure), pressure);
+  EXPECT_EQ(values_of(fields.gap), gap);
+}
+
 TEST_F(ChangeRecord, IsReadBack) {
   const FileBytes record = in_file(bytes_of(finished_step()));
 

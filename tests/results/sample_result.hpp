@@ -64,6 +64,8 @@ inline CurvePoint sample_point(int step) {
   point.memory = 1e8 / (19 + step);
   point.normal_stiffness = 1e5 / (31 + step);
   point.tangential_stiffness = 1e5 / (37 + step);
+  point.stick_stiffness_x = 1e15 / (38 + step);
+  point.stick_stiffness_y = 1e15 / (39 + step);
   point.pressure_centre_x = -1e-6 / (41 + step);
   point.pressure_centre_y = 1e-6 / (43 + step);
   point.von_mises = 1e7 / (23 + step);
@@ -108,6 +110,8 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.memory, b.memory);
   EXPECT_PRED2(is_same, a.normal_stiffness, b.normal_stiffness);
   EXPECT_PRED2(is_same, a.tangential_stiffness, b.tangential_stiffness);
+  EXPECT_PRED2(is_same, a.stick_stiffness_x, b.stick_stiffness_x);
+  EXPECT_PRED2(is_same, a.stick_stiffness_y, b.stick_stiffness_y);
   EXPECT_PRED2(is_same, a.pressure_centre_x, b.pressure_centre_x);
   EXPECT_PRED2(is_same, a.pressure_centre_y, b.pressure_centre_y);
   EXPECT_PRED2(is_same, a.von_mises, b.von_mises);
