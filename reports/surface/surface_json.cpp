@@ -52,6 +52,7 @@ Json fit_json(const surfaces::SelfAffineFit& fit) {
   object["plateau"] = fit.plateau;
   object["noise"] = fit.noise;
   object["dispersion"] = fit.dispersion;
+  object["is_model"] = fit.is_model;
   return object;
 }
 

@@ -87,6 +87,8 @@ std::vector<FittedQuantity> quantities_of(const surfaces::SelfAffineFit& fit) {
       {"hurst", "H", "Hurst exponent", "1", fit.hurst},
       {"wavevector_roll_off", "q₀", "roll-off wavevector", "1/m", fit.roll_off},
       {"wavevector_high", "q₁", "cut-off wavevector", "1/m", fit.cutoff},
+      {"blur", "s", "standard deviation of the Gaussian that blurs the map",
+       "m", fit.blur},
       {"rms_height", "h_rms", "rms height of the model between the limits", "m",
        fit.rms_height},
   };
@@ -110,11 +112,17 @@ std::string fitted_text(const FittedQuantity& quantity) {
     return fmt::format("{} {} ({})", has_low ? "above" : "below",
                        quantity_text(limit, quantity.unit), fitted.reason);
   }
+  const std::string note =
+      fitted.reason.empty() ? "" : fmt::format(" ({})", fitted.reason);
+  if (!std::isfinite(fitted.low))
+    return quantity_text(fitted.value, quantity.unit) + note;
   const std::string high = std::isfinite(fitted.high)
                                ? quantity_text(fitted.high, quantity.unit)
                                : "no limit";
-  return fmt::format("{} [{}, {}]", quantity_text(fitted.value, quantity.unit),
-                     quantity_text(fitted.low, quantity.unit), high);
+  return fmt::format("{} [{}, {}]{}",
+                     quantity_text(fitted.value, quantity.unit),
+                     quantity_text(fitted.low, quantity.unit), high,
+                     std::isfinite(fitted.high) ? note : "");
 }
 
 std::string wavelengths_text(double low, double high) {
