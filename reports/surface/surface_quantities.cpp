@@ -49,7 +49,7 @@ std::vector<SurfaceQuantity> quantities_of(const surfaces::MapAnalysis& map) {
       {"sdr", "Sdr", "developed area over projected area, minus 1", "1",
        heights.sdr, none},
       {"rms_curvature", "h''", "rms curvature (half the Laplacian)", "1/m",
-       map.scales.front().rms_curvature(), spectrum.rms_curvature},
+       map.neighbours.rms_curvature(), spectrum.rms_curvature},
       {"nayak", "α", "Nayak's parameter m₀m₄/m₂²", "1", map.nayak,
        nayak_parameter(spectrum)},
       {"sal", "Sal", "shortest decay of the autocorrelation to 0.2", "m",
@@ -132,7 +132,7 @@ std::string wavelengths_text(double low, double high) {
 
 std::string range_text(const surfaces::MapAnalysis& map) {
   const surfaces::ReliableRange& range = map.range;
-  if (!(range.low < range.high))
+  if (rings_between(part_of(map).rings, range.low, range.high).empty())
     return fmt::format("no wavelength is reliable: the limits by {} and by {} "
                        "leave none",
                        range.low_reason, range.high_reason);
