@@ -79,6 +79,10 @@ Value part_data(const surfaces::MapAnalysis& map) {
                        map.map.grid.points_y,
                        quantity_text(map.map.grid.length_x, "m"),
                        quantity_text(map.map.grid.length_y, "m"), map.origin));
+  List warnings;
+  for (const std::string& warning : map.warnings)
+    warnings.push_back(text_item(warning));
+  part.set("warnings", warnings);
   part.set("range", range_text(map));
   part.set("quantities", quantity_rows(quantities_of(map)));
   part.set("has_spectrum", true);

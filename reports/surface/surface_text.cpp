@@ -55,6 +55,8 @@ std::string map_text(const surfaces::MapAnalysis& map) {
                                  map.name, grid.points_x, grid.points_y,
                                  quantity_text(grid.length_x, "m"),
                                  quantity_text(grid.length_y, "m"), map.origin);
+  for (const std::string& warning : map.warnings)
+    text += fmt::format("  warning: {}\n", warning);
   text += table_text(quantities_of(map), true);
   text += fmt::format("  reliable: {}\n", range_text(map));
   if (!map.fit)

@@ -23,6 +23,7 @@ namespace asperity::surfaces {
 struct MapAnalysis {
   std::string name;   ///< of the file or case, for tables
   std::string origin; ///< how it was read and levelled, a sentence
+  std::vector<std::string> warnings; ///< of its reader, one line each
   HeightMap map;
   bool is_periodic = false;
   HeightParameters heights;
