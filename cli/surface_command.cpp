@@ -189,6 +189,7 @@ void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
       surfaces::analyse_map(std::move(map.map), map.is_periodic, tip_radius));
   report.maps.back().name = input.name;
   report.maps.back().origin = input.origin;
+  report.maps.back().warnings = map.warnings;
 }
 
 reports::SurfaceReport analysed(const SurfaceCommand& command) {

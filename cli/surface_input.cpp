@@ -74,7 +74,8 @@ SurfaceInput measured_input(const mechanics::SurfaceSpec& surface) {
       fmt::format("{}{}. Read: {}.", level_words(surface.level),
                   is_periodic ? "; periodic" : "; edges not periodic",
                   surfaces::description_of(measured));
-  input.heights = SurfaceMap{std::move(measured.map), is_periodic};
+  input.heights = SurfaceMap{std::move(measured.map), is_periodic,
+                             surfaces::warnings_of(measured.faults)};
   return input;
 }
 

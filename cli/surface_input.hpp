@@ -9,6 +9,7 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace asperity::cli {
 
@@ -16,6 +17,7 @@ namespace asperity::cli {
 struct SurfaceMap {
   surfaces::HeightMap map;
   bool is_periodic = false;
+  std::vector<std::string> warnings = {}; ///< of a measured map
 };
 
 /// One input.

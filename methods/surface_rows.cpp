@@ -50,7 +50,7 @@ const SurfaceRows::Kept& SurfaceRows::kept() const {
                                           threads_, &kept_->facts);
   } else {
     std::vector<double> whole;
-    root_.act([&] { whole = built_map(source_).heights; });
+    root_.act([&] { whole = built_map(source_, &kept_->facts).heights; });
     kept_->heights = rows_.scattered(whole);
   }
   kept_->of = this;
@@ -63,8 +63,7 @@ SurfaceOfCase SurfaceRows::described(double contact_modulus) const {
       rows_.grid(), surfaces::statistics(rows_, built.heights, threads_),
       surfaces::spectral_shells(rows_, built.heights, threads_),
       contact_modulus);
-  if (whole_because_.empty() &&
-      source_.surface.kind == mechanics::SurfaceKind::measured)
+  if (source_.surface.kind == mechanics::SurfaceKind::measured)
     surface.map_facts = built.facts;
   return surface;
 }

@@ -21,7 +21,7 @@ public:
   struct Kept {
     const SurfaceRows* of = nullptr;
     std::vector<double> heights;
-    surfaces::MapFacts facts; ///< if each rank has built its own rows
+    surfaces::MapFacts facts; ///< on rank 0, if it has built the whole map
   };
 
   /// @param source   grid is not read

@@ -123,17 +123,24 @@ SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
   return surface;
 }
 
-surfaces::HeightMap built_map(const SurfaceSource& source) {
+surfaces::HeightMap built_map(const SurfaceSource& source,
+                              surfaces::MapFacts* facts) {
   return source.highest_wavevector
              ? surfaces::build_surface_on(source.surface, source.realization,
                                           source.grid,
                                           source.highest_wavevector)
-             : surfaces::build_surface(source.surface, source.realization);
+             : surfaces::build_surface(source.surface, source.realization,
+                                       facts);
 }
 
 SurfaceOfCase whole_surface(const SurfaceSource& source,
                             double contact_modulus) {
-  return surface_of_map(built_map(source), contact_modulus);
+  surfaces::MapFacts facts;
+  SurfaceOfCase surface =
+      surface_of_map(built_map(source, &facts), contact_modulus);
+  if (source.surface.kind == mechanics::SurfaceKind::measured)
+    surface.map_facts = facts;
+  return surface;
 }
 
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {

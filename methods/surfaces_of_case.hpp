@@ -42,7 +42,7 @@ struct SurfaceOfCase {
   /// Set if ranks build the rows of the surface when they need them; the record
   /// then has no heights.
   std::shared_ptr<const SurfaceRows> rows = {};
-  /// What the ranks found of a map whose rows they have read.
+  /// What was found while a measured map was read.
   std::optional<surfaces::MapFacts> map_facts = {};
 };
 
@@ -59,7 +59,9 @@ SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus);
 
 /// Builds the heights of a surface.
-surfaces::HeightMap built_map(const SurfaceSource& source);
+/// @param facts  receives what was found of a measured map
+surfaces::HeightMap built_map(const SurfaceSource& source,
+                              surfaces::MapFacts* facts = nullptr);
 
 /// Builds a surface in this process.
 /// @param contact_modulus  E* [Pa]
@@ -114,7 +116,7 @@ public:
   /// map whose mirror images no method presses is without them.
   const std::vector<SurfaceOfCase>& whole() const;
 
-  /// Returns what the ranks found of a map whose rows they have read.
+  /// Returns what was found while a measured map was read.
   std::optional<surfaces::MapFacts> map_facts() const;
 
   /// Returns true if the surface of the method is none of whole(): roughness

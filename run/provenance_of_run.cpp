@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
 namespace asperity::run {
 namespace {
@@ -33,7 +34,7 @@ std::string words_of_cut_off(double asked, const surfaces::MeasuredMap& map) {
 surfaces::MeasuredMap
 description(const mechanics::SurfaceSpec& surface,
             const std::optional<surfaces::MapFacts>& found) {
-  if (!found)
+  if (!found || surface.cut_off) // the removal of waves is not among the facts
     return surfaces::described_map(surface);
   mechanics::SurfaceSpec without_spikes = surface;
   without_spikes.spikes.reset(); // they were counted
@@ -58,6 +59,12 @@ provenance_at_start(const cases::Case& contact_case, int threads,
     return facts;
   const surfaces::MeasuredMap map = description(surface, found);
   facts.emplace_back("map", surfaces::description_of(map));
+  if (found)
+    if (const std::vector<std::string> warnings =
+            surfaces::warnings_of(found->faults);
+        !warnings.empty())
+      facts.emplace_back("map warnings",
+                         fmt::format("{}", fmt::join(warnings, ". ")));
   if (surface.cut_off)
     facts.emplace_back("cut-off", words_of_cut_off(*surface.cut_off, map));
   if (surface.edges == mechanics::Edges::window)

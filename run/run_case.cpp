@@ -250,6 +250,9 @@ void Run::warn() const {
   for (const MethodSpec& method : methods_)
     for (const cases::Omission& one : cases::omissions(case_, method))
       fmt::print("{}: {}\n", method.name, one.sentence());
+  if (const auto found = surfaces_.map_facts())
+    for (const std::string& warning : surfaces::warnings_of(found->faults))
+      fmt::print(stderr, "warning: {}: {}\n", case_.name, warning);
   const auto by_rows = std::ranges::find_if(
       surfaces_.whole(), [](const methods::SurfaceOfCase& surface) {
         return surface.rows != nullptr;

@@ -207,13 +207,16 @@ std::vector<double> random_rows_on(const SurfaceSpec& surface, int realization,
   return heights;
 }
 
-HeightMap measured_surface(const SurfaceSpec& surface) {
-  return with_edges(levelled_map(surface), continuation_of(surface));
+HeightMap measured_surface(const SurfaceSpec& surface, MapFacts* facts) {
+  MeasuredMap measured = measured_map(surface);
+  if (facts != nullptr)
+    *facts = {measured.missing, measured.spikes, measured.faults};
+  return with_edges(std::move(measured.map), continuation_of(surface));
 }
 
 HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
                               const std::optional<double>& highest) {
-  HeightMap map = measured_surface(surface);
+  HeightMap map = measured_surface(surface, nullptr);
   if (highest)
     map = low_passed(map, *highest);
   const double rms_height = statistics(map).rms_height;
@@ -287,13 +290,14 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
                           "other kind defines a power spectrum");
 }
 
-HeightMap build_surface(const SurfaceSpec& surface, int realization) {
+HeightMap build_surface(const SurfaceSpec& surface, int realization,
+                        MapFacts* facts) {
   if (is_random(surface.kind))
     return {
         square_grid(surface),
         build_rows(surface, realization, rows_of_one(square_grid(surface)))};
   if (surface.kind == SurfaceKind::measured)
-    return on_form(measured_surface(surface), surface);
+    return on_form(measured_surface(surface, facts), surface);
   const Grid grid = square_grid(surface);
   return {grid, shape_rows(surface, SharedRows(grid))};
 }

@@ -31,10 +31,12 @@ IsotropicSpectrum formula_spectrum(const mechanics::SurfaceSpec& surface);
 /// table without either: to the rms height of the table). Kinds that are not
 /// random have only realisation 0 and are rebuilt for any other number; the
 /// caller should build them once.
+/// @param facts  receives what was found of a measured map
 /// @throws input::InputError   a missing key, a file that cannot be read, or
 ///                             too few points for the shortest wavelength
 /// @throws std::domain_error  values that no case can have
-HeightMap build_surface(const mechanics::SurfaceSpec& surface, int realization);
+HeightMap build_surface(const mechanics::SurfaceSpec& surface, int realization,
+                        MapFacts* facts = nullptr);
 
 /// The same surface at the nodes of another grid, optionally without its
 /// shorter wavelengths.

@@ -121,6 +121,21 @@ void level_form(const SurfaceSpec& surface, const SharedRows& rows,
   require_relief(surface, before, largest_magnitude(rows, heights));
 }
 
+/// Adds form and spikes of the levelled map to the faults.
+void find_faults(const SurfaceSpec& surface, const SharedRows& rows,
+                 std::span<const double> heights, MapFaults& faults) {
+  std::vector<double> left(heights.begin(), heights.end());
+  remove_trend(rows, left, mechanics::Levelling::plane);
+  const double with_form = rms_height(rows, left);
+  remove_trend(rows, left, mechanics::Levelling::bow);
+  const double roughness = rms_height(rows, left);
+  const bool has_form = surface.level == mechanics::Levelling::none ||
+                        surface.level == mechanics::Levelling::plane;
+  if (has_form && with_form > 0.0)
+    faults.form_share = 1.0 - std::pow(roughness / with_form, 2);
+  faults.spikes = find_spikes(rows, left, spike_threshold, roughness);
+}
+
 /// The wavelength at which a map sinks into its noise floor [m]; 0 if it has
 /// none.
 double noise_wavelength(const HeightMap& map, bool is_periodic) {
@@ -213,9 +228,36 @@ MapFacts prepare_rows(const SurfaceSpec& surface, const SharedRows& rows,
     facts.spikes = mark_spikes(rows, heights, *surface.spikes);
   require_few_missing(surface, facts.missing + facts.spikes,
                       rows.grid().size());
+  facts.faults.points = rows.grid().size();
+  facts.faults.missing = facts.missing;
   fill_missing(rows, heights);
   level_form(surface, rows, heights);
+  find_faults(surface, rows, heights, facts.faults);
   return facts;
+}
+
+std::vector<std::string> warnings_of(const MapFaults& faults) {
+  std::vector<std::string> warnings;
+  if (faults.spikes.count > 0)
+    warnings.push_back(fmt::format(
+        "{} spike{} of up to {:.3g} um beside all neighbours; --set "
+        "surface.remove_spikes={:g} removes {}",
+        faults.spikes.count, faults.spikes.count == 1 ? "" : "s",
+        faults.spikes.highest * 1e6, spike_threshold,
+        faults.spikes.count == 1 ? "it" : "them"));
+  if (faults.form_share > largest_form_share)
+    warnings.push_back(fmt::format(
+        "form: a second-order surface explains {:.3g} % of the variance; "
+        "--set surface.level=bow removes it",
+        100.0 * faults.form_share));
+  if (faults.missing > 0)
+    warnings.push_back(fmt::format(
+        "{} of {} points ({:.2g} %) are missing and interpolated; crop them "
+        "by --set surface.crop_x",
+        faults.missing, faults.points,
+        100.0 * static_cast<double>(faults.missing) /
+            static_cast<double>(faults.points)));
+  return warnings;
 }
 
 MeasuredMap measured_map(const SurfaceSpec& surface) {
@@ -226,8 +268,8 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
                                       scan.map.heights, scan.numbers);
   const double cut_off =
       surface.cut_off ? remove_short_waves(surface, scan.map) : 0.0;
-  return {std::move(scan.map), scan.channel, scan.reader,
-          facts.missing,       facts.spikes, cut_off};
+  return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
+          facts.spikes,        cut_off,      facts.faults};
 }
 
 MapRoughness roughness_of(const SharedRows& rows,

@@ -11,8 +11,32 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace asperity::surfaces {
+
+/// What is left in a prepared map although it is probably not roughness.
+struct MapFaults {
+  std::size_t points = 0;  ///< of the map
+  std::size_t missing = 0; ///< points that were not measured
+  FoundSpikes spikes;      ///< see spike_threshold
+  /// Share of the variance about the mean plane that the least-squares
+  /// second-order surface explains [1] 0..1; 0 if a form was removed.
+  double form_share = 0.0;
+};
+
+/// Robust standard deviations above which a point is a spike, if it also
+/// deviates by the rms height about the least-squares second-order surface or
+/// more. Of 1e9 points of a Gaussian surface, one is expected above 6.1.
+inline constexpr double spike_threshold = 8.0;
+
+/// Share of the variance above which form is reported. Self-affine maps whose
+/// waves are all shorter than the map stay below 0.2, those with longer waves
+/// below 0.9 (tests/surfaces/map_faults_test.cpp).
+inline constexpr double largest_form_share = 0.9;
+
+/// Returns a line of at most 20 words for each fault, with its remedy.
+std::vector<std::string> warnings_of(const MapFaults& faults);
 
 /// A map of a case before its edge treatment, and how it was obtained.
 struct MeasuredMap {
@@ -22,6 +46,7 @@ struct MeasuredMap {
   std::size_t missing = 0; ///< points without a height in the file
   std::size_t spikes = 0;  ///< points that were removed as spikes
   double cut_off = 0.0;    ///< shorter waves were removed [m]; 0: none
+  MapFaults faults = {};
 };
 
 /// How a measured map is continued beyond its border.
@@ -62,6 +87,7 @@ MapRoughness roughness_of(const SharedRows& rows,
 struct MapFacts {
   std::size_t missing = 0; ///< points without a height in the file
   std::size_t spikes = 0;  ///< points that were removed as spikes
+  MapFaults faults = {};
   std::optional<EdgeEffect> effect = {}; ///< of the edge treatment, if asked
 };
 
@@ -69,7 +95,7 @@ struct MapFacts {
 /// with the bits of one process. Collective.
 /// @param numbers  of the file
 /// @param heights  rows.size() values [m], not finite at missing points
-/// @return  numbers of missing points and spikes
+/// @return  what was found
 /// @throws input::InputError  on every rank, as measured_map()
 MapFacts prepare_rows(const mechanics::SurfaceSpec& surface,
                       const SharedRows& rows, std::span<double> heights,

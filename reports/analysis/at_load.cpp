@@ -28,13 +28,13 @@ AreaColumn area_column(const std::string& quantity) {
   return &CurvePoint::area_fraction;
 }
 
-/// Mean over both directions of log10 of two columns of the step at a load; NaN
-/// without one or if a direction is sealed.
+/// Mean over both directions of log10 of two columns of the step at a load;
+/// minus infinity if a direction is sealed, and NaN without a step.
 double log_flow(const results::Curve& curve, double pressure,
                 double CurvePoint::*in_x, double CurvePoint::*in_y) {
   for (const CurvePoint& row : curve.points)
     if (std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6 &&
-        row.*in_x > 0.0 && row.*in_y > 0.0)
+        row.*in_x >= 0.0 && row.*in_y >= 0.0)
       return 0.5 * (std::log10(row.*in_x) + std::log10(row.*in_y));
   return not_a_number;
 }
@@ -144,6 +144,15 @@ void add_quantities_at_load(const results::Result& result,
                      scales_of(result, contact_case, method, r)),
            not_a_number, 0});
     Estimate& estimate = summary.quantities[name];
+    if (const auto sealed = std::ranges::count_if(
+            values, [](const FittedValue& at) { return std::isinf(at.value); });
+        sealed > 0) { // the others alone are no mean
+      estimate.remark = fmt::format(
+          "{} of {} realisations are sealed at p/E* = {:.4g} in a direction, "
+          "where the leak rate is 0 and has no logarithm",
+          sealed, values.size(), pressure / result.contact_modulus);
+      continue;
+    }
     estimate = mean_over_realizations(values);
     if (!estimate.has_value())
       estimate.remark =

@@ -190,6 +190,16 @@ void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
        "level = \"plane\", or a tolerance that is smaller by it."});
 }
 
+/// Spikes, form and missing points that were found when the map was read.
+void add_map_faults(const Result& result, std::vector<Warning>& warnings) {
+  for (const auto& [key, fact] : result.provenance)
+    if (key == "map warnings")
+      warnings.push_back(
+          {"map_faults", "The map is not only roughness: " + fact + ".",
+           "Contact begins at the highest points: area, spots and gap are "
+           "partly those of such points and not of the roughness."});
+}
+
 void add_window(const Result& result, std::vector<Warning>& warnings) {
   for (const auto& [key, fact] : result.provenance)
     if (key == "window")
@@ -304,6 +314,7 @@ std::vector<Warning> warnings_of(const Result& result,
   const bool is_measured = kind == mechanics::SurfaceKind::measured;
   if (!is_measured && !surfaces::is_random(kind))
     return warnings;
+  add_map_faults(result, warnings);
   add_window(result, warnings);
   add_moments(result, warnings);
   add_slope(result, warnings);

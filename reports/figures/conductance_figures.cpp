@@ -55,7 +55,7 @@ public:
                  const results::SurfaceRecord* const surface =
                      surface_of(*entry_.result, method, r);
                  return surface == nullptr
-                            ? 0.0
+                            ? not_a_number
                             : row.nominal_pressure /
                                   (surface->highest - row.mean_gap) / modulus();
                }));
@@ -70,8 +70,9 @@ public:
     figure.caption =
         "Conductance over conductivity, G/k, which is the incremental normal "
         "stiffness K over E*, both per nominal area. Markers: of the "
-        "standing contact, the geometric mean over realisations; bars span "
-        "their range. Lines: the slope of the curve of pressure against mean "
+        "standing contact, the median over realisations; bars span their "
+        "range, and crosses at the axis are loads without contact, where it "
+        "is 0. Lines: the slope of the curve of pressure against mean "
         "gap, which lies between the loads, that of the theory and its limit "
         "p/u_0 at light load, Eq. (18) of Yang and Persson (2008), the spots "
         "as circles of their areas that do not disturb each other, and "
@@ -106,9 +107,7 @@ private:
   template <class Number>
   SpreadCurve curve(const results::MethodRecord& method,
                     const Number& number) const {
-    return spread_curve(method, [&](const CurvePoint& row, std::size_t r) {
-      return std::array{number(row, r)};
-    });
+    return spread_curve(method, number);
   }
 
   /// The conductances over the relative one, of the first row that has them.
@@ -125,7 +124,7 @@ private:
   }
 
   const ReportEntry& entry_;
-  SpreadPanel panel_{"G/k [1/mm]", per_millimetre};
+  SpreadPanel panel_{"G/k [1/mm]", per_millimetre, "without contact"};
 };
 
 /// The clusters of a saved map.

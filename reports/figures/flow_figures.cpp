@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::reports {
 namespace {
@@ -21,11 +24,11 @@ public:
   void add_theory(const results::MethodRecord& method) {
     panel_.add(method.name + ", effective medium", line("#222222", 1.6),
                spread_curve(method, [](const CurvePoint& row, std::size_t) {
-                 return std::array{row.leak_rate_x};
+                 return row.leak_rate_x;
                }));
     panel_.add(method.name + ", critical junction", line("#222222", 1.2, 2),
                spread_curve(method, [&](const CurvePoint& row, std::size_t) {
-                 return std::array{rate_ * std::pow(row.critical_gap_x, 3.0)};
+                 return rate_ * std::pow(row.critical_gap_x, 3.0);
                }));
   }
 
@@ -33,20 +36,24 @@ public:
     Series as_series;
     as_series.kind = method.kind;
     as_series.color = color;
-    const SpreadCurve leaks =
-        spread_curve(method, [](const CurvePoint& row, std::size_t) {
-          return std::array{row.leak_rate_x, row.leak_rate_y};
-        });
-    panel_.add(method.name + ", Reynolds", point_style(as_series), leaks);
+    CurveStyle style = point_style(as_series);
+    for (const auto& [direction, rate] :
+         {std::pair("x", &CurvePoint::leak_rate_x),
+          std::pair("y", &CurvePoint::leak_rate_y)}) {
+      const SpreadCurve leaks = spread_curve(
+          method, [rate = rate](const CurvePoint& row, std::size_t) {
+            return row.*rate;
+          });
+      panel_.add(fmt::format("{}, Reynolds, along {}", method.name, direction),
+                 style, leaks);
+      count_sealed(method.name, direction, leaks);
+      style.marker -= 1; // open
+    }
     panel_.add(method.name + ", effective medium of its gaps",
                line(series_color(as_series), 1.0, 3),
                spread_curve(method, [&](const CurvePoint& row, std::size_t) {
-                 return std::array{rate_ * row.effective_medium};
+                 return rate_ * row.effective_medium;
                }));
-    for (const auto& [step, at] : leaks) {
-      sealed_ += at.zeros;
-      all_ += at.zeros + at.count;
-    }
   }
 
   bool is_empty() const { return panel_.is_empty(); }
@@ -56,24 +63,38 @@ public:
     figure.name = "leak-rate";
     figure.title = "Leak rate against load";
     figure.caption =
-        "Flow through the seal of the case. Markers: Reynolds' equation on "
-        "the gap, the geometric mean over realisations and both "
-        "directions; bars span their range. Effective medium: Bruggeman, with "
-        "the distribution of the gaps of the method or of Eq. (27) of Yang and "
-        "Persson (2008). Critical junction: their Sec. 8.";
-    if (sealed_ > 0)
+        "Flow through the seal of the case, of each direction. Markers: "
+        "Reynolds' equation on the gap, the median over realisations; bars "
+        "span their range. Effective medium: Bruggeman, with the distribution "
+        "of the gaps of the method or of Eq. (27) of Yang and Persson (2008). "
+        "Critical junction: their Sec. 8.";
+    if (!sealed_.empty())
       figure.caption += fmt::format(
-          " {} of {} maps are sealed: no path joins the sides. They are not in "
-          "the means.",
-          sealed_, all_);
+          " Crosses at the axis: loads at which contacts are sealed, so that "
+          "no path joins the sides and the leak rate is 0, as the median "
+          "counts them: {}.",
+          fmt::join(sealed_, "; "));
     panel_.move_to(figure, "leak rate  [m^3/s]");
     return figure;
   }
 
 private:
+  void count_sealed(const std::string& method, const std::string& direction,
+                    const SpreadCurve& leaks) {
+    int sealed = 0;
+    std::size_t all = 0;
+    for (const auto& [step, at] : leaks) {
+      sealed += at.zeros();
+      all += at.numbers.size();
+    }
+    if (sealed > 0)
+      sealed_.push_back(fmt::format("{} of {} of {} along {}", sealed, all,
+                                    method, direction));
+  }
+
   double rate_; ///< leak rate over the conductance of a square [1/s]
-  int sealed_ = 0, all_ = 0;
-  SpreadPanel panel_{"leak rate [m^3/s]", 1.0, "sealed maps [1]"};
+  std::vector<std::string> sealed_;
+  SpreadPanel panel_{"leak rate [m^3/s]", 1.0, "sealed"};
 };
 
 constexpr double least_flux = 1e-3; // drawn, over the mean

@@ -15,6 +15,7 @@ const char* const plastic_color = "#D55E00";
 struct AreaSums {
   double pressure = 0.0, elastic = 0.0, plastic = 0.0;
   int count = 0;
+  bool is_complete = true; ///< whether all realisations converged
 };
 
 /// The steps under first load of a method with a hardness.
@@ -22,15 +23,17 @@ std::map<int, AreaSums> yielding_steps(const results::MethodRecord& method) {
   std::map<int, AreaSums> steps;
   for (const results::Curve& curve : method.realizations)
     for (const results::CurvePoint& row : curve.points) {
-      if (row.is_unloading || !std::isfinite(row.plastic_area) ||
-          row.status != results::StepStatus::converged)
+      if (row.is_unloading)
         continue;
       AreaSums& sums = steps[row.step];
+      sums.is_complete = sums.is_complete && std::isfinite(row.plastic_area) &&
+                         row.status == results::StepStatus::converged;
       sums.pressure += row.nominal_pressure;
       sums.elastic += row.area_fraction - row.plastic_area;
       sums.plastic += row.plastic_area;
       ++sums.count;
     }
+  std::erase_if(steps, [](const auto& at) { return !at.second.is_complete; });
   return steps;
 }
 

@@ -1,59 +1,87 @@
 #include "reports/figures/load_spread.hpp"
 
-#include <vector>
+#include "reports/figures/plot_parts.hpp"
+
+#include <algorithm>
 
 namespace asperity::reports {
-namespace {
 
-std::vector<std::string> header_of(const std::string& quantity,
-                                   const std::string& zeros) {
-  std::vector<std::string> header{"curve",
-                                  "index",
-                                  "p [MPa]",
-                                  quantity,
-                                  "least " + quantity,
-                                  "largest " + quantity};
-  if (!zeros.empty())
-    header.push_back(zeros);
-  return header;
+int LoadSpread::zeros() const {
+  return static_cast<int>(std::ranges::count(numbers, 0.0));
 }
 
-} // namespace
+double LoadSpread::median() const {
+  std::vector<double> sorted = numbers;
+  std::ranges::sort(sorted);
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[middle]
+                                : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
 
 SpreadPanel::SpreadPanel(const std::string& quantity, double unit,
-                         const std::string& zeros)
-    : unit_(unit),
-      has_zeros_(!zeros.empty()),
-      table_(header_of(quantity, zeros)) {}
+                         std::string zero)
+    : unit_(unit), quantity_(quantity), zero_(std::move(zero)) {}
 
-void SpreadPanel::add(const std::string& label, CurveStyle style,
+void SpreadPanel::add_rows(const std::string& label, const SpreadCurve& curve,
+                           bool is_zero) {
+  for (const auto& [step, at] : curve)
+    if (is_zero ? at.zeros() > 0 : at.median() > 0.0) {
+      rows_.push_back({label, next_, at, is_zero});
+      for (const double number : at.numbers)
+        if (number > 0.0)
+          least_ = std::min(least_, number / unit_);
+    }
+}
+
+void SpreadPanel::add(const std::string& label, const CurveStyle& style,
                       const SpreadCurve& curve) {
-  const bool has_spread = style.has_markers;
-  std::size_t rows = 0;
-  for (const auto& [step, at] : curve) {
-    if (at.count == 0)
-      continue;
-    std::vector<double> row{static_cast<double>(next_), at.pressure * 1e-6,
-                            at.mean() / unit_, at.low / unit_, at.high / unit_};
-    if (has_zeros_)
-      row.push_back(static_cast<double>(at.zeros));
-    table_.add(label, row);
-    ++rows;
+  const std::size_t before = rows_.size();
+  add_rows(label, curve, false);
+  if (rows_.size() > before) {
+    ChartCurve& drawn = panel_.add(label, style, next_++, 3, 4);
+    if (style.has_markers) {
+      drawn.low = 5;
+      drawn.high = 6;
+    }
   }
-  if (rows == 0)
+  if (!style.has_markers)
     return;
-  ChartCurve& drawn = panel_.add(label, std::move(style), next_++, 3, 4);
-  if (has_spread) {
-    drawn.low = 5;
-    drawn.high = 6;
+  const std::size_t drawn = rows_.size();
+  add_rows(label + ", " + zero_, curve, true);
+  if (rows_.size() > drawn) {
+    ChartCurve& zeros = panel_.add(
+        label + ", " + zero_, markers(style.color, 2, 1.0, 1.3), next_++, 3, 4);
+    zeros.low = 5;
+    zeros.high = 6;
   }
 }
 
 void SpreadPanel::move_to(Figure& figure, const std::string& label) {
+  constexpr double below = 0.3; // of the least number: half a decade
+  const bool has_numbers = least_ < std::numeric_limits<double>::infinity();
+  const double axis = has_numbers ? rounded(below * least_, 1) : 0.0;
+  CsvTable table({"curve", "index", "p [MPa]", quantity_, "least " + quantity_,
+                  "largest " + quantity_, "realisations [1]", zero_ + " [1]"});
+  bool has_zeros = false;
+  for (const Row& row : rows_) {
+    const auto [low, high] = std::ranges::minmax(row.at.numbers);
+    has_zeros = has_zeros || low == 0.0;
+    const auto place = [&](double number) {
+      return number > 0.0 ? number / unit_ : axis;
+    };
+    const double middle = row.is_zero ? axis : place(row.at.median());
+    table.add(row.label,
+              {static_cast<double>(row.index), row.at.pressure * 1e-6, middle,
+               place(low), place(high),
+               static_cast<double>(row.at.numbers.size()),
+               static_cast<double>(row.at.zeros())});
+  }
   panel_.x = {.label = "nominal pressure  [MPa]", .is_log = true};
-  panel_.y = {.label = label, .is_log = true, .has_powers = true};
+  panel_.y = {.label = label, .is_log = has_numbers, .has_powers = has_numbers};
+  if (has_zeros)
+    panel_.y.low = axis;
   figure.panels = {std::move(panel_)};
-  figure.data = table_.text();
+  figure.data = table.text();
 }
 
 } // namespace asperity::reports

@@ -1,64 +1,59 @@
 #pragma once
 
 // Numbers of a load step that spread over realisations, as curves of one panel:
-// their geometric mean and range against the nominal pressure.
+// their median and range against the nominal pressure. Zeros count: a sealed
+// realisation leaks nothing, and the others alone would leak too much.
 
 #include "reports/figures/gnuplot.hpp"
 #include "results/types/result.hpp"
 
-#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace asperity::reports {
 
-/// Numbers at one load over the realisations. Their mean is the geometric one.
+/// Numbers at one load over the realisations.
 struct LoadSpread {
-  double pressure = 0.0; ///< nominal [Pa], of the first realisation
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
-  double sum_of_logarithms = 0.0;
-  int count = 0;
-  int zeros = 0; ///< not in the mean
+  double pressure = 0.0;       ///< nominal [Pa], of the first realisation
+  std::vector<double> numbers; ///< >= 0
+  bool is_complete = true;     ///< whether each realisation has a number
 
   void add(double number) {
-    if (number == 0.0)
-      ++zeros;
-    if (!(number > 0.0))
-      return;
-    low = std::fmin(low, number);
-    high = std::fmax(high, number);
-    sum_of_logarithms += std::log(number);
-    ++count;
+    if (number >= 0.0)
+      numbers.push_back(number);
+    else
+      is_complete = false;
   }
 
-  double mean() const { return std::exp(sum_of_logarithms / count); }
+  int zeros() const;
+
+  /// Of all numbers, of which zeros are the smallest.
+  double median() const;
 };
 
 /// By the number of the load step.
 using SpreadCurve = std::map<int, LoadSpread>;
 
-/// The rows of the loading branch.
-/// @param numbers  of a row and its realisation, one or several
-template <class Numbers>
+/// The rows of the loading branch, of the loads at which every realisation that
+/// has a row has a number: those that failed are not left out of a median.
+/// @param number  of a row and its realisation; NaN: none
+template <class Number>
 SpreadCurve spread_curve(const results::MethodRecord& method,
-                         const Numbers& numbers) {
+                         const Number& number) {
   SpreadCurve curve;
   for (std::size_t r = 0; r < method.realizations.size(); ++r)
     for (const results::CurvePoint& row : method.realizations[r].points)
       if (row.nominal_pressure > 0.0 && !row.is_unloading) {
         LoadSpread& at = curve[row.step];
         at.pressure = at.pressure > 0.0 ? at.pressure : row.nominal_pressure;
-        for (const double number : numbers(row, r))
-          at.add(number);
+        at.add(number(row, r));
       }
-  std::erase_if(curve, [](const auto& at) {
-    return at.second.count + at.second.zeros == 0;
-  });
+  std::erase_if(curve, [](const auto& at) { return !at.second.is_complete; });
   return curve;
 }
 
@@ -67,12 +62,13 @@ class SpreadPanel {
 public:
   /// @param quantity  of the header, "leak rate [m^3/s]"
   /// @param unit      by which the numbers are divided
-  /// @param zeros     header of the column of zeros; empty: without it
-  SpreadPanel(const std::string& quantity, double unit,
-              const std::string& zeros = "");
+  /// @param zero      what a realisation with the number 0 is: "sealed"
+  SpreadPanel(const std::string& quantity, double unit, std::string zero);
 
-  /// Adds a curve, with bars over its range if it has markers.
-  void add(const std::string& label, CurveStyle style,
+  /// Adds a curve, with bars over its range if it has markers. Loads at which
+  /// realisations of a curve with markers have the number 0 get a cross at the
+  /// bottom axis, as a curve of its own.
+  void add(const std::string& label, const CurveStyle& style,
            const SpreadCurve& curve);
 
   bool is_empty() const { return panel_.curves.empty(); }
@@ -82,10 +78,23 @@ public:
   void move_to(Figure& figure, const std::string& label);
 
 private:
+  /// A row of the table, without the numbers of a curve of zeros, which are at
+  /// the axis, whose place depends on all curves.
+  struct Row {
+    std::string label;
+    std::size_t index = 0;
+    LoadSpread at;
+    bool is_zero = false;
+  };
+
+  void add_rows(const std::string& label, const SpreadCurve& curve,
+                bool is_zero);
+
   double unit_;
-  bool has_zeros_;
+  std::string quantity_, zero_;
   std::size_t next_ = 0;
-  CsvTable table_;
+  double least_ = std::numeric_limits<double>::infinity(); ///< > 0, over unit_
+  std::vector<Row> rows_;
   ChartPanel panel_;
 };
 

@@ -24,6 +24,7 @@ struct Sum {
   std::vector<FittedValue> areas;
   int count = 0;
   int with_theory = 0;
+  bool is_complete = true; ///< whether all realisations converged
 };
 
 void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
@@ -33,14 +34,15 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
   SeriesRow& row = sum.row;
   row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
   row.gap_high = sum.count == 0 ? gap : std::max(row.gap_high, gap);
+  const double area = point.area_fraction == 0.0 ? 0.0 : point.*best;
   sum.gaps.push_back({.value = gap});
-  sum.areas.push_back({.value = point.*best});
+  sum.areas.push_back({.value = area});
   const double pressure = point.nominal_pressure / scales.contact_modulus;
   row.pressure += pressure;
   row.pressure_slope += pressure / scales.rms_slope;
   row.gap += gap;
   row.area += point.area_fraction;
-  row.area_corrected += point.*best;
+  row.area_corrected += area;
   row.area_fit += point.area_fraction_fit;
   row.theory_area += theory.area_fraction(point.nominal_pressure);
   row.iterations += point.iterations;
@@ -108,16 +110,19 @@ std::vector<SeriesRow> rows_of(std::span<const ReportEntry> entries,
                                    ? std::span(curve_of(*reference, r).points)
                                    : std::span<const CurvePoint>());
     for (const CurvePoint& point : method.realizations[r].points) {
-      if (point.status != results::StepStatus::converged ||
-          point.nominal_pressure <= 0.0)
-        continue;
-      add_point(steps[point.step], point, scales, theory, best);
+      Sum& sum = steps[point.step];
+      if (point.status == results::StepStatus::converged)
+        add_point(sum, point, scales, theory, best);
+      else
+        sum.is_complete = false;
     }
   }
+  // The converged realisations alone, or those in contact, are another surface.
   std::vector<SeriesRow> rows;
   rows.reserve(steps.size());
   for (const auto& [step, sum] : steps)
-    rows.push_back(mean_of(sum));
+    if (sum.is_complete && sum.row.pressure > 0.0)
+      rows.push_back(mean_of(sum));
   return rows;
 }
 

@@ -21,17 +21,19 @@ struct ReportEntry {
 };
 
 /// One load step over the realisations of a method: mean, minimum and maximum.
+/// Realisations without contact are included, and a step that one of them has
+/// not reached has no row: the others alone would be another surface.
 struct SeriesRow {
-  double pressure = 0.0;              ///< p/E* [1]
-  double pressure_slope = 0.0;        ///< p/(E* h') [1]
-  double gap = 0.0;                   ///< u/h_rms [1]
-  double gap_low = 0.0;               ///< minimum over the realisations
-  double gap_high = 0.0;              ///< maximum over the realisations
-  double gap_interval = not_a_number; ///< half-width of the 95 % interval of
-                                      ///< the mean; NaN: one realisation
-  double area = 0.0;                  ///< counted [1]
-  double area_corrected = 0.0;        ///< best estimate: corrected, or else
-                                      ///< counted [1]
+  double pressure = 0.0;               ///< p/E* [1]
+  double pressure_slope = 0.0;         ///< p/(E* h') [1]
+  double gap = 0.0;                    ///< u/h_rms [1]
+  double gap_low = 0.0;                ///< minimum over the realisations
+  double gap_high = 0.0;               ///< maximum over the realisations
+  double gap_interval = not_a_number;  ///< half-width of the 95 % interval of
+                                       ///< the mean; NaN: one realisation
+  double area = 0.0;                   ///< counted [1]
+  double area_corrected = 0.0;         ///< best estimate: corrected, or else
+                                       ///< counted [1]
   double area_interval = not_a_number; ///< as gap_interval, of area_corrected
   double area_fit = 0.0;               ///< Eq. (21) of the fit [1]; NaN: none
   double theory_gap = not_a_number;    ///< u/h_rms of the reference theory
@@ -48,7 +50,8 @@ struct Series {
   std::size_t entry = 0; ///< index of the result it belongs to
   std::size_t color = 0; ///< index among the numerical methods
   const MethodSummary* method = nullptr;
-  std::vector<SeriesRow> rows; ///< converged, in the order of the loading path
+  std::vector<SeriesRow> rows; ///< converged and pressed, in the order of the
+                               ///< loading path
   /// Of a theory: its curve between these loads, with gap and areas.
   std::vector<SeriesRow> fine = {};
 

@@ -2,7 +2,6 @@
 // page, and one sentence.
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/measured_curve.hpp"
-#include "reports/numbers/fits.hpp"
 #include "reports/pages/page_data.hpp"
 #include "surfaces/inner_roughness.hpp"
 
@@ -34,25 +33,37 @@ const results::MethodRecord* main_method(const results::Result& result) {
   return nullptr;
 }
 
+/// The loads that all realisations reach. Those without contact count: at a
+/// prescribed gap the others alone would be another surface.
 std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method) {
   struct Step {
     std::vector<FittedValue> pressures, areas, gaps;
+    bool is_complete = true; ///< whether all realisations converged
   };
 
   const AreaColumn area = best_area(method);
   std::map<int, Step> steps;
   for (const results::Curve& curve : method.realizations)
-    for (const results::CurvePoint& row : loading_rows(curve.points)) {
-      steps[row.step].pressures.push_back({.value = row.nominal_pressure});
-      steps[row.step].areas.push_back({.value = row.*area});
-      steps[row.step].gaps.push_back({.value = row.mean_gap});
+    for (const results::CurvePoint& row : curve.points) {
+      if (row.is_unloading)
+        continue;
+      Step& step = steps[row.step];
+      step.is_complete = step.is_complete &&
+                         row.status == results::StepStatus::converged &&
+                         std::isfinite(row.nominal_pressure + row.mean_gap);
+      step.pressures.push_back({.value = row.nominal_pressure});
+      step.areas.push_back(
+          {.value = row.area_fraction == 0.0 ? 0.0 : row.*area});
+      step.gaps.push_back({.value = row.mean_gap});
     }
   std::vector<PhysicalLoad> loads;
-  loads.reserve(steps.size());
-  for (const auto& [step, numbers] : steps)
-    loads.push_back({mean_over_realizations(numbers.pressures).value,
-                     mean_over_realizations(numbers.areas),
-                     mean_over_realizations(numbers.gaps)});
+  for (const auto& [step, numbers] : steps) {
+    const double pressure = mean_over_realizations(numbers.pressures).value;
+    if (numbers.is_complete && pressure > 0.0)
+      loads.push_back({pressure, mean_over_realizations(numbers.areas),
+                       mean_over_realizations(numbers.gaps)});
+  }
+  std::ranges::stable_sort(loads, {}, &PhysicalLoad::pressure);
   return loads;
 }
 

@@ -169,7 +169,7 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
                         "tip of radius R shapes the map where the latter "
                         "exceeds 1/(2R). Over one spacing: {:.4g} 1/m; by the "
                         "spectrum: {:.4g} 1/m.",
-                        map.scales.front().rms_curvature(),
+                        map.neighbours.rms_curvature(),
                         map.spectrum.rms_curvature);
   figure.panels = {
       {.x = {.label = "distance [µm]", .is_log = true},
@@ -219,10 +219,13 @@ Figure bearing_figure(const surfaces::MapAnalysis& map) {
 } // namespace
 
 std::vector<Figure> figures_of(const surfaces::MapAnalysis& map) {
-  return {topography_figure(map),      map_spectrum_figure(map),
-          heights_figure(map),         bearing_figure(map),
-          autocorrelation_figure(map), scale_figure(map, true),
-          scale_figure(map, false)};
+  std::vector<Figure> figures{topography_figure(map), map_spectrum_figure(map),
+                              heights_figure(map), bearing_figure(map),
+                              autocorrelation_figure(map)};
+  if (!map.scales.empty())
+    for (const bool is_slope : {true, false})
+      figures.push_back(scale_figure(map, is_slope));
+  return figures;
 }
 
 } // namespace asperity::reports

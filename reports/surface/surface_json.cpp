@@ -52,6 +52,7 @@ Json fit_json(const surfaces::SelfAffineFit& fit) {
   object["plateau"] = fit.plateau;
   object["noise"] = fit.noise;
   object["dispersion"] = fit.dispersion;
+  object["is_model"] = fit.is_model;
   return object;
 }
 
@@ -60,6 +61,7 @@ Json map_json(const surfaces::MapAnalysis& map) {
   const surfaces::ReliableRange& range = map.range;
   Json object{{"name", map.name},
               {"origin", map.origin},
+              {"warnings", map.warnings},
               {"points", {grid.points_x, grid.points_y}},
               {"lengths", {grid.length_x, grid.length_y}},
               {"is_periodic", map.is_periodic},

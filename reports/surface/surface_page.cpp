@@ -38,6 +38,18 @@ List quantity_rows(const std::vector<SurfaceQuantity>& quantities) {
   return rows;
 }
 
+std::string interval_text(const FittedQuantity& quantity) {
+  const surfaces::FittedParameter& fitted = quantity.parameter;
+  if (!std::isfinite(fitted.value))
+    return fitted_text(quantity);
+  if (!std::isfinite(fitted.low))
+    return fitted.reason;
+  return fmt::format(
+      "{} to {}{}", quantity_text(fitted.low, quantity.unit),
+      quantity_text(fitted.high, quantity.unit),
+      fitted.reason.empty() ? "" : fmt::format(" ({})", fitted.reason));
+}
+
 List fit_data(const surfaces::SelfAffineFit& fit) {
   List rows;
   for (const FittedQuantity& quantity : quantities_of(fit)) {
@@ -48,11 +60,7 @@ List fit_data(const surfaces::SelfAffineFit& fit) {
     row.set("meaning", quantity.meaning);
     row.set("value",
             has_value ? quantity_text(fitted.value, quantity.unit) : "–");
-    row.set("interval",
-            has_value ? fmt::format("{} to {}",
-                                    quantity_text(fitted.low, quantity.unit),
-                                    quantity_text(fitted.high, quantity.unit))
-                      : fitted_text(quantity));
+    row.set("interval", interval_text(quantity));
     // A wavevector is easier to imagine as a wavelength.
     row.set("wavelength",
             quantity.unit == "1/m" && has_value
@@ -71,6 +79,10 @@ Value part_data(const surfaces::MapAnalysis& map) {
                        map.map.grid.points_y,
                        quantity_text(map.map.grid.length_x, "m"),
                        quantity_text(map.map.grid.length_y, "m"), map.origin));
+  List warnings;
+  for (const std::string& warning : map.warnings)
+    warnings.push_back(text_item(warning));
+  part.set("warnings", warnings);
   part.set("range", range_text(map));
   part.set("quantities", quantity_rows(quantities_of(map)));
   part.set("has_spectrum", true);
@@ -78,6 +90,12 @@ Value part_data(const surfaces::MapAnalysis& map) {
   if (map.fit) {
     part.set("fit", fit_data(*map.fit));
     part.set("dispersion", fmt::format("{:.2g}", map.fit->dispersion));
+    part.set("scatter",
+             map.fit->is_model
+                 ? "where this exceeds 1, the 95 % intervals are widened by "
+                   "its root"
+                 : "the model allows for less, so that no intervals are "
+                   "stated");
   }
   return part;
 }

@@ -49,7 +49,7 @@ std::vector<SurfaceQuantity> quantities_of(const surfaces::MapAnalysis& map) {
       {"sdr", "Sdr", "developed area over projected area, minus 1", "1",
        heights.sdr, none},
       {"rms_curvature", "h''", "rms curvature (half the Laplacian)", "1/m",
-       map.scales.front().rms_curvature(), spectrum.rms_curvature},
+       map.neighbours.rms_curvature(), spectrum.rms_curvature},
       {"nayak", "α", "Nayak's parameter m₀m₄/m₂²", "1", map.nayak,
        nayak_parameter(spectrum)},
       {"sal", "Sal", "shortest decay of the autocorrelation to 0.2", "m",
@@ -87,6 +87,8 @@ std::vector<FittedQuantity> quantities_of(const surfaces::SelfAffineFit& fit) {
       {"hurst", "H", "Hurst exponent", "1", fit.hurst},
       {"wavevector_roll_off", "q₀", "roll-off wavevector", "1/m", fit.roll_off},
       {"wavevector_high", "q₁", "cut-off wavevector", "1/m", fit.cutoff},
+      {"blur", "s", "standard deviation of the Gaussian that blurs the map",
+       "m", fit.blur},
       {"rms_height", "h_rms", "rms height of the model between the limits", "m",
        fit.rms_height},
   };
@@ -110,11 +112,17 @@ std::string fitted_text(const FittedQuantity& quantity) {
     return fmt::format("{} {} ({})", has_low ? "above" : "below",
                        quantity_text(limit, quantity.unit), fitted.reason);
   }
+  const std::string note =
+      fitted.reason.empty() ? "" : fmt::format(" ({})", fitted.reason);
+  if (!std::isfinite(fitted.low))
+    return quantity_text(fitted.value, quantity.unit) + note;
   const std::string high = std::isfinite(fitted.high)
                                ? quantity_text(fitted.high, quantity.unit)
                                : "no limit";
-  return fmt::format("{} [{}, {}]", quantity_text(fitted.value, quantity.unit),
-                     quantity_text(fitted.low, quantity.unit), high);
+  return fmt::format("{} [{}, {}]{}",
+                     quantity_text(fitted.value, quantity.unit),
+                     quantity_text(fitted.low, quantity.unit), high,
+                     std::isfinite(fitted.high) ? note : "");
 }
 
 std::string wavelengths_text(double low, double high) {
@@ -124,7 +132,7 @@ std::string wavelengths_text(double low, double high) {
 
 std::string range_text(const surfaces::MapAnalysis& map) {
   const surfaces::ReliableRange& range = map.range;
-  if (!(range.low < range.high))
+  if (rings_between(part_of(map).rings, range.low, range.high).empty())
     return fmt::format("no wavelength is reliable: the limits by {} and by {} "
                        "leave none",
                        range.low_reason, range.high_reason);

@@ -1,9 +1,14 @@
 #include "reports/surface/surface_report.hpp"
 
+#include "input/input_error.hpp"
+#include "reports/surface/surface_quantities.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "theory/persson/persson.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -60,6 +65,34 @@ areas_of_cut_offs(const std::vector<surfaces::SpectrumRing>& rings,
   return areas;
 }
 
+/// What would give a map a reliable range.
+std::string remedy_for(const surfaces::MapAnalysis& map) {
+  constexpr double enough = 8.0; // spacings of a side, for a factor of two
+  const Grid& grid = map.map.grid;
+  const double needed = enough * std::max(grid.spacing_x(), grid.spacing_y());
+  if (std::min(grid.length_x, grid.length_y) < needed)
+    return fmt::format(
+        "its shorter side must be at least 8 times its larger spacing, {}, or "
+        "half of that with --periodic if the map continues at its edges",
+        quantity_text(needed, "m"));
+  return "leave out --tip-radius, or use a scan of a larger part";
+}
+
+[[noreturn]] void refuse_all(const SurfaceReport& report) {
+  std::string text;
+  for (const surfaces::MapAnalysis& map : report.maps)
+    text +=
+        fmt::format("{}{}: {} x {} points: {}; {}", text.empty() ? "" : "\n",
+                    map.name, map.map.grid.points_x, map.map.grid.points_y,
+                    range_text(map), remedy_for(map));
+  for (const surfaces::LineAnalysis& line : report.lines)
+    text += fmt::format("{}{}: {} points are too few for a spectrum; a line "
+                        "scan of at least 64 points is needed",
+                        text.empty() ? "" : "\n", line.name,
+                        line.line.heights.size());
+  throw input::InputError(text);
+}
+
 } // namespace
 
 void add_stitched(SurfaceReport& report) {
@@ -68,6 +101,10 @@ void add_stitched(SurfaceReport& report) {
     parts.push_back(part_of(map));
   for (const surfaces::LineAnalysis& line : report.lines)
     parts.push_back(part_of(line));
+  if (std::ranges::none_of(parts, [](const surfaces::SpectrumPart& part) {
+        return !rings_between(part.rings, part.low, part.high).empty();
+      }))
+    refuse_all(report);
   report.stitched = surfaces::stitch(parts);
 }
 

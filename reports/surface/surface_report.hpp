@@ -61,7 +61,8 @@ struct SurfaceReport {
 };
 
 /// Adds the stitched spectrum of all maps and lines.
-/// @throws std::domain_error  none has a reliable range
+/// @throws input::InputError  none has a wave in its reliable range; the
+///                            message names each and says what would help
 void add_stitched(SurfaceReport& report);
 
 /// Evaluates the theory at 31 loads between 1e-4 and 1 E* h'. A single map

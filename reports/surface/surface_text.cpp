@@ -37,12 +37,26 @@ std::string table_text(const std::vector<SurfaceQuantity>& quantities,
   return text;
 }
 
+std::string scatter_text(const surfaces::SelfAffineFit& fit) {
+  if (!(fit.dispersion > 2.0) && fit.is_model)
+    return "";
+  return fmt::format("    The rings scatter {:.2g} times as much about the "
+                     "model as they would for a Gaussian self-affine surface; "
+                     "{}.\n",
+                     std::sqrt(fit.dispersion),
+                     fit.is_model ? "the intervals are widened accordingly"
+                                  : "it is not this model, and no intervals "
+                                    "are stated");
+}
+
 std::string map_text(const surfaces::MapAnalysis& map) {
   const Grid& grid = map.map.grid;
   std::string text = fmt::format("{}: {} x {} points over {} x {}\n  {}\n",
                                  map.name, grid.points_x, grid.points_y,
                                  quantity_text(grid.length_x, "m"),
                                  quantity_text(grid.length_y, "m"), map.origin);
+  for (const std::string& warning : map.warnings)
+    text += fmt::format("  warning: {}\n", warning);
   text += table_text(quantities_of(map), true);
   text += fmt::format("  reliable: {}\n", range_text(map));
   if (!map.fit)
@@ -52,12 +66,7 @@ std::string map_text(const surfaces::MapAnalysis& map) {
   for (const FittedQuantity& quantity : quantities_of(*map.fit))
     text += fmt::format("    {}{}\n", padded(quantity.symbol, 7),
                         fitted_text(quantity));
-  if (map.fit->dispersion > 2.0)
-    text += fmt::format("    The rings scatter {:.2g} times as much about the "
-                        "model as they would for a Gaussian self-affine "
-                        "surface; the intervals are widened accordingly.\n",
-                        std::sqrt(map.fit->dispersion));
-  return text;
+  return text + scatter_text(*map.fit);
 }
 
 std::string line_text(const surfaces::LineAnalysis& line) {

@@ -100,8 +100,12 @@ private:
 };
 
 /// Distance at which the correlation along a direction first falls to the
-/// decay_threshold; NaN if it does not within the lags.
-double decay_length(const LagPlane& plane, double angle, double step) {
+/// decay_threshold; NaN if it does not within the lags. The steps are half of
+/// the spacing in this direction, so that their number is some four times the
+/// lags of a direction, whatever the ratio of the spacings.
+double decay_length(const LagPlane& plane, const Grid& grid, double angle) {
+  const double step = 0.5 / std::hypot(std::cos(angle) / grid.spacing_x(),
+                                       std::sin(angle) / grid.spacing_y());
   double before = 1.0;
   for (int k = 1;; ++k) {
     const double value =
@@ -151,15 +155,13 @@ std::vector<CorrelationPoint> averaged(const LagPlane& plane,
 
 Autocorrelation autocorrelation(const HeightMap& map, bool is_periodic) {
   const LagPlane plane(map, is_periodic);
-  const double step =
-      0.5 * std::min(map.grid.spacing_x(), map.grid.spacing_y());
   Autocorrelation result;
   result.points = averaged(plane, map.grid);
   result.shortest = result.longest = not_a_number;
   bool has_open_direction = false;
   for (int k = 0; k < n_directions; ++k) {
     const double length =
-        decay_length(plane, std::numbers::pi * k / n_directions, step);
+        decay_length(plane, map.grid, std::numbers::pi * k / n_directions);
     has_open_direction |= std::isnan(length);
     result.shortest = std::fmin(result.shortest, length);
     result.longest = std::fmax(result.longest, length);

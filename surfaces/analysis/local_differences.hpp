@@ -47,10 +47,13 @@ struct LocalDifferences {
 LocalDifferences local_differences(const HeightMap& map, int lag_x, int lag_y,
                                    bool is_periodic);
 
-/// Computes the differences over distances from one spacing to a quarter of the
-/// shorter side, some ten per decade. Where the spacings differ, the distance
-/// is a multiple of the larger one and the nearest multiple of the smaller one.
-/// @return  ascending distances; empty if a side has fewer than 4 points
+/// Computes the differences over distances from the larger spacing to a quarter
+/// of the shorter side, some ten per decade. Where the spacings differ, the
+/// distance is a multiple of the larger one and the nearest multiple of the
+/// smaller one, so that it is nearly the same in both directions; differences
+/// of neighbours are those of local_differences() with lags of 1.
+/// @return  ascending distances; empty if a side has fewer than 4 points, or
+///          the larger spacing is above a quarter of the shorter side
 std::vector<LocalDifferences> scale_dependence(const HeightMap& map,
                                                bool is_periodic);
 

@@ -17,6 +17,10 @@ constexpr std::size_t fewest_rings = 10;
 constexpr double least_ratio = 3.0;
 constexpr double widest_hurst = 0.5; // half width of a useful interval of H
 constexpr double one_ring = 1.03;    // a little more than the width of a ring
+constexpr const char* not_self_affine =
+    "above 1: the spectrum is not that of a self-affine surface";
+constexpr const char* no_interval =
+    "no interval: the rings scatter more than the model allows";
 
 /// The best fit for each number of rings below the cut-off.
 struct CutoffScan {
@@ -113,20 +117,67 @@ FittedParameter rms_height_of(const WhittlePart& part,
                               const Covariance& covariance, double low,
                               double high) {
   const double middle = log_mean_square(part.parameters, low, high);
-  std::array<double, 4> gradient{};
-  for (std::size_t k = 0; k < 4; ++k) {
-    constexpr double step = 1e-5;
+  WhittleParameters gradient{};
+  for (std::size_t k = 0; k < whittle_parameters; ++k) {
+    const double step = k == blur_at ? 1e-5 / (high * high) : 1e-5;
     WhittleParameters changed = part.parameters;
     changed.at(k) += step;
     gradient.at(k) = (log_mean_square(changed, low, high) - middle) / step;
   }
   double variance = 0.0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k)
+  for (std::size_t i = 0; i < whittle_parameters; ++i)
+    for (std::size_t k = 0; k < whittle_parameters; ++k)
       variance += gradient.at(i) * covariance.at(i).at(k) * gradient.at(k);
   const double half = 0.5 * two_sided * std::sqrt(variance);
   const double height = std::exp(0.5 * middle);
   return {height, height * std::exp(-half), height * std::exp(half), ""};
+}
+
+FittedParameter hurst_of(const WhittlePart& part,
+                         const Covariance& covariance) {
+  const double hurst = part.parameters[hurst_at];
+  const double half = two_sided * std::sqrt(covariance[hurst_at][hurst_at]);
+  if (!(half <= widest_hurst) || std::abs(hurst - 0.5) > widest_hurst + 0.5)
+    return {not_a_number, not_a_number, not_a_number,
+            "the self-affine part of the spectrum is too short"};
+  const char* const reason =
+      hurst <= 1.0          ? ""
+      : hurst - half <= 1.0 ? "above 1, where no surface is self-affine, but "
+                              "the interval reaches below"
+                            : not_self_affine;
+  return {hurst, hurst - half, hurst + half, reason};
+}
+
+FittedParameter roll_off_of(const WhittlePart& part,
+                            const Covariance& covariance) {
+  const double corner = std::exp(part.parameters[corner_at]);
+  const double factor =
+      std::exp(two_sided * std::sqrt(covariance[corner_at][corner_at]));
+  return {corner, corner / factor, corner * factor, ""};
+}
+
+/// The blur, of which only an upper limit is determined if the rings do not
+/// exclude that there is none.
+FittedParameter blur_of(const WhittlePart& part, const Covariance& covariance) {
+  const double square = part.parameters[blur_at];
+  const double half = two_sided * std::sqrt(covariance[blur_at][blur_at]);
+  if (!(square > half))
+    return {not_a_number, not_a_number, std::sqrt(square + half),
+            "no blur is found"};
+  return {std::sqrt(square), std::sqrt(square - half), std::sqrt(square + half),
+          ""};
+}
+
+/// Withdraws the intervals of a fit whose rings scatter too much.
+void withdraw_intervals(SelfAffineFit& fit) {
+  for (FittedParameter* const parameter :
+       {&fit.hurst, &fit.roll_off, &fit.cutoff, &fit.blur, &fit.rms_height}) {
+    parameter->low = parameter->high = not_a_number;
+    if (std::isfinite(parameter->value))
+      parameter->reason = no_interval;
+  }
+  if (fit.hurst.value > 1.0)
+    fit.hurst.reason = std::string(not_self_affine) + "; " + no_interval;
 }
 
 } // namespace
@@ -134,7 +185,9 @@ FittedParameter rms_height_of(const WhittlePart& part,
 double SelfAffineFit::density(double wavevector) const {
   const double corner =
       std::isnan(roll_off.value) ? wavevector_low : roll_off.value;
-  return plateau * std::pow(std::max(wavevector, corner) / corner, exponent) +
+  return plateau * std::pow(std::max(wavevector, corner) / corner, exponent) *
+             std::exp(-blur_square * (wavevector * wavevector -
+                                      wavevector_low * wavevector_low)) +
          noise;
 }
 
@@ -145,18 +198,20 @@ fit_self_affine(const std::vector<SpectrumRing>& rings, double wavevector_end) {
     return std::nullopt;
   SelfAffineFit fit;
   WhittlePart part;
+  Dispersion dispersion;
   if (rings.back().wavevector * one_ring < wavevector_end) {
     part = fit_part(rings, rings.size() - 1, std::nullopt);
-    fit.dispersion = dispersion_of(rings, part);
+    dispersion = dispersion_of(rings, part);
     fit.cutoff = end_of(rings);
   } else {
     const CutoffScan scan = scan_cutoffs(rings);
     const bool has_cutoff = scan.best > 0 && scan.best + 1 < scan.parts.size();
     part = scan.parts[has_cutoff ? scan.best - 1 : scan.best];
-    fit.dispersion = dispersion_of(rings, part);
-    fit.cutoff = cutoff_of(rings, scan, std::max(1.0, fit.dispersion));
+    dispersion = dispersion_of(rings, part);
+    fit.cutoff = cutoff_of(rings, scan, std::max(1.0, dispersion.value));
   }
-  const double widening = std::max(1.0, fit.dispersion);
+  const double widening = std::max(1.0, dispersion.value);
+  fit.dispersion = dispersion.value;
   fit.wavevector_low = rings.front().wavevector;
   fit.wavevector_high = rings[part.count - 1].wavevector;
 
@@ -166,25 +221,22 @@ fit_self_affine(const std::vector<SpectrumRing>& rings, double wavevector_end) {
   const WhittlePart& chosen = has_roll_off ? part : straight;
   const Covariance covariance =
       covariance_of(rings, chosen, has_roll_off, widening);
-  const double hurst = chosen.parameters[1];
-  const double half = two_sided * std::sqrt(covariance[1][1]);
-  fit.exponent = -2.0 - 2.0 * hurst;
-  fit.hurst = {hurst, hurst - half, hurst + half, ""};
-  if (half > widest_hurst || std::abs(hurst - 0.5) > widest_hurst + 0.5)
-    fit.hurst = {not_a_number, not_a_number, not_a_number,
-                 "the self-affine part of the spectrum is too short"};
-  const double corner = std::exp(chosen.parameters[2]);
-  if (has_roll_off) {
-    const double factor = std::exp(two_sided * std::sqrt(covariance[2][2]));
-    fit.roll_off = {corner, corner / factor, corner * factor, ""};
-  } else {
+  fit.exponent = -2.0 - 2.0 * chosen.parameters[hurst_at];
+  fit.hurst = hurst_of(chosen, covariance);
+  if (has_roll_off)
+    fit.roll_off = roll_off_of(chosen, covariance);
+  else
     fit.roll_off = {not_a_number, not_a_number, fit.wavevector_low,
                     "no roll-off within the reliable range"};
-  }
+  fit.blur = blur_of(chosen, covariance);
+  fit.blur_square = chosen.parameters[blur_at];
   fit.rms_height = rms_height_of(chosen, covariance, fit.wavevector_low,
                                  fit.wavevector_high);
   fit.plateau = std::exp(log_signal(chosen.parameters, fit.wavevector_low));
-  fit.noise = std::exp(chosen.parameters[3]);
+  fit.noise = std::exp(chosen.parameters[noise_at]);
+  fit.is_model = dispersion.value <= dispersion.limit;
+  if (!fit.is_model)
+    withdraw_intervals(fit);
   return fit;
 }
 

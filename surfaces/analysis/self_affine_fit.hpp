@@ -22,38 +22,49 @@ struct FittedParameter {
 
 /// The model
 ///
-///     C(q) = S(q) + N                      q <= q_1
+///     C(q) = S(q) T(q)^2 + N               q <= q_1
 ///     S(q) = C_0                           q <= q_0
 ///     S(q) = C_0 (q/q_0)^(-2 - 2 H)        q >  q_0
+///     T(q) = exp(-s^2 q^2/2)
 ///
-/// with the noise N >= 0. The cut-off q_1 is the ring beyond which the rings
-/// depart from it by more than a factor of 1.5 or 3.2 standard deviations,
-/// whichever is larger: the end of a band-limited spectrum or the filter of an
-/// instrument.
+/// with the noise N >= 0 and the blur s >= 0: an instrument that averages over
+/// a Gaussian of this standard deviation has the transfer function T, and other
+/// smooth ones begin like it. The cut-off q_1 is the ring beyond which the
+/// rings depart from C by more than a factor of 1.5 or 3.2 standard deviations,
+/// whichever is larger: the end of a band-limited spectrum or another filter.
+///
+/// No interval is determined of rings that scatter about C more than those of
+/// 999 of 1000 surfaces of the model: the spectrum is another one.
 struct SelfAffineFit {
   FittedParameter hurst;    ///< H [1]; not determined if its interval is wider
-                            ///< than 1, or H outside -0.5..1.5
+                            ///< than 1, or H outside -0.5..1.5; above 1, where
+                            ///< no surface is self-affine, it has a reason
   FittedParameter roll_off; ///< q_0 [rad/m]
   FittedParameter cutoff;   ///< q_1 [rad/m]
-  FittedParameter rms_height; ///< [m]: root of 2 pi int q S dq over the rings
-                              ///< up to q_1
+  FittedParameter blur;     ///< s [m]
+  FittedParameter rms_height; ///< [m]: root of 2 pi int q S T^2 dq over the
+                              ///< rings up to q_1
   double exponent = 0.0; ///< -2 - 2 H of the fit, also where H is not stated
   double plateau = 0.0;  ///< S at the lowest ring [m^4]
   double noise = 0.0;    ///< N [m^4]
   double wavevector_low = 0.0;  ///< lowest ring [rad/m]
   double wavevector_high = 0.0; ///< q_1, or the highest ring [rad/m]
+  double blur_square = 0.0;     ///< s^2 of the fit [m^2], also where s is not
+                                ///< stated
   double dispersion = 1.0; ///< deviance over its expected value [1]; above 1
                            ///< the model or the independence of the modes
                            ///< fails, and the intervals are widened by its root
+  bool is_model = true; ///< whether the dispersion is one that the model allows
 
-  /// S(q) + N [m^4] between wavevector_low and wavevector_high.
+  /// S(q) T(q)^2 + N [m^4] between wavevector_low and wavevector_high.
   double density(double wavevector) const;
 };
 
 /// Maximises the likelihood of the rings, nu C_ring/C(q) being chi-squared
 /// distributed (Whittle's likelihood for a Gaussian surface). Intervals of H,
-/// q_0 and h_rms follow from the Fisher information, those of q_0 and h_rms in
-/// logarithms; that of q_1 are the rings whose log-likelihood is within 1.92 of
+/// s^2, q_0 and h_rms follow from the Fisher information, those of q_0 and
+/// h_rms in logarithms; they allow for a blur and a noise that the rings do not
+/// exclude. That of q_1 are the rings whose log-likelihood is within 1.92 of
 /// the maximum, and one more on either side. The last ring before q_1, which
 /// the cut-off may deplete, is left out.
 /// @param rings  complete rings in the reliable range, ascending

@@ -19,9 +19,10 @@ MapAnalysis analyse_map(HeightMap map, bool is_periodic,
   result.heights = height_parameters(map, is_periodic);
   result.bearing = bearing_curve(map);
   result.correlation = autocorrelation(map, is_periodic);
+  result.neighbours = local_differences(map, 1, 1, is_periodic);
   result.scales = scale_dependence(map, is_periodic);
-  result.nayak = nayak_parameter(result.heights.sq * result.heights.sq,
-                                 result.scales.front());
+  result.nayak =
+      nayak_parameter(result.heights.sq * result.heights.sq, result.neighbours);
   result.range = reliable_range(result.spectrum, result.scales, tip_radius);
   const double high = result.range.tip_wavevector
                           ? std::min(*result.range.tip_wavevector,
@@ -51,6 +52,8 @@ LineAnalysis analyse_line(LineScan line) {
 }
 
 SpectrumPart part_of(const MapAnalysis& analysis) {
+  if (!(analysis.range.low < analysis.range.high)) // a ring may be at both
+    return {{}, analysis.range.low, analysis.range.high};
   return {analysis.spectrum.rings, analysis.range.low, analysis.range.high};
 }
 

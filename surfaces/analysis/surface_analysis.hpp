@@ -23,13 +23,15 @@ namespace asperity::surfaces {
 struct MapAnalysis {
   std::string name;   ///< of the file or case, for tables
   std::string origin; ///< how it was read and levelled, a sentence
+  std::vector<std::string> warnings; ///< of its reader, one line each
   HeightMap map;
   bool is_periodic = false;
   HeightParameters heights;
   BearingCurve bearing;
   Autocorrelation correlation;
-  std::vector<LocalDifferences> scales; ///< the first over one spacing
-  double nayak = 0.0;                   ///< by finite differences [1]
+  LocalDifferences neighbours;          ///< over one spacing of each side
+  std::vector<LocalDifferences> scales; ///< over longer distances, may be empty
+  double nayak = 0.0;                   ///< by neighbours [1]
   SpectrumEstimate spectrum;
   ReliableRange range;
   std::optional<SelfAffineFit> fit; ///< empty: too few rings
@@ -59,7 +61,8 @@ struct LineAnalysis {
 /// @throws std::domain_error  the line is flat
 LineAnalysis analyse_line(LineScan line);
 
-/// The reliable part of the spectrum of a map or a line.
+/// The reliable part of the spectrum of a map or a line; without rings if none
+/// is reliable.
 SpectrumPart part_of(const MapAnalysis& analysis);
 SpectrumPart part_of(const LineAnalysis& analysis);
 

@@ -1,6 +1,7 @@
 #include "surfaces/analysis/whittle_likelihood.hpp"
 
 #include <Eigen/Dense>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/special_functions/digamma.hpp>
 
 #include <algorithm>
@@ -11,13 +12,13 @@
 namespace asperity::surfaces {
 namespace {
 
-using Vector = Eigen::Matrix<double, 4, 1>;
-using Matrix4 = Eigen::Matrix<double, 4, 4>;
+constexpr int n_parameters = static_cast<int>(whittle_parameters);
+using Vector = Eigen::Matrix<double, n_parameters, 1>;
+using Matrix = Eigen::Matrix<double, n_parameters, n_parameters>;
 using Rings = std::span<const SpectrumRing>;
 
-constexpr std::size_t amplitude_at = 0, hurst_at = 1, corner_at = 2,
-                      noise_at = 3;
 constexpr double least_noise = -30.0; // ln N below that of the smallest C
+constexpr double most_blur = 30.0;    // of s^2 q^2 at the last ring
 constexpr int most_steps = 80;
 // Rings of one group are wider than the correlation of windowed modes.
 constexpr double groups_per_decade = 15.0;
@@ -26,7 +27,7 @@ constexpr double groups_per_decade = 15.0;
 struct Expansion {
   double value = 0.0;
   Vector gradient = Vector::Zero();
-  Matrix4 information = Matrix4::Zero();
+  Matrix information = Matrix::Zero();
 };
 
 double deviance_term(const SpectrumRing& ring, double log_model) {
@@ -34,7 +35,9 @@ double deviance_term(const SpectrumRing& ring, double log_model) {
          (log_model + ring.density * std::exp(-log_model));
 }
 
-Expansion expand(Rings rings, const WhittleParameters& at, bool has_corner) {
+/// @param noise_unit  the derivatives are those by N in this unit [m^4]
+Expansion expand(Rings rings, const WhittleParameters& at, bool has_corner,
+                 double noise_unit) {
   Expansion result;
   const double floor = std::exp(at[noise_at]);
   for (const SpectrumRing& ring : rings) {
@@ -42,12 +45,14 @@ Expansion expand(Rings rings, const WhittleParameters& at, bool has_corner) {
     const bool is_flat = has_corner && log_q < at[corner_at];
     const double exponent = -2.0 - 2.0 * at[hurst_at];
     const double bent = is_flat ? at[corner_at] : log_q;
-    const double signal = std::exp(at[amplitude_at] + exponent * bent);
+    const double square = ring.wavevector * ring.wavevector;
+    const double signal =
+        std::exp(at[amplitude_at] + exponent * bent - at[blur_at] * square);
     const double model = signal + floor;
     const double share = signal / model;
     Vector slope;
     slope << share, -2.0 * bent * share, is_flat ? exponent * share : 0.0,
-        1.0 - share;
+        noise_unit / model, -square * share;
     const double weight = 0.5 * ring.degrees_of_freedom;
     result.value += deviance_term(ring, std::log(model));
     result.gradient += weight * (1.0 - ring.density / model) * slope;
@@ -56,9 +61,32 @@ Expansion expand(Rings rings, const WhittleParameters& at, bool has_corner) {
   return result;
 }
 
-/// Limits of ln q_0 and ln N.
+/// Expands in the parameters themselves.
+Expansion expand(Rings rings, const WhittleParameters& at, bool has_corner) {
+  return expand(rings, at, has_corner, std::exp(at[noise_at]));
+}
+
+/// Excludes a parameter from a step.
+void hold(Expansion& at, Eigen::Index parameter) {
+  at.information.row(parameter).setZero();
+  at.information.col(parameter).setZero();
+  at.gradient(parameter) = 0.0;
+}
+
+/// The solution of A x = b for a symmetric A whose rows have different units,
+/// and are zero for parameters that are held.
+/// @param damping  relative to the diagonal
+Vector solve_scaled(const Matrix& system, const Vector& right, double damping) {
+  Vector scale = system.diagonal().cwiseSqrt();
+  scale = (scale.array() > 0.0).select(scale, 1.0);
+  Matrix scaled = system.array() / (scale * scale.transpose()).array();
+  scaled.diagonal().array() += damping + 1e-14;
+  return scaled.ldlt().solve(right.cwiseQuotient(scale)).cwiseQuotient(scale);
+}
+
+/// Limits of ln q_0, ln N and the square of the blur.
 struct Box {
-  double corner_low, corner_high, noise_low, noise_high;
+  double corner_low, corner_high, noise_low, noise_high, blur_high;
 
   explicit Box(Rings rings) {
     const auto by_density = [](const SpectrumRing& a, const SpectrumRing& b) {
@@ -70,12 +98,14 @@ struct Box {
     corner_high = std::log(rings.back().wavevector);
     noise_low = std::log(least->density) + least_noise;
     noise_high = std::log(largest->density);
+    blur_high = most_blur / std::pow(rings.back().wavevector, 2);
   }
 
   WhittleParameters inside(WhittleParameters p) const {
     p[hurst_at] = std::clamp(p[hurst_at], -1.0, 4.0);
     p[corner_at] = std::clamp(p[corner_at], corner_low, corner_high);
     p[noise_at] = std::clamp(p[noise_at], noise_low, noise_high);
+    p[blur_at] = std::clamp(p[blur_at], 0.0, blur_high);
     return p;
   }
 };
@@ -85,18 +115,20 @@ struct Box {
 /// diagonal, and the solution uses a pivoted decomposition.
 double descend(Rings rings, const Box& box, bool has_corner,
                WhittleParameters& at) {
+  const double blur_unit = most_blur / box.blur_high; // q^2 of the last ring
   at = box.inside(at);
   Expansion here = expand(rings, at, has_corner);
   double damping = 1e-3;
   for (int step = 0; step < most_steps && damping < 1e10; ++step) {
-    Matrix4 system = here.information;
-    for (int k = 0; k < 4; ++k)
-      system(k, k) += damping * system(k, k) + 1e-12;
-    Vector change = system.ldlt().solve(here.gradient);
-    change *= std::min(1.0, 0.5 / std::max(std::abs(change(hurst_at)),
-                                           0.5 * std::abs(change(corner_at))));
+    if (at[blur_at] == 0.0 && here.gradient(blur_at) > 0.0)
+      hold(here, blur_at); // it would become negative
+    Vector change = solve_scaled(here.information, here.gradient, damping);
+    change *= std::min(
+        1.0, 0.5 / std::max({std::abs(change(hurst_at)),
+                             0.5 * std::abs(change(corner_at)),
+                             0.25 * blur_unit * std::abs(change(blur_at))}));
     WhittleParameters next = at;
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < whittle_parameters; ++k)
       next.at(k) -= change(static_cast<Eigen::Index>(k));
     next = box.inside(next);
     const Expansion there = expand(rings, next, has_corner);
@@ -115,9 +147,12 @@ double descend(Rings rings, const Box& box, bool has_corner,
 }
 
 /// The power law through the rings with the best amplitude for an exponent.
+/// @param blur_exponent  s^2 q^2 at the last ring
 WhittleParameters start_at(Rings rings, double log_corner, double roughness,
-                           double noise_share) {
-  WhittleParameters start{0.0, roughness, log_corner, 0.0};
+                           double noise_share, double blur_exponent) {
+  const double end = rings.back().wavevector;
+  WhittleParameters start{0.0, roughness, log_corner, 0.0,
+                          blur_exponent / (end * end)};
   double weight = 0.0;
   double ratio = 0.0;
   for (const SpectrumRing& ring : rings) {
@@ -136,8 +171,9 @@ std::vector<WhittleParameters> starts_for(Rings rings) {
   const double high = std::log(rings.back().wavevector);
   for (const double share : {0.0, 0.15, 0.3, 0.5, 0.7})
     for (const double noise_share : {0.3, 1e-6})
-      starts.push_back(
-          start_at(rings, low + share * (high - low), 0.7, noise_share));
+      for (const double blur_exponent : {0.0, 1.0})
+        starts.push_back(start_at(rings, low + share * (high - low), 0.7,
+                                  noise_share, blur_exponent));
   return starts;
 }
 
@@ -160,7 +196,8 @@ double value_beyond(Rings rings) {
 double log_signal(const WhittleParameters& parameters, double wavevector) {
   return parameters[amplitude_at] +
          (-2.0 - 2.0 * parameters[hurst_at]) *
-             std::max(std::log(wavevector), parameters[corner_at]);
+             std::max(std::log(wavevector), parameters[corner_at]) -
+         parameters[blur_at] * wavevector * wavevector;
 }
 
 WhittlePart fit_part(const std::vector<SpectrumRing>& rings, std::size_t count,
@@ -208,8 +245,8 @@ WhittlePart without_roll_off(const std::vector<SpectrumRing>& rings,
   return straight;
 }
 
-double dispersion_of(const std::vector<SpectrumRing>& rings,
-                     const WhittlePart& part) {
+Dispersion dispersion_of(const std::vector<SpectrumRing>& rings,
+                         const WhittlePart& part) {
   struct Group {
     double weight = 0.0;
     double density = 0.0;
@@ -236,31 +273,32 @@ double dispersion_of(const std::vector<SpectrumRing>& rings,
     expected += nu * (std::log(0.5 * nu) - boost::math::digamma(0.5 * nu));
   }
   const auto count = static_cast<double>(groups.size());
-  return deviance / (expected * std::max(1.0, count - 4.0) / count);
+  const double free = std::max(1.0, count - n_parameters);
+  constexpr double exceeded = 1e-3; // probability
+  return {deviance / (expected * free / count),
+          quantile(complement(boost::math::chi_squared(free), exceeded)) /
+              free};
 }
 
 Covariance covariance_of(const std::vector<SpectrumRing>& rings,
                          const WhittlePart& part, bool has_roll_off,
                          double widening) {
   const Rings below = Rings(rings).first(part.count);
-  Expansion at = expand(below, part.parameters, has_roll_off);
-  std::array<bool, 4> is_used{true, true, has_roll_off, true};
-  // Noise that changes no ring noticeably is not a parameter.
-  is_used[noise_at] = at.information(3, 3) > 1e-2;
-  for (int i = 0; i < 4; ++i)
-    if (!is_used.at(static_cast<std::size_t>(i))) {
-      at.information.row(i).setZero();
-      at.information.col(i).setZero();
-      at.information(i, i) = 1.0;
-    }
-  const Matrix4 inverse = at.information.fullPivLu().inverse();
+  const double noise_unit =
+      std::ranges::min(below, {}, &SpectrumRing::density).density;
+  Matrix information =
+      expand(below, part.parameters, has_roll_off, noise_unit).information;
+  if (!has_roll_off)
+    information(corner_at, corner_at) = 1.0;
   Covariance covariance{};
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t k = 0; k < 4; ++k)
-      if (is_used.at(i) && is_used.at(k))
-        covariance.at(i).at(k) =
-            widening *
-            inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
+  for (std::size_t k = 0; k < whittle_parameters; ++k) {
+    if (k == corner_at && !has_roll_off)
+      continue;
+    const Vector column = solve_scaled(
+        information, Vector::Unit(static_cast<Eigen::Index>(k)), 0.0);
+    for (std::size_t i = 0; i < whittle_parameters; ++i)
+      covariance.at(i).at(k) = widening * column(static_cast<Eigen::Index>(i));
+  }
   return covariance;
 }
 

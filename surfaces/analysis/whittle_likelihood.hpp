@@ -1,7 +1,7 @@
 #pragma once
 
-// The likelihood of a self-affine spectrum with noise and its maximisation for
-// a given cut-off. It is internal to self_affine_fit.
+// The likelihood of a self-affine spectrum with blur and noise and its
+// maximisation for a given cut-off. It is internal to self_affine_fit.
 
 #include "surfaces/analysis/spectrum_estimate.hpp"
 
@@ -12,11 +12,15 @@
 
 namespace asperity::surfaces {
 
-/// ln of S at 1 rad/m extrapolated along the self-affine part, H, ln q_0 and
-/// ln N: S(q) = exp(p[0]) max(q, q_0)^(-2 - 2 H).
-using WhittleParameters = std::array<double, 4>;
+/// ln of the self-affine part at 1 rad/m, H, ln q_0, ln N and the square of the
+/// blur s [m^2]: S(q) = exp(p[0]) max(q, q_0)^(-2 - 2 H) exp(-p[4] q^2).
+constexpr std::size_t whittle_parameters = 5;
+constexpr std::size_t amplitude_at = 0, hurst_at = 1, corner_at = 2,
+                      noise_at = 3, blur_at = 4;
+using WhittleParameters = std::array<double, whittle_parameters>;
 
-using Covariance = std::array<std::array<double, 4>, 4>;
+using Covariance =
+    std::array<std::array<double, whittle_parameters>, whittle_parameters>;
 
 /// ln S(q).
 double log_signal(const WhittleParameters& parameters, double wavevector);
@@ -40,13 +44,20 @@ WhittlePart fit_part(const std::vector<SpectrumRing>& rings, std::size_t count,
 WhittlePart without_roll_off(const std::vector<SpectrumRing>& rings,
                              const WhittlePart& part);
 
-/// Deviance of the rings below the cut-off, joined to 15 per decade, over its
-/// expected value [1].
-double dispersion_of(const std::vector<SpectrumRing>& rings,
-                     const WhittlePart& part);
+/// Deviance of the rings below the cut-off, joined to 15 per decade.
+struct Dispersion {
+  double value = 1.0; ///< over its expected value [1]
+  double limit = 1.0; ///< which rings of the model exceed once in a thousand
+                      ///< maps [1]
+};
 
-/// Inverse Fisher information times `widening`; zero for parameters that are
-/// not determined: the noise if it is negligible, and q_0 without a roll-off.
+Dispersion dispersion_of(const std::vector<SpectrumRing>& rings,
+                         const WhittlePart& part);
+
+/// Inverse Fisher information times `widening`, for N in units of the smallest
+/// ring in the place of ln N; zero for q_0 without a roll-off. Noise and blur
+/// count also where the most likely one is 0: a map excludes neither exactly,
+/// and each changes H.
 Covariance covariance_of(const std::vector<SpectrumRing>& rings,
                          const WhittlePart& part, bool has_roll_off,
                          double widening);

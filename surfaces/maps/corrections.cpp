@@ -220,4 +220,30 @@ std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
   return total_count({1, rows}, count);
 }
 
+FoundSpikes find_spikes(const SharedRows& rows, std::span<const double> heights,
+                        double threshold, double least) {
+  const std::vector<double> deviations = deviations_of(rows, heights);
+  const double limit =
+      std::max(least, threshold * robust_scale(rows, deviations));
+  const RowsInMap map(rows, heights);
+  FoundSpikes found;
+  std::vector<double> neighbours;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (!(deviations[i] > limit))
+      continue;
+    take_neighbours(map, static_cast<int>(i / rows.width()), i % rows.width(),
+                    neighbours);
+    const auto near = std::ranges::count_if(neighbours, [&](double neighbour) {
+      return std::abs(neighbour - heights[i]) < 0.5 * deviations[i];
+    });
+    if (near > 1)
+      continue;
+    ++found.count;
+    found.highest = std::max(found.highest, deviations[i]);
+  }
+  found.count = total_count({1, rows}, found.count);
+  found.highest = rank_max(rows.ranks(), found.highest);
+  return found;
+}
+
 } // namespace asperity::surfaces

@@ -58,4 +58,18 @@ void align_lines(const SharedRows& rows, std::span<double> heights);
 std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
                         double threshold);
 
+/// Points that no surface around them explains.
+struct FoundSpikes {
+  std::size_t count = 0;
+  double highest = 0.0; ///< largest |h - m| [m]
+};
+
+/// Finds the spikes of mark_spikes() that are single points or pairs: at most
+/// one neighbour is nearer to h than to m. Scratches and steps are none. The
+/// bits are those of one process. Collective.
+/// @param threshold  [1] > 0
+/// @param least      smallest |h - m| of a spike [m]
+FoundSpikes find_spikes(const SharedRows& rows, std::span<const double> heights,
+                        double threshold, double least);
+
 } // namespace asperity::surfaces

@@ -252,6 +252,53 @@ def check_fields(program, folder):
     assert not (folder / "a.gwy").exists() and not (folder / "p.x3p").exists()
 
 
+def check_faults(program, folder):
+    """Spikes, form and missing points are named when the map is read, each in at most 20 words."""
+    ground = rough(128, 11, 1.0, hurst=0.7, roll_off=8)
+    ground *= 430 / ground.std()
+    scale = ["--length", "1 mm", "--height-unit", "nm"]
+    faulty = ground.copy()
+    faulty.flat[751 + 1092 * np.arange(15)] += 5000
+    faulty += 20e3 * ((np.arange(128) - 63.5) / 63.5)[None, :] ** 2
+    for k in range(164):
+        faulty.flat[100 * k] = np.nan
+    for name, heights, expected in [("clean", ground, 0), ("faulty", faulty, 3)]:
+        map_file = folder / f"{name}.txt"
+        write_map(map_file, heights)
+        printed = run(program, map_file, *scale, "--no-report")
+        lines = [line for line in printed.splitlines() if "warning: " in line]
+        assert len(lines) == expected, printed
+        assert all(len(line.split()) <= 20 and "--set surface." in line for line in lines), lines
+        assert len(json.loads(run(program, map_file, *scale, "--json"))["maps"][0]["warnings"]) == expected
+        pressed = subprocess.run(
+            [program, "run", map_file, *scale, "--contact-modulus", "1 GPa", "--set",
+             "load.nominal_pressure=1 MPa", "--methods", "theory", "--out", folder / f"{name}-run", "--no-report"],
+            text=True, check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        begun = [line for line in pressed.stderr.splitlines() if line.startswith("warning: ")]
+        assert len(begun) == expected, pressed.stderr
+        assert all(len(line.split()) <= 20 for line in begun), begun
+    assert "15 spikes of up to 5" in printed and "164 of 16384 points" in printed, printed
+    # What the lines name removes them.
+    mended = run(program, folder / "faulty.txt", *scale, "--no-report", "--set", "surface.remove_spikes=8",
+                 "--set", "surface.level=bow", "--set", "surface.max_missing=0.1")
+    assert [line for line in mended.splitlines() if "warning" in line][0].startswith("  warning: 164 of"), mended
+    assert "spikes of" not in mended and "form:" not in mended, mended
+
+
+def check_few_rows(program, folder):
+    """No wave of a map of few rows is reliable: the message names the file and what would help."""
+    heights = np.random.default_rng(4).integers(0, 10, (4, 101))
+    write_map(folder / "long.txt", heights)
+    message = run(program, folder / "long.txt", "--length", "101 um", "--height-unit", "nm", "--no-report", code=2)
+    assert "long.txt: 101 x 4 points: no wavelength is reliable" in message, message
+    assert "8 times its larger spacing" in message and "--periodic" in message, message
+    # The larger spacing exceeds a quarter of the shorter side.
+    (folder / "strip.txt").write_text("# Width: 5 um\n# Height: 10 um\n# Value units: nm\n"
+                                      "2 4 2 3\n5 1 0 2\n0 4 4 0\n1 6 0 4\n")
+    message = run(program, folder / "strip.txt", "--no-report", code=2)
+    assert "strip.txt: 4 x 4 points: no wavelength is reliable" in message, message
+
+
 def check_case(program):
     answer = json.loads(run(program, "wave-1d", "--json"))
     found = answer["maps"][0]
@@ -327,6 +374,8 @@ def main(program, scratch):
     check_wave(program, folder)
     check_conversion(program, folder)
     check_messages(program, folder)
+    check_faults(program, folder)
+    check_few_rows(program, folder)
     check_case(program)
     check_several(program, folder)
     check_line(program, folder)

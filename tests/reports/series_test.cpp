@@ -71,6 +71,29 @@ TEST(SeriesOfAnEnsemble, HasTheIntervalOfTheMean) {
   EXPECT_FALSE(std::isfinite(single.back().rows[5].area_interval));
 }
 
+// At a prescribed gap one of two surfaces may not touch. Its pressure is 0, and
+// the mean is half of that of the other; a step that failed has no mean.
+TEST(SeriesOfAnEnsemble, IsAMeanOfAllRealisations) {
+  const cases::Case rough = synthetic::contact_case();
+  results::Result result = synthetic::rough_result(rough, 2);
+  std::vector<results::Curve>& curves = result.methods.back().realizations;
+  curves[1].points[0].nominal_pressure = 0.0;
+  curves[1].points[0].area_fraction = 0.0;
+  curves[1].points[4].status = results::StepStatus::not_converged;
+  const ReportEntry entry = entry_of(result, rough);
+
+  const std::vector<SeriesRow> rows =
+      series_of(std::span(&entry, 1)).back().rows;
+
+  ASSERT_EQ(rows.size(), curves[0].points.size() - 1);
+  EXPECT_NEAR(rows[0].pressure / (curves[0].points[0].nominal_pressure /
+                                  result.contact_modulus),
+              0.5, 1e-12);
+  EXPECT_NEAR(rows[4].pressure / (curves[0].points[5].nominal_pressure /
+                                  result.contact_modulus),
+              1.0, 1e-12);
+}
+
 // Between its loads a theory is evaluated, not interpolated: to the rounding of
 // other sums. Rows that are not the theory of this surface have no such curve.
 TEST(SeriesOfATheory, IsEvaluatedBetweenItsLoads) {

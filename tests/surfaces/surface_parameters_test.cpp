@@ -4,6 +4,7 @@
 #include "surfaces/analysis/bearing_curve.hpp"
 #include "surfaces/analysis/height_parameters.hpp"
 #include "surfaces/analysis/local_differences.hpp"
+#include "surfaces/analysis/surface_analysis.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
@@ -112,6 +113,51 @@ TEST(LocalDifferences, GiveNayaksParameterOfAWave) {
   const LocalDifferences found = local_differences(map, 1, 1, true);
 
   EXPECT_NEAR(nayak_parameter(0.25e-6, found), 1.0, 1e-9);
+}
+
+// A wave along x of 8 columns per period does not depend on y, so that its
+// curvature and Nayak's parameter do not depend on the distance of the rows.
+TEST(LocalDifferences, DoNotDependOnTheOtherSpacing) {
+  const auto wave = [](double length_y) {
+    const HeightMap map =
+        map_of({16, 16, 16e-6, length_y},
+               [](double x, double) { return std::cos(pi / 4e-6 * x); });
+    return analyse_map(map, false, {});
+  };
+  const MapAnalysis square = wave(16e-6);
+
+  for (const double length_y : {48e-6, 16e-3, 1e-6}) {
+    const MapAnalysis found = wave(length_y);
+    EXPECT_NEAR(found.neighbours.rms_curvature() /
+                    square.neighbours.rms_curvature(),
+                1.0, 1e-12);
+    EXPECT_NEAR(found.nayak / square.nayak, 1.0, 1e-12);
+    EXPECT_NEAR(found.heights.sdq / square.heights.sdq, 1.0, 1e-12);
+  }
+}
+
+// The larger spacing exceeds a quarter of the shorter side: no distance is
+// common to both directions, which is no reason to end.
+TEST(ScaleDependence, IsEmptyWithoutACommonDistance) {
+  const HeightMap map = map_of({4, 4, 5e-6, 10e-6}, [](double x, double y) {
+    return std::sin(1e6 * x) + std::cos(3e6 * y);
+  });
+
+  EXPECT_TRUE(scale_dependence(map, false).empty());
+  EXPECT_GT(analyse_map(map, false, {}).neighbours.rms_curvature(), 0.0);
+  EXPECT_GT(analyse_map(map, true, 1e-8).nayak, 0.0);
+}
+
+// A distance is half of the spacing in its direction, so that spacings that
+// differ by a factor of a million need no millions of steps.
+TEST(Autocorrelation, TakesFewStepsOnElongatedPixels) {
+  const HeightMap map =
+      map_of({32, 32, 32.0, 32e9}, [](double x, double) { return x - 15.5; });
+
+  const Autocorrelation found = autocorrelation(map, false);
+
+  EXPECT_TRUE(std::isnan(found.longest));
+  EXPECT_GT(found.shortest, 1.0);
 }
 
 TEST(ScaleDependence, CoversSpacingToAQuarterOfTheSide) {
