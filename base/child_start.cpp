@@ -1,5 +1,6 @@
 #include "base/child_start.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <fcntl.h>
@@ -36,9 +37,16 @@ std::vector<char*> pointers_to(std::vector<std::string>& words) {
   return pointers;
 }
 
+/// Limits a resource, to what this process may have if that is less: a limit
+/// cannot be raised above that of the shell or of the scheduler.
 bool limit(int resource, rlim_t soft, rlim_t hard) {
-  const rlimit values{soft, hard};
-  return setrlimit(static_cast<__rlimit_resource_t>(resource), &values) == 0;
+  const auto limited = static_cast<__rlimit_resource_t>(resource);
+  rlimit present{};
+  if (getrlimit(limited, &present) != 0)
+    return false;
+  const rlimit values{std::min(soft, present.rlim_max),
+                      std::min(hard, present.rlim_max)};
+  return setrlimit(limited, &values) == 0;
 }
 
 /// Resets the signal handlers: a handler that runs in the child would change

@@ -64,7 +64,9 @@ void require_regular_file(const fs::path& path, std::uintmax_t largest) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
-    refuse(path, "there is no such file");
+    refuse(path, fs::is_symlink(fs::symlink_status(path))
+                     ? "is a link to a file that does not exist"
+                     : "there is no such file");
   if (status.type() == fs::file_type::none)
     refuse_system(path, error.value());
   if (status.type() != fs::file_type::regular)

@@ -34,6 +34,7 @@
 #include "run/result_outputs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <optional>
@@ -91,19 +92,34 @@ run::ExitCode run_to_target(const run::ReadCase& read,
                                          options.folder));
 }
 
-/// The maps that one command presses, if they are several: ranks and parts take
-/// each by itself.
-std::vector<fs::path> maps_of_sweep(const RunCommand& command) {
-  if (!command.part.empty() || run::n_mpi_ranks() > 1)
-    return {};
-  const bool is_folder =
-      command.cases.size() == 1 && !run::is_map_file(command.cases.front());
-  if (is_folder && command.contact_modulus.empty())
+/// The maps that one command presses, if they are several.
+run::NamedMaps maps_of_sweep(const RunCommand& command) {
+  const auto is_folder = [](const std::string& word) {
+    std::error_code unreadable;
+    return fs::is_directory(word, unreadable);
+  };
+  if (command.contact_modulus.empty() &&
+      std::ranges::any_of(command.cases, is_folder))
     return {}; // a shipped case may have the name of a folder
-  std::vector<fs::path> maps = run::maps_among(command.cases);
-  if (maps.size() < 2 && !is_folder)
-    maps.clear();
+  run::NamedMaps maps = run::maps_among(command.cases);
+  if (maps.folders.empty() && maps.files.size() < 2)
+    return {};
+  if (!maps.left_out.empty())
+    fmt::print(stderr, "warning: left out, because they are no maps: {}\n",
+               fmt::join(maps.left_out, ", "));
   return maps;
+}
+
+/// A folder of maps is read as a whole, so that nothing is written into it.
+void require_other_folder(const run::NamedMaps& maps, const fs::path& output) {
+  for (const std::string& folder : maps.folders) {
+    std::error_code error;
+    if (fs::equivalent(folder, output, error))
+      throw input::InputError(fmt::format(
+          "{}: is the folder of the maps, but the output folder must be "
+          "another one; please name it by --out",
+          output.string()));
+  }
 }
 
 /// out/NAME with the name of the folder of the maps.
@@ -337,21 +353,66 @@ fs::path folder_of(const std::string& name, const std::string& out,
   return n_targets == 1 ? fs::path(out) : fs::path(out) / name;
 }
 
-run::ExitCode run_cases(const RunCommand& command) {
-  if (command.has_pdf)
-    require_pdf_program();
-  const std::vector<fs::path> maps = maps_of_sweep(command);
-  const std::vector<std::string> overrides =
-      overrides_of(command, !maps.empty());
+namespace {
+
+std::vector<run::NamedCases>
+read_with(const std::vector<std::string>& overrides, const run::NamedMaps& maps,
+          const RunCommand& command) {
   std::vector<run::NamedCases> all;
-  if (!maps.empty())
-    all.push_back(run::read_maps(maps, overrides, command.contact_modulus,
-                                 folder_of_maps(maps, command.out)));
+  if (!maps.files.empty()) {
+    const fs::path folder = folder_of_maps(maps.files, command.out);
+    require_other_folder(maps, folder);
+    all.push_back(
+        run::read_maps(maps.files, overrides, command.contact_modulus, folder));
+    return all;
+  }
   for (const std::string& word : command.cases)
-    if (maps.empty())
-      all.push_back(run::read_named_cases_or_sweep(
-          word, overrides, command.is_quick, command.contact_modulus));
+    all.push_back(run::read_named_cases_or_sweep(
+        word, overrides, command.is_quick, command.contact_modulus));
   run::name_apart(all, command.cases);
+  return all;
+}
+
+/// The cases that the program has made for maps, with the loads that it has
+/// chosen.
+std::vector<cases::Case> made_cases(const std::vector<run::NamedCases>& all,
+                                    const RunCommand& command) {
+  const bool has_loads =
+      !command.work_of_adhesion.empty() ||
+      std::ranges::any_of(command.overrides, [](const std::string& entry) {
+        return entry.starts_with("load");
+      });
+  std::vector<cases::Case> made;
+  for (const run::NamedCases& named : all) {
+    if (has_loads || run::made_case_of(named).empty())
+      continue;
+    for (const run::ReadCase& read : named.cases)
+      made.push_back(read.contact_case);
+    if (named.sweep)
+      for (const cases::SweptPoint& point : named.sweep->sweep.points)
+        made.push_back(point.contact_case);
+  }
+  return made;
+}
+
+} // namespace
+
+std::vector<run::NamedCases> read_asked(const RunCommand& command) {
+  const run::NamedMaps maps = maps_of_sweep(command);
+  std::vector<std::string> overrides =
+      overrides_of(command, !maps.files.empty());
+  std::vector<run::NamedCases> all = read_with(overrides, maps, command);
+  std::string loads = run::loads_below_hardness(made_cases(all, command));
+  if (loads.empty())
+    return all;
+  overrides.insert(overrides.begin(), std::move(loads));
+  return read_with(overrides, maps, command);
+}
+
+namespace {
+
+run::ExitCode run_read_cases(const std::vector<run::NamedCases>& all,
+                             const RunCommand& command) {
   run::catch_interrupts();
   methods::Cache cache(methods::cache_folder(),
                        command.uses_cache ? methods::cache_size() : 0);
@@ -368,6 +429,16 @@ run::ExitCode run_cases(const RunCommand& command) {
   }
   answer.print(end);
   return end;
+}
+
+} // namespace
+
+run::ExitCode run_cases(const RunCommand& command) {
+  if (command.has_pdf)
+    require_pdf_program();
+  const std::vector<run::NamedCases> all = read_asked(command);
+  return run::without_lines_of(run::made_case_of(all.front()),
+                               [&] { return run_read_cases(all, command); });
 }
 
 run::ExitCode report_results(const ReportCommand& command) {
@@ -397,9 +468,12 @@ run::ExitCode report_results(const ReportCommand& command) {
                                                     : first.parent_path() / ".";
   const run::OutputFolder lock(folder, "report", run::report_outputs(),
                                {paths.begin(), paths.end()});
-  for (const std::string& failure :
-       reports::write_report(read, folder, "gnuplot", extras))
+  const std::vector<std::string> failures =
+      reports::write_report(read, folder, "gnuplot", extras);
+  for (const std::string& failure : failures)
     fmt::print(stderr, "figure not drawn: {}\n", failure);
+  const run::ExitCode end =
+      exit_of_figures(failures, !command.forms.formats.empty());
   fmt::print("report: {}\n", (folder / "report.html").string());
   run::JsonAnswer answer("asperity-report");
   for (const results::Result& result : read)
@@ -408,9 +482,15 @@ run::ExitCode report_results(const ReportCommand& command) {
                  fs::is_directory(result.path)
                      ? fs::path(result.path)
                      : fs::path(result.path).parent_path(),
-                 run::exit_good);
-  answer.print(run::exit_good);
-  return run::exit_good;
+                 end);
+  answer.print(end);
+  return end;
+}
+
+run::ExitCode exit_of_figures(const std::vector<std::string>& undrawn,
+                              bool are_asked_for) {
+  return are_asked_for && !undrawn.empty() ? run::exit_internal
+                                           : run::exit_good;
 }
 
 run::ExitCode run_bench(const bench::BenchCommand& command) {

@@ -5,6 +5,7 @@
 
 #include "cli/report_forms.hpp"
 #include "run/arguments/map_case.hpp"
+#include "run/arguments/named_cases.hpp"
 #include "run/exit_code.hpp"
 #include "run/result_outputs.hpp"
 
@@ -59,6 +60,11 @@ struct ReportCommand {
 std::filesystem::path folder_of(const std::string& name, const std::string& out,
                                 std::size_t n_targets);
 
+/// Reads the cases that a command asks for; several maps are one sweep.
+/// @throws input::InputError  as run::read_named_cases_or_sweep(), and for maps
+///                            in the output folder
+std::vector<run::NamedCases> read_asked(const RunCommand& command);
+
 /// Runs cases. All cases are read before the first one is run. A collection
 /// gets a report on all of its parts, in out/<collection>, after they have run.
 run::ExitCode run_cases(const RunCommand& command);
@@ -66,6 +72,12 @@ run::ExitCode run_cases(const RunCommand& command);
 /// Adds the result in a folder, if there is one, to what --json prints.
 void add_answer(run::JsonAnswer& answer, const std::string& name,
                 const std::filesystem::path& folder, run::ExitCode exit_code);
+
+/// The exit code of a command after some figures could not be drawn: the report
+/// says so in their places, which is no success if the figures are what the
+/// user has asked for.
+run::ExitCode exit_of_figures(const std::vector<std::string>& undrawn,
+                              bool are_asked_for);
 
 /// Runs bench_case() and prints bench.json if the command has --json.
 run::ExitCode run_bench(const bench::BenchCommand& command);

@@ -5,6 +5,7 @@
 #include "cli/sweep_commands.hpp"
 #include "input/input_error.hpp"
 #include "methods/chosen.hpp"
+#include "reports/sweeps/sweep_record.hpp"
 #include "results/result_reader.hpp"
 #include "run/distributed/merge.hpp"
 #include "run/distributed/part_run.hpp"
@@ -14,6 +15,7 @@
 #include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
 #include "run/output_folder.hpp"
+#include "run/run_case.hpp"
 #include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/sweep_run.hpp"
 
@@ -22,6 +24,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <stdexcept>
 
 namespace asperity::cli {
 namespace {
@@ -58,6 +62,41 @@ bool has_full_block(const cases::Case& contact_case,
   const std::vector<cases::MethodSpec> methods =
       methods::chosen_methods(contact_case, command.methods, command.is_exact);
   return std::ranges::any_of(methods, methods::is_full_block);
+}
+
+/// Refuses before anything is written what a rank would refuse.
+void require_runnable(const run::NamedCases& named, const RunCommand& command) {
+  const auto require = [&](const cases::Case& contact_case) {
+    (void)run::require_runnable(
+        contact_case, methods::chosen_methods(contact_case, command.methods,
+                                              command.is_exact));
+  };
+  for (const run::ReadCase& read : named.cases)
+    require(read.contact_case);
+  if (named.sweep)
+    for (const cases::SweptPoint& point : named.sweep->sweep.points)
+      require(point.contact_case);
+}
+
+/// Runs a part, whose record is there while it runs, so that others may join
+/// it. A part that is refused leaves no record.
+run::ExitCode run_recorded(const run::PartRecord& record,
+                           const fs::path& folder,
+                           const std::function<run::ExitCode()>& work) {
+  const bool is_new = run::write_part_record(record, folder);
+  const auto remove_record = [&] {
+    if (is_new)
+      run::remove_part_record(record, folder);
+  };
+  try {
+    return work();
+  } catch (const input::InputError&) {
+    remove_record();
+    throw;
+  } catch (const std::domain_error&) {
+    remove_record();
+    throw;
+  }
 }
 
 /// Removes what an earlier run has left for one that does not resume it.
@@ -157,18 +196,21 @@ run::ExitCode run_part(const std::vector<run::NamedCases>& named,
   const run::OutputFolder lock(
       own, fmt::format("run {} --part {}", record.case_name, command.part),
       run::result_outputs());
-  run::write_part_record(record, folder);
+  if (record.is_sweep && !named.front().sweep->text.empty())
+    run::require_own_outputs(folder, {reports::maps_file});
   fmt::print("{}, part {} of {}: {} {}\n", record.case_name, part.number,
              part.count, record.is_sweep ? "points" : "realisations",
              fmt::join(record.members, ", "));
   run::RunOptions options{own, command.methods, true, command.threads};
   options.is_exact = command.is_exact;
   options.cache = &cache;
-  const run::ExitCode end =
-      record.is_sweep
-          ? run::run_part_of_sweep(*named.front().sweep, record, folder,
-                                   options)
-          : run::run_part_of_case(named.front().cases.front(), record, options);
+  options.has_report = !command.no_report;
+  const run::ExitCode end = run_recorded(record, folder, [&] {
+    return record.is_sweep ? run::run_part_of_sweep(*named.front().sweep,
+                                                    record, folder, options)
+                           : run::run_part_of_case(named.front().cases.front(),
+                                                   record, options);
+  });
   if (end == run::exit_interrupted)
     fmt::print("interrupted; the same command continues\n");
   run::JsonAnswer answer("asperity-run");
@@ -196,16 +238,19 @@ bool is_for_ranks(const run::NamedCases& named, const RunCommand& command) {
 run::ExitCode run_over_ranks(const run::NamedCases& named,
                              const RunCommand& command,
                              const fs::path& folder) {
+  require_runnable(named, command);
   const run::PartRequest request = part_request({named}, command);
   const auto n_members =
       static_cast<int>(run::part_records(named, request, 0).size());
   const std::vector<run::PartRecord> records = run::part_records(
       named, request, std::min(n_members, run::n_mpi_ranks()));
   const run::OutputFolder lock(folder, "run " + records.front().case_name,
-                               named.sweep ? run::sweep_outputs()
+                               named.sweep ? run::outputs_of(*named.sweep)
                                            : run::result_outputs());
   if (!command.resume)
     clear_for_ranks(folder, named.sweep.has_value());
+  if (named.sweep)
+    run::write_made_case(*named.sweep);
   run::RankedRun run{
       run::run_arguments(records.front(), absolute_path(folder)), {}, {}};
   run.words.insert(run.words.end(),
@@ -251,10 +296,7 @@ run::ExitCode plan_run(const PlanCommand& command) {
   const RunCommand& run = command.run;
   if (!command.time.empty())
     run::require_slurm_time(command.time);
-  std::vector<run::NamedCases> named;
-  for (const std::string& word : run.cases)
-    named.push_back(run::read_named_cases_or_sweep(
-        word, run.overrides, run.is_quick, run.contact_modulus));
+  const std::vector<run::NamedCases> named = read_asked(run);
   const run::PartRequest request = part_request(named, run);
   const std::vector<run::PartRecord> records =
       run::part_records(named.front(), request, command.n_parts);
@@ -270,7 +312,12 @@ run::ExitCode plan_run(const PlanCommand& command) {
         name + ": its time cannot be predicted; please give --time");
   if (job.time.empty())
     job.time = run::slurm_time(needs.time + start_allowance);
-  run::write_slurm_scripts(run::slurm_scripts(job), folder);
+  const std::map<std::string, std::string> scripts = run::slurm_scripts(job);
+  if (named.front().sweep)
+    run::require_own_outputs(folder, {reports::maps_file});
+  run::write_slurm_scripts(scripts, folder);
+  if (named.front().sweep)
+    run::write_made_case(*named.front().sweep);
   fmt::print("{}: {} parts, each of {} thread{} for at most {}; submit them "
              "with\n  sh {}\n",
              name, records.size(), threads, threads == 1 ? "" : "s", job.time,

@@ -1,6 +1,5 @@
 #include "cli/sweep_commands.hpp"
 
-#include "base/atomic_file.hpp"
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "reports/analysis/verdict.hpp"
@@ -78,9 +77,8 @@ run::SweepOutcome run_to(const run::NamedSweep& named,
   run::SweepRunOptions options{
       named.found.file, named.overrides, command.methods, command.is_exact,
       folder,           command.resume,  command.threads, command.uses_cache};
-  options.has_reports = !named.text.empty() && !command.no_report;
-  if (!named.text.empty())
-    write_file_atomically(named.found.file, named.text);
+  options.has_reports = run::is_of_maps(named) && !command.no_report;
+  options.write_case = [&] { run::write_made_case(named); };
   fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);
   return run::run_sweep(named.sweep, options);
 }
@@ -135,7 +133,7 @@ run::ExitCode run_named_sweep(const run::NamedSweep& named,
                             " is a sweep, but a target error is met for one "
                             "case; --set sweep= removes the sweep");
   const run::OutputFolder lock(folder, "run " + named.sweep.name,
-                               run::sweep_outputs(), inputs_of(named));
+                               run::outputs_of(named), inputs_of(named));
   const run::SweepOutcome outcome = run_to(named, command, folder);
   run::ExitCode end = outcome.worst;
   if (!command.no_report)
@@ -169,10 +167,11 @@ run::ExitCode report_sweep(const fs::path& folder, const std::string& out,
   const reports::SweepRecord record = reports::read_sweep_record(folder);
   const fs::path target = out.empty() ? folder : fs::path(out);
   const run::OutputFolder lock(target, "report", run::report_outputs());
-  print_undrawn(
-      reports::write_sweep_report(record, folder, target, false, extras));
+  const reports::SweepReport report =
+      reports::write_sweep_report(record, folder, target, false, extras);
+  print_undrawn(report);
   fmt::print("report: {}\n", (target / "report.html").string());
-  return run::exit_good;
+  return exit_of_figures(report.undrawn, !extras.journal.endings.empty());
 }
 
 void check_sweep_folder(const fs::path& folder, Checks& checks) {

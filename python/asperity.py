@@ -91,7 +91,13 @@ class Method:
         self.units = {name: str(values.attrs.get("unit", "")) for curve in curves
                       for name, values in curve.items() if name != "note"}
         self.columns = sorted(self.units)
-        length = max(len(curve["nominal_pressure"]) for curve in curves)
+        lengths = [len(curve["nominal_pressure"]) for curve in curves]
+        for curve, length in zip(curves, lengths):  # before any of them is read
+            for name, values in curve.items():
+                if values.shape != (length,):
+                    raise Error(f"{values.name} has the shape {values.shape}, but must have "
+                                f"{(length,)}, as nominal_pressure")
+        length = max(lengths)
         for name in self.columns:
             table = np.full((len(curves), length), np.nan)
             for row, curve in zip(table, curves):
@@ -110,17 +116,33 @@ class Method:
         return gap <= 0 if self._by_gap else pressure > 0
 
 
+def _opened(path):
+    if not path.is_file():
+        raise Error(f"{path}: there is no such file")
+    try:
+        file = h5py.File(path)
+    except OSError as error:
+        raise Error(f"{path}: {error}") from None
+    if file.attrs.get("format") not in ("asperity-result", b"asperity-result"):
+        file.close()
+        raise Error(f"{path}: is no result of Asperity")
+    return file
+
+
 class Result:
     """A result file. `result["fem"]` is a Method; iterating gives the names of the methods.
     `tables["leak"]["mass_flow"]` is a column of a table of docs/reference/results.md. The heights
     and fields of a measured map that continues by its mirror images are those of the map, or, with
     fields="cell", those of the whole cell that was pressed."""
 
-    def __init__(self, folder, exit_code=0, fields="map"):
-        self.folder, self.exit_code = Path(folder), exit_code
-        summary = self.folder / "summary.json"
-        self.summary = json.loads(summary.read_text("utf-8")) if summary.exists() else None
-        with h5py.File(self.folder / "result.h5") as file:
+    def __init__(self, path, exit_code=0, fields="map"):
+        path = Path(path)
+        source = path / "result.h5" if path.is_dir() else path
+        self.folder, self.exit_code = source.parent, exit_code
+        summary = self.folder / "summary.json"  # of result.h5
+        has_summary = source.name == "result.h5" and summary.exists()
+        self.summary = json.loads(summary.read_text("utf-8")) if has_summary else None
+        with _opened(source) as file:
             self.contact_modulus = float(file.attrs["contact_modulus"])  # E* [Pa]
             self.methods = {name: Method(group, fields) for name, group in file["methods"].items()}
             surfaces = file.get("surfaces", {})
@@ -237,6 +259,18 @@ def _write_case(case, folder):
     (folder / "case.toml").write_text(to_toml(case), "utf-8")
 
 
+def _require_answer(ended, folder):
+    """The folder may hold the result of an earlier run: the program says what it has done."""
+    try:
+        answers = json.loads(ended.stdout)["results"]
+        has_run = any(Path(answer["folder"]) == folder for answer in answers)
+    except (ValueError, KeyError, TypeError):
+        has_run = False
+    if not has_run or not any((folder / name).exists() for name in ("result.h5", "sweep.json")):
+        raise Error(f"{ended.args[0]} ended with exit code {ended.returncode}, but does not say "
+                    f"that it has run the case\n{ended.stderr.strip()}".strip())
+
+
 def run(case, out=None, methods=(), overrides=None, threads=0, report=False, fields="map"):
     """Runs a case and returns its Result, or the Sweep if it is one. Without `out` the files are
     in a temporary folder, which is removed. A result is also returned if a step did not converge
@@ -251,7 +285,7 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False, fie
     with tempfile.TemporaryDirectory(prefix="asperity-") as scratch:
         folder = Path(out or scratch).resolve()
         folder.mkdir(parents=True, exist_ok=True)
-        words = ["run", case, "--quiet", "--out", folder]
+        words = ["run", case, "--quiet", "--json", "--out", folder]
         if isinstance(case, dict):
             _write_case(case, folder)
             words[1] = folder / "case.toml"
@@ -261,9 +295,9 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False, fie
         for key, value in (overrides or {}).items():
             words += ["--set", f"{key}={_toml_value(value)}"]
         ended = _ended(words)
-        has_result = any((folder / name).exists() for name in ("result.h5", "sweep.json"))
-        if ended.returncode not in (0, 1, 3) or not has_result:
+        if ended.returncode not in (0, 1, 3):
             raise Error(ended.stderr.strip() or f"exit code {ended.returncode}")
+        _require_answer(ended, folder)
         return read(folder, ended.returncode, fields)
 
 
@@ -296,8 +330,12 @@ def press(heights, length, contact_modulus, pressures, level="none", edges="peri
 
 
 def read(path, exit_code=0, fields="map"):
-    """Reads a result or a sweep that exists: its folder, or the file result.h5 in it. The fields
-    are those of the user's map, or of the whole "cell" that was pressed."""
-    folder = Path(path) if Path(path).is_dir() else Path(path).parent
-    is_sweep = (folder / "sweep.json").exists() and not (folder / "result.h5").exists()
-    return (Sweep if is_sweep else Result)(folder, exit_code, fields)
+    """Reads a result or a sweep that exists: its folder, its file sweep.json, or the file of a
+    result, whatever its name. The fields are those of the user's map, or of the whole "cell" that
+    was pressed."""
+    path = Path(path)
+    is_sweep = path.name == "sweep.json" or (
+        (path / "sweep.json").exists() and not (path / "result.h5").exists())
+    if is_sweep:
+        return Sweep(path if path.is_dir() else path.parent, exit_code, fields)
+    return Result(path, exit_code, fields)

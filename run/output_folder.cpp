@@ -151,8 +151,8 @@ OutputNames run_outputs(const cases::Case& contact_case) {
 
 OutputNames sweep_outputs() {
   OutputNames names = result_outputs();
-  names.insert(names.end(), {reports::sweep_file, reports::maps_file, "points/",
-                             "points.previous/"});
+  names.insert(names.end(),
+               {reports::sweep_file, "points/", "points.previous/"});
   return names;
 }
 
@@ -202,10 +202,12 @@ void require_own_outputs(const fs::path& folder, const OutputNames& names,
     for (const fs::path& input : inputs)
       if (is_or_lies_in(input, output))
         refuse(output, fmt::format("holds the input {}", input.string()));
-    const fs::path foreign = is_own || (is_folder && has_parts(folder))
-                                 ? fs::path()
-                             : is_folder ? foreign_file_in(output)
-                                         : output;
+    const bool is_made_case = // plan --slurm has written no more than this
+        name == reports::maps_file && has_text(output, reports::maps_mark);
+    const fs::path foreign =
+        is_own || is_made_case || (is_folder && has_parts(folder)) ? fs::path()
+        : is_folder ? foreign_file_in(output)
+                    : output;
     if (!foreign.empty())
       refuse(foreign, "is there already, and Asperity did not write it");
   }

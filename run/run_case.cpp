@@ -455,15 +455,21 @@ RunOutcome run_together(const cases::Case& contact_case,
 
 } // namespace
 
-RunOutcome run_case(const cases::Case& contact_case,
-                    const RunOptions& options) {
-  const std::vector<MethodSpec> methods =
-      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+Grid require_runnable(const cases::Case& contact_case,
+                      const std::vector<MethodSpec>& methods) {
   for (const MethodSpec& method : methods)
     if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
       md::require_engine(*md);
   const Grid grid = grid_of_case(contact_case, methods);
   require_computable(contact_case, methods, grid);
+  return grid;
+}
+
+RunOutcome run_case(const cases::Case& contact_case,
+                    const RunOptions& options) {
+  const std::vector<MethodSpec> methods =
+      methods::chosen_methods(contact_case, options.methods, options.is_exact);
+  const Grid grid = require_runnable(contact_case, methods);
   require_memory(contact_case, options);
   std::optional<LastRun> last_run;
   const auto put_back = [&] {

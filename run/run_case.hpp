@@ -38,6 +38,12 @@ struct RunOutcome {
 ///                            case
 RunOutcome run_case(const cases::Case& contact_case, const RunOptions& options);
 
+/// Does what run_case() does before it needs memory or a folder.
+/// @return  the grid of the surface, without points if it has none
+/// @throws input::InputError  as run_case()
+Grid require_runnable(const cases::Case& contact_case,
+                      const std::vector<cases::MethodSpec>& methods);
+
 /// To be called on the other ranks of mpirun. Takes part in a run_case() of
 /// rank 0: reads the case from the text that rank 0 has sent and does the same
 /// steps, but writes nothing.

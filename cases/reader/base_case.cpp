@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -122,8 +123,27 @@ StackedText read_level(const std::string& path, const Place& asked_at,
 
 } // namespace
 
+Node parsed_file(const std::string& text, const std::string& path) {
+  struct Parsed {
+    std::string text, path;
+    Node file;
+  };
+
+  thread_local Parsed last;
+  const std::string_view own = without_overrides(text);
+  const bool has_long_strings = own.find("\"\"\"") != std::string_view::npos ||
+                                own.find("'''") != std::string_view::npos;
+  if (has_long_strings) // of which the last lines may be a part
+    return parse_toml(text, path);
+  if (own != last.text || path != last.path) {
+    Node file = parse_toml(text, path);
+    last = {std::string(own), path, std::move(file)};
+  }
+  return last.file;
+}
+
 Node parsed(const StackedText& stacked) {
-  Node file = parse_toml(stacked.text, stacked.path);
+  Node file = parsed_file(stacked.text, stacked.path);
   Mistakes ignored; // reported when the case is read
   for (const std::string& entry : overrides_in(stacked.text))
     apply_override(file, entry, ignored);

@@ -37,6 +37,12 @@ struct StackedText {
 ///                            to itself, or the chain has more than 50 files
 StackedText read_stacked(const std::string& path);
 
+/// Returns the parsed text of a case without its overrides. The last one is
+/// kept, because all points of a sweep are read from one text, which may name a
+/// thousand maps.
+/// @throws input::InputError  the text is not TOML
+Node parsed_file(const std::string& text, const std::string& path);
+
 /// Returns the parsed text with all overrides applied, for inspection. An
 /// override that cannot be applied is left out; reading the case reports it.
 ///

@@ -19,6 +19,20 @@ std::string text_with_overrides(const std::string& text,
   return whole;
 }
 
+std::string_view without_overrides(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t last = text.ends_with('\n') && text.size() > 1
+                                 ? text.size() - 2
+                                 : text.size() - 1;
+    const std::size_t end = text.rfind('\n', last);
+    const std::size_t begin = end == std::string_view::npos ? 0 : end + 1;
+    if (!text.substr(begin).starts_with(marker))
+      break;
+    text = text.substr(0, begin);
+  }
+  return text;
+}
+
 std::vector<std::string> overrides_in(const std::string& text) {
   std::vector<std::string> overrides;
   std::istringstream lines(text);

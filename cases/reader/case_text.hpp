@@ -4,6 +4,7 @@
 // Defines the "#--set" lines at the end of a text.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace asperity::cases {
@@ -13,6 +14,9 @@ namespace asperity::cases {
 /// Reading the result again gives the same case.
 std::string text_with_overrides(const std::string& text,
                                 const std::vector<std::string>& overrides);
+
+/// Returns the text up to the "#--set" lines at its end.
+std::string_view without_overrides(std::string_view text);
 
 /// Returns the overrides of the "#--set" lines at the end of a text, in order.
 /// Such lines anywhere else are comments.

@@ -128,7 +128,7 @@ Case read_text(const StackedText& stacked, const std::string& path,
     entries.push_back(over.entry);
   read.text = text_with_overrides(stacked.text, entries);
 
-  Node file = parse_toml(stacked.text, stacked.path);
+  Node file = parsed_file(stacked.text, stacked.path);
   Mistakes mistakes;
   const std::vector<std::string> own = overrides_in(stacked.text);
   if (own.size() + entries.size() > most_overrides)

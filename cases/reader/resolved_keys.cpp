@@ -1,5 +1,6 @@
 #include "cases/reader/resolved_keys.hpp"
 
+#include "cases/reader/base_case.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
@@ -197,7 +198,7 @@ private:
 } // namespace
 
 Node parsed_case(const Case& read) {
-  Node file = parse_toml(read.text, read.path);
+  Node file = parsed_file(read.text, read.path);
   input::Mistakes none;
   for (const std::string& entry : overrides_in(read.text))
     apply_override(file, entry, none);

@@ -1,5 +1,7 @@
 #include "fem/parallel/mpi_session.hpp"
 
+#include "base/kept_signals.hpp"
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector_memory.h>
@@ -20,6 +22,9 @@ void start_mpi() {
     // pool must be constructed before the session.
     const dealii::GrowingVectorMemory<dealii::TrilinosWrappers::MPI::Vector>
         pool;
+    // PETSc, which the session initialises, gives SIGHUP and SIGTERM their
+    // default again.
+    const KeptSignals kept;
     // The session requests MPI_THREAD_SERIALIZED.
     static const dealii::Utilities::MPI::MPI_InitFinalize session(argc, argv,
                                                                   1);

@@ -8,7 +8,7 @@ namespace asperity::fem {
 /// mpirun all processes initialise it together; without mpirun the process runs
 /// alone. Calls may come from any thread, one at a time
 /// (MPI_THREAD_SERIALIZED). If MPI was initialised here, it is finalised when
-/// the program ends.
+/// the program ends. Signals that the program catches or ignores remain so.
 /// @throws std::runtime_error  the host program initialised MPI with a lower
 ///                             thread level
 void start_mpi();

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -220,6 +221,12 @@ void Cache::remove(const std::string& key, const std::string& kind) {
 }
 
 Cache::Contents Cache::contents() const {
+  std::error_code error;
+  const fs::directory_iterator readable(folder_, error);
+  if (error && error != std::errc::no_such_file_or_directory &&
+      error != std::errc::not_a_directory)
+    throw std::runtime_error(fmt::format("cache {}: cannot be read ({})",
+                                         folder_.string(), error.message()));
   const std::vector<Entry> entries = entries_of(folder_);
   return {entries.size(), total_bytes_of(entries)};
 }
@@ -243,11 +250,22 @@ void Cache::clear() {
     if (is_entry(file.path()) || is_left_over(file))
       gone.push_back(file.path());
   });
-  std::error_code error;
-  for (const fs::path& path : gone)
+  std::size_t n_left = 0;
+  std::string why;
+  for (const fs::path& path : gone) {
+    std::error_code error;
     fs::remove(path, error);
+    if (!error)
+      continue;
+    ++n_left;
+    why = error.message();
+  }
   const std::lock_guard lock(mutex_);
   bytes_.reset();
+  if (n_left > 0)
+    throw std::runtime_error(
+        fmt::format("cache {}: {} of {} entries could not be removed ({})",
+                    folder_.string(), n_left, gone.size(), why));
 }
 
 fs::path cache_folder() {

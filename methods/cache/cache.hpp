@@ -37,8 +37,8 @@ inline constexpr const char* figures = "figures";
 /// missing. Beyond the size limit the least recently used entries are removed
 /// first. Any number of processes and threads may use the same folder.
 ///
-/// Disk errors never throw: if the cache cannot be written, nothing is cached
-/// and the run continues.
+/// Disk errors do not end a run: if the cache cannot be written, nothing is
+/// cached and the run continues. contents() and clear() report them.
 class Cache {
 public:
   struct Contents {
@@ -95,6 +95,7 @@ public:
   std::vector<std::string> problems() const;
 
   /// Removes all entries and the partial files of killed processes.
+  /// @throws std::runtime_error  some are left
   void clear();
 
 private:

@@ -1,5 +1,6 @@
 #include "methods/cache/file_mesh.hpp"
 
+#include "base/kept_signals.hpp"
 #include "cases/reader/resolved_keys.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/counter_body.hpp"
@@ -10,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <csignal>
 #include <map>
@@ -107,28 +107,13 @@ void require_use(const BlockMesh& mesh, const mechanics::FemSettings& fem,
 class EndsAtOnce {
 public:
   EndsAtOnce() {
-    for (Caught& caught : caught_)
-      if (sigaction(caught.number, nullptr, &caught.before) == 0 &&
-          caught.before.sa_handler != SIG_IGN)
-        std::signal(caught.number, SIG_DFL);
-  }
-
-  EndsAtOnce(const EndsAtOnce&) = delete;
-  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
-
-  ~EndsAtOnce() {
-    for (const Caught& caught : caught_)
-      sigaction(caught.number, &caught.before, nullptr);
+    for (const int number : {SIGINT, SIGTERM})
+      if (std::signal(number, SIG_DFL) == SIG_IGN)
+        std::signal(number, SIG_IGN);
   }
 
 private:
-  struct Caught {
-    int number;
-
-    struct sigaction before {};
-  };
-
-  std::array<Caught, 2> caught_{{{SIGINT}, {SIGTERM}}};
+  KeptSignals kept_; ///< as they were before
 };
 
 meshes::FileMesh made_of(const MeshSpec& spec) {

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity::reports {
 
 std::optional<Figure> cost_figure(std::span<const Series> series,
@@ -22,7 +25,13 @@ std::optional<Figure> cost_figure(std::span<const Series> series,
                    .y = {.label = "CPU time per step [s]", .low = 0.0}};
   for (std::size_t i = 0; i < series.size(); ++i) {
     const Series& one = series[i];
-    if (one.is_theory() || one.rows.empty())
+    const bool has_times =
+        std::ranges::any_of(one.rows, [](const SeriesRow& row) {
+          return std::isfinite(row.cpu_time);
+        });
+    const Cost& cost = one.method->cost;
+    // What another program has written may state neither.
+    if (one.is_theory() || (!has_times && cost.largest_iterations == 0))
       continue;
     for (const SeriesRow& row : one.rows)
       table.add(one.label, {static_cast<double>(i), row.pressure,
@@ -30,11 +39,13 @@ std::optional<Figure> cost_figure(std::span<const Series> series,
     const CurveStyle style = joined(point_style(one));
     iterations.add(one.label, style, i, 3, 4);
     times.add(one.label, style, i, 3, 5);
-    const Cost& cost = one.method->cost;
     figure.caption +=
-        fmt::format("{}{}: {:.2g} s per step (median), at most {} iterations",
+        fmt::format("{}{}: {}at most {} iterations",
                     figure.caption.empty() ? "" : "; ", one.label,
-                    cost.step_cpu_time, cost.largest_iterations);
+                    has_times ? fmt::format("{:.2g} s per step (median), ",
+                                            cost.step_cpu_time)
+                              : "",
+                    cost.largest_iterations);
   }
   if (iterations.curves.empty())
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/figures/shown_panels.hpp"
 
 #include <fmt/format.h>
 
@@ -166,9 +167,11 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
       [&] { return cost_figure(series, figure_scales(entries)); });
   groups.push_back(std::move(cost));
   const FigureScales scales = figure_scales(entries);
-  for (FigureGroup& group : groups)
+  for (FigureGroup& group : groups) {
+    leave_out_empty_panels(group.figures);
     for (Figure& figure : group.figures)
       put_units(figure, scales);
+  }
   std::erase_if(groups,
                 [](const FigureGroup& group) { return group.figures.empty(); });
   return groups;

@@ -42,6 +42,9 @@ inline constexpr const char* sweep_file = "sweep.json";
 
 /// The case file of a sweep over several maps, in the folder of their results.
 inline constexpr const char* maps_file = "maps.toml";
+/// A line of it, by which a file is known to be one that we wrote.
+inline constexpr const char* maps_mark =
+    "# Each map is a point: docs/reference/sweeps.md.";
 
 /// Returns the record as the first part of sweep.json; `points` has one object
 /// per point, to which others may be added.

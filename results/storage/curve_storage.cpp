@@ -2,6 +2,7 @@
 
 #include "input/input_error.hpp"
 #include "results/observables/contact_stiffness.hpp"
+#include "results/storage/result_layout.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +18,6 @@ constexpr const char* note = "note";
 constexpr const char* stiffness = "contact_stiffness";
 constexpr const char* length_column = "nominal_pressure";
 
-void require_length(const Hdf5Group& curve, const std::string& name,
-                    std::size_t found, std::size_t expected) {
-  if (found != expected)
-    throw input::InputError(
-        fmt::format("{} has {} values, but must have {}, as {}",
-                    curve.place(name), found, expected, length_column));
-}
-
 bool is_integer_of(const CurveColumn& column, double number) {
   return number <= std::numeric_limits<int>::max() &&
          column.range.holds(number) && number == std::floor(number);
@@ -34,7 +27,6 @@ void read_column(const Hdf5Group& curve, const CurveColumn& column,
                  std::vector<CurvePoint>& points) {
   const std::string name(column.name);
   const std::vector<double> numbers = curve.column(name);
-  require_length(curve, name, numbers.size(), points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     // Values of type double are validated once the whole row is known
     // (validity.hpp). A value that is not an integer, or not the number of a
@@ -47,6 +39,23 @@ void read_column(const Hdf5Group& curve, const CurveColumn& column,
           column.range.highest == 1.0 ? "between 0 and 1" : ">= 0"));
     column.set(points[i], numbers[i]);
   }
+}
+
+/// Compares the lengths of all columns.
+/// @return  the number of rows
+std::size_t length_of(const Hdf5Group& curve) {
+  std::vector<std::string> names{length_column};
+  for (const CurveColumn& column : curve_columns())
+    if (std::string name(column.name); curve.has(name) && name != names.front())
+      names.push_back(std::move(name));
+  if (curve.has(note))
+    names.emplace_back(note);
+  const std::size_t length = curve.common_length(names);
+  if (length > layout::highest_index)
+    throw input::InputError(
+        fmt::format("{} has {} values, but must have at most {}",
+                    curve.place(length_column), length, layout::highest_index));
+  return length;
 }
 
 /// Returns a row with the default values of missing columns.
@@ -88,7 +97,7 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
           fmt::format("{} is missing", curve.place(needed)));
 
   std::vector<CurvePoint> points;
-  const std::size_t length = curve.column(length_column).size();
+  const std::size_t length = length_of(curve);
   for (std::size_t i = 0; i < length; ++i)
     points.push_back(blank_point(static_cast<int>(i)));
   for (const CurveColumn& column : curve_columns())
@@ -96,7 +105,6 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
       read_column(curve, column, points);
   if (curve.has(note)) {
     const std::vector<std::string> notes = curve.texts(note);
-    require_length(curve, note, notes.size(), points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i].note = notes[i];
   }

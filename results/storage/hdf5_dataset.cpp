@@ -242,6 +242,7 @@ std::vector<std::size_t> Hdf5Group::extents(const std::string& name) const {
 
 std::vector<double> Hdf5Group::numbers(const std::string& name) const {
   const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
+  require_stored_values(dataset.id(), place(name));
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   std::vector<double> values(
       element_count(space.id(), sizeof(double), place(name)));
@@ -257,6 +258,7 @@ std::vector<double> Hdf5Group::rows(const std::string& name, std::size_t first,
   if (size.size() != 2 || first > size[0] || count > size[0] - first)
     refuse_hdf5(place(name), "read these rows of this dataset");
   const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
+  require_stored_values(dataset.id(), place(name));
   const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose);
   const std::array<hsize_t, 2> start{first, 0};
   const std::array<hsize_t, 2> counts{count, size[1]};
@@ -274,11 +276,31 @@ std::vector<double> Hdf5Group::rows(const std::string& name, std::size_t first,
 }
 
 std::vector<double> Hdf5Group::column(const std::string& name) const {
-  if (const std::size_t rank = extents(name).size(); rank != 1)
-    throw Hdf5Error(
-        fmt::format("{}: has {} dimensions, but must have one: it is a column",
-                    place(name), rank));
+  common_length({&name, 1});
   return numbers(name);
+}
+
+std::size_t Hdf5Group::common_length(std::span<const std::string> names) const {
+  std::size_t length = 0;
+  for (const std::string& name : names) {
+    const std::vector<std::size_t> found = extents(name);
+    if (found.size() != 1)
+      throw Hdf5Error(fmt::format(
+          "{}: has {} dimensions, but must have one: it is a column",
+          place(name), found.size()));
+    if (&name == names.data())
+      length = found.front();
+    if (found.front() != length)
+      throw Hdf5Error(fmt::format("{} has {} values, but must have {}, as {}",
+                                  place(name), found.front(), length,
+                                  names.front()));
+  }
+  return length;
+}
+
+void Hdf5Group::require_stored(const std::string& name) const {
+  const Hdf5Handle dataset = dataset_of(handle_.id(), name, place(name));
+  require_stored_values(dataset.id(), place(name));
 }
 
 std::size_t Hdf5Group::value_bytes(const std::string& name) const {

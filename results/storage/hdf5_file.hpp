@@ -134,6 +134,14 @@ public:
                            std::size_t count) const;
   /// Returns the values of a one-dimensional dataset.
   std::vector<double> column(const std::string& name) const;
+  /// Compares the lengths of one-dimensional datasets before any of them is
+  /// read.
+  /// @return  the length that all of them have; 0 if there is none
+  /// @throws Hdf5Error  naming the first that differs from the first of all
+  std::size_t common_length(std::span<const std::string> names) const;
+  /// Requires that the file stores as many bytes as the values of a dataset
+  /// must have at least, so that few bytes do not become gigabytes.
+  void require_stored(const std::string& name) const;
   std::vector<std::string> texts(const std::string& name) const;
   /// Returns the size of one value of a dataset [B].
   std::size_t value_bytes(const std::string& name) const;

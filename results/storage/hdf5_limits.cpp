@@ -24,6 +24,22 @@ void require_own_storage(std::int64_t dataset, const std::string& place) {
                     ": stores its values in another file, which is not opened");
 }
 
+void require_stored_values(std::int64_t dataset, const std::string& place) {
+  constexpr double best_packing = 1032.0; // of deflate, the only filter here
+  constexpr double negligible = 16e6;     // [B]
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose);
+  const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
+  const hssize_t count = checked(H5Sget_simple_extent_npoints(space.id()),
+                                 place, "determine the size of this dataset");
+  const double declared =
+      static_cast<double>(count) * static_cast<double>(H5Tget_size(type.id()));
+  const hsize_t stored = H5Dget_storage_size(dataset);
+  if (declared > best_packing * static_cast<double>(stored) + negligible)
+    throw Hdf5Error(fmt::format("{}: has {} values, but the file stores only "
+                                "{} bytes of them",
+                                place, count, stored));
+}
+
 std::size_t element_count(std::int64_t space, std::size_t bytes_each,
                           const std::string& place) {
   const hssize_t count = checked(H5Sget_simple_extent_npoints(space), place,

@@ -24,6 +24,12 @@ void forbid_other_files();
 ///                    external storage)
 void require_own_storage(std::int64_t dataset, const std::string& place);
 
+/// Checks that a dataset stores the values that it declares, as far as the
+/// number of its bytes says so: no packing makes them smaller than a
+/// thousandth, and parts that were never written take none.
+/// @throws Hdf5Error  it does not; the message gives both numbers
+void require_stored_values(std::int64_t dataset, const std::string& place);
+
 /// Returns the number of elements of a dataset or attribute.
 /// @param space  its dataspace
 /// @throws Hdf5Error  reading the elements with `bytes_each` would exceed the

@@ -150,6 +150,7 @@ std::vector<double> rows_in_file(const std::filesystem::path& path,
 void read_map(const Hdf5Group& group, const std::string& name,
               const std::filesystem::path& path, MapsInFile left,
               std::vector<double>& values, StoredMap& stored) {
+  group.require_stored(name);
   const std::vector<std::size_t> extents = group.extents(name);
   if (left == MapsInFile::none || extents.size() != 2 || extents[1] == 0 ||
       extents[0] < large_map / extents[1]) {
@@ -164,12 +165,10 @@ void read_map(const Hdf5Group& group, const std::string& name,
 }
 
 std::vector<SpectrumPoint> read_spectrum(const Hdf5Group& group) {
-  const std::vector<double> wavevector = group.column("wavevector");
-  const std::vector<double> spectrum = group.column("height_spectrum");
-  if (spectrum.size() != wavevector.size())
-    throw input::InputError(fmt::format(
-        "{} has {} values, but must have {}, as wavevector",
-        group.place("height_spectrum"), spectrum.size(), wavevector.size()));
+  const std::array<std::string, 2> names{"wavevector", "height_spectrum"};
+  group.common_length(names);
+  const std::vector<double> wavevector = group.column(names[0]);
+  const std::vector<double> spectrum = group.column(names[1]);
   std::vector<SpectrumPoint> points;
   for (std::size_t i = 0; i < wavevector.size(); ++i)
     points.push_back({wavevector[i], spectrum[i]});

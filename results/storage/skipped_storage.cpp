@@ -1,9 +1,6 @@
 #include "results/storage/skipped_storage.hpp"
 
-#include "input/input_error.hpp"
-
-#include <fmt/format.h>
-
+#include <array>
 #include <string>
 
 namespace asperity::results {
@@ -36,15 +33,13 @@ void write_skipped(Hdf5Group& group, std::span<const Skipped> skipped) {
 std::vector<Skipped> read_skipped(const Hdf5Group& group) {
   if (!group.has(what_name))
     return {};
+  const std::array<std::string, 4> names{what_name, why_name, cpu_time_name,
+                                         bytes_name};
+  group.common_length(names);
   const std::vector<std::string> things = group.texts(what_name);
   const std::vector<std::string> reasons = group.texts(why_name);
   const std::vector<double> times = group.column(cpu_time_name);
   const std::vector<double> sizes = group.column(bytes_name);
-  for (const std::size_t length : {reasons.size(), times.size(), sizes.size()})
-    if (length != things.size())
-      throw input::InputError(
-          fmt::format("{}: a column has {} values, but must have {}, as {}",
-                      group.place(), length, things.size(), what_name));
   std::vector<Skipped> skipped;
   for (std::size_t i = 0; i < things.size(); ++i)
     skipped.push_back({things[i], reasons[i], times[i], sizes[i]});

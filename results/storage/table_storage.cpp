@@ -1,7 +1,6 @@
 #include "results/storage/table_storage.hpp"
 
 #include "base/require.hpp"
-#include "input/input_error.hpp"
 #include "results/storage/hdf5_limits.hpp"
 #include "results/storage/result_layout.hpp"
 #include "results/types/map_size.hpp"
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::results {
 namespace {
@@ -23,23 +23,29 @@ void require_name(const std::string& what, const std::string& name) {
         fmt::format("{} = \"{}\", but must be a name without '/'", what, name));
 }
 
-struct PlacedColumn {
-  double place = 0.0;
-  Column column;
-};
+/// The names of the columns in their order.
+std::vector<std::string> names_in(const Hdf5Group& group) {
+  std::vector<std::pair<double, std::string>> placed;
+  for (const std::string& name : group.children()) {
+    require_good_name(name, group.place());
+    const Hdf5Group dataset = group.open_dataset(name);
+    placed.emplace_back(dataset.has_attribute(layout::column_place)
+                            ? dataset.number_attribute(layout::column_place)
+                            : static_cast<double>(placed.size()),
+                        name);
+  }
+  std::ranges::stable_sort(placed, {}, &std::pair<double, std::string>::first);
+  std::vector<std::string> names;
+  for (auto& [place, name] : placed)
+    names.push_back(std::move(name));
+  return names;
+}
 
-PlacedColumn read_column(const Hdf5Group& group, const std::string& name,
-                         double otherwise) {
-  PlacedColumn read;
-  read.column.name = name;
-  read.column.values = group.column(name);
+Column read_column(const Hdf5Group& group, const std::string& name) {
   const Hdf5Group dataset = group.open_dataset(name);
-  read.column.unit =
-      dataset.has_attribute("unit") ? dataset.text_attribute("unit") : "";
-  read.place = dataset.has_attribute(layout::column_place)
-                   ? dataset.number_attribute(layout::column_place)
-                   : otherwise;
-  return read;
+  return {name,
+          dataset.has_attribute("unit") ? dataset.text_attribute("unit") : "",
+          group.column(name)};
 }
 
 } // namespace
@@ -72,24 +78,10 @@ Table read_table(const Hdf5Group& group, const std::string& name) {
   table.name = name;
   if (group.has_attribute(title))
     table.title = group.text_attribute(title);
-  std::vector<PlacedColumn> read;
-  for (const std::string& child : group.children()) {
-    require_good_name(child, group.place());
-    read.push_back(read_column(group, child, static_cast<double>(read.size())));
-  }
-  std::stable_sort(read.begin(), read.end(),
-                   [](const PlacedColumn& a, const PlacedColumn& b) {
-                     return a.place < b.place;
-                   });
-  for (PlacedColumn& one : read) {
-    table.columns.push_back(std::move(one.column));
-    const Column& column = table.columns.back();
-    const std::size_t length = table.columns.front().values.size();
-    if (column.values.size() != length)
-      throw input::InputError(fmt::format(
-          "{} has {} values, but must have {}, as {}", group.place(column.name),
-          column.values.size(), length, table.columns.front().name));
-  }
+  const std::vector<std::string> names = names_in(group);
+  group.common_length(names);
+  for (const std::string& column : names)
+    table.columns.push_back(read_column(group, column));
   return table;
 }
 

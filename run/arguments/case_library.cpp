@@ -88,6 +88,10 @@ FoundCases single(const fs::path& file, const std::string& name) {
 
 } // namespace
 
+bool is_folder_of_cases(const fs::path& folder) {
+  return fs::exists(folder / "case.toml") || is_collection(folder);
+}
+
 FoundCases find_cases(const std::string& word) {
   const fs::path path(word);
   if (fs::is_directory(path) && fs::exists(path / "case.toml"))
@@ -101,6 +105,8 @@ FoundCases find_cases(const std::string& word) {
   if (std::find(words.begin(), words.end(), word) != words.end())
     return is_collection(shipped) ? collection_in(shipped, word)
                                   : single(shipped / "case.toml", word);
+  if (fs::exists(fs::symlink_status(path)) && !fs::is_directory(path))
+    input::read_input_file(path, input::largest_text_file); // refuses it
   // A far word is no hint.
   const std::string near = input::nearest(word, words);
   const bool is_near =

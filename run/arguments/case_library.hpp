@@ -30,6 +30,9 @@ struct FoundCases {
                                                            ///< part
 };
 
+/// Returns true for a folder with a case.toml, and for a collection.
+bool is_folder_of_cases(const std::filesystem::path& folder);
+
 /// Finds the cases that an argument refers to: a file, a folder with a
 /// case.toml, the name of a shipped case ("polymer", "paper/polymer"), or a
 /// collection, which is a folder or a shipped one ("paper").

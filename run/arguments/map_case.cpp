@@ -3,6 +3,9 @@
 #include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
+#include "input/input_file.hpp"
+#include "reports/sweeps/sweep_record.hpp"
+#include "run/arguments/case_library.hpp"
 #include "run/arguments/option_quantity.hpp"
 
 #include <fmt/format.h>
@@ -76,6 +79,42 @@ std::string titled_case_text(const MapOfCase& map, const std::string& title) {
                      fmt::arg("modulus", quoted(map.contact_modulus)));
 }
 
+/// Refuses an entry of a folder that is neither a file nor a folder. Left out,
+/// a map would be missing from the means over the maps.
+void refuse_entry(const fs::path& path) {
+  try {
+    input::read_input_file(path, 0);
+  } catch (const input::InputError& error) {
+    throw input::InputError(fmt::format(
+        "{}; every file of a folder of maps is read: please remove it, or name "
+        "the maps one by one",
+        error.what()));
+  }
+}
+
+/// Adds the maps of a folder in the order of their names.
+void add_maps_in(const std::string& folder, NamedMaps& maps) {
+  const std::size_t n_before = maps.files.size();
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const fs::path& path = entry.path();
+    std::error_code unreadable;
+    if (path.filename().string().starts_with('.'))
+      continue;
+    if (is_map_file(path.string()))
+      maps.files.push_back(fs::absolute(path).lexically_normal());
+    else if (fs::is_directory(path, unreadable) ||
+             fs::is_regular_file(path, unreadable))
+      maps.left_out.push_back(path.string());
+    else
+      refuse_entry(path);
+  }
+  std::ranges::sort(maps.files.begin() + static_cast<std::ptrdiff_t>(n_before),
+                    maps.files.end());
+  if (maps.files.size() == n_before)
+    throw input::InputError(folder + ": is a folder without maps");
+  maps.folders.push_back(folder);
+}
+
 } // namespace
 
 bool is_map_file(const std::string& word) {
@@ -101,29 +140,18 @@ std::string map_case_text(const MapOfCase& map) {
   return titled_case_text(map, fs::path(map.file).filename().string());
 }
 
-std::vector<fs::path> maps_among(const std::vector<std::string>& words) {
-  std::vector<fs::path> files;
+NamedMaps maps_among(const std::vector<std::string>& words) {
+  NamedMaps maps;
   for (const std::string& word : words) {
     std::error_code unreadable;
-    if (is_map_file(word)) {
-      files.push_back(fs::absolute(word).lexically_normal());
-      continue;
-    }
-    if (!fs::is_directory(word, unreadable))
+    if (is_map_file(word))
+      maps.files.push_back(fs::absolute(word).lexically_normal());
+    else if (fs::is_directory(word, unreadable) && !is_folder_of_cases(word))
+      add_maps_in(word, maps);
+    else
       return {};
-    std::vector<fs::path> inside;
-    for (const fs::directory_entry& entry : fs::directory_iterator(word)) {
-      const fs::path& path = entry.path();
-      if (path.extension() == ".toml")
-        return {}; // the folder of a case
-      if (is_map_file(path.string()) &&
-          !path.filename().string().starts_with('.'))
-        inside.push_back(fs::absolute(path).lexically_normal());
-    }
-    std::ranges::sort(inside);
-    files.insert(files.end(), inside.begin(), inside.end());
   }
-  return files;
+  return maps;
 }
 
 std::string maps_sweep_text(const std::vector<fs::path>& files,
@@ -131,11 +159,36 @@ std::string maps_sweep_text(const std::vector<fs::path>& files,
   std::string text =
       titled_case_text({files.front().string(), contact_modulus},
                        fmt::format("{} measured maps", files.size())) +
-      "\n# Each map is a point: docs/reference/sweeps.md.\n[sweep]\n"
-      "\"surface.file\" = [\n";
+      fmt::format("\n{}\n[sweep]\n\"surface.file\" = [\n", reports::maps_mark);
   for (const fs::path& file : files)
     text += "  " + quoted(file.string()) + ",\n";
   return text + "]\n";
+}
+
+std::string refusal_without_lines(const std::string& refusal,
+                                  const std::string& made) {
+  if (made.empty())
+    return refusal;
+  const bool has_folder = made.find('/') != std::string::npos;
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t at = refusal.find(made); at != std::string::npos;
+       at = refusal.find(made, at + 1)) {
+    const std::size_t end = at + made.size();
+    const bool begins_a_word =
+        at == 0 || refusal[at - 1] == ' ' || refusal[at - 1] == '\n';
+    const bool is_path = // a map may be called "area"
+        refusal.compare(end, 1, ":") == 0 ||
+        (has_folder && refusal.compare(end, 1, " ") == 0);
+    if (!begins_a_word || !is_path)
+      continue;
+    text += refusal.substr(begin, at - begin) + "the case of the map";
+    begin = end;
+    const std::size_t after = refusal.find_first_not_of("0123456789", end + 1);
+    if (refusal[end] == ':' && after > end + 1) // the number of a line
+      begin = std::min(after, refusal.size());
+  }
+  return text + refusal.substr(begin);
 }
 
 } // namespace asperity::run

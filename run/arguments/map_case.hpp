@@ -3,6 +3,8 @@
 // The case of a measured map that a user names instead of a case file: its
 // text, with the settings that suit any map.
 
+#include "input/input_error.hpp"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,10 +37,34 @@ bool is_map_file(const std::string& word);
 /// @throws input::InputError  there is no valid contact modulus
 std::string map_case_text(const MapOfCase& map);
 
-/// Returns the files of the maps that a command names, by themselves or as all
-/// files of a folder that has no case; empty unless all words are such.
-std::vector<std::filesystem::path>
-maps_among(const std::vector<std::string>& words);
+/// The maps that the words of a command name.
+struct NamedMaps {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> folders;  ///< words that stand for all their files
+  std::vector<std::string> left_out; ///< case files and folders in them
+};
+
+/// Returns the maps that a command names, by themselves or as all files of a
+/// folder that has no case; nothing unless all words are such.
+/// @throws input::InputError  a folder has no map, or an entry that may be
+///                            meant as one and is no file: a link to nothing
+NamedMaps maps_among(const std::vector<std::string>& words);
+
+/// Returns a refusal without the lines of the case that was made for maps,
+/// because the user has no such file.
+/// @param made  path that the case was read under; "": there is none
+std::string refusal_without_lines(const std::string& refusal,
+                                  const std::string& made);
+
+/// The same of the refusals of some work.
+template <class Work>
+auto without_lines_of(const std::filesystem::path& made, const Work& work) {
+  try {
+    return work();
+  } catch (const input::InputError& error) {
+    throw input::InputError(refusal_without_lines(error.what(), made.string()));
+  }
+}
 
 /// Returns the text of a sweep over the files of several maps, each as by
 /// map_case_text().

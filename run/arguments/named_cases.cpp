@@ -1,5 +1,6 @@
 #include "run/arguments/named_cases.hpp"
 
+#include "base/atomic_file.hpp"
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/read_case.hpp"
 #include "cases/text/node.hpp"
@@ -47,17 +48,25 @@ ReadCase read_with_reference(const FoundCase& found,
   return read;
 }
 
+std::string name_of_folder(const std::filesystem::path& folder) {
+  const std::filesystem::path path =
+      std::filesystem::absolute(folder).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename();
+}
+
 /// The case of a map, which has no case file.
 NamedCases asked_map(const MapOfCase& map,
                      const std::vector<std::string>& overrides) {
   const std::filesystem::path file =
       std::filesystem::path(map.file).replace_extension();
   NamedCases named;
-  named.cases.push_back(
-      {{{}, file.filename().string()},
-       cases::read_case_text(map_case_text(map), file.string(), overrides),
-       "",
-       overrides});
+  const auto read = [&] {
+    return cases::read_case_text(map_case_text(map), file.string(), overrides);
+  };
+  named.cases.push_back({{{}, file.filename().string()},
+                         without_lines_of(file, read),
+                         "",
+                         overrides});
   named.found.cases.push_back(named.cases.front().found);
   return named;
 }
@@ -78,6 +87,8 @@ NamedSweep read_sweep_called(const FoundCase& found,
     overrides.insert(overrides.begin(), quick.begin(), quick.end());
   }
   NamedSweep named{found, cases::read_sweep(file, overrides), overrides};
+  if (is_of_maps(named))
+    named.sweep.name = name_of_folder(found.file.parent_path());
   (void)reference_text_of(named.sweep.points.front().contact_case); // mistakes
   return named;
 }
@@ -113,15 +124,43 @@ NamedCases read_maps(const std::vector<std::filesystem::path>& files,
                      const std::string& contact_modulus,
                      const std::filesystem::path& folder) {
   NamedSweep named{
-      {folder / reports::maps_file, folder.filename().string()}, {}, overrides};
+      {folder / reports::maps_file, name_of_folder(folder)}, {}, overrides};
   named.text = maps_sweep_text(files, contact_modulus);
-  named.sweep =
-      cases::read_sweep({named.text, named.found.file.string(), {}}, overrides);
+  named.sweep = without_lines_of(named.found.file, [&] {
+    return cases::read_sweep({named.text, named.found.file.string(), {}},
+                             overrides);
+  });
   named.sweep.name = named.found.name;
   NamedCases maps;
   maps.found.cases.push_back(named.found);
   maps.sweep = std::move(named);
   return maps;
+}
+
+bool is_of_maps(const NamedSweep& sweep) {
+  return sweep.found.file.filename() == reports::maps_file;
+}
+
+std::filesystem::path made_case_of(const NamedCases& named) {
+  if (named.sweep)
+    return named.sweep->text.empty() ? std::filesystem::path()
+                                     : named.sweep->found.file;
+  const ReadCase& first = named.cases.front();
+  return first.found.file.empty()
+             ? std::filesystem::path(first.contact_case.path)
+             : std::filesystem::path();
+}
+
+OutputNames outputs_of(const NamedSweep& sweep) {
+  OutputNames names = sweep_outputs();
+  if (!sweep.text.empty())
+    names.emplace_back(reports::maps_file);
+  return names;
+}
+
+void write_made_case(const NamedSweep& sweep) {
+  if (!sweep.text.empty())
+    write_file_atomically(sweep.found.file, sweep.text);
 }
 
 std::string output_name(const NamedCases& named) {

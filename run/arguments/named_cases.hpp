@@ -6,6 +6,7 @@
 #include "cases/sweeps/sweep.hpp"
 #include "cases/types/case.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/output_folder.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -68,6 +69,20 @@ NamedCases read_maps(const std::vector<std::filesystem::path>& files,
                      const std::vector<std::string>& overrides,
                      const std::string& contact_modulus,
                      const std::filesystem::path& folder);
+
+/// Returns true for the case file of several maps, of which each point gets a
+/// report of its own; such a sweep has the name of its folder.
+bool is_of_maps(const NamedSweep& sweep);
+
+/// Returns the path of the case that was made for a map or for several, if
+/// there is no such file yet; otherwise an empty one.
+std::filesystem::path made_case_of(const NamedCases& named);
+
+/// Names of a sweep that is run, with the case file if the run writes it.
+OutputNames outputs_of(const NamedSweep& sweep);
+
+/// Writes the case file of several maps, unless the sweep was read from it.
+void write_made_case(const NamedSweep& sweep);
 
 /// The name of the folder into which an argument is written below out/.
 std::string output_name(const NamedCases& named);

@@ -3,13 +3,44 @@
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
 #include "run/arguments/option_quantity.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
+#include <variant>
 
 namespace asperity::run {
+namespace {
+
+/// The hardness of the first method that has one.
+std::optional<mechanics::Quantity> hardness_of(const cases::Case& read) {
+  for (const cases::MethodSpec& method : read.methods) {
+    if (const auto* half =
+            std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+        half != nullptr && half->contact.hardness)
+      return half->contact.hardness;
+    if (const auto* theory =
+            std::get_if<mechanics::TheorySettings>(&method.settings);
+        theory != nullptr && theory->hardness)
+      return theory->hardness;
+  }
+  return std::nullopt;
+}
+
+double rms_slope_of(const mechanics::SurfaceSpec& surface) {
+  return surfaces::statistics(
+             surfaces::with_edges(surfaces::levelled_map(surface),
+                                  surface.edges))
+      .rms_slope;
+}
+
+} // namespace
 
 std::vector<std::string> flow_overrides(const std::string& fluid) {
   const std::map<std::string, std::string> viscosities{{"air", "1.85e-5 Pa s"},
@@ -44,6 +75,28 @@ std::vector<std::string> adhesion_overrides(const std::string& work,
         R"(load={ mean_gap = { from = "4 h_rms", to = "0.5 h_rms", )"
         R"(steps = 15, spacing = "linear" }, cycle = "load-unload" })");
   return overrides;
+}
+
+std::string loads_below_hardness(const std::vector<cases::Case>& presses) {
+  constexpr double safe_share = 0.9; // of the hardness
+  double share = 1.0;
+  for (const cases::Case& contact_case : presses) {
+    const std::optional<mechanics::Quantity> hardness =
+        hardness_of(contact_case);
+    if (!hardness)
+      continue;
+    mechanics::Scales scales;
+    scales.contact_modulus = contact_case.material.contact_modulus;
+    scales.rms_slope = rms_slope_of(contact_case.surface);
+    share = std::min(share, safe_share * hardness->in_si(scales) /
+                                (scales.contact_modulus * scales.rms_slope));
+  }
+  return share < 1.0
+             ? fmt::format("load={{ nominal_pressure = {{ from = \"{:.3g} E* "
+                           "h'\", to = \"{:.3g} E* h'\", steps = 12, spacing "
+                           "= \"area\" }} }}",
+                           0.01 * share, share)
+             : "";
 }
 
 } // namespace asperity::run

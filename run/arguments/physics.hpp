@@ -2,6 +2,8 @@
 
 // Overrides of a case by which a command adds a physical effect to it.
 
+#include "cases/types/case.hpp"
+
 #include <string>
 #include <vector>
 
@@ -25,5 +27,13 @@ enum class AdhesivePath { of_case, by_gap, by_pressure };
 /// @throws input::InputError  it is no work of adhesion
 std::vector<std::string> adhesion_overrides(const std::string& work,
                                             AdhesivePath path);
+
+/// The loads of maps that are pressed with a hardness: no surface carries a
+/// nominal pressure above it. The range is that of maps without a hardness as
+/// far as it stays below 90 % of the hardness, for the map with the largest
+/// slope.
+/// @param presses  the case of each map, with the loads of maps
+/// @return  an override of the loads; "" if they are below the hardness
+std::string loads_below_hardness(const std::vector<cases::Case>& presses);
 
 } // namespace asperity::run

@@ -138,7 +138,7 @@ std::string part_command(const PartRecord& record, const fs::path& folder) {
          part_text(record.part);
 }
 
-void write_part_record(const PartRecord& record, const fs::path& folder) {
+bool write_part_record(const PartRecord& record, const fs::path& folder) {
   const PartRequest& request = record.request;
   const PartJson json = {
       {"format", "asperity-part"},
@@ -156,8 +156,14 @@ void write_part_record(const PartRecord& record, const fs::path& folder) {
         {"exactly", request.is_exact},
         {"contact_modulus", request.contact_modulus}}},
   };
-  write_file_atomically(folder / part_folder(record.part) / part_file,
-                        text_of_json(json, 2) + "\n");
+  const fs::path file = folder / part_folder(record.part) / part_file;
+  const bool is_new = !fs::exists(file);
+  write_file_atomically(file, text_of_json(json, 2) + "\n");
+  return is_new;
+}
+
+void remove_part_record(const PartRecord& record, const fs::path& folder) {
+  fs::remove(folder / part_folder(record.part) / part_file);
 }
 
 std::vector<PartRecord> read_part_records(const fs::path& folder) {

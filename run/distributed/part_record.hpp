@@ -66,8 +66,11 @@ std::string part_command(const PartRecord& record,
                          const std::filesystem::path& folder);
 
 /// Writes part.json into the folder of the part, which must exist.
-void write_part_record(const PartRecord& record,
+/// @return  whether there was none
+bool write_part_record(const PartRecord& record,
                        const std::filesystem::path& folder);
+void remove_part_record(const PartRecord& record,
+                        const std::filesystem::path& folder);
 
 /// Reads the records of all parts below the folder of a run, in ascending order
 /// of their counts and numbers; none if there is no part.

@@ -43,6 +43,8 @@ ExitCode run_part_of_sweep(const NamedSweep& named, const PartRecord& record,
   sweep.uses_cache = options.cache != nullptr && options.cache->is_on();
   sweep.is_part = true;
   sweep.points = record.members;
+  sweep.has_reports = is_of_maps(named) && options.has_report;
+  sweep.write_case = [&] { write_made_case(named); };
   const SweepOutcome outcome = run_sweep(named.sweep, sweep);
   return outcome.is_interrupted ? exit_interrupted : outcome.worst;
 }

@@ -76,6 +76,7 @@ private:
       put_points_aside(options_.folder);
     if (!options_.is_part)
       write_record(outcome_.record, options_.folder);
+    options_.write_case();
     std::set<std::string> warnings;
     for (const Plan& point : plan_.points)
       warnings.insert(point.warnings.begin(), point.warnings.end());

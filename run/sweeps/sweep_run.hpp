@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,8 @@ struct SweepRunOptions {
   bool has_reports = false; ///< of each point
   bool is_part = false;     ///< runs only `points`, resumes them, and leaves
                             ///< sweep.json and the report as they are
-  std::vector<std::size_t> points = {}; ///< indices, of a part
+  std::vector<std::size_t> points = {};     ///< indices, of a part
+  std::function<void()> write_case = [] {}; ///< if case_file is not there yet
 };
 
 struct SweepOutcome {

@@ -157,8 +157,8 @@ NpyLayout npy_layout(const MapBytes& bytes) {
     refuse_npy(name, fmt::format("has {} dimensions, shape ({}), but must have "
                                  "2: rows and columns",
                                  shape.size(), shape_text));
-  if (shape[0] == 0 || shape[1] == 0 || shape[0] > count ||
-      shape[0] * shape[1] != count || count * width != data_bytes)
+  if (shape[0] == 0 || shape[1] == 0 || count % shape[0] != 0 ||
+      shape[1] != count / shape[0] || count * width != data_bytes)
     refuse_npy(name, fmt::format("has the shape ({}) and {} bytes of numbers, "
                                  "which is not {} bytes for each",
                                  shape_text, data_bytes, width));

@@ -3,6 +3,7 @@ of a rough surface, at a partial and at full contact, through the deck that the 
 
 Arguments: the adapter, a folder for the problems, asperity.
 """
+import importlib.util
 import json
 import pathlib
 import shutil
@@ -110,6 +111,12 @@ def check_limits(problem):
 
 ADAPTER, WORK = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
 PROGRAM = sys.argv[3]
+if ADAPTER.name.startswith("calculix") and not shutil.which("ccx"):
+    print("skipped: needs calculix-ccx")
+    sys.exit(77)
+if ADAPTER.name.startswith("getfem") and not importlib.util.find_spec("getfem"):
+    print("skipped: needs python3-getfem++")
+    sys.exit(77)
 shutil.rmtree(WORK, ignore_errors=True)
 WORK.mkdir(parents=True)
 (WORK / "case.toml").write_text(CASE, encoding="utf-8")

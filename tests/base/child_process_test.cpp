@@ -5,12 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
 #include <thread>
@@ -89,6 +91,30 @@ TEST_F(ChildProcessTest, ReportsHowItFailed) {
   const ChildEnd killed = run_child(shell("kill -9 $$")).end;
   EXPECT_EQ(killed.failure, "signal 9 (Killed)");
   EXPECT_EQ(killed.exit_code, 128 + SIGKILL);
+}
+
+// A scheduler may have limited what this process may have to less than a child
+// is given; that limit cannot be raised.
+TEST_F(ChildProcessTest, ALowerLimitOfItsParentHolds) {
+  ChildProcess limited = ChildProcess::forked([&](int output) {
+    constexpr rlim_t low = 1 << 20;
+    const rlimit own{low, low};
+    setrlimit(RLIMIT_FSIZE, &own);
+    ChildCommand command = shell("ulimit -f");
+    command.limits.file_size = 8 * low;
+    const std::string blocks = run_child(command).output;
+    static_cast<void>(write(output, blocks.data(), blocks.size()));
+  });
+  char text[64] = {};
+
+  const ssize_t length = read(limited.output_pipe(), text, sizeof text);
+
+  limited.wait();
+  EXPECT_EQ(limited.end().failure, "");
+  // sh counts in blocks of 512 bytes, bash in KiB.
+  const std::string blocks(
+      text, static_cast<std::size_t>(std::max<ssize_t>(0, length)));
+  EXPECT_TRUE(blocks == "2048\n" || blocks == "1024\n") << blocks;
 }
 
 // Where another part of the program collects the exit status, the exit is

@@ -1,6 +1,7 @@
 // Tests of a case with a base (cases/reader/base_case.hpp): its keys override
 // those of the base, its text is complete, and a message names the right file.
 #include "base/temporary_folder.hpp"
+#include "cases/reader/base_case.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_case.hpp"
 
@@ -181,6 +182,31 @@ TEST_F(BaseCase, StatesWhatABaseMustBe) {
       asperity::cases::mistakes_of("base = \"block.toml\"\n" + contact_case)
           .find("only a case file can have a base case"),
       std::string::npos);
+}
+
+// Overrides at the end are comments, of which the tree does not depend, so that
+// a text is parsed once for all of them; inside a text of several lines they
+// are none.
+TEST(ParsedFile, IsThatOfTheTextThatIsGiven) {
+  const std::string text = "[surface]\npoints = 8\n";
+  EXPECT_EQ(without_overrides(text + "#--set a=1\n#--set b=2\n"), text);
+  EXPECT_EQ(without_overrides(text), text);
+  EXPECT_EQ(without_overrides("#--set a=1"), "");
+  EXPECT_EQ(without_overrides("\n"), "\n");
+  for (const std::string more : {"", "#--set surface.points=16\n"}) {
+    const Node file = parsed_file(text + more, "one.toml");
+    EXPECT_EQ(file.find("surface")->find("points")->integer, 8);
+    EXPECT_EQ(file.find("surface")->find("points")->place.text, "one.toml:2");
+  }
+  const Node moved = parsed_file(text, "two.toml");
+  EXPECT_EQ(moved.find("surface")->find("points")->place.text, "two.toml:2");
+  const Node changed = parsed_file("[surface]\npoints = 9\n", "two.toml");
+  EXPECT_EQ(changed.find("surface")->find("points")->integer, 9);
+  for (const std::string word : {"first", "second"}) {
+    const Node file = parsed_file(
+        "title = \"\"\"\n#--set " + word + "=1\"\"\"\n", "long.toml");
+    EXPECT_EQ(file.find("title")->text, "#--set " + word + "=1");
+  }
 }
 
 } // namespace asperity::cases::base_case_test

@@ -10,8 +10,14 @@ import shutil
 import sys
 from pathlib import Path
 
-import nbformat
-from nbclient import NotebookClient
+try:
+    import ipykernel  # noqa: F401
+    import matplotlib  # noqa: F401
+    import nbformat
+    from nbclient import NotebookClient
+except ImportError as missing:
+    print(f"skipped: needs python3-ipykernel, python3-matplotlib and python3-nbconvert ({missing})")
+    sys.exit(77)
 
 from page_test import is_same
 

@@ -78,7 +78,7 @@ class LammpsAgreement : public testing::Test {
 protected:
   void SetUp() override {
     if (program_on_path("lmp").empty())
-      GTEST_SKIP() << "lmp is not installed (Debian package lammps)";
+      GTEST_SKIP() << "skipped: needs lammps";
   }
 
   ~LammpsAgreement() override {

@@ -22,7 +22,7 @@ class LammpsContactTest : public testing::Test {
 protected:
   void SetUp() override {
     if (program_on_path("lmp").empty())
-      GTEST_SKIP() << "lmp is not installed (Debian package lammps)";
+      GTEST_SKIP() << "skipped: needs lammps";
   }
 
   ~LammpsContactTest() override {
@@ -78,7 +78,7 @@ TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
 // Tolerance: two solutions within the residual of the same one.
 TEST_F(LammpsContactTest, TwoProcessesAndFireFindTheSameAnswer) {
   if (program_on_path("mpirun").empty())
-    GTEST_SKIP() << "mpirun is not installed";
+    GTEST_SKIP() << "skipped: needs mpi-default-bin";
   const AtomStep one =
       make_lammps_contact(request)->solve({Control::mean_gap, gap}, 0);
   request.settings.ranks = 2;

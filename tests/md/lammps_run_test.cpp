@@ -44,7 +44,7 @@ protected:
 
 #define NEEDS_LAMMPS()                                                         \
   if (program_on_path("lmp").empty())                                          \
-  GTEST_SKIP() << "lmp is not installed (Debian package lammps)"
+  GTEST_SKIP() << "skipped: needs lammps"
 
 TEST_F(LammpsRunTest, NamesThePackageOfAMissingProgram) {
   ::setenv("PATH", folder.c_str(), 1);
@@ -135,7 +135,7 @@ TEST_F(LammpsRunTest, IsStoppedOnRequest) {
 TEST_F(LammpsRunTest, SeveralProcessesAreOneRun) {
   NEEDS_LAMMPS();
   if (program_on_path("mpirun").empty())
-    GTEST_SKIP() << "mpirun is not installed";
+    GTEST_SKIP() << "skipped: needs mpi-default-bin";
   write("two.in", "region box block 0 2 0 1 0 1\ncreate_box 1 box\n");
 
   const LammpsRun run =

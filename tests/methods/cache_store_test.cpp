@@ -4,6 +4,7 @@
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "tests/folder.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -201,6 +202,20 @@ TEST_F(Store, IgnoresAFolderThatCannotBeWritten) {
   ASSERT_EQ(cache.problems().size(), 1U);
   EXPECT_NE(cache.problems()[0].find("1 entries could not be written"),
             std::string::npos);
+}
+
+// Also where the user is root, who may remove everything but a folder with
+// files.
+TEST_F(Store, SaysThatAnEntryIsLeft) {
+  Cache cache(folder, 1000);
+  cache.write(key(1), entry_kind::step, "a step");
+  fs::create_directories(folder / (key(2) + ".step") / "more");
+
+  EXPECT_NE(tests::message_of<std::runtime_error>([&] { cache.clear(); })
+                .find("1 of 2 entries could not be removed (Directory not "
+                      "empty)"),
+            std::string::npos);
+  EXPECT_EQ(cache.contents().entries, 0u);
 }
 
 TEST_F(Store, ClearsItsOwnFilesAlone) {

@@ -323,7 +323,7 @@ TEST_F(FolderUse, AFileInPlaceOfAFolderIsNamed) {
 // As another user, because root may write everywhere.
 TEST_F(FolderUse, AReadOnlyFolderIsAnErrorAndLosesNothing) {
   if (std::system("setpriv --version > /dev/null 2>&1") != 0)
-    GTEST_SKIP() << "setpriv is not installed (Debian package util-linux)";
+    GTEST_SKIP() << "skipped: needs util-linux";
   ASSERT_EQ(run("run small.toml --no-report --out one").exit_code, 0);
   const Result before = result("one");
   fs::permissions(folder, fs::perms::owner_all | fs::perms::others_read |

@@ -50,11 +50,11 @@ def write_least(path):
         curve["mean_gap"] = [3e-9, 2e-9, 1e-9]
 
 
-def asperity(arguments, folder):
+def asperity(arguments, folder, **environment):
     return subprocess.run(
         [PROGRAM, *map(str, arguments)], cwd=folder, text=True, timeout=WAIT,
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-        env=os.environ | {"ASPERITY_CACHE_SIZE": "0"},
+        env=os.environ | {"ASPERITY_CACHE_SIZE": "0"} | environment,
         preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CORE, (0, 0)))
 
 
@@ -69,7 +69,30 @@ def check_least(folder):
     assert done.returncode == 0, done.stdout
     page = page_of(folder / "alone")
     assert "bem.mine" in page and "theirs" in page
-    assert (folder / "alone/figures/pressure-gap.svg").exists(), done.stdout
+    # Heights and times are not stated, so that there is no u/h_rms and no cost.
+    assert "not drawn" not in done.stdout and "could not be drawn" not in page, done.stdout
+    assert "nan s per step" not in page
+    assert not list((folder / "alone/figures").glob("*")), done.stdout
+
+    with h5py.File(folder / "theirs.h5", "a") as file:
+        file[CURVE]["area_fraction"] = [0.01, 0.02, 0.04]
+        file[CURVE]["iterations"] = [7, 8, 9]
+        file.create_group("surfaces/0").attrs["rms_height"] = 1e-9
+    done = asperity(["report", "theirs.h5", "--out", "more", "--figures", "svg"], folder)
+    assert done.returncode == 0 and "not drawn" not in done.stdout, done.stdout
+    for name in ("pressure-gap", "area-pressure", "cost"):
+        assert (folder / f"more/figures/{name}.svg").exists(), done.stdout
+    page = page_of(folder / "more")
+    assert "at most 9 iterations" in page and "nan s per step" not in page
+
+    empty = folder / "empty-path"
+    empty.mkdir()
+    done = asperity(["report", "theirs.h5", "--out", "without", "--figures", "svg"], folder,
+                    PATH=str(empty))
+    assert done.returncode == 4 and "figure not drawn: " in done.stdout, done.stdout
+    assert "could not be drawn" in page_of(folder / "without")
+    done = asperity(["report", "theirs.h5", "--out", "without"], folder, PATH=str(empty))
+    assert done.returncode == 0, done.stdout
 
     (folder / "case.toml").write_text(OUR_CASE)
     ours = asperity(["run", "case.toml", "--out", "ours", "--no-report"], folder)
@@ -114,6 +137,52 @@ def huge_pressure(file, folder):
     del file[CURVE]["nominal_pressure"]
     file[CURVE].create_dataset("nominal_pressure", (2 ** 45,), "f8",
                                chunks=(1024,))
+
+
+def wide(group, name, rows=10 ** 9):
+    """A dataset whose values the file does not store."""
+    if name in group:
+        del group[name]
+    group.create_dataset(name, (rows,), "f8", chunks=(10 ** 6,))
+
+
+def wide_column(file, folder):
+    wide(file[CURVE], "mean_gap")
+
+
+def wide_columns(file, folder):
+    for name in ("mean_gap", "nominal_pressure"):
+        wide(file[CURVE], name)
+
+
+def many_steps(file, folder):
+    """Packed to a thousandth, these are values that the file has."""
+    for name in ("mean_gap", "nominal_pressure"):
+        del file[CURVE][name]
+        file[CURVE].create_dataset(name, data=numpy.ones(2 * 10 ** 6), compression="gzip")
+
+
+def wide_spectrum(file, folder):
+    file["surfaces/0/spectrum/wavevector"] = [1.0, 2.0]
+    wide(file["surfaces/0/spectrum"], "height_spectrum")
+
+
+def wide_table(file, folder):
+    file["tables/t/a"] = [1.0, 2.0]
+    wide(file["tables/t"], "b")
+
+
+def wide_list(file, folder):
+    for name in ("what", "why"):
+        file["skipped/" + name] = ["x"]
+    file["skipped/cpu_time"] = [1.0]
+    wide(file["skipped"], "bytes")
+
+
+def wide_maps(file, folder):
+    for name in ("pressure", "gap"):
+        file.create_dataset("methods/bem.mine/0/fields/0/" + name, (30000, 30000), "f4",
+                            chunks=(1000, 1000))
 
 
 def huge_map(file, folder):
@@ -195,12 +264,18 @@ HOSTILE = {
     external_storage: "mean_gap: stores its values in another file",
     virtual_dataset: "mean_gap: stores its values in another file",
     huge_column: "mean_gap",
-    huge_pressure: "nominal_pressure: has 35184372088832 values and needs 256 "
-                   "TiB of memory, but ",
+    huge_pressure: "mean_gap has 3 values, but must have 35184372088832, as ",
+    wide_column: "mean_gap has 1000000000 values, but must have 3, as ",
+    wide_columns: "nominal_pressure has 1000000000 values, but must have at most 1000000",
+    many_steps: "nominal_pressure has 2000000 values, but must have at most 1000000",
+    wide_spectrum: "height_spectrum has 1000000000 values, but must have 2, as ",
+    wide_table: "/b has 1000000000 values, but must have 2, as a",
+    wide_list: "bytes has 1000000000 values, but must have 1, as what",
+    wide_maps: "pressure: has 900000000 values, but the file stores only 0 bytes of them",
     huge_map: "heights = 4194304 points, but must be",
     huge_extent: "heights = 1099511627776 points, but must be",
-    huge_texts: "note: has ",
-    huge_variable_texts: "note: has ",
+    huge_texts: "note has 2147483648 values, but must have 3, as ",
+    huge_variable_texts: "note has 1099511627776 values, but must have 3, as ",
     two_dimensions: "mean_gap: has 2 dimensions, but must have one",
     no_dimension: "nominal_pressure: has 0 dimensions, but must have one",
     points_out_of_range: "points_x = 1e+300 points, but must be an integer",
@@ -301,6 +376,9 @@ def main():
     failures = [refused(write, expected, root, write.__name__)
                 for write, expected in HOSTILE.items()]
     failures += check_names(root)
+    largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024
+    if largest > 500:
+        failures.append(f"{largest:.0f} MiB of memory")
     for failure in filter(None, failures):
         print(failure)
     sys.exit(any(failures))

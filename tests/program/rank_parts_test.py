@@ -83,6 +83,29 @@ def check_sweep(runner):
                            runner.folder / "out/swept" / name, shallow=False), name
 
 
+def check_maps(runner):
+    """Maps are points, and a refusal of one leaves nothing."""
+    maps = runner.folder / "maps"
+    maps.mkdir()
+    for name in "12":
+        rows = "\n".join(" ".join(f"{(3 * i + int(name) * i * j) % 7}e-9" for i in range(8))
+                         for j in range(8))
+        (maps / f"{name}.txt").write_text("# Channel: Z\n# Width: 4 um\n# Height: 4 um\n"
+                                          f"# Value units: m\n{rows}\n")
+    ask = ["run", "maps", "--contact-modulus", "2 GPa", "--no-cache"]
+    (maps / "notes").write_text("measured in 2024\n")
+    output = runner.run(*ask, ranks=2, code=2)
+    assert "notes:1: column 1: found 'measured'" in output, output
+    assert not (runner.folder / "out/maps").exists()
+    (maps / "notes").unlink()
+    output = runner.run(*ask, ranks=2)
+    assert output.count("maps: 2 points on 2 ranks") == 1, output
+    runner.run(*ask, "--out", "one/maps")
+    for name in ("sweep.csv", "sweep.json", "maps.toml"):
+        assert filecmp.cmp(runner.folder / "one/maps" / name,
+                           runner.folder / "out/maps" / name, shallow=False), name
+
+
 def check_kill(runner):
     """What a killed part has lost is named, and --resume computes it."""
     ask = ["run", "rough.toml", "--no-cache", "--methods", "halfspace",
@@ -128,8 +151,8 @@ def main(program, mpirun, folder):
     (folder / "rough.toml").write_text(CASE)
     (folder / "swept.toml").write_text(CASE + SWEEP)
     runner = Runner(program, mpirun, folder)
-    for check in (check_ensemble, check_repetition, check_sweep, check_kill, check_full_block,
-                  check_refusal):
+    for check in (check_ensemble, check_repetition, check_sweep, check_maps, check_kill,
+                  check_full_block, check_refusal):
         check(runner)
 
 

@@ -20,8 +20,12 @@ STUBS = {
     "ninja": 'echo "[7/120] Building"; sleep "${BUILD_SECONDS:-0}"; [ -z "$BROKEN" ] || { echo "error: broken"; exit 1; }; mkdir -p "$2/cli"; '
              'printf "#!/bin/sh\\necho program \\$*\\nexit 3\\n" > "$2/cli/asperity"; '
              'chmod +x "$2/cli/asperity"',
-    "ctest": "exit 8",
-    "sudo": "exit 1",
+    "ctest": '[ "$3" != -N ] || { echo "  Test  #7: reports/browser"; exit 0; }; exit 8',
+    # Another apt-get holds the lock for two tries.
+    "sudo": '[ -n "$LOCKED" ] || exit 1; n=$(cat "$HOME/tries" 2>/dev/null || echo 0); '
+            'echo $((n + 1)) > "$HOME/tries"; [ "$n" -ge 2 ] || '
+            '{ echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 7"; exit 100; }; '
+            'echo "$*" >> "$HOME/apt.log"',
 }
 
 
@@ -88,8 +92,21 @@ def check(checkout):
     ended = checkout.run("list", MISSING="ninja-build")
     expect(ended.returncode == 4 and "apt-get" in ended.stderr,
            "a missing package is a system error", ended)
+    ended = checkout.run("list", MISSING="ninja-build", LOCKED="yes")
+    words = (checkout.home / "apt.log").read_text()
+    expect(ended.returncode == 3 and ended.stderr.count("waiting for another apt-get to end: E: "
+                                                        "Could not get lock") == 1
+           and "update" in words and "install" in words and "ninja-build" in words,
+           "another apt-get is waited for, and the user is told", ended)
     ended = checkout.run("test")
-    expect(ended.returncode == 1, "failed tests are exit code 1", ended)
+    expect(ended.returncode == 1 and "skipped" not in ended.stderr,
+           "failed tests are exit code 1", ended)
+    ended = checkout.run("test", MISSING="chromium")
+    expect(ended.returncode == 1 and "skipped: what needs chromium" in ended.stderr,
+           "a package of some tests that cannot be had ends nothing", ended)
+    ended = checkout.run("test", MISSING="lammps")
+    expect(ended.returncode == 1 and "lammps" not in ended.stderr,
+           "packages of tests that do not run are not installed", ended)
 
     checkout.root.chmod(0o777)
     ended = checkout.run("list")
@@ -127,8 +144,10 @@ def check_waiting(checkout):
     expect("building: step 7 of 120" in ended.stderr, "a long build says how far it is", ended)
 
     lock = checkout.root / "build/release.lock"
-    held = "flock \"$0\" sleep 3"
-    with lock.open() as file, subprocess.Popen(["sh", "-c", held, lock], **checkout.user):
+    released = checkout.home / "released"
+    held = "flock \"$0\" sh -c 'until test -e \"$0\"; do sleep 0.1; done' \"$1\""
+    with lock.open() as file, subprocess.Popen(["sh", "-c", held, lock, released],
+                                               **checkout.user):
         while True:  # until the other process holds the lock
             try:
                 fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
@@ -139,8 +158,13 @@ def check_waiting(checkout):
         expect(ended.returncode == 3 and "waiting" not in ended.stderr,
                "a current program runs beside another build", ended)
         (checkout.root / "new.cpp").write_text("")
-        ended = checkout.run("list")
-        expect(ended.returncode == 3 and "waiting for another build" in ended.stderr,
+        with subprocess.Popen([checkout.root / "asperity", "list"], env=checkout.environment,
+                              cwd=checkout.home, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True, **checkout.user) as waiting:
+            words = waiting.stderr.readline()
+            released.write_text("")
+            waiting.communicate(timeout=50)
+        expect(waiting.returncode == 3 and "waiting for another build" in words,
                "an outdated program waits for another build and says so", ended)
 
     ended = checkout.run("list")

@@ -65,6 +65,27 @@ def check_run(asperity, folder):
     assert np.isclose(pressure.mean(), curve.nominal_pressure[0, 2], rtol=1e-5)
     again = asperity.read(folder / "wave/result.h5")
     assert np.array_equal(again["halfspace"].mean_gap, curve.mean_gap)
+    other = folder / "wave/other.h5"
+    shutil.copy(folder / "wave/result.h5", other)
+    with h5py.File(other, "r+") as file:
+        file["methods/halfspace/0/curve/mean_gap"][...] += 1
+    theirs = asperity.read(other)
+    assert np.array_equal(theirs["halfspace"].mean_gap, curve.mean_gap + 1)
+    with h5py.File(other, "r+") as file:
+        del file["methods/halfspace/0/curve/mean_gap"]
+        file["methods/halfspace/0/curve"].create_dataset("mean_gap", (10**9,), "f8", chunks=(1000,))
+    (folder / "wave/none.h5").write_text("no HDF5")
+    with h5py.File(folder / "wave/foreign.h5", "w") as file:
+        file["x"] = [1.0]
+    for wrong, words in (("lost.h5", "there is no such file"), ("none.h5", "none.h5: "),
+                         ("foreign.h5", "is no result of Asperity"),
+                         ("other.h5", "(1000000000,), but must have (3,)")):
+        try:
+            asperity.read(folder / "wave" / wrong)
+        except asperity.Error as error:
+            assert words in str(error), error
+        else:
+            raise AssertionError(f"{wrong} was read")
     try:
         result["hafspace"]
     except KeyError as error:
@@ -149,6 +170,12 @@ def check_command(asperity, folder):
         assert "few digits" in str(error)
     else:
         raise AssertionError("there is no result")
+    try:
+        asperity.run(CASE, out=folder / "wave")  # which has the result of another run
+    except asperity.Error as error:
+        assert "does not say that it has run the case" in str(error), error
+    else:
+        raise AssertionError("the result of an earlier run was returned")
     script.chmod(0o644)
     try:
         asperity.command("list")

@@ -87,7 +87,7 @@ class Browser : public ReportFolder {
 protected:
   void SetUp() override {
     if (!has_chromium())
-      GTEST_SKIP() << "chromium is not installed; ./asperity test installs it";
+      GTEST_SKIP() << "skipped: needs chromium";
     write(result);
   }
 

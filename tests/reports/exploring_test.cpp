@@ -20,7 +20,7 @@ protected:
   void SetUp() override {
     Browser::SetUp();
     if (!IsSkipped() && chart_library().empty())
-      GTEST_SKIP() << "libjs-chart.js is not installed; ./asperity installs it";
+      GTEST_SKIP() << "skipped: needs libjs-chart.js";
   }
 };
 

@@ -200,7 +200,7 @@ TEST_F(PaperReport, ParsesAReadme) {
 // A browser shows every row and makes no request.
 TEST_F(PaperReport, OpensInABrowser) {
   if (!has_chromium())
-    GTEST_SKIP() << "chromium is not installed; ./asperity test installs it";
+    GTEST_SKIP() << "skipped: needs chromium";
   page_of({"size-1", "size-2"});
 
   const std::string dom = dom_in_chromium(folder / "report.html", folder);

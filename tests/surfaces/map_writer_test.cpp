@@ -119,7 +119,7 @@ TEST_F(MapWriter, ChoosesADataset) {
 // read.
 TEST_F(MapWriter, IsReadByGwyddion) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   for (const std::string name : {"a.gwy", "a.x3p"}) {
     const std::string path = written(name);
     const Scan own = read_scan(path, {});

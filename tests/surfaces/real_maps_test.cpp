@@ -66,7 +66,7 @@ TEST_F(RealMaps, GwyddionText) {
 // Where Gwyddion reads a file as well, it agrees with our reader.
 TEST_F(RealMaps, AgreeWithGwyddion) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   for (const std::string name : {"x3p-2.x3p", "sdf-1.sdf"}) {
     const Scan own = read_scan(data_folder() / name, {});
     const Scan other = read_scan(data_folder() / name,

@@ -129,7 +129,7 @@ TEST(SurScan, SpecialPointsAreMissing) {
 
 TEST(SurScan, GwyddionIsNotAskedForSpecialPoints) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   SurFile file;
   file.special_points = 1;
   const std::string path = written("convert.sur", file.bytes());
@@ -222,7 +222,7 @@ TEST(SurScan, AllPointsMissing) {
 // heights.
 TEST(SurScan, AgreesWithGwyddionWithoutSpecialPoints) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   for (const auto bits : {std::uint16_t{16}, std::uint16_t{32}}) {
     SurFile file;
     file.bits = bits;

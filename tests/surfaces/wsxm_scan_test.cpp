@@ -97,7 +97,7 @@ TEST(WsxmScan, ContradictionsAreRefused) {
 // Gwyddion 2.62 takes the unit of z for x and y as well.
 TEST(WsxmScan, LengthsThatGwyddionReadsAreThoseOfTheHeader) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   const std::string path = written("units.stp", WsxmFile().bytes());
 
   EXPECT_EQ(tests::message_of<input::InputError>([&] {
@@ -110,7 +110,7 @@ TEST(WsxmScan, LengthsThatGwyddionReadsAreThoseOfTheHeader) {
 // Where the three units are equal, Gwyddion reads the same map.
 TEST(WsxmScan, AgreesWithGwyddion) {
   if (program_on_path("gwyddion").empty())
-    GTEST_SKIP() << "gwyddion is not installed (Debian package gwyddion)";
+    GTEST_SKIP() << "skipped: needs gwyddion";
   WsxmFile file;
   file.x = "900 nm";
   const std::string path = written("equal.stp", file.bytes());
