@@ -14,7 +14,7 @@ namespace {
 
 constexpr int n_parameters = static_cast<int>(whittle_parameters);
 using Vector = Eigen::Matrix<double, n_parameters, 1>;
-using Matrix = Eigen::Matrix<double, n_parameters, n_parameters>;
+using Information = Eigen::Matrix<double, n_parameters, n_parameters>;
 using Rings = std::span<const SpectrumRing>;
 
 constexpr double least_noise = -30.0; // ln N below that of the smallest C
@@ -27,7 +27,7 @@ constexpr double groups_per_decade = 15.0;
 struct Expansion {
   double value = 0.0;
   Vector gradient = Vector::Zero();
-  Matrix information = Matrix::Zero();
+  Information information = Information::Zero();
 };
 
 double deviance_term(const SpectrumRing& ring, double log_model) {
@@ -76,10 +76,11 @@ void hold(Expansion& at, Eigen::Index parameter) {
 /// The solution of A x = b for a symmetric A whose rows have different units,
 /// and are zero for parameters that are held.
 /// @param damping  relative to the diagonal
-Vector solve_scaled(const Matrix& system, const Vector& right, double damping) {
+Vector solve_scaled(const Information& system, const Vector& right,
+                    double damping) {
   Vector scale = system.diagonal().cwiseSqrt();
   scale = (scale.array() > 0.0).select(scale, 1.0);
-  Matrix scaled = system.array() / (scale * scale.transpose()).array();
+  Information scaled = system.array() / (scale * scale.transpose()).array();
   scaled.diagonal().array() += damping + 1e-14;
   return scaled.ldlt().solve(right.cwiseQuotient(scale)).cwiseQuotient(scale);
 }
@@ -286,7 +287,7 @@ Covariance covariance_of(const std::vector<SpectrumRing>& rings,
   const Rings below = Rings(rings).first(part.count);
   const double noise_unit =
       std::ranges::min(below, {}, &SpectrumRing::density).density;
-  Matrix information =
+  Information information =
       expand(below, part.parameters, has_roll_off, noise_unit).information;
   if (!has_roll_off)
     information(corner_at, corner_at) = 1.0;
