@@ -382,8 +382,6 @@ void AdhesiveState::take() {
   find_free();
 }
 
-// The tension of a law falls beyond strongest_gap(): where the smallest gap
-// cannot carry p_0, no node can, and a larger distance has less energy.
 double AdhesiveState::missing_load() const {
   const std::uint8_t* const has_counter =
       problem.opposed.empty() ? nullptr : problem.opposed.data();
@@ -430,6 +428,8 @@ double AdhesiveState::accepted_load() const {
   return std::max(problem.load_tolerance * borne / n, rounding);
 }
 
+// The tension of a law falls beyond strongest_gap(): where the smallest gap
+// cannot carry p_0, no node can, and a larger distance has less energy.
 bool AdhesiveState::is_detached() const {
   return target.control == mechanics::Control::nominal_pressure &&
          target.amount <= 0.0 && least_gap > problem.law.strongest_gap() &&
