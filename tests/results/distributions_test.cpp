@@ -78,6 +78,17 @@ TEST(GapHistogram, IsOfTheOpenNodes) {
   EXPECT_NEAR(histogram.density[3] * histogram.bin_width(), 1.0 / 5.0, 1e-15);
 }
 
+// Atoms, and nodes with adhesion, have pressures of either sign anywhere.
+TEST(GapHistogram, OfAtomsIsOfThoseWhoseGapIsOpen) {
+  const std::vector<double> pressure{5.0, -5.0, 1e-3, -1e-3, 2.0};
+  const std::vector<double> gap{-1.0, 0.0, 1.0, 0.1, 0.6};
+
+  const Histogram histogram =
+      gap_histogram(gap, pressure, 4, {mechanics::ContactField::gap, 0.0});
+
+  EXPECT_NEAR(integral(histogram), 3.0 / 5.0, 1e-15);
+}
+
 TEST(Histograms, HaveNoBinsWhereNothingIsCounted) {
   EXPECT_TRUE(pressure_histogram(std::vector{0.0, 0.0}, 8).density.empty());
   EXPECT_TRUE(gap_histogram(std::vector{0.0, 0.0}, std::vector{1.0, 1.0}, 8)

@@ -172,7 +172,7 @@ TEST(MapSizes, AreCheckedByName) {
     contact_perimeter(grid, ContactNodes::under(pressure));
     FAIL() << "a map of another size was accepted";
   } catch (const std::domain_error& error) {
-    EXPECT_STREQ(error.what(), "pressure.size() = 15, but must be equal to 16");
+    EXPECT_STREQ(error.what(), "nodes.size() = 15, but must be equal to 16");
   }
   EXPECT_THROW(weighted_mean({}), std::domain_error);
   EXPECT_THROW(weighted_mean(pressure, std::vector<double>(14, 1.0)),
