@@ -23,7 +23,7 @@ surfaces::Matrix read_text_matrix(const fs::path& path) {
   return {table.rows(), table.columns, std::move(table.numbers)};
 }
 
-surfaces::Matrix read_dataset(const fs::path& path) {
+surfaces::Matrix read_dataset(const fs::path& path, std::size_t most) {
   const std::lock_guard lock(results::hdf5_mutex());
   const results::Hdf5File file(path, results::Hdf5File::Mode::read);
   const std::vector<std::string> names = file.children();
@@ -39,14 +39,18 @@ surfaces::Matrix read_dataset(const fs::path& path) {
     throw input::InputError(fmt::format("{}: {} has {} dimensions, but must "
                                         "have 2: rows and columns",
                                         path.string(), name, extents.size()));
+  if (extents[0] > 0 && extents[1] > most / extents[0])
+    throw input::InputError(
+        fmt::format("{}: {} has {} x {} numbers, but may have at most {}",
+                    path.string(), name, extents[0], extents[1], most));
   return {extents[0], extents[1], file.numbers(name)};
 }
 
 /// The library may crash on a damaged file, so a child process reads it first.
-surfaces::Matrix read_hdf5_matrix(const fs::path& path) {
-  results::require_readable(path, [&] { read_dataset(path); });
+surfaces::Matrix read_hdf5_matrix(const fs::path& path, std::size_t most) {
+  results::require_readable(path, [&] { read_dataset(path, most); });
   try {
-    return read_dataset(path);
+    return read_dataset(path, most);
   } catch (const results::Hdf5Error& error) {
     throw input::InputError(error.what());
   }
@@ -54,13 +58,13 @@ surfaces::Matrix read_hdf5_matrix(const fs::path& path) {
 
 } // namespace
 
-surfaces::Matrix read_pressure_file(const fs::path& path) {
+surfaces::Matrix read_pressure_file(const fs::path& path, std::size_t most) {
   const std::string ending = path.extension().string();
   surfaces::Matrix matrix;
   if (ending == ".npy")
     matrix = surfaces::read_npy(path);
   else if (ending == ".h5" || ending == ".hdf5")
-    matrix = read_hdf5_matrix(path);
+    matrix = read_hdf5_matrix(path, most);
   else if (ending == ".csv" || ending == ".txt" || ending == ".dat")
     matrix = read_text_matrix(path);
   else

@@ -281,7 +281,9 @@ Submission read_submission(const std::filesystem::path& folder,
   mistakes.throw_if_any("submission.toml");
   for (SubmittedLoad& load : submission.loads) {
     input::require_own_file(folder, load.file);
-    surfaces::Matrix matrix = read_pressure_file(load.file);
+    // So many that a field on another grid is still told by its shape.
+    surfaces::Matrix matrix =
+        read_pressure_file(load.file, 16 * problem.grid.size());
     load.rows = matrix.rows;
     load.columns = matrix.columns;
     load.pressure = std::move(matrix.numbers);

@@ -302,6 +302,11 @@ std::string dimension_name(Dimension dimension) {
   return names.at(static_cast<std::size_t>(dimension));
 }
 
+std::string with_article(Dimension dimension) {
+  const std::string name = dimension_name(dimension);
+  return (name.front() == 'a' || name.front() == 'e' ? "an " : "a ") + name;
+}
+
 std::string si_unit(Dimension dimension) {
   return std::string(
       std::ranges::find(units(), dimension, &Unit::dimension)->symbol);
@@ -345,8 +350,8 @@ std::string unit_mistake(const std::string& unit, Dimension dimension,
                          const std::vector<std::string>& allowed) {
   const std::string choice = fmt::format("{}", fmt::join(allowed, ", "));
   if (const Unit* const known = unit_called(unit))
-    return fmt::format("has the unit {} of a {}, but must have one of: {}",
-                       known->symbol, dimension_name(known->dimension), choice);
+    return fmt::format("has the unit {} of {}, but must have one of: {}",
+                       known->symbol, with_article(known->dimension), choice);
   return fmt::format("has the unknown unit \"{}\"; allowed: {}; nearest: {}",
                      printable(unit), choice,
                      nearest_unit(unit, dimension, allowed));

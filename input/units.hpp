@@ -60,6 +60,9 @@ std::optional<double> unit_in_si(std::string_view name, Dimension dimension);
 /// Returns the name of a dimension: "length", "pressure", ...
 std::string dimension_name(Dimension dimension);
 
+/// Returns it with its article: "a length", "an energy", ...
+std::string with_article(Dimension dimension);
+
 /// Returns the SI unit: "m", "Pa", "1/m", "Pa/m", "N", "J/m^2", "1".
 std::string si_unit(Dimension dimension);
 

@@ -90,8 +90,8 @@ QuantityReading read_quantity(const std::string& text, Dimension dimension,
       if (is_own_allowed(unit, dimension, references))
         return {mechanics::Quantity{read.number, unit.reference}, ""};
       return refused(fmt::format(
-          "has the unit {} of a {}, but must have one of: {}", unit.symbol,
-          input::dimension_name(unit.dimension), fmt::join(allowed, ", ")));
+          "has the unit {} of {}, but must have one of: {}", unit.symbol,
+          input::with_article(unit.dimension), fmt::join(allowed, ", ")));
     }
   const input::Unit* const unit = input::unit_called(read.unit);
   if (!unit || unit->dimension != dimension)

@@ -259,7 +259,7 @@ LoadSequence::step_with_adhesion(const mechanics::LoadTarget& target,
                                 gap_tolerance_,
                                 max_iterations_,
                                 adhesive_scale_.value_or(0.0),
-                                gap_tolerance_ / rms_height()};
+                                load_tolerance()};
   if (free_adhesion_)
     return free_adhesion_->solve(problem, target, state);
   ContactSolution solution =
@@ -454,6 +454,13 @@ void LoadSequence::recall(std::span<const double> memory) {
       memory[0] == static_cast<double>(mechanics::Control::nominal_pressure)
           ? mechanics::Control::nominal_pressure
           : mechanics::Control::mean_gap;
+}
+
+double LoadSequence::load_tolerance() {
+  // A flat surface has no h_rms, and roundoff is no unit of a tolerance.
+  constexpr double largest = 0.01;
+  const double tolerance = gap_tolerance_ / rms_height();
+  return tolerance <= largest ? tolerance : AdhesiveProblem{}.load_tolerance;
 }
 
 double LoadSequence::rms_height() {

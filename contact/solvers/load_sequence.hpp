@@ -117,6 +117,8 @@ private:
   /// The residual from which on it is better than another guess [m].
   double error_of_coarse_guess();
   double rms_height();
+  /// Of a load with adhesion, over <|p|>: that of gaps, over h_rms.
+  double load_tolerance();
   void remember(const mechanics::LoadTarget& target,
                 const ContactSolution& solution);
   /// Whether a pressure is positive at some node of any rank.

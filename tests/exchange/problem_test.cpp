@@ -198,10 +198,14 @@ TEST_F(ProblemFolder, HasFreeBoundaries) {
 // All height files hold the same numbers, bit for bit, including the text file.
 TEST_F(ProblemFolder, HasTheSameHeightsInEachFile) {
   for (const char* name : {"heights.npy", "heights.h5", "heights.txt"}) {
-    const surfaces::Matrix matrix = read_pressure_file(folder / name);
+    const surfaces::Matrix matrix = read_pressure_file(folder / name, 64 * 64);
     EXPECT_EQ(matrix.rows, 64U) << name;
     EXPECT_EQ(matrix.numbers, problem.heights) << name;
   }
+  EXPECT_NE(tests::message_of<input::InputError>([&] {
+              return read_pressure_file(folder / "heights.h5", 64 * 64 - 1);
+            }).find("64 x 64 numbers, but may have at most 4095"),
+            std::string::npos);
   const std::string gwy = text_of(folder / "heights.gwy");
   const std::string_view numbers(
       reinterpret_cast<const char*>(problem.heights.data()),

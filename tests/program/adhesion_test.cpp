@@ -40,8 +40,8 @@ TEST_F(AdhesionTest, AMapIsPressedAndPulledOff) {
 
   const Ended wrong = run(command + "\"50 mJ\"");
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.output.find("--work-of-adhesion = \"50 mJ\" has the unknown "
-                              "unit \"mJ\""),
+  EXPECT_NE(wrong.output.find("--work-of-adhesion = \"50 mJ\" has the unit "
+                              "mJ of an energy, but must have one of: J/m^2"),
             std::string::npos)
       << wrong.output;
   const Ended fine = run(command + "\"50 mJ/m^2\" --set halfspace.range=1e-9");

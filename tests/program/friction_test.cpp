@@ -134,7 +134,6 @@ coefficient = 0.3
   // difference is that of the approaches.
   const theory::WestergaardContact exact(1e-6, 1e-3, 200e9 / 0.91);
   const double across = 0.3 * (exact.mean_gap(10e6) - exact.mean_gap(20e6));
-  EXPECT_NEAR(across, 16.71e-9, 0.005e-9);
   EXPECT_NEAR(0.3 * (rows[1].mean_gap - rows[2].mean_gap), across,
               2e-3 * across);
   const std::string table = text_of(folder / "ridges/figures/partial-slip.csv");

@@ -266,7 +266,7 @@ TEST_F(Messages, AMapWithoutUnitsGetsThemByOptions) {
   const Ended with_case = run("run small.toml --length '4 um'");
   EXPECT_EQ(with_case.exit_code, 2);
   EXPECT_TRUE(says(with_case, "small.toml is a case: please use --set "
-                              "surface.length=4 um"))
+                              "surface.length=\"4 um\""))
       << with_case.output;
 }
 
