@@ -364,6 +364,7 @@ ValueReading read_with_unit(const std::string& text, Dimension dimension) {
   const std::vector<std::string> allowed = usual_units(dimension);
   if (read.unit.empty()) {
     std::vector<std::string> forms;
+    forms.reserve(allowed.size());
     for (const std::string& unit : allowed)
       forms.push_back(fmt::format("\"{} {}\"", trimmed(text), unit));
     return {std::nullopt,

@@ -159,7 +159,7 @@ TEST_F(Distributions, HaveTheirLoadAndTheirUnitsInTheBrowser) {
   const MapFrame frame = figures.at(0).stack.value().frames.at(0);
   EXPECT_EQ(frame.title, "p/E* = 0.02");
   EXPECT_NEAR(frame.maps.at(0).high, 3.0, 1e-12);
-  EXPECT_NEAR(frame.maps.at(1).high, 2.0, 1e-12);
+  EXPECT_NEAR(frame.maps.at(2).high, 2.0, 1e-12);
 }
 
 TEST_F(Distributions, OfATensileMapAreDrawnWithoutACurve) {
