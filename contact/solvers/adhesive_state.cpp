@@ -423,9 +423,19 @@ double AdhesiveState::accepted_load() const {
       by_spring()
           ? target.spring * (std::abs(target.amount) + std::sqrt(height / n))
           : 0.0;
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() *
-                          (stiffest_waves * std::sqrt(height) / n + of_spring);
+  // That of a transform grows with the logarithm of its size, and the tension
+  // of a law may cancel in each node.
+  const double rounding =
+      std::numeric_limits<double>::epsilon() *
+      (std::log2(n) * (stiffest_waves * std::sqrt(height) / n + of_spring) -
+       problem.law.pressure_bounds().smallest);
   return std::max(problem.load_tolerance * borne / n, rounding);
+}
+
+double AdhesiveState::unresolved_load() const {
+  return std::sqrt(2.0 * problem.preconditioner_stiffness *
+                   std::numeric_limits<double>::epsilon() *
+                   problem.law.work_of_adhesion);
 }
 
 // The tension of a law falls beyond strongest_gap(): where the smallest gap

@@ -128,6 +128,10 @@ public:
   /// the roundoff of the residual.
   double accepted_load() const;
 
+  /// The missing_load() whose energy, p^2/(2 k_c), is the roundoff of that of
+  /// the law, w: what no descent finds [Pa].
+  double unresolved_load() const;
+
   /// Whether no node can carry the prescribed tensile load any more.
   bool is_detached() const;
 
