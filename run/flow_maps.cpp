@@ -62,6 +62,7 @@ void keep_user_map(const results::Fields& fields, results::Table& table) {
   const std::size_t nearest = *std::ranges::min_element(kept, {}, distance);
   for (results::Column& column : table.columns) {
     std::vector<double> values;
+    values.reserve(kept.size());
     for (const std::size_t i : kept)
       values.push_back(column.name != "is_critical" ? column.values[i]
                        : i == nearest               ? 1.0

@@ -82,6 +82,7 @@ std::vector<SlipState> slips_of(const std::vector<CurvePoint>& rows,
                                 bool is_theory) {
   const double mean_ratio = mechanics::tangential_ratio(contact_case.material);
   std::vector<NormalContact> path;
+  path.reserve(rows.size());
   for (const CurvePoint& row : rows)
     path.push_back(normal_contact(row, mean_ratio));
   std::vector<SlipState> states;

@@ -84,6 +84,34 @@ Figure traction_figure(const std::string& method, const SlipMaps& maps,
   return figure;
 }
 
+CsvTable slip_table() {
+  return CsvTable({"curve", "index", "Q/(mu P) [1]", "displacement x [nm]",
+                   "least displacement x [nm]", "largest displacement x [nm]",
+                   "stick/contact [1]", "least stick/contact [1]",
+                   "largest stick/contact [1]", "Q/A_0 [MPa]",
+                   "stiffness x [MPa/nm]", "loss x [J/m^2]",
+                   "displacement y [nm]", "stiffness y [MPa/nm]",
+                   "loss y [J/m^2]"});
+}
+
+/// The numbers of slip_table() of a point of a curve.
+std::vector<double> slip_row(std::size_t curve, const SlipPoint& at) {
+  return {static_cast<double>(curve),
+          at.share,
+          1e9 * at.displacement.x.mean,
+          1e9 * at.displacement.x.low,
+          1e9 * at.displacement.x.high,
+          at.stick.mean,
+          at.stick.low,
+          at.stick.high,
+          1e-6 * at.tangential_stress,
+          1e-15 * at.stiffness.x.mean,
+          at.loss.x.mean,
+          1e9 * at.displacement.y.mean,
+          1e-15 * at.stiffness.y.mean,
+          at.loss.y.mean};
+}
+
 } // namespace
 
 std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
@@ -96,13 +124,7 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
   figure.panels.resize(2);
   figure.grid = side_by_side(0.2);
   figure.grid->has_shared_legend = true;
-  CsvTable table({"curve", "index", "Q/(mu P) [1]", "displacement x [nm]",
-                  "least displacement x [nm]", "largest displacement x [nm]",
-                  "stick/contact [1]", "least stick/contact [1]",
-                  "largest stick/contact [1]", "Q/A_0 [MPa]",
-                  "stiffness x [MPa/nm]", "loss x [J/m^2]",
-                  "displacement y [nm]", "stiffness y [MPa/nm]",
-                  "loss y [J/m^2]"});
+  CsvTable table = slip_table();
   std::size_t next = 0;
   for (const results::MethodRecord& method : entry.result->methods) {
     const auto curves =
@@ -115,14 +137,7 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
     if (points.empty() || own == series.end())
       continue;
     for (const SlipPoint& at : points)
-      table.add(method.name,
-                {static_cast<double>(next), at.share,
-                 1e9 * at.displacement.x.mean, 1e9 * at.displacement.x.low,
-                 1e9 * at.displacement.x.high, at.stick.mean, at.stick.low,
-                 at.stick.high, 1e-6 * at.tangential_stress,
-                 1e-15 * at.stiffness.x.mean, at.loss.x.mean,
-                 1e9 * at.displacement.y.mean, 1e-15 * at.stiffness.y.mean,
-                 at.loss.y.mean});
+      table.add(method.name, slip_row(next, at));
     const CurveStyle style = method.kind == "theory"
                                  ? line("#222222", 1.6)
                                  : joined(point_style(*own));

@@ -36,6 +36,7 @@ std::vector<std::string> names_in(const Hdf5Group& group) {
   }
   std::ranges::stable_sort(placed, {}, &std::pair<double, std::string>::first);
   std::vector<std::string> names;
+  names.reserve(placed.size());
   for (auto& [place, name] : placed)
     names.push_back(std::move(name));
   return names;
