@@ -229,12 +229,34 @@ void find_errors(AdhesiveState& state, QuasiNewton& directions, End& end) {
   end.accepted_load = state.accepted_load();
 }
 
+/// Whether the load that the law misses is the roundoff of the energy: it is
+/// within that, and in so many iterations it has not come down to a half. The
+/// energy then falls or rises by its roundoff, and the way leads nowhere.
+class RoundoffOfLoad {
+public:
+  bool is_reached(const End& end, const AdhesiveState& state) {
+    constexpr int patience = 20;
+    if (!(end.missing_load <= state.unresolved_load()))
+      return false;
+    if (end.missing_load <= 0.5 * least_) {
+      least_ = end.missing_load;
+      since_ = 0;
+    }
+    return ++since_ > patience;
+  }
+
+private:
+  double least_ = std::numeric_limits<double>::infinity(); ///< [Pa]
+  int since_ = 0;
+};
+
 /// Goes downhill until the residual is small, the surfaces part, or the
 /// iterations end.
 void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
               End& end) {
   end.converged = false;
   bool is_lowest = false;
+  RoundoffOfLoad roundoff;
   double stride = 1.0;
   while (!state.is_detached()) {
     std::span<const double> direction = directions.direction(state);
@@ -245,6 +267,10 @@ void minimise(AdhesiveState& state, QuasiNewton& directions, int& iterations,
                       end.missing_load <= end.accepted_load;
       if (end.converged || !std::isfinite(size))
         return;
+      is_lowest = end.error <= state.problem.gap_tolerance &&
+                  roundoff.is_reached(end, state);
+      if (is_lowest)
+        break;
       direction = directions.direction(state);
     }
     if (iterations == state.problem.max_iterations)
