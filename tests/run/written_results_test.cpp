@@ -274,29 +274,18 @@ TEST_F(WrittenResults, AreReadAndExplainWhatTheyLeaveEmpty) {
 }
 
 TEST_F(WrittenResults, OfShippedStudiesExplainWhatTheyLeaveEmpty) {
-  int n_cases = 0;
-  for (const auto& file : std::filesystem::directory_iterator(ASPERITY_CASES)) {
-    const std::filesystem::path path = file.path() / "case.toml";
-    std::ifstream text(path);
-    const std::string words{std::istreambuf_iterator<char>(text), {}};
-    if (words.empty() || words.find("[sweep]") != words.npos)
-      continue;
-    const cases::Case shipped = cases::read_case(path.string());
-    if (!shipped.flow_study && !shipped.spots_study &&
-        !shipped.conductance_study)
-      continue;
-    SCOPED_TRACE(shipped.name);
-    ++n_cases;
+  for (const std::string name : {"conductance", "seal"}) {
+    SCOPED_TRACE(name);
     const cases::Case small = cases::read_case(
-        path.string(), {"surface.points=64", "surface.realizations=1",
-                        "surface.wavelength_short=4 h", "expect="});
+        std::string(ASPERITY_CASES) + "/" + name + "/case.toml",
+        {"surface.points=64", "surface.realizations=1",
+         "surface.wavelength_short=4 h", "expect="});
     testing::internal::CaptureStdout();
     run_case(small, {folder / "out", {}, false, 1});
     testing::internal::GetCapturedStdout();
     expect_explained(small, results::read_result(folder / "out"));
     std::filesystem::remove_all(folder / "out");
   }
-  EXPECT_GE(n_cases, 2);
 }
 
 } // namespace asperity::run::written_results_test
