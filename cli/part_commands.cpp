@@ -10,11 +10,12 @@
 #include "run/distributed/merge.hpp"
 #include "run/distributed/part_run.hpp"
 #include "run/distributed/slurm_scripts.hpp"
-#include "run/distributed/task_needs.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
 #include "run/output_folder.hpp"
+#include "run/plan/needs.hpp"
+#include "run/plan/plan.hpp"
 #include "run/run_case.hpp"
 #include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/sweep_run.hpp"
@@ -23,7 +24,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <stdexcept>
 
@@ -31,10 +31,6 @@ namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Time that a task of Slurm has beyond the prediction of its computation, for
-/// its start, slow file systems and the report [s].
-constexpr double start_allowance = 600.0;
 
 /// Memory that a task has at least, for the libraries and the report [B].
 constexpr double least_memory = 500e6;
@@ -62,6 +58,34 @@ bool has_full_block(const cases::Case& contact_case,
   const std::vector<cases::MethodSpec> methods =
       methods::chosen_methods(contact_case, command.methods, command.is_exact);
   return std::ranges::any_of(methods, methods::is_full_block);
+}
+
+/// Predicts the memory of the task that computes the largest part, without a
+/// cache, at the upper end of the prediction [B].
+double memory_of_task(const run::NamedCases& named,
+                      const std::vector<run::PartRecord>& records,
+                      const RunCommand& command) {
+  run::RunOptions options{
+      {}, command.methods, false, std::max(1, command.threads)};
+  options.is_exact = command.is_exact;
+  double most = 0.0;
+  for (const run::PartRecord& record : records) {
+    double memory = 0.0;
+    if (named.sweep) {
+      for (const std::size_t point : record.members)
+        memory = std::max(
+            memory, run::make_plan(
+                        named.sweep->sweep.points[point].contact_case, options)
+                        .memory);
+      memory *= std::min(static_cast<double>(options.threads),
+                         static_cast<double>(record.members.size()));
+    } else {
+      options.realizations = {record.members.begin(), record.members.end()};
+      memory = run::make_plan(named.cases.front().contact_case, options).memory;
+    }
+    most = std::max(most, memory);
+  }
+  return std::max(run::memory_factor * most, least_memory);
 }
 
 /// Refuses before anything is written what a rank would refuse.
@@ -114,9 +138,8 @@ void clear_for_ranks(const fs::path& folder, bool is_sweep) {
 void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
               Action& action) {
   CLI::App* command = program.add_subcommand(
-      "plan", "Print the predicted cost of a run, or write\n"
-              "the scripts that run it by Slurm; compute\n"
-              "nothing.");
+      "plan", "Print what a run needs, or write the scripts\n"
+              "that run it by Slurm; compute nothing.");
   RunCommand& run = plan.run;
   command
       ->add_option("case", run.cases,
@@ -136,8 +159,8 @@ void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
       ->needs(slurm);
   command
       ->add_option("--time", plan.time,
-                   "time limit of a task, as for sbatch (default: by\n"
-                   "the prediction)")
+                   "time limit of a task, as for sbatch (default: that of\n"
+                   "the partition)")
       ->needs(slurm);
   add_methods(command, run.methods);
   command->add_flag("--exactly", run.is_exact,
@@ -303,24 +326,18 @@ run::ExitCode plan_run(const PlanCommand& command) {
   const std::string& name = records.front().case_name;
   const fs::path folder = absolute_path(folder_of(name, run.out, 1));
   const int threads = std::max(1, run.threads);
-  const run::TaskNeeds needs = run::task_needs(named.front(), records, threads);
-  run::SlurmJob job{
-      records.front(), fs::read_symlink("/proc/self/exe"),  folder, threads,
-      command.time,    std::max(needs.memory, least_memory)}; // NaN: stays NaN
-  if (job.time.empty() && !std::isfinite(needs.time))
-    throw input::InputError(
-        name + ": its time cannot be predicted; please give --time");
-  if (job.time.empty())
-    job.time = run::slurm_time(needs.time + start_allowance);
+  const run::SlurmJob job{
+      records.front(), fs::read_symlink("/proc/self/exe"),
+      folder,          threads,
+      command.time,    memory_of_task(named.front(), records, run)};
   const std::map<std::string, std::string> scripts = run::slurm_scripts(job);
   if (named.front().sweep)
     run::require_own_outputs(folder, {reports::maps_file});
   run::write_slurm_scripts(scripts, folder);
   if (named.front().sweep)
     run::write_made_case(*named.front().sweep);
-  fmt::print("{}: {} parts, each of {} thread{} for at most {}; submit them "
-             "with\n  sh {}\n",
-             name, records.size(), threads, threads == 1 ? "" : "s", job.time,
+  fmt::print("{}: {} parts, each of {} thread{}; submit them with\n  sh {}\n",
+             name, records.size(), threads, threads == 1 ? "" : "s",
              run::quoted_word((folder / "slurm/submit.sh").string()));
   if (run::wants_json())
     run::emit_answer(text_of_json(

@@ -53,12 +53,12 @@ struct PlanCommand {
   RunCommand run; ///< of which nothing is run
   bool is_for_slurm = false;
   int n_parts = 0;       ///< 0: one per realisation or point
-  std::string time = {}; ///< limit of a task; empty: by the prediction
+  std::string time = {}; ///< limit of a task; empty: that of the partition
 };
 
 /// Prints the plan of a run, or writes the scripts by which Slurm computes it.
 /// @throws input::InputError  as part_request() and write_slurm_scripts(); a
-///                            wrong or missing time
+///                            wrong time
 run::ExitCode plan_run(const PlanCommand& command);
 
 /// What the command line says of these commands.

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int cost_probe_points = 1024; // as for the plan of one case
-
 void print_undrawn(const reports::SweepReport& report) {
   for (const std::string& failure : report.undrawn)
     fmt::print(stderr, "figure not drawn: {}\n", failure);
@@ -120,9 +118,8 @@ void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command) {
                        command.uses_cache ? methods::cache_size() : 0);
   options.cache = &cache;
   fmt::print("{}",
-             run::sweep_plan_text(
-                 run::make_sweep_plan(named.sweep, options, cost_probe_points),
-                 named.sweep));
+             run::sweep_plan_text(run::make_sweep_plan(named.sweep, options),
+                                  named.sweep));
 }
 
 run::ExitCode run_named_sweep(const run::NamedSweep& named,

@@ -14,7 +14,7 @@ namespace asperity::cli {
 /// Returns true for a folder with the results of a sweep.
 bool is_sweep_folder(const std::filesystem::path& folder);
 
-/// Prints the points of a sweep with their predicted cost.
+/// Prints the points of a sweep with what they need.
 void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command);
 
 /// Runs a sweep into a folder, writes its report and prints the expectations

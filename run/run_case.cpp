@@ -21,7 +21,6 @@
 #include "run/method_job.hpp"
 #include "run/mpi_world.hpp"
 #include "run/plan/memory_check.hpp"
-#include "run/plan/plan.hpp"
 #include "run/plan/preparation.hpp"
 #include "run/plan/skipped.hpp"
 #include "run/provenance_of_run.hpp"
@@ -44,8 +43,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using cases::MethodSpec;
-
-constexpr int rate_probe_points = 256;
 
 /// Returns the inputs that the text of the case does not determine.
 results::Inputs inputs_of(const cases::Case& contact_case) {
@@ -91,7 +88,7 @@ public:
                   ? methods::CaseKeys(case_, methods::program_identity())
                   : methods::CaseKeys(case_, "", {})),
         solvers_(case_, cache_, keys_),
-        progress_(work_to_do(options), case_.material.contact_modulus),
+        progress_(work_to_do(), case_.material.contact_modulus),
         tally_(root.is_root()),
         context_{case_,           options.folder,
                  cache_,          keys_,
@@ -119,7 +116,7 @@ private:
   methods::BuildSurface surface_builder();
   std::unique_ptr<results::ResultWriter>
   open_result(const RunOptions& options, std::optional<LastRun>& last_run);
-  RemainingWork work_to_do(const RunOptions& options);
+  RemainingWork work_to_do();
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
   results::MapRows shared_heights(const methods::SurfaceOfCase& surface);
   void record_surface(int realization);
@@ -178,23 +175,14 @@ int Run::n_steps(const MethodSpec& method) const {
   return steps;
 }
 
-/// Returns the steps to do with their predicted times, on rank 0.
-RemainingWork Run::work_to_do(const RunOptions& options) {
-  RemainingWork found({}, 1.0);
+/// Returns the steps to do, on rank 0.
+RemainingWork Run::work_to_do() {
+  std::map<std::string, int> steps;
   root_.act([&] {
-    const Plan plan = make_plan(case_, options, rate_probe_points);
-    std::map<std::string, MethodWork> work;
-    for (const PlannedMethod& planned : plan.methods) {
-      const int n_left = std::max(planned.steps - planned.kept_steps, 1);
-      work[planned.name].step_time =
-          (planned.setup_time + planned.step_time) / n_left;
-    }
     for (const MethodSpec& method : methods_)
-      work[method.name].steps = n_steps(method);
-    const double ratio = plan.wall_time / plan.cpu_time;
-    found = {work, std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0};
+      steps[method.name] = n_steps(method);
   });
-  return found;
+  return RemainingWork(steps);
 }
 
 /// Returns who builds the surfaces: each rank its rows, if no rank needs a
@@ -352,23 +340,21 @@ methods::WorkerPool::Job Run::job_of_rank_0(const MethodSpec& method,
 }
 
 /// Lists the work that was skipped because the case does not need it or because
-/// it is cached, and evaluations that failed. The machine is probed on a small
-/// grid, which takes some hundredths of a second.
+/// it is cached, and evaluations that failed.
 std::vector<results::Skipped> Run::skipped() const {
-  MachineRates rates(rate_probe_points);
   const std::size_t first =
       only_.empty() ? 0U : static_cast<std::size_t>(*only_.begin());
   Grid grid = surfaces_.whole().empty() ? grid_of_case(case_, methods_)
                                         : surfaces_.whole()[first].record.grid;
   if (!methods::presses_images(case_, methods_))
     grid = surfaces::grid_with_edges(grid, case_.surface.edges);
-  std::vector<results::Skipped> list =
-      skipped_by_case({case_, methods_, grid}, rates);
+  std::vector<results::Skipped> list = skipped_by_case({case_, methods_, grid});
   for (const auto& [thing, work] : tally_.kept())
     list.push_back({work.steps == 0
                         ? thing
                         : fmt::format("{}: {} steps", thing, work.steps),
-                    "in the cache", work.cpu_time, 0.0});
+                    fmt::format("in the cache; took {} of CPU time",
+                                time_text(work.cpu_time))});
   for (const results::Skipped& failure : tally_.failures())
     list.push_back(failure);
   return list;

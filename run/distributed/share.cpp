@@ -4,8 +4,7 @@
 #include "input/input_error.hpp"
 #include "methods/chosen.hpp"
 #include "methods/surfaces_of_case.hpp"
-#include "run/plan/cost_model.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/plan/needs.hpp"
 #include "run/plan/skipped.hpp"
 
 #include <fmt/format.h>
@@ -30,14 +29,13 @@ std::optional<int> positive_integer(std::string_view text) {
 }
 
 std::vector<double> costs_with(const cases::Case& contact_case,
-                               const std::vector<cases::MethodSpec>& methods,
-                               MachineRates& rates) {
+                               const std::vector<cases::MethodSpec>& methods) {
   const Grid grid = grid_of_case(contact_case, methods);
   const int members =
       methods::needs_surfaces(methods) ? contact_case.surface.realizations : 1;
   std::vector<double> costs(static_cast<std::size_t>(members), 0.0);
   for (const cases::MethodSpec& method : methods) {
-    const double cost = cost_of(contact_case, method, grid, rates).unknowns *
+    const double cost = needs_of(contact_case, method, grid).unknowns *
                         static_cast<double>(contact_case.load.targets.size());
     for (int r = 0; r < methods::n_realizations(contact_case, method); ++r)
       costs[static_cast<std::size_t>(r)] += cost;
@@ -93,19 +91,17 @@ std::vector<std::vector<std::size_t>> shares(const std::vector<double>& costs,
 std::vector<double>
 realization_costs(const cases::Case& contact_case,
                   const std::vector<cases::MethodSpec>& methods) {
-  MachineRates rates(memory_probe_points);
-  return costs_with(contact_case, methods, rates);
+  return costs_with(contact_case, methods);
 }
 
 std::vector<double> point_costs(const cases::CaseSweep& sweep,
                                 const std::vector<std::string>& methods,
                                 bool is_exact) {
-  MachineRates rates(memory_probe_points);
   std::vector<double> costs;
   for (const cases::SweptPoint& point : sweep.points) {
     const std::vector<double> of_point = costs_with(
         point.contact_case,
-        methods::chosen_methods(point.contact_case, methods, is_exact), rates);
+        methods::chosen_methods(point.contact_case, methods, is_exact));
     costs.push_back(std::accumulate(of_point.begin(), of_point.end(), 0.0));
   }
   return costs;

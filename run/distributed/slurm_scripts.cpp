@@ -25,16 +25,16 @@ constexpr double bytes_per_mib = 1024.0 * 1024.0;
 /// the path of a folder and has no way to write a quote.
 std::string head_of_script(const SlurmJob& job, const std::string& name,
                            const std::string& log) {
-  std::string text = fmt::format("#!/bin/sh\n"
-                                 "#SBATCH --job-name=\"{}\"\n"
-                                 "#SBATCH --time={}\n"
-                                 "#SBATCH --nodes=1 --ntasks=1 "
-                                 "--cpus-per-task={}\n",
-                                 good_name(name), job.time, job.threads);
-  if (std::isfinite(job.memory))
-    text += fmt::format("#SBATCH --mem={:.0f}M\n",
-                        std::ceil(job.memory / bytes_per_mib));
-  return text + fmt::format("#SBATCH --output={} --open-mode=append\n", log);
+  return fmt::format("#!/bin/sh\n"
+                     "#SBATCH --job-name=\"{}\"\n"
+                     "{}"
+                     "#SBATCH --nodes=1 --ntasks=1 --cpus-per-task={}\n"
+                     "#SBATCH --mem={:.0f}M\n"
+                     "#SBATCH --output={} --open-mode=append\n",
+                     good_name(name),
+                     job.time.empty() ? ""
+                                      : "#SBATCH --time=" + job.time + "\n",
+                     job.threads, std::ceil(job.memory / bytes_per_mib), log);
 }
 
 std::string parts_script(const SlurmJob& job) {
@@ -109,13 +109,6 @@ void write_slurm_scripts(const std::map<std::string, std::string>& scripts,
   for (const auto& [name, text] : scripts)
     if (!fs::exists(home / name))
       write_file_atomically(home / name, text);
-}
-
-std::string slurm_time(double seconds) {
-  constexpr double minute = 60.0;
-  const auto minutes = static_cast<long>(std::ceil(seconds / minute));
-  constexpr long per_hour = 60;
-  return fmt::format("{}:{:02}:00", minutes / per_hour, minutes % per_hour);
 }
 
 void require_slurm_time(const std::string& text) {

@@ -17,8 +17,9 @@ struct SlurmJob {
   std::filesystem::path program; ///< absolute path of asperity
   std::filesystem::path folder;  ///< absolute output folder of the run
   int threads = 1;               ///< of a task
-  std::string time;   ///< limit of a task, in a format of Slurm: "1:30:00"
-  double memory = 0.; ///< of a task [B]; NaN: what the partition gives
+  std::string time;   ///< limit of a task, in a format of Slurm: "1:30:00";
+                      ///< empty: that of the partition
+  double memory = 0.; ///< of a task [B]
 };
 
 /// Returns the texts of the scripts by their names: parts.sh, the array of
@@ -32,10 +33,6 @@ std::map<std::string, std::string> slurm_scripts(const SlurmJob& job);
 ///                            written
 void write_slurm_scripts(const std::map<std::string, std::string>& scripts,
                          const std::filesystem::path& folder);
-
-/// Returns a time limit in a format of Slurm.
-/// @param seconds  > 0; rounded up to minutes
-std::string slurm_time(double seconds);
 
 /// @throws input::InputError  the text is not one of the formats of Slurm's
 ///                            --time: minutes, minutes:seconds,

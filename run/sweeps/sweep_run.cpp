@@ -9,7 +9,7 @@
 #include "run/child_run.hpp"
 #include "run/interrupt.hpp"
 #include "run/last_run.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/progress.hpp"
 #include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/memory_budget.hpp"
 #include "run/sweeps/sweep_plan.hpp"
@@ -177,9 +177,8 @@ private:
     const std::size_t left = chosen_.size() - n_done_;
     if (left == 0 || elapsed < 10.0)
       return "";
-    return fmt::format("; about {} left",
-                       time_text(elapsed / static_cast<double>(n_done_) *
-                                 static_cast<double>(left)));
+    return "; " + remaining_text(elapsed / static_cast<double>(n_done_) *
+                                 static_cast<double>(left));
   }
 
   const cases::CaseSweep& sweep_;
@@ -246,9 +245,7 @@ SweepOutcome run_sweep(const cases::CaseSweep& sweep,
   methods::Cache cache(methods::cache_folder(),
                        options.uses_cache ? methods::cache_size() : 0);
   run.cache = &cache;
-  return SweepRun(sweep, options,
-                  make_sweep_plan(sweep, run, memory_probe_points))
-      .execute();
+  return SweepRun(sweep, options, make_sweep_plan(sweep, run)).execute();
 }
 
 } // namespace asperity::run

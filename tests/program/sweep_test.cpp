@@ -174,7 +174,7 @@ TEST_F(SweepRuns, IsPlanned) {
   EXPECT_EQ(planned.exit_code, 0);
   EXPECT_NE(planned.output.find("surface.hurst = 0.8, surface.seed = 3"),
             std::string::npos);
-  EXPECT_NE(planned.output.find("predicted: 4 points"), std::string::npos);
+  EXPECT_NE(planned.output.find("4 points, "), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
