@@ -3,17 +3,18 @@
 // The scripts by which Slurm computes the parts of a run as an array of tasks
 // and merges them afterwards.
 
-#include "run/distributed/part_record.hpp"
-
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace asperity::run {
 
 /// What Slurm is told about a run.
 struct SlurmJob {
-  PartRecord record;             ///< of any of the parts
+  std::string case_name;
+  std::vector<std::string> words; ///< arguments that run the whole case
+  int n_parts = 1;
   std::filesystem::path program; ///< absolute path of asperity
   std::filesystem::path folder;  ///< absolute output folder of the run
   int threads = 1;               ///< of a task
@@ -21,6 +22,9 @@ struct SlurmJob {
                       ///< empty: that of the partition
   double memory = 0.; ///< of a task [B]
 };
+
+/// Returns a word as a POSIX shell reads it: 'it'\''s' for it's.
+std::string quoted_word(const std::string& word);
 
 /// Returns the texts of the scripts by their names: parts.sh, the array of
 /// tasks; merge.sh, which joins them; and submit.sh, which submits the first
