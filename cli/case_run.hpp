@@ -1,11 +1,15 @@
 #pragma once
 
-// One case of `asperity run`: it is computed, or taken from its folder or from
-// the cache, as far as these hold what the run would write.
+// One case of `run` and `check`: it is computed beside the output of an earlier
+// run, which it replaces when it is complete.
 
 #include "cases/types/case.hpp"
+#include "reports/analysis/summary.hpp"
 #include "run/exit_code.hpp"
 #include "run/plan/run_options.hpp"
+#include "run/run_case.hpp"
+
+#include <optional>
 
 namespace asperity::cli {
 
@@ -14,18 +18,20 @@ struct ReportChoice {
   bool has_pdf = false;
 };
 
-/// Runs a case and writes its report. Nothing is read from earlier reports.
+struct CaseEnd {
+  run::RunOutcome outcome;
+  std::filesystem::path folder;            ///< of the output
+  std::optional<reports::Summary> summary; ///< empty without a report
+};
+
+/// Runs a case into options.folder (run/new_output.hpp) and writes its report.
+CaseEnd run_into_folder(const cases::Case& contact_case,
+                        const run::RunOptions& options,
+                        const ReportChoice& report);
+
+/// The same, and prints what the report has found.
 run::ExitCode run_one(const cases::Case& contact_case,
                       const run::RunOptions& options,
                       const ReportChoice& report);
-
-/// Runs a case unless its folder or the cache already holds what the run would
-/// write. If only the numbers and figures are there, as after a change of the
-/// title or of [expect], the pages are written again. Without the cache or a
-/// report the case is run in any case.
-/// @param options  with a cache, perhaps one that is off
-run::ExitCode run_if_needed(const cases::Case& contact_case,
-                            const run::RunOptions& options,
-                            const ReportChoice& report);
 
 } // namespace asperity::cli

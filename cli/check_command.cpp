@@ -138,16 +138,18 @@ private:
       const run::OutputFolder lock(folder, "check " + read.found.name,
                                    run::run_outputs(read.contact_case),
                                    run::input_files(read.contact_case));
-      if (run::run_case(read.contact_case,
-                        {folder, command_.methods, false, command_.threads,
-                         read.reference, &cache_})
-              .is_interrupted) {
+      const CaseEnd ended =
+          run_into_folder(read.contact_case,
+                          {folder, command_.methods, false, command_.threads,
+                           read.reference, &cache_},
+                          {});
+      if (ended.outcome.is_interrupted) {
         checks_.add_problem(read.found.name, "interrupted",
                             run::exit_interrupted);
         is_cut_short_ = true;
         return;
       }
-      checks_.add(folder, run::write_outputs(folder).summary);
+      checks_.add(folder, *ended.summary);
     }
   }
 

@@ -23,8 +23,8 @@
 #include "run/arguments/option_quantity.hpp"
 #include "run/arguments/physics.hpp"
 #include "run/interrupt.hpp"
-#include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
+#include "run/new_output.hpp"
 #include "run/output.hpp"
 #include "run/output_folder.hpp"
 #include "run/plan/description.hpp"
@@ -87,8 +87,7 @@ run::ExitCode run_to_target(const run::ReadCase& read,
   return command.no_report
              ? end
              : worse(end, print_findings(run::write_outputs(options.folder,
-                                                            command.has_pdf)
-                                             .summary,
+                                                            command.has_pdf),
                                          options.folder));
 }
 
@@ -192,7 +191,7 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
         folder_of(named.found.collection, command.out, n_targets);
     collection_lock.emplace(folder, "run " + named.found.collection,
                             run::report_outputs());
-    run::put_last_run_aside(folder); // belongs to the parts of the last run
+    run::remove_output(folder); // belongs to the parts of the last run
   }
   for (const run::ReadCase& read : named.cases) {
     const fs::path folder =
@@ -206,8 +205,8 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
     const run::RunOptions options = options_of(read, folder, command, cache);
     const run::ExitCode ended =
         command.target_error.empty()
-            ? run_if_needed(read.contact_case, options,
-                            {command.no_report, command.has_pdf})
+            ? run_one(read.contact_case, options,
+                      {command.no_report, command.has_pdf})
             : run_to_target(read, command, options);
     end = worse(end, ended);
     add_answer(answer, read.found.name, folder, ended);

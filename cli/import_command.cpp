@@ -9,7 +9,7 @@
 #include "input/input_file.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_writer.hpp"
-#include "run/last_run.hpp"
+#include "run/new_output.hpp"
 #include "run/output.hpp"
 #include "run/output_folder.hpp"
 
@@ -143,12 +143,13 @@ run::ExitCode import_submission(const ImportCommand& command) {
     inputs.push_back(std::move(file));
   const run::OutputFolder lock(folder, "import " + command.submission,
                                run::result_outputs(), inputs);
-  run::put_last_run_aside(folder);
-  write_import(folder, case_info(problem, surface, command.problem), problem,
-               surface, answer);
+  run::NewOutput output(folder, false);
+  write_import(output.place(), case_info(problem, surface, command.problem),
+               problem, surface, answer);
   const std::string json =
       text_of_json(exchange::answer_json(answer), 2) + "\n";
-  write_file_atomically(folder / "certificate.json", json);
+  write_file_atomically(output.place() / "certificate.json", json);
+  output.replace();
   if (run::wants_json())
     run::emit_answer(json);
   fmt::print("result: {}\n", (folder / "result.h5").string());

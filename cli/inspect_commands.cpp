@@ -9,7 +9,7 @@ void add_describe(CLI::App& program, DescribeCommand& describe,
                   run::OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
       "describe", "Print every key of a case in SI units, what\n"
-                  "follows from them, and the predicted cost;\n"
+                  "follows from them, and the plan of its run;\n"
                   "compute nothing.");
   command
       ->add_option("case", describe.contact_case,

@@ -91,7 +91,7 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
                         "also print the report to report.pdf, by chromium\n"
                         "or weasyprint");
   command->add_flag("--dry-run", run.is_dry,
-                    "print the plan, the predicted time and what is\n"
+                    "print the plan, the predicted memory and what is\n"
                     "skipped; write nothing");
   command->add_flag("!--no-cache", run.uses_cache,
                     "compute every step; do not read or write the cache");

@@ -1,40 +1,35 @@
 #include "cli/part_commands.hpp"
 
 #include "base/json.hpp"
+#include "cases/reader/case_hash.hpp"
+#include "cli/case_run.hpp"
 #include "cli/checks.hpp"
 #include "cli/sweep_commands.hpp"
 #include "input/input_error.hpp"
 #include "methods/chosen.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "results/result_reader.hpp"
-#include "run/distributed/merge.hpp"
-#include "run/distributed/part_run.hpp"
-#include "run/distributed/slurm_scripts.hpp"
-#include "run/distributed/task_needs.hpp"
 #include "run/interrupt.hpp"
-#include "run/last_run.hpp"
 #include "run/mpi_world.hpp"
+#include "run/new_output.hpp"
 #include "run/output_folder.hpp"
+#include "run/plan/needs.hpp"
+#include "run/plan/plan.hpp"
 #include "run/run_case.hpp"
 #include "run/sweeps/earlier_run.hpp"
+#include "run/sweeps/parts.hpp"
+#include "run/sweeps/slurm_scripts.hpp"
 #include "run/sweeps/sweep_run.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
-#include <stdexcept>
 
 namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Time that a task of Slurm has beyond the prediction of its computation, for
-/// its start, slow file systems and the report [s].
-constexpr double start_allowance = 600.0;
 
 /// Memory that a task has at least, for the libraries and the report [B].
 constexpr double least_memory = 500e6;
@@ -43,13 +38,46 @@ std::string absolute_path(const fs::path& path) {
   return fs::absolute(path).lexically_normal().string();
 }
 
-run::ExitCode merge_into(const fs::path& folder, const run::WholeRun& run,
-                         bool no_report, bool has_pdf) {
-  if (run.named.sweep)
-    return merge_named_sweep(*run.named.sweep, folder, no_report, has_pdf);
-  run::merge_realizations(run, folder);
+/// The one case or sweep that is divided.
+const run::NamedCases& divided(const std::vector<run::NamedCases>& named,
+                               const RunCommand& command) {
+  if (named.size() != 1 || !named.front().found.collection.empty())
+    throw input::InputError(fmt::format(
+        "{}: only a single case or sweep is divided into parts; name one case",
+        fmt::join(command.cases, " ")));
+  return named.front();
+}
+
+/// The arguments that run a case or a sweep again into a folder, with all that
+/// --quick and other options have set.
+std::vector<std::string> run_words(const run::NamedCases& named,
+                                   const RunCommand& command,
+                                   const fs::path& folder) {
+  const run::FoundCase& found =
+      named.sweep ? named.sweep->found : named.cases.front().found;
+  std::vector<std::string> words{
+      "run", absolute_path(found.file.empty() ? fs::path(command.cases.front())
+                                              : found.file)};
+  const auto add = [&](const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+  };
+  for (const std::string& entry :
+       named.sweep ? named.sweep->overrides : named.cases.front().overrides)
+    add({"--set", entry});
+  for (const std::string& method : command.methods)
+    add({"--methods", method});
+  if (command.is_exact)
+    add({"--exactly"});
+  if (!named.sweep && !command.contact_modulus.empty())
+    add({"--contact-modulus", command.contact_modulus});
+  add({"--out", folder.string()});
+  return words;
+}
+
+run::ExitCode merge_case(const fs::path& folder, bool no_report, bool has_pdf) {
+  run::merge_realizations(folder);
   if (!no_report)
-    return print_findings(run::write_outputs(folder, has_pdf).summary, folder);
+    return print_findings(run::write_outputs(folder, has_pdf), folder);
   return run::all_converged(
              results::read_result(folder, results::MapsInFile::large))
              ? run::exit_good
@@ -62,6 +90,27 @@ bool has_full_block(const cases::Case& contact_case,
   const std::vector<cases::MethodSpec> methods =
       methods::chosen_methods(contact_case, command.methods, command.is_exact);
   return std::ranges::any_of(methods, methods::is_full_block);
+}
+
+/// Predicts the memory of the task that computes the largest part, without a
+/// cache, at the upper end of the prediction [B].
+double memory_of_task(const run::NamedCases& named,
+                      const std::vector<std::size_t>& members,
+                      const RunCommand& command) {
+  run::RunOptions options{
+      {}, command.methods, false, std::max(1, command.threads)};
+  options.is_exact = command.is_exact;
+  double most = 0.0;
+  if (named.sweep) {
+    for (const cases::SweptPoint& point : named.sweep->sweep.points)
+      most = std::max(most, run::make_plan(point.contact_case, options).memory);
+    most *= std::min(static_cast<double>(options.threads),
+                     static_cast<double>(members.size()));
+  } else {
+    options.realizations = {members.begin(), members.end()};
+    most = run::make_plan(named.cases.front().contact_case, options).memory;
+  }
+  return std::max(run::memory_factor * most, least_memory);
 }
 
 /// Refuses before anything is written what a rank would refuse.
@@ -78,45 +127,56 @@ void require_runnable(const run::NamedCases& named, const RunCommand& command) {
       require(point.contact_case);
 }
 
-/// Runs a part, whose record is there while it runs, so that others may join
-/// it. A part that is refused leaves no record.
-run::ExitCode run_recorded(const run::PartRecord& record,
-                           const fs::path& folder,
-                           const std::function<run::ExitCode()>& work) {
-  const bool is_new = run::write_part_record(record, folder);
-  const auto remove_record = [&] {
-    if (is_new)
-      run::remove_part_record(record, folder);
-  };
-  try {
-    return work();
-  } catch (const input::InputError&) {
-    remove_record();
-    throw;
-  } catch (const std::domain_error&) {
-    remove_record();
-    throw;
-  }
+run::ExitCode run_realizations(const run::ReadCase& read,
+                               const std::vector<std::size_t>& members,
+                               const fs::path& folder,
+                               const RunCommand& command,
+                               methods::Cache& cache) {
+  run::RunOptions options{folder, command.methods, false, command.threads,
+                          read.reference};
+  options.is_exact = command.is_exact;
+  options.cache = &cache;
+  options.has_report = !command.no_report;
+  options.realizations = {members.begin(), members.end()};
+  const cases::Case& contact_case = read.contact_case;
+  const run::EarlierRun earlier = run::earlier_run(
+      contact_case,
+      methods::chosen_methods(contact_case, options.methods, options.is_exact),
+      folder, options.realizations);
+  // The parts to be joined are of one text, comments included.
+  const bool is_same = earlier.case_hash == cases::case_hash(contact_case);
+  options.resume = earlier.state == run::RunState::to_resume;
+  if (earlier.state == run::RunState::complete && is_same)
+    fmt::print("is complete already\n");
+  else if (run_one(contact_case, options, {.is_omitted = true}) ==
+           run::exit_interrupted)
+    return run::exit_interrupted;
+  return run::all_converged(
+             results::read_result(folder, results::MapsInFile::large))
+             ? run::exit_good
+             : run::exit_not_converged;
 }
 
-/// Removes what an earlier run has left for one that does not resume it.
-void clear_for_ranks(const fs::path& folder, bool is_sweep) {
-  run::put_last_run_aside(folder);
-  std::error_code ignored;
-  for (const auto& part : fs::directory_iterator(folder / "parts", ignored))
-    if (fs::exists(part.path() / "part.json"))
-      fs::remove_all(part.path());
-  fs::remove(folder / "parts", ignored); // fails if files of others are there
-  if (is_sweep)
-    run::put_points_aside(folder);
+run::ExitCode run_points(const run::NamedSweep& named,
+                         const std::vector<std::size_t>& members,
+                         const fs::path& folder, const RunCommand& command) {
+  run::require_own_outputs(folder, run::outputs_of(named));
+  run::SweepRunOptions options{named.found.file, named.overrides,
+                               command.methods,  command.is_exact,
+                               folder,           true,
+                               command.threads,  command.uses_cache};
+  options.points = members;
+  options.has_reports = run::is_of_maps(named) && !command.no_report;
+  options.write_case = [&] { run::write_made_case(named); };
+  const run::SweepOutcome outcome = run::run_sweep(named.sweep, options);
+  return outcome.is_interrupted ? run::exit_interrupted : outcome.worst;
 }
 
 void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
               Action& action) {
   CLI::App* command = program.add_subcommand(
-      "plan", "Print the predicted cost of a run, or write\n"
-              "the scripts that run it by Slurm; compute\n"
-              "nothing.");
+      "plan", "Print what a run needs, or write the scripts\n"
+              "that run it by Slurm; compute nothing.");
   RunCommand& run = plan.run;
   command
       ->add_option("case", run.cases,
@@ -136,8 +196,8 @@ void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
       ->needs(slurm);
   command
       ->add_option("--time", plan.time,
-                   "time limit of a task, as for sbatch (default: by\n"
-                   "the prediction)")
+                   "time limit of a task, as for sbatch (default: that of\n"
+                   "the partition)")
       ->needs(slurm);
   add_methods(command, run.methods);
   command->add_flag("--exactly", run.is_exact,
@@ -161,60 +221,27 @@ void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
 
 } // namespace
 
-run::PartRequest part_request(const std::vector<run::NamedCases>& named,
-                              const RunCommand& command) {
-  if (named.size() != 1 || !named.front().found.collection.empty())
-    throw input::InputError(fmt::format(
-        "{}: only a single case or sweep is divided into parts; name one case",
-        fmt::join(command.cases, " ")));
-  const run::NamedCases& one = named.front();
-  run::PartRequest request{.methods = command.methods,
-                           .is_exact = command.is_exact};
-  if (one.sweep) {
-    request.case_file = absolute_path(one.sweep->found.file);
-    request.overrides = one.sweep->overrides;
-    return request;
-  }
-  const run::ReadCase& read = one.cases.front();
-  const bool is_map = read.found.file.empty();
-  request.case_file =
-      absolute_path(is_map ? fs::path(command.cases.front()) : read.found.file);
-  request.overrides = read.overrides;
-  request.contact_modulus = command.contact_modulus;
-  return request;
-}
-
-run::ExitCode run_part(const std::vector<run::NamedCases>& named,
+run::ExitCode run_part(const std::vector<run::NamedCases>& all,
                        const RunCommand& command, methods::Cache& cache) {
   const run::Part part = run::read_part(command.part);
-  const std::vector<run::PartRecord> records = run::part_records(
-      named.front(), part_request(named, command), part.count);
-  const run::PartRecord& record =
-      records[static_cast<std::size_t>(part.number) - 1];
-  const fs::path folder = folder_of(record.case_name, command.out, 1);
+  const run::NamedCases& named = divided(all, command);
+  const std::vector<std::size_t> members = run::members_of(named, part);
+  const std::string name = run::output_name(named);
+  const fs::path folder = folder_of(name, command.out, 1);
   const fs::path own = folder / run::part_folder(part);
   const run::OutputFolder lock(
-      own, fmt::format("run {} --part {}", record.case_name, command.part),
+      own, fmt::format("run {} --part {}", name, command.part),
       run::result_outputs());
-  if (record.is_sweep && !named.front().sweep->text.empty())
-    run::require_own_outputs(folder, {reports::maps_file});
-  fmt::print("{}, part {} of {}: {} {}\n", record.case_name, part.number,
-             part.count, record.is_sweep ? "points" : "realisations",
-             fmt::join(record.members, ", "));
-  run::RunOptions options{own, command.methods, true, command.threads};
-  options.is_exact = command.is_exact;
-  options.cache = &cache;
-  options.has_report = !command.no_report;
-  const run::ExitCode end = run_recorded(record, folder, [&] {
-    return record.is_sweep ? run::run_part_of_sweep(*named.front().sweep,
-                                                    record, folder, options)
-                           : run::run_part_of_case(named.front().cases.front(),
-                                                   record, options);
-  });
+  fmt::print("{}, part {} of {}: {} {}\n", name, part.number, part.count,
+             named.sweep ? "points" : "realisations", fmt::join(members, ", "));
+  const run::ExitCode end =
+      named.sweep
+          ? run_points(*named.sweep, members, folder, command)
+          : run_realizations(named.cases.front(), members, own, command, cache);
   if (end == run::exit_interrupted)
     fmt::print("interrupted; the same command continues\n");
   run::JsonAnswer answer("asperity-run");
-  answer.add(record.case_name, folder, end, nullptr,
+  answer.add(name, folder, end, nullptr,
              fmt::format("part {} only; asperity merge joins the parts",
                          command.part));
   answer.print(end);
@@ -239,37 +266,41 @@ run::ExitCode run_over_ranks(const run::NamedCases& named,
                              const RunCommand& command,
                              const fs::path& folder) {
   require_runnable(named, command);
-  const run::PartRequest request = part_request({named}, command);
-  const auto n_members =
-      static_cast<int>(run::part_records(named, request, 0).size());
-  const std::vector<run::PartRecord> records = run::part_records(
-      named, request, std::min(n_members, run::n_mpi_ranks()));
-  const run::OutputFolder lock(folder, "run " + records.front().case_name,
+  const std::size_t n_members = run::n_members(named);
+  const int n_parts = std::min(static_cast<int>(n_members), run::n_mpi_ranks());
+  const std::string name = run::output_name(named);
+  const run::OutputFolder lock(folder, "run " + name,
                                named.sweep ? run::outputs_of(*named.sweep)
                                            : run::result_outputs());
-  if (!command.resume)
-    clear_for_ranks(folder, named.sweep.has_value());
-  if (named.sweep)
+  std::optional<run::NewOutput> output; // of a sweep; a case has its parts
+  if (named.sweep) {
+    output.emplace(folder, command.resume, reports::sweep_file);
+    run::write_record(run::record_of(named.sweep->sweep), output->place());
     run::write_made_case(*named.sweep);
-  run::RankedRun run{
-      run::run_arguments(records.front(), absolute_path(folder)), {}, {}};
+  } else if (!command.resume)
+    run::remove_parts(folder);
+  const fs::path place = output ? output->place() : folder;
+  run::RankedRun run{run_words(named, command, absolute_path(place)), {}, {}};
   run.words.insert(run.words.end(),
                    {"--threads", std::to_string(std::max(1, command.threads))});
   if (!command.uses_cache)
     run.words.emplace_back("--no-cache");
   run.words.emplace_back("--part");
-  for (const run::PartRecord& record : records) {
-    run.last_words.push_back(run::part_text(record.part));
-    run.logs.emplace_back(
-        absolute_path(folder / run::part_folder(record.part)) + "/log.txt");
+  for (run::Part part{1, n_parts}; part.number <= n_parts; ++part.number) {
+    run.last_words.push_back(run::part_text(part));
+    run.logs.emplace_back(absolute_path(place / run::part_folder(part)) +
+                          "/log.txt");
   }
-  fmt::print("{}: {} {} on {} ranks, which write {}\n",
-             records.front().case_name, n_members,
-             named.sweep ? "points" : "realisations", records.size(),
-             (folder / "parts/*/log.txt").string());
+  fmt::print("{}: {} {} on {} ranks, which write {}\n", name, n_members,
+             named.sweep ? "points" : "realisations", n_parts,
+             (place / "parts/*/log.txt").string());
   run::run_on_ranks(run);
-  return merge_into(folder, run::read_whole_run(folder), command.no_report,
-                    command.has_pdf);
+  if (!output)
+    return merge_case(folder, command.no_report, command.has_pdf);
+  const run::ExitCode end =
+      merge_sweep(place, command.no_report, command.has_pdf);
+  output->replace();
+  return end;
 }
 
 run::ExitCode merge_parts(const MergeCommand& command) {
@@ -277,12 +308,18 @@ run::ExitCode merge_parts(const MergeCommand& command) {
   if (!fs::is_directory(folder))
     throw input::InputError(folder.string() + ": there is no such folder");
   const run::OutputFolder lock(folder, "merge", run::sweep_outputs());
-  const run::WholeRun run = run::read_whole_run(folder);
-  fmt::print("{}: {} parts\n", run.parts.front().case_name, run.parts.size());
+  const bool is_sweep = !run::has_parts_of_case(folder) &&
+                        fs::exists(folder / reports::sweep_file);
   const run::ExitCode end =
-      merge_into(folder, run, command.no_report, command.has_pdf);
+      is_sweep ? merge_sweep(folder, command.no_report, command.has_pdf)
+               : merge_case(folder, command.no_report, command.has_pdf);
   run::JsonAnswer answer("asperity-merge");
-  add_answer(answer, run.parts.front().case_name, folder, end);
+  add_answer(
+      answer,
+      is_sweep
+          ? reports::read_sweep_record(folder).case_name
+          : results::read_result(folder, results::MapsInFile::large).case_name,
+      folder, end);
   answer.print(end);
   return end;
 }
@@ -296,44 +333,39 @@ run::ExitCode plan_run(const PlanCommand& command) {
   const RunCommand& run = command.run;
   if (!command.time.empty())
     run::require_slurm_time(command.time);
-  const std::vector<run::NamedCases> named = read_asked(run);
-  const run::PartRequest request = part_request(named, run);
-  const std::vector<run::PartRecord> records =
-      run::part_records(named.front(), request, command.n_parts);
-  const std::string& name = records.front().case_name;
+  const std::vector<run::NamedCases> all = read_asked(run);
+  const run::NamedCases& named = divided(all, run);
+  const int n_parts = command.n_parts > 0
+                          ? command.n_parts
+                          : static_cast<int>(run::n_members(named));
+  const std::vector<std::size_t> largest = run::members_of(named, {1, n_parts});
+  const std::string name = run::output_name(named);
   const fs::path folder = absolute_path(folder_of(name, run.out, 1));
   const int threads = std::max(1, run.threads);
-  const run::TaskNeeds needs = run::task_needs(named.front(), records, threads);
-  run::SlurmJob job{
-      records.front(), fs::read_symlink("/proc/self/exe"),  folder, threads,
-      command.time,    std::max(needs.memory, least_memory)}; // NaN: stays NaN
-  if (job.time.empty() && !std::isfinite(needs.time))
-    throw input::InputError(
-        name + ": its time cannot be predicted; please give --time");
-  if (job.time.empty())
-    job.time = run::slurm_time(needs.time + start_allowance);
-  const std::map<std::string, std::string> scripts = run::slurm_scripts(job);
-  if (named.front().sweep)
+  const std::map<std::string, std::string> scripts =
+      run::slurm_scripts({name, run_words(named, run, folder), n_parts,
+                          fs::read_symlink("/proc/self/exe"), folder, threads,
+                          command.time, memory_of_task(named, largest, run)});
+  if (named.sweep)
     run::require_own_outputs(folder, {reports::maps_file});
   run::write_slurm_scripts(scripts, folder);
-  if (named.front().sweep)
-    run::write_made_case(*named.front().sweep);
-  fmt::print("{}: {} parts, each of {} thread{} for at most {}; submit them "
-             "with\n  sh {}\n",
-             name, records.size(), threads, threads == 1 ? "" : "s", job.time,
-             run::quoted_word((folder / "slurm/submit.sh").string()));
+  if (named.sweep)
+    run::write_made_case(*named.sweep);
+  const std::string submit = (folder / "slurm/submit.sh").string();
+  fmt::print("{}: {} parts, each of {} thread{}; submit them with\n  sh {}\n",
+             name, n_parts, threads, threads == 1 ? "" : "s",
+             run::quoted_word(submit));
   if (run::wants_json())
-    run::emit_answer(text_of_json(
-                         nlohmann::ordered_json{
-                             {"format", "asperity-plan-slurm"},
-                             {"format_version", 1},
-                             {"case", name},
-                             {"parts", records.size()},
-                             {"threads", threads},
-                             {"time", job.time},
-                             {"submit", (folder / "slurm/submit.sh").string()}},
-                         2) +
-                     "\n");
+    run::emit_answer(
+        text_of_json(nlohmann::ordered_json{{"format", "asperity-plan-slurm"},
+                                            {"format_version", 1},
+                                            {"case", name},
+                                            {"parts", n_parts},
+                                            {"threads", threads},
+                                            {"time", command.time},
+                                            {"submit", submit}},
+                     2) +
+        "\n");
   return run::exit_good;
 }
 

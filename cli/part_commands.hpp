@@ -7,7 +7,6 @@
 #include "cli/commands.hpp"
 #include "methods/cache/cache.hpp"
 #include "run/arguments/named_cases.hpp"
-#include "run/distributed/part_record.hpp"
 
 #include <string>
 #include <vector>
@@ -20,16 +19,10 @@ struct MergeCommand {
   bool has_pdf = false; ///< also print the report
 };
 
-/// Returns how the parts of a run are asked for.
-/// @param named  one case or one sweep, found by command.cases.front()
-/// @throws input::InputError  a collection, or several cases
-run::PartRequest part_request(const std::vector<run::NamedCases>& named,
-                              const RunCommand& command);
-
 /// Runs the share command.part of a case or a sweep. What an earlier run of
 /// this part has computed is kept.
-/// @throws input::InputError  as part_request(), and for a part that the case
-///                            does not have
+/// @throws input::InputError  a collection or several cases, or a part that the
+///                            case does not have
 run::ExitCode run_part(const std::vector<run::NamedCases>& named,
                        const RunCommand& command, methods::Cache& cache);
 
@@ -39,26 +32,25 @@ run::ExitCode run_part(const std::vector<run::NamedCases>& named,
 bool is_for_ranks(const run::NamedCases& named, const RunCommand& command);
 
 /// Runs a case or sweep whose members the ranks share, and merges the parts.
-/// @throws input::InputError  as part_request(), and for a rank whose part was
-///                            not completed
+/// @throws input::InputError  a rank whose part was not completed
 run::ExitCode run_over_ranks(const run::NamedCases& named,
                              const RunCommand& command,
                              const std::filesystem::path& folder);
 
 /// Joins the parts of a run and writes its report.
-/// @throws input::InputError  as read_whole_run()
+/// @throws input::InputError  there are none, or they lack something
 run::ExitCode merge_parts(const MergeCommand& command);
 
 struct PlanCommand {
   RunCommand run; ///< of which nothing is run
   bool is_for_slurm = false;
   int n_parts = 0;       ///< 0: one per realisation or point
-  std::string time = {}; ///< limit of a task; empty: by the prediction
+  std::string time = {}; ///< limit of a task; empty: that of the partition
 };
 
 /// Prints the plan of a run, or writes the scripts by which Slurm computes it.
-/// @throws input::InputError  as part_request() and write_slurm_scripts(); a
-///                            wrong or missing time
+/// @throws input::InputError  as run_part() and write_slurm_scripts(); a wrong
+///                            time
 run::ExitCode plan_run(const PlanCommand& command);
 
 /// What the command line says of these commands.

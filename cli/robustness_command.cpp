@@ -13,7 +13,7 @@
 #include "run/mpi_world.hpp"
 #include "run/output.hpp"
 #include "run/output_folder.hpp"
-#include "run/remaining_work.hpp"
+#include "run/progress.hpp"
 
 #include <fmt/format.h>
 

@@ -4,21 +4,21 @@
 #include "methods/cache/cache.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/sweeps/sweep_report.hpp"
-#include "results/result_reader.hpp"
 #include "run/interrupt.hpp"
+#include "run/new_output.hpp"
 #include "run/output_folder.hpp"
-#include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/sweep_plan.hpp"
 #include "run/sweeps/sweep_run.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int cost_probe_points = 1024; // as for the plan of one case
 
 void print_undrawn(const reports::SweepReport& report) {
   for (const std::string& failure : report.undrawn)
@@ -50,17 +50,6 @@ run::ExitCode print_findings(const reports::SweepRecord& record,
   return end;
 }
 
-/// Writes the report and prints its findings.
-run::ExitCode report_on_sweep(const reports::SweepRecord& record,
-                              const fs::path& folder, bool has_pdf) {
-  const reports::SweepReport report = reports::write_sweep_report(
-      record, folder, folder, true, {.has_pdf = has_pdf});
-  print_undrawn(report);
-  const run::ExitCode end = print_findings(record, report);
-  fmt::print("report: {}\n", (folder / "report.html").string());
-  return end;
-}
-
 /// The files that a sweep is read from.
 std::vector<fs::path> inputs_of(const run::NamedSweep& named) {
   std::vector<fs::path> files;
@@ -72,15 +61,36 @@ std::vector<fs::path> inputs_of(const run::NamedSweep& named) {
   return files;
 }
 
-run::SweepOutcome run_to(const run::NamedSweep& named,
-                         const RunCommand& command, const fs::path& folder) {
+struct SweepEnd {
+  run::SweepOutcome outcome;
+  std::optional<reports::SweepReport> report;
+  fs::path folder; ///< of the output
+};
+
+/// Runs a sweep and writes its report beside the output of an earlier run,
+/// which both replace if all points are complete.
+SweepEnd run_to(const run::NamedSweep& named, const RunCommand& command,
+                const fs::path& folder) {
+  run::NewOutput output(folder, command.resume, reports::sweep_file);
   run::SweepRunOptions options{
       named.found.file, named.overrides, command.methods, command.is_exact,
-      folder,           command.resume,  command.threads, command.uses_cache};
+      output.place(),   command.resume,  command.threads, command.uses_cache};
   options.has_reports = run::is_of_maps(named) && !command.no_report;
   options.write_case = [&] { run::write_made_case(named); };
   fmt::print("{}: {}\n", named.sweep.name, named.sweep.title);
-  return run::run_sweep(named.sweep, options);
+  SweepEnd ended{run::run_sweep(named.sweep, options), {}, {}};
+  if (!command.no_report)
+    ended.report = reports::write_sweep_report(
+        ended.outcome.record, output.place(), output.place(), true,
+        {.has_pdf = command.has_pdf});
+  if (ended.report)
+    print_undrawn(*ended.report);
+  if (std::ranges::all_of(
+          ended.outcome.record.points,
+          [](const reports::PointRecord& one) { return one.problem.empty(); }))
+    output.replace();
+  ended.folder = output.place();
+  return ended;
 }
 
 /// Adds the findings at all points; a point without a result is a problem.
@@ -120,9 +130,8 @@ void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command) {
                        command.uses_cache ? methods::cache_size() : 0);
   options.cache = &cache;
   fmt::print("{}",
-             run::sweep_plan_text(
-                 run::make_sweep_plan(named.sweep, options, cost_probe_points),
-                 named.sweep));
+             run::sweep_plan_text(run::make_sweep_plan(named.sweep, options),
+                                  named.sweep));
 }
 
 run::ExitCode run_named_sweep(const run::NamedSweep& named,
@@ -134,32 +143,49 @@ run::ExitCode run_named_sweep(const run::NamedSweep& named,
                             "case; --set sweep= removes the sweep");
   const run::OutputFolder lock(folder, "run " + named.sweep.name,
                                run::outputs_of(named), inputs_of(named));
-  const run::SweepOutcome outcome = run_to(named, command, folder);
-  run::ExitCode end = outcome.worst;
-  if (!command.no_report)
-    end = worse(end, report_on_sweep(outcome.record, folder, command.has_pdf));
-  if (outcome.is_interrupted) {
+  const SweepEnd ended = run_to(named, command, folder);
+  run::ExitCode end = ended.outcome.worst;
+  if (ended.report) {
+    end = worse(end, print_findings(ended.outcome.record, *ended.report));
+    fmt::print("report: {}\n", (ended.folder / "report.html").string());
+  }
+  if (ended.outcome.is_interrupted) {
     fmt::print("interrupted; continue with --resume\n");
     return run::exit_interrupted;
   }
   return end;
 }
 
-run::ExitCode merge_named_sweep(const run::NamedSweep& named,
-                                const fs::path& folder, bool no_report,
-                                bool has_pdf) {
-  reports::SweepRecord record = run::record_of(named.sweep);
-  bool has_converged = true;
-  for (std::size_t i = 0; i < record.points.size(); ++i) {
-    const results::Result result = results::read_result(
-        folder / reports::point_folder(i), results::MapsInFile::large);
-    record.points[i].case_hash = result.case_hash;
-    has_converged = has_converged && run::all_converged(result);
+run::ExitCode merge_sweep(const fs::path& folder, bool no_report,
+                          bool has_pdf) {
+  const reports::SweepRecord record = reports::read_sweep_record(folder);
+  std::string lacking;
+  int n_lacking = 0;
+  run::ExitCode end = run::exit_good;
+  for (const auto& result : reports::read_swept_results(record, folder, true)) {
+    if (exit_code_of(result->summary) == run::exit_not_converged)
+      end = run::exit_not_converged;
+    if (result->problem.empty())
+      continue;
+    ++n_lacking;
+    lacking += fmt::format("\n  point {:03} ({}): {}", result->point,
+                           record.label(result->point), result->problem);
   }
-  run::write_record(record, folder);
-  if (!no_report)
-    return report_on_sweep(record, folder, has_pdf);
-  return has_converged ? run::exit_good : run::exit_not_converged;
+  if (n_lacking > 0)
+    throw input::InputError(fmt::format(
+        "{}: {} of {} points {} missing or incomplete; run the parts that have "
+        "them{}",
+        folder.string(), n_lacking, record.points.size(),
+        n_lacking == 1 ? "is" : "are", lacking));
+  fs::remove(folder / "result.h5"); // of a case, which the sweep replaces
+  if (no_report)
+    return end;
+  const reports::SweepReport report = reports::write_sweep_report(
+      record, folder, folder, true, {.has_pdf = has_pdf});
+  print_undrawn(report);
+  end = print_findings(record, report);
+  fmt::print("report: {}\n", (folder / "report.html").string());
+  return end;
 }
 
 run::ExitCode report_sweep(const fs::path& folder, const std::string& out,
@@ -195,11 +221,8 @@ void check_named_sweep(const run::NamedSweep& named, const RunCommand& command,
                        const fs::path& folder, Checks& checks) {
   const run::OutputFolder lock(folder, "check " + named.sweep.name,
                                run::sweep_outputs(), {named.sweep.path});
-  const run::SweepOutcome outcome = run_to(named, command, folder);
-  const reports::SweepReport report =
-      reports::write_sweep_report(outcome.record, folder, folder, true);
-  print_undrawn(report);
-  add_checks(outcome.record, report.results, folder, checks);
+  const SweepEnd ended = run_to(named, command, folder);
+  add_checks(ended.outcome.record, ended.report->results, folder, checks);
 }
 
 } // namespace asperity::cli

@@ -14,7 +14,7 @@ namespace asperity::cli {
 /// Returns true for a folder with the results of a sweep.
 bool is_sweep_folder(const std::filesystem::path& folder);
 
-/// Prints the points of a sweep with their predicted cost.
+/// Prints the points of a sweep with what they need.
 void print_sweep_plan(const run::NamedSweep& named, const RunCommand& command);
 
 /// Runs a sweep into a folder, writes its report and prints the expectations
@@ -26,15 +26,13 @@ run::ExitCode run_named_sweep(const run::NamedSweep& named,
                               const RunCommand& command,
                               const std::filesystem::path& folder);
 
-/// Writes sweep.json and the report of a sweep whose points are all complete,
-/// and prints the expectations that are not met.
+/// Writes the report of a sweep whose points parts have computed, and prints
+/// the expectations that are not met.
 ///
-/// @param named      its points have been computed with its overrides
-/// @param no_report  writes sweep.json only, and judges whether all load steps
-///                   have converged
-run::ExitCode merge_named_sweep(const run::NamedSweep& named,
-                                const std::filesystem::path& folder,
-                                bool no_report, bool has_pdf);
+/// @param no_report  judges only whether all load steps have converged
+/// @throws input::InputError  points that are missing or incomplete
+run::ExitCode merge_sweep(const std::filesystem::path& folder, bool no_report,
+                          bool has_pdf);
 
 /// Rewrites the report of a sweep.
 ///

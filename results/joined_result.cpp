@@ -108,15 +108,24 @@ CaseInfo info_of(const Result& result) {
           inputs_of(result)};
 }
 
+std::vector<std::string> methods_of(const Result& result) {
+  std::vector<std::string> names;
+  for (const MethodRecord& method : result.methods)
+    names.push_back(method.name);
+  return names;
+}
+
 void require_same(const Result& part, const CaseInfo& info,
+                  const std::vector<std::string>& methods,
                   const std::filesystem::path& first) {
   if (part.status != "complete")
     throw input::InputError(
         fmt::format("{}: is {}, not complete", part.path, part.status));
-  if (part.case_hash != info.hash || inputs_of(part) != info.inputs)
+  if (part.case_hash != info.hash || inputs_of(part) != info.inputs ||
+      methods_of(part) != methods)
     throw input::InputError(
-        fmt::format("{}: is of another case, of other input files or of "
-                    "another build of the program than {}",
+        fmt::format("{}: is of another case, of other methods or input files, "
+                    "or of another build of the program than {}",
                     part.path, first.string()));
 }
 
@@ -153,7 +162,8 @@ void join_results(const std::vector<std::filesystem::path>& parts,
     throw std::domain_error("parts is empty, but must hold a result");
   Result part = read_result(parts.front(), MapsInFile::large);
   const CaseInfo info = info_of(part);
-  require_same(part, info, parts.front());
+  const std::vector<std::string> methods = methods_of(part);
+  require_same(part, info, methods, parts.front());
   ResultWriter writer(folder, info);
   for (const MethodRecord& method : part.methods)
     writer.begin_method(method.name, method.kind, method.description,
@@ -165,7 +175,7 @@ void join_results(const std::vector<std::filesystem::path>& parts,
   for (std::size_t i = 1; i < parts.size(); ++i) {
     part = {}; // its memory
     part = read_result(parts[i], MapsInFile::large);
-    require_same(part, info, parts.front());
+    require_same(part, info, methods, parts.front());
     write_part(part, writer);
     join_facts(facts, part.provenance);
     join_skipped(skipped, part.skipped);

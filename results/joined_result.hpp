@@ -19,7 +19,8 @@ namespace asperity::results {
 ///                0; no realisation of a method occurs twice
 /// @param folder  is created if necessary; a result in it is replaced
 /// @throws input::InputError  a part cannot be read, or is of another case, of
-///                            other inputs or of another program than the first
+///                            other methods or inputs, or of another program
+///                            than the first
 /// @throws std::domain_error  there are no parts, or a step occurs twice
 void join_results(const std::vector<std::filesystem::path>& parts,
                   const std::filesystem::path& folder);

@@ -11,13 +11,13 @@
 #include "results/storage/map_storage.hpp"
 #include "results/storage/result_file.hpp"
 #include "results/storage/result_layout.hpp"
-#include "results/storage/skipped_storage.hpp"
 #include "results/storage/table_storage.hpp"
 #include "results/validity.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -150,6 +150,18 @@ void complete_rms_heights(Result& result) {
     for (Curve& curve : method.realizations)
       if (curve.own_surface)
         complete_rms_height(*curve.own_surface);
+}
+
+std::vector<Skipped> read_skipped(const Hdf5Group& group) {
+  const std::array<std::string, 2> names{"what", "why"};
+  std::vector<Skipped> skipped;
+  if (!group.has(names[0]))
+    return skipped;
+  group.common_length(names);
+  const std::vector<std::string> reasons = group.texts(names[1]);
+  for (std::string& thing : group.texts(names[0]))
+    skipped.push_back({std::move(thing), reasons[skipped.size()]});
+  return skipped;
 }
 
 Result read_file(const Hdf5File& file, const std::filesystem::path& path,

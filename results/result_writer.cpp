@@ -48,20 +48,15 @@ SurfaceChange change_of(const SurfaceRecord& surface, const MapRows& heights) {
   return change;
 }
 
-/// Writes what no number depends on.
-void write_words(Hdf5File& file, const CaseInfo& info) {
+/// Writes the contents of a new file.
+void write_case(Hdf5File& file, const CaseInfo& info) {
+  file.set_attribute("format", layout::format);
+  file.set_attribute("format_version", layout::format_version);
   file.set_attribute("name", info.name);
   file.set_attribute("title", info.title);
   file.set_attribute("case_text", info.text);
   file.set_attribute("case_hash", info.hash);
   file.set_attribute("reference", info.reference);
-}
-
-/// Writes the contents of a new file.
-void write_case(Hdf5File& file, const CaseInfo& info) {
-  file.set_attribute("format", layout::format);
-  file.set_attribute("format_version", layout::format_version);
-  write_words(file, info);
   set_with_unit(file, "contact_modulus", info.contact_modulus, "Pa");
   file.set_attribute("status", "running");
   Hdf5Group facts = file.open_or_create("provenance");
@@ -273,11 +268,6 @@ void ResultWriter::finish(const std::string& status) {
       fill_stored_stiffness(curve);
     }
   });
-}
-
-void replace_case(const std::filesystem::path& folder, const CaseInfo& info) {
-  ResultFile::opened(file_in(folder),
-                     [&info](Hdf5File& file) { write_words(file, info); });
 }
 
 void settle_result(const std::filesystem::path& folder) {

@@ -157,11 +157,6 @@ private:
   double cpu_time_ = 0.0; ///< [s]
 };
 
-/// Replaces name, title, text, hash and reference of the case of a result by
-/// those of a case with the same numbers.
-/// @throws as ResultWriter
-void replace_case(const std::filesystem::path& folder, const CaseInfo& info);
-
 /// Moves the changes that an interrupted run left in its journal into
 /// result.h5, so that the file can be moved, if there is a result.
 /// @throws as ResultWriter

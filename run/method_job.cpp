@@ -9,7 +9,7 @@
 #include "run/contact_studies.hpp"
 #include "run/friction_study.hpp"
 #include "run/interrupt.hpp"
-#include "run/last_run.hpp"
+#include "run/new_output.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "base/read_file.hpp"
 #include "input/input_error.hpp"
 #include "reports/sweeps/sweep_record.hpp"
+#include "run/new_output.hpp"
 
 #include <fmt/format.h>
 
@@ -43,9 +44,6 @@ bool has_text(const fs::path& file, std::string_view text) {
 bool is_own_folder(const fs::path& folder) {
   constexpr std::pair<const char*, std::string_view> marks[] = {
       {"result.h5", "asperity-result"},
-      {"result.previous.h5", "asperity-result"},
-      {"result.unfinished.h5", "asperity-result"},
-      {"output.json", "\"asperity-output\""},
       {"summary.json", "\"asperity-summary\""},
       {"methods.txt", " with Asperity "},
       {"paper.json", "\"asperity-paper\""},
@@ -60,15 +58,6 @@ bool is_own_folder(const fs::path& folder) {
   return std::ranges::any_of(marks, [&](const auto& mark) {
     return has_text(folder / mark.first, mark.second);
   });
-}
-
-/// Returns whether parts of a run are in this folder, whose points may be, too.
-bool has_parts(const fs::path& folder) {
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder / "parts", error))
-    if (has_text(entry.path() / "part.json", "\"asperity-part\""))
-      return true;
-  return false;
 }
 
 [[noreturn]] void refuse(const fs::path& output, const std::string& what) {
@@ -126,17 +115,17 @@ bool is_or_lies_in(const fs::path& file, const fs::path& output) {
 
 const OutputNames& report_outputs() {
   static const OutputNames names{
-      "curves.csv",       "times.csv",   "summary.json",    "report.html",
-      "report.pdf",       "methods.txt", "methods.bib",     "paper.json",
-      "output.json",      "sweep.csv",   "comparison.json", "comparison.csv",
-      "certificate.json", "figures/",    "journal/"};
+      "curves.csv", "times.csv",       "summary.json",   "report.html",
+      "report.pdf", "methods.txt",     "methods.bib",    "paper.json",
+      "sweep.csv",  "comparison.json", "comparison.csv", "certificate.json",
+      "figures/",   "journal/"};
   return names;
 }
 
 OutputNames result_outputs() {
   OutputNames names = report_outputs();
-  names.insert(names.end(), {"result.h5", "result.previous.h5",
-                             "result.unfinished.h5", "result.journal"});
+  names.insert(names.end(), {"result.h5", "result.journal",
+                             NewOutput::hidden_folder + std::string("/")});
   return names;
 }
 
@@ -151,8 +140,7 @@ OutputNames run_outputs(const cases::Case& contact_case) {
 
 OutputNames sweep_outputs() {
   OutputNames names = result_outputs();
-  names.insert(names.end(),
-               {reports::sweep_file, "points/", "points.previous/"});
+  names.insert(names.end(), {reports::sweep_file, "points/"});
   return names;
 }
 
@@ -204,10 +192,9 @@ void require_own_outputs(const fs::path& folder, const OutputNames& names,
         refuse(output, fmt::format("holds the input {}", input.string()));
     const bool is_made_case = // plan --slurm has written no more than this
         name == reports::maps_file && has_text(output, reports::maps_mark);
-    const fs::path foreign =
-        is_own || is_made_case || (is_folder && has_parts(folder)) ? fs::path()
-        : is_folder ? foreign_file_in(output)
-                    : output;
+    const fs::path foreign = is_own || is_made_case ? fs::path()
+                             : is_folder            ? foreign_file_in(output)
+                                                    : output;
     if (!foreign.empty())
       refuse(foreign, "is there already, and Asperity did not write it");
   }

@@ -2,8 +2,8 @@
 
 // The folder that a command writes into: it is locked, and what lies under the
 // names of the outputs is examined before any of it is touched. A file that we
-// wrote is replaced or put aside; one that we did not write is refused, as is
-// an output that the command reads.
+// wrote is replaced; one that we did not write is refused, as is an output that
+// the command reads.
 
 #include "base/folder_lock.hpp"
 #include "cases/types/case.hpp"

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -17,6 +18,9 @@ constexpr int widest_bar = 24;
 constexpr int usual_columns = 80; // of a terminal that does not tell
 constexpr std::chrono::milliseconds shortest_pause{200};
 constexpr std::chrono::milliseconds redraw_pause{1000};
+
+/// Part of a step from which on its residual tells how long it takes.
+constexpr double least_share_of_step = 0.1;
 
 double seconds_between(std::chrono::steady_clock::time_point from,
                        std::chrono::steady_clock::time_point to) {
@@ -32,6 +36,80 @@ int terminal_columns() {
 }
 
 } // namespace
+
+std::string time_text(double seconds) {
+  if (seconds < 59.5)
+    return fmt::format("{:.2g} s", seconds);
+  return seconds < 59.5 * 60.0 ? fmt::format("{:.0f} min", seconds / 60.0)
+                               : fmt::format("{:.3g} h", seconds / 3600.0);
+}
+
+std::string remaining_text(const std::optional<double>& seconds) {
+  return seconds ? "about " + time_text(*seconds) + " left"
+                 : "time left unknown";
+}
+
+double share_done(double residual, double tolerance) {
+  if (!(residual > 0.0 && residual < 1.0 && tolerance > 0.0 && tolerance < 1.0))
+    return 0.0;
+  return std::min(1.0, std::log(residual) / std::log(tolerance));
+}
+
+RemainingWork::RemainingWork(const std::map<std::string, int>& steps) {
+  for (const auto& [method, n_steps] : steps) {
+    methods_[method].left = n_steps;
+    n_steps_ += n_steps;
+  }
+}
+
+void RemainingWork::add_done(const std::string& method, double cpu_time) {
+  MethodWork& work = methods_[method];
+  --work.left;
+  ++work.done;
+  ++n_done_;
+  work.cpu_time += cpu_time;
+}
+
+void RemainingWork::add_kept(const std::string& method, int n_steps) {
+  methods_[method].left -= n_steps;
+  n_done_ += n_steps;
+}
+
+double RemainingWork::mean_cost(const MethodWork& work) const {
+  if (work.done > 0)
+    return work.cpu_time / work.done;
+  double dearest = 0.0;
+  for (const auto& [name, other] : methods_)
+    if (other.done > 0)
+      dearest = std::max(dearest, other.cpu_time / other.done);
+  return dearest;
+}
+
+std::optional<double>
+RemainingWork::seconds_left(double elapsed, double since_last,
+                            const StepAtWork& step) const {
+  const int n_left = n_steps_ - n_done_;
+  if (n_left <= 0)
+    return 0.0;
+  double done = 0.0; // CPU times
+  double left = 0.0;
+  for (const auto& [name, work] : methods_) {
+    done += work.cpu_time;
+    left += work.left * mean_cost(work);
+  }
+  const double speed = done > 0.0 ? (elapsed - since_last) / done : 0.0;
+  double seconds = speed * left - since_last;
+  if (step.share >= least_share_of_step) {
+    const double whole = step.elapsed / step.share;
+    const auto of_step = methods_.find(step.method);
+    const double others =
+        done > 0.0 && of_step != methods_.end()
+            ? speed * std::max(left - mean_cost(of_step->second), 0.0)
+            : (n_left - 1) * whole;
+    seconds = std::max(seconds, whole - step.elapsed + others);
+  }
+  return seconds > 0.0 ? std::optional<double>(seconds) : std::nullopt;
+}
 
 std::string bar_line(int done, int steps, const std::string& words,
                      int columns) {
@@ -86,7 +164,7 @@ Progress::Activity::~Activity() {
 void Progress::step_done(const std::string& method, int realization,
                          const results::CurvePoint& point, double rms_height) {
   const std::lock_guard lock(mutex_);
-  work_.add_done(method, 1);
+  work_.add_done(method, point.cpu_time);
   last_done_ = last_drawn_ = Clock::now();
   const bool has_failed = point.status == results::StepStatus::not_converged;
   if (is_terminal_ && !has_failed) {
@@ -162,8 +240,7 @@ void Progress::watch() {
       continue;
     }
     fmt::print("  {}: at work for {}; {}{}{}; {} of {} steps done\n",
-               activity->what,
-               duration_text(seconds_between(activity->since, now)),
+               activity->what, time_text(seconds_between(activity->since, now)),
                activity->words, activity->words.empty() ? "" : "; ",
                remaining(now), work_.steps_done(), work_.steps());
     std::fflush(stdout);
@@ -183,7 +260,7 @@ std::string Progress::brief_text(const Running& running,
   return remaining(now) + "  " +
          (running.words.empty()
               ? running.what + ": at work for " +
-                    duration_text(seconds_between(running.since, now))
+                    time_text(seconds_between(running.since, now))
               : running.brief + "  " + running.words);
 }
 

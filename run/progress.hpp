@@ -1,20 +1,81 @@
 #pragma once
 
 // Shows the progress of a run: a bar on a terminal, one line per step in a
-// pipe, and the remaining time. While a long step is at work, it is shown that
-// it is, and for how long. The class owns the clock of the run.
+// pipe, and the remaining time, estimated from the steps that are done. While a
+// long step is at work, it is shown that it is, and for how long. The class
+// owns the clock of the run.
 
 #include "results/types/result.hpp"
-#include "run/remaining_work.hpp"
 
 #include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace asperity::run {
+
+/// Formats a time for the reader: "8.2 s", "4 min", "2.5 h".
+std::string time_text(double seconds);
+
+/// Formats what is left: "about 4 min left", or "time left unknown".
+std::string remaining_text(const std::optional<double>& seconds);
+
+/// Returns the part of an iteration that is done, 0 to 1: the orders of
+/// magnitude by which its residual, which was about 1, has fallen, over those
+/// of the tolerance. It is 0 if the residual is not known.
+double share_done(double residual, double tolerance);
+
+/// The unfinished step of a run that takes longest.
+struct StepAtWork {
+  std::string method = {};
+  double elapsed = 0.0; ///< wall time since it began [s]
+  double share = 0.0;   ///< part that is done, 0 to 1; 0: not known
+};
+
+/// Estimates how long a run still takes: a step costs the mean CPU time of the
+/// steps of its method that are done, or, if there are none, that of the
+/// dearest method.
+class RemainingWork {
+public:
+  /// @param steps  to be done, by method
+  explicit RemainingWork(const std::map<std::string, int>& steps);
+
+  /// Counts a step that was computed.
+  void add_done(const std::string& method, double cpu_time);
+
+  /// Counts steps that need not be computed.
+  void add_kept(const std::string& method, int n_steps);
+
+  int steps() const { return n_steps_; }
+
+  int steps_done() const { return n_done_; }
+
+  /// Returns the estimated remaining wall time [s]; empty where no step is
+  /// done and the share of the step at work is not known, or where that takes
+  /// longer than estimated. A known share that promises a longer time than the
+  /// finished steps replaces their estimate.
+  ///
+  /// @param elapsed     wall time since the beginning [s]
+  /// @param since_last  of this, since the last finished step [s]
+  std::optional<double> seconds_left(double elapsed, double since_last,
+                                     const StepAtWork& step = {}) const;
+
+private:
+  struct MethodWork {
+    int left = 0;
+    int done = 0;
+    double cpu_time = 0.0; ///< of those that are done [s]
+  };
+
+  double mean_cost(const MethodWork& work) const;
+
+  std::map<std::string, MethodWork> methods_;
+  int n_steps_ = 0;
+  int n_done_ = 0;
+};
 
 /// Returns a line with a bar, the counters and some words, cut off so that it
 /// is shorter than a line of the terminal. The bar is shorter below 100

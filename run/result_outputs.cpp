@@ -30,8 +30,7 @@ reports::Summary summary_of(const results::Result& result) {
   return reports::summarize(result, contact_case);
 }
 
-WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf,
-                             std::vector<reports::DrawnGroup>* figures) {
+reports::Summary write_outputs(const fs::path& folder, bool has_pdf) {
   const results::Result result =
       results::read_result(folder, results::MapsInFile::large);
   const cases::Case contact_case = reports::case_of(result);
@@ -39,11 +38,11 @@ WrittenOutputs write_outputs(const fs::path& folder, bool has_pdf,
   results::write_curves_csv(result, folder / "curves.csv");
   results::write_times_csv(result, folder / "times.csv");
   const std::vector<std::string> failures = reports::write_report(
-      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf, .figures = figures});
+      {&entry, 1}, folder, "gnuplot", {.has_pdf = has_pdf});
   for (const std::string& failure : failures)
     fmt::print(stderr, "figure not drawn: {}\n", failure);
   fmt::print("{}", reports::warning_lines(result, contact_case));
-  return {entry.summary, failures.empty()};
+  return entry.summary;
 }
 
 void JsonAnswer::add(const std::string& name, const fs::path& folder,

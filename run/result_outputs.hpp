@@ -4,7 +4,6 @@
 // and the answer that --json prints.
 
 #include "reports/analysis/summary.hpp"
-#include "reports/pages/drawn_groups.hpp"
 #include "run/exit_code.hpp"
 
 #include <filesystem>
@@ -19,18 +18,11 @@ bool is_result(const std::filesystem::path& path);
 /// Summarises a result and prints its warnings.
 reports::Summary summary_of(const results::Result& result);
 
-struct WrittenOutputs {
-  reports::Summary summary;
-  bool has_all_figures = true; ///< false: some could not be drawn
-};
-
 /// Writes all output files besides result.h5, tables, summary and report, and
 /// prints the warnings.
 /// @param has_pdf  also print the report to report.pdf
-/// @param figures  as ReportExtras::figures
-WrittenOutputs
-write_outputs(const std::filesystem::path& folder, bool has_pdf = false,
-              std::vector<reports::DrawnGroup>* figures = nullptr);
+reports::Summary write_outputs(const std::filesystem::path& folder,
+                               bool has_pdf = false);
 
 /// Collects what `run --json` and `check --json` print.
 class JsonAnswer {

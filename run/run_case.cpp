@@ -17,11 +17,9 @@
 #include "results/provenance.hpp"
 #include "run/flow_maps.hpp"
 #include "run/interrupt.hpp"
-#include "run/last_run.hpp"
 #include "run/method_job.hpp"
 #include "run/mpi_world.hpp"
 #include "run/plan/memory_check.hpp"
-#include "run/plan/plan.hpp"
 #include "run/plan/preparation.hpp"
 #include "run/plan/skipped.hpp"
 #include "run/provenance_of_run.hpp"
@@ -32,11 +30,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 namespace asperity::run {
@@ -45,8 +40,6 @@ namespace {
 namespace fs = std::filesystem;
 using cases::MethodSpec;
 
-constexpr int rate_probe_points = 256;
-
 /// Returns the inputs that the text of the case does not determine.
 results::Inputs inputs_of(const cases::Case& contact_case) {
   results::Inputs inputs = methods::input_hashes(contact_case);
@@ -54,44 +47,26 @@ results::Inputs inputs_of(const cases::Case& contact_case) {
   return inputs;
 }
 
-/// Prepares the output folder: puts the output of the last run aside, or leaves
-/// it for a run that resumes it. Returns the folder.
-const fs::path& prepared(const cases::Case& contact_case,
-                         const RunOptions& options,
-                         const std::vector<MethodSpec>& methods,
-                         std::optional<LastRun>& last_run) {
-  std::vector<std::string> folders;
-  for (const MethodSpec& method : methods)
-    for (const int r :
-         methods::realizations_of(contact_case, method, options.realizations))
-      folders.push_back(files_of_method(method.name, r));
-  if (!options.resume || !fs::exists(options.folder / "result.h5"))
-    last_run.emplace(options.folder, folders);
-  return options.folder;
-}
-
 /// One run of a case, from the surfaces to the completed result file.
 class Run {
 public:
-  /// @param root      of the ranks that run the case together, which take part
-  ///                  in the methods that they share
-  /// @param last_run  receives the output of the last run, unless it is resumed
+  /// @param root  of the ranks that run the case together, which take part in
+  ///              the methods that they share
   Run(const cases::Case& contact_case, const RunOptions& options,
-      std::vector<MethodSpec> methods, RootWork& root,
-      std::optional<LastRun>& last_run)
+      std::vector<MethodSpec> methods, RootWork& root)
       : case_(contact_case),
         methods_(std::move(methods)),
         only_(options.realizations),
         pool_(options.threads),
         root_(root),
         surfaces_(case_, methods_, only_, surface_builder()),
-        writer_(open_result(options, last_run)),
+        writer_(open_result(options)),
         cache_(options.cache != nullptr ? *options.cache : no_cache_),
         keys_(root.is_root()
                   ? methods::CaseKeys(case_, methods::program_identity())
                   : methods::CaseKeys(case_, "", {})),
         solvers_(case_, cache_, keys_),
-        progress_(work_to_do(options), case_.material.contact_modulus),
+        progress_(work_to_do(), case_.material.contact_modulus),
         tally_(root.is_root()),
         context_{case_,           options.folder,
                  cache_,          keys_,
@@ -117,9 +92,8 @@ private:
   }
 
   methods::BuildSurface surface_builder();
-  std::unique_ptr<results::ResultWriter>
-  open_result(const RunOptions& options, std::optional<LastRun>& last_run);
-  RemainingWork work_to_do(const RunOptions& options);
+  std::unique_ptr<results::ResultWriter> open_result(const RunOptions& options);
+  RemainingWork work_to_do();
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
   results::MapRows shared_heights(const methods::SurfaceOfCase& surface);
   void record_surface(int realization);
@@ -154,11 +128,11 @@ private:
 
 /// Opens the result on rank 0.
 std::unique_ptr<results::ResultWriter>
-Run::open_result(const RunOptions& options, std::optional<LastRun>& last_run) {
+Run::open_result(const RunOptions& options) {
   std::unique_ptr<results::ResultWriter> writer;
   root_.act([&] {
     writer = std::make_unique<results::ResultWriter>(
-        prepared(case_, options, methods_, last_run),
+        options.folder,
         results::CaseInfo{case_.name, case_.title, case_.text,
                           cases::case_hash(case_),
                           case_.material.contact_modulus, options.reference,
@@ -178,23 +152,14 @@ int Run::n_steps(const MethodSpec& method) const {
   return steps;
 }
 
-/// Returns the steps to do with their predicted times, on rank 0.
-RemainingWork Run::work_to_do(const RunOptions& options) {
-  RemainingWork found({}, 1.0);
+/// Returns the steps to do, on rank 0.
+RemainingWork Run::work_to_do() {
+  std::map<std::string, int> steps;
   root_.act([&] {
-    const Plan plan = make_plan(case_, options, rate_probe_points);
-    std::map<std::string, MethodWork> work;
-    for (const PlannedMethod& planned : plan.methods) {
-      const int n_left = std::max(planned.steps - planned.kept_steps, 1);
-      work[planned.name].step_time =
-          (planned.setup_time + planned.step_time) / n_left;
-    }
     for (const MethodSpec& method : methods_)
-      work[method.name].steps = n_steps(method);
-    const double ratio = plan.wall_time / plan.cpu_time;
-    found = {work, std::isfinite(ratio) && ratio > 0.0 ? ratio : 1.0};
+      steps[method.name] = n_steps(method);
   });
-  return found;
+  return RemainingWork(steps);
 }
 
 /// Returns who builds the surfaces: each rank its rows, if no rank needs a
@@ -352,23 +317,21 @@ methods::WorkerPool::Job Run::job_of_rank_0(const MethodSpec& method,
 }
 
 /// Lists the work that was skipped because the case does not need it or because
-/// it is cached, and evaluations that failed. The machine is probed on a small
-/// grid, which takes some hundredths of a second.
+/// it is cached, and evaluations that failed.
 std::vector<results::Skipped> Run::skipped() const {
-  MachineRates rates(rate_probe_points);
   const std::size_t first =
       only_.empty() ? 0U : static_cast<std::size_t>(*only_.begin());
   Grid grid = surfaces_.whole().empty() ? grid_of_case(case_, methods_)
                                         : surfaces_.whole()[first].record.grid;
   if (!methods::presses_images(case_, methods_))
     grid = surfaces::grid_with_edges(grid, case_.surface.edges);
-  std::vector<results::Skipped> list =
-      skipped_by_case({case_, methods_, grid}, rates);
+  std::vector<results::Skipped> list = skipped_by_case({case_, methods_, grid});
   for (const auto& [thing, work] : tally_.kept())
     list.push_back({work.steps == 0
                         ? thing
                         : fmt::format("{}: {} steps", thing, work.steps),
-                    "in the cache", work.cpu_time, 0.0});
+                    fmt::format("in the cache; took {} of CPU time",
+                                time_text(work.cpu_time))});
   for (const results::Skipped& failure : tally_.failures())
     list.push_back(failure);
   return list;
@@ -439,16 +402,16 @@ std::string text_of(const cases::Case& contact_case, const RunOptions& options,
 RunOutcome run_together(const cases::Case& contact_case,
                         const RunOptions& options,
                         const std::vector<MethodSpec>& methods,
-                        const Grid& grid, std::optional<LastRun>& last_run) {
+                        const Grid& grid) {
   if (!methods::is_run_by_ranks(contact_case, methods, grid, n_mpi_ranks())) {
     RootWork alone;
-    return Run(contact_case, options, methods, alone, last_run).execute();
+    return Run(contact_case, options, methods, alone).execute();
   }
   RunOutcome outcome;
   const fem::FemModule& fem_module = fem::load_fem_module();
   fem_module.on_all_ranks(text_of(contact_case, options, methods), [&] {
     RootWork root(&fem_module.rank_group());
-    outcome = Run(contact_case, options, methods, root, last_run).execute();
+    outcome = Run(contact_case, options, methods, root).execute();
   });
   return outcome;
 }
@@ -471,28 +434,7 @@ RunOutcome run_case(const cases::Case& contact_case,
       methods::chosen_methods(contact_case, options.methods, options.is_exact);
   const Grid grid = require_runnable(contact_case, methods);
   require_memory(contact_case, options);
-  std::optional<LastRun> last_run;
-  const auto put_back = [&] {
-    if (last_run)
-      last_run->put_back(options.cache != nullptr && options.cache->is_on());
-  };
-  try {
-    const RunOutcome outcome =
-        run_together(contact_case, options, methods, grid, last_run);
-    if (last_run)
-      last_run->end();
-    return outcome;
-  } catch (const input::InputError&) { // after the result was closed
-    put_back();
-    throw;
-  } catch (const std::domain_error&) {
-    put_back();
-    throw;
-  } catch (...) {
-    if (last_run)
-      last_run->end();
-    throw;
-  }
+  return run_together(contact_case, options, methods, grid);
 }
 
 void follow_run(const std::string& text) {
@@ -502,10 +444,9 @@ void follow_run(const std::string& text) {
   RunOptions options{run.at("folder").get<std::string>(), run.at("methods"),
                      false, run.at("threads")};
   options.realizations = run.at("realizations").get<std::set<int>>();
-  std::optional<LastRun> none;
   RootWork root(&fem::load_fem_module().rank_group());
   Run(contact_case, options,
-      methods::chosen_methods(contact_case, options.methods, true), root, none)
+      methods::chosen_methods(contact_case, options.methods, true), root)
       .execute();
 }
 

@@ -22,14 +22,13 @@ struct RunOutcome {
 };
 
 /// Runs the methods of a case and writes each step to folder/result.h5 as soon
-/// as it is done. An older result is put aside (last_run.hpp) unless the run
-/// resumes it, and comes back with its report if the run is refused. Jobs (a
-/// method on a realisation) run in parallel; a method whose library allows only
-/// one run at a time runs after the others. The numbers do not depend on the
-/// distribution of the jobs. If the options name realisations, the result holds
-/// only these; the tables of the studies and of the subsurface stress belong to
-/// realisation 0. Cached steps are read, including their CPU times, instead of
-/// being computed, and the result records this.
+/// as it is done, which replaces an older one unless the run resumes it. Jobs
+/// (a method on a realisation) run in parallel; a method whose library allows
+/// only one run at a time runs after the others. The numbers do not depend on
+/// the distribution of the jobs. If the options name realisations, the result
+/// holds only these; the tables of the studies and of the subsurface stress
+/// belong to realisation 0. Cached steps are read, including their CPU times,
+/// instead of being computed, and the result records this.
 ///
 /// Under mpirun all ranks run the case if they share one of its methods, and
 /// only rank 0 reads and writes results and the cache.

@@ -32,8 +32,7 @@ std::vector<results::Skipped> Tally::failures() const {
 
 void Tally::add_failure(const std::string& what, const std::string& why) {
   const std::lock_guard lock(mutex_);
-  failures_.push_back(
-      {what, "failed: " + why, results::not_given, results::not_given});
+  failures_.push_back({what, "failed: " + why});
   if (is_told_)
     fmt::print(stderr, "not computed: {}: {}\n", what, why);
 }

@@ -55,7 +55,7 @@ ORDER = {
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],
     "methods": ["cache", "."],
     "exchange": [".", "answers", "board"],
-    "run": ["plan", ".", "arguments", "sweeps", "distributed"],
+    "run": ["plan", ".", "arguments", "sweeps"],
     "bench": [".", "analysis", "settings", "pages", "runs"],
     "cli": ["manual", "."],
 }

@@ -18,7 +18,7 @@
 #include "run/output_folder.hpp"
 #include "run/plan/preparation.hpp"
 #include "run/plan/skipped.hpp"
-#include "run/remaining_work.hpp"
+#include "run/progress.hpp"
 
 #include <fmt/format.h>
 

@@ -19,16 +19,10 @@ namespace asperity::methods {
 
 /// The kinds of entries, used as file name extensions.
 namespace entry_kind {
-inline constexpr const char* step = "step";     ///< row, saved fields
-inline constexpr const char* state = "state";   ///< restart state
-inline constexpr const char* table = "table";   ///< table of a study
-inline constexpr const char* face = "face";     ///< surface operator
-inline constexpr const char* output = "output"; ///< list of a run's files
-inline constexpr const char* file = "file";     ///< one of them
-/// The list of the files of a run and its figures, by what its numbers depend
-/// on.
-inline constexpr const char* numbers = "numbers";
-inline constexpr const char* figures = "figures";
+inline constexpr const char* step = "step";   ///< row, saved fields
+inline constexpr const char* state = "state"; ///< restart state
+inline constexpr const char* table = "table"; ///< table of a study
+inline constexpr const char* face = "face";   ///< surface operator
 } // namespace entry_kind
 
 /// A size-limited store of byte strings. An entry is written to a temporary

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 
 namespace asperity::methods {
 namespace {
@@ -43,13 +42,24 @@ std::string text_of(const Node& file, const std::string& table) {
   return found == nullptr ? "" : canonical(*found);
 }
 
+/// The content_hash() of the bytes of a file, which is read by pieces.
 std::string hash_of_input(const std::filesystem::path& path) {
   try {
     require_regular_file(path, input::largest_number_file);
-    return hash_of_file(path);
   } catch (const FileError& error) {
     throw input::InputError(error.what());
   }
+  std::ifstream stream(path, std::ios::binary);
+  ContentHash hash;
+  std::string piece(std::size_t{1} << 20, '\0');
+  while (
+      stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+      stream.gcount() > 0)
+    hash.add(std::string_view(piece).substr(
+        0, static_cast<std::size_t>(stream.gcount())));
+  if (!stream.eof())
+    throw input::InputError(path.string() + ": cannot be read");
+  return hash.text();
 }
 
 /// Returns "" if the case names no such file.
@@ -162,14 +172,6 @@ std::string CaseKeys::table(const cases::MethodSpec& theory,
       text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
 }
 
-std::string CaseKeys::text_of_numbers() const {
-  Node table = file_;
-  std::erase_if(table.entries, [](const NodeEntry& entry) {
-    return entry.key == "title" || entry.key == "expect";
-  });
-  return canonical(table);
-}
-
 std::string CaseKeys::operator_text(const cases::MethodSpec& method,
                                     const Grid& grid) const {
   Node table = table_of(method);
@@ -188,21 +190,6 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
 
 std::string CaseKeys::of_operator(const std::string& text) const {
   return content_hash(program_ + "\n" + text);
-}
-
-std::string hash_of_file(const std::filesystem::path& path) {
-  require_regular_file(path, std::numeric_limits<std::uintmax_t>::max());
-  std::ifstream stream(path, std::ios::binary);
-  ContentHash hash;
-  std::string piece(std::size_t{1} << 20, '\0');
-  while (
-      stream.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
-      stream.gcount() > 0)
-    hash.add(std::string_view(piece).substr(
-        0, static_cast<std::size_t>(stream.gcount())));
-  if (!stream.eof())
-    throw FileError(path.string() + ": cannot be read");
-  return hash.text();
 }
 
 std::map<std::string, std::string>

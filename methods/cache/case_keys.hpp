@@ -41,10 +41,6 @@ public:
   std::string table(const cases::MethodSpec& theory,
                     const std::string& name) const;
 
-  /// Describes the case without what changes words and verdicts only: the
-  /// title, [expect] and comments.
-  std::string text_of_numbers() const;
-
   /// Describes the operator on the contact surface of a method's block: grid,
   /// material and all keys of the method but those of the contact law and the
   /// magnification, which act on the pressure and the heights only. Methods of
@@ -67,10 +63,6 @@ private:
   std::map<std::string, std::string> inputs_; ///< input_hashes()
   std::string problem_text_;                  ///< text of surface and material
 };
-
-/// The content_hash() of the bytes of a file, which is read by pieces.
-/// @throws FileError  it cannot be read
-std::string hash_of_file(const std::filesystem::path& path);
 
 /// Returns the SHA-256 hash of each file that the case names, by the key that
 /// names it: "surface.file", "material.variation.file" or "mesh.file", which is

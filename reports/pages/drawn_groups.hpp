@@ -1,7 +1,6 @@
 #pragma once
 
-// Figures as they were drawn, and their bytes, so that another report on the
-// same numbers need not draw them again.
+// Figures as they were drawn.
 
 #include "reports/figures/figures.hpp"
 #include "reports/figures/gnuplot.hpp"
@@ -10,7 +9,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace asperity::reports {
@@ -31,10 +29,5 @@ std::vector<DrawnGroup> drawn_groups_of(std::span<const FigureGroup> groups,
                                         const std::string& gnuplot,
                                         const JournalFormat& journal,
                                         std::vector<std::string>& problems);
-
-std::string bytes_of(std::span<const DrawnGroup> groups);
-
-/// @throws std::runtime_error  these are not bytes of bytes_of()
-std::vector<DrawnGroup> drawn_groups_in(std::string_view bytes);
 
 } // namespace asperity::reports

@@ -131,12 +131,8 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   std::filesystem::create_directories(folder);
   write_methods_text(entries, folder);
   std::vector<std::string> problems;
-  std::vector<DrawnGroup> own_groups;
-  std::vector<DrawnGroup>& drawn_groups =
-      extras.figures != nullptr ? *extras.figures : own_groups;
-  if (drawn_groups.empty())
-    drawn_groups = drawn_groups_of(figures_of(entries), folder, gnuplot,
-                                   extras.journal, problems);
+  const std::vector<DrawnGroup> drawn_groups = drawn_groups_of(
+      figures_of(entries), folder, gnuplot, extras.journal, problems);
   if (entries.size() == 1)
     write_file_atomically(
         folder / "summary.json",

@@ -19,9 +19,6 @@ struct ReportExtras {
   JournalFormat journal = {}; ///< figures for a journal, in journal/
   std::vector<std::string> labels = {}; ///< names of the results, in order;
                                         ///< empty: they follow from the results
-  /// Figures of equal numbers, whose files are in the folder; if there are
-  /// none, they are drawn and put here. Null: draw them.
-  std::vector<DrawnGroup>* figures = nullptr;
 };
 
 /// Writes folder/report.html, folder/figures/* (SVG, CSV and gnuplot script of

@@ -5,7 +5,6 @@
 #include "results/storage/hdf5_file.hpp"
 #include "results/storage/map_storage.hpp"
 #include "results/storage/result_layout.hpp"
-#include "results/storage/skipped_storage.hpp"
 #include "results/storage/table_storage.hpp"
 
 #include <algorithm>
@@ -152,8 +151,16 @@ void write_change(Hdf5File& file, const Change& change) {
   }
   if (change.skipped) {
     Hdf5Group group = fresh(file, layout::skipped);
-    if (!change.skipped->empty())
-      write_skipped(group, *change.skipped);
+    std::vector<std::string> things;
+    std::vector<std::string> reasons;
+    for (const Skipped& one : *change.skipped) {
+      things.push_back(one.what);
+      reasons.push_back(one.why);
+    }
+    if (!things.empty()) {
+      group.append("what", things);
+      group.append("why", reasons);
+    }
   }
 }
 

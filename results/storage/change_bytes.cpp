@@ -288,8 +288,6 @@ private:
   void pass(Skipped& skipped) {
     stream_.text(skipped.what);
     stream_.text(skipped.why);
-    stream_.number(skipped.cpu_time);
-    stream_.number(skipped.bytes);
   }
 
   void pass(std::string& text) { stream_.text(text); }

@@ -234,10 +234,8 @@ struct Table {
 
 /// A computation that was skipped because it was not required.
 struct Skipped {
-  std::string what;      ///< "fem, realization 2"
-  std::string why;       ///< "all 16 steps are in the cache"
-  double cpu_time = 0.0; ///< predicted CPU time [s]; NaN: not predicted
-  double bytes = 0.0;    ///< predicted memory [bytes]; NaN: not predicted
+  std::string what; ///< "fem, realization 2"
+  std::string why;  ///< "all 16 steps are in the cache"
 };
 
 /// Provenance facts as key-value pairs, in the order of writing.

@@ -1,8 +1,10 @@
 // Formats the description of a case and its plan as text and as JSON.
 #include "base/json.hpp"
+#include "base/read_file.hpp"
 #include "cases/text/toml_text.hpp"
 #include "run/plan/description.hpp"
 #include "run/plan/memory_check.hpp"
+#include "run/plan/needs.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +103,52 @@ std::string loads_text(const CaseDescription& description) {
   return text;
 }
 
+std::string grid_text(const Grid& grid) {
+  return grid.points_x == 0
+             ? "formula"
+             : fmt::format("{} x {}", grid.points_x, grid.points_y);
+}
+
 } // namespace
+
+std::string plan_text(const Plan& plan, const cases::Case& contact_case) {
+  constexpr const char* row = "{:<18} {:>6} {:>6} {:>7} {:>13} {:>9} {:>9}\n";
+  std::string text =
+      fmt::format("{}: {}\n", contact_case.name, contact_case.title) +
+      fmt::format(fmt::runtime(row), "method", "realis", "steps", "cached",
+                  "grid", "unknowns", "memory");
+  for (const PlannedMethod& method : plan.methods)
+    text += fmt::format(fmt::runtime(row), method.name, method.realizations,
+                        method.steps, method.kept_steps, grid_text(method.grid),
+                        count_text(method.unknowns), bytes_text(method.memory));
+  text += fmt::format("predicted: memory {} within a factor of {:g} on {} "
+                      "thread{}, result {} (not including the report)\n",
+                      bytes_text(plan.memory), memory_factor, plan.threads,
+                      plan.threads == 1 ? "" : "s", bytes_text(plan.disk));
+  if (const std::string refusal = refusal_of(plan); !refusal.empty())
+    text += "the run would be refused: it " + refusal + "\n";
+  if (!plan.skipped.empty())
+    text += "skipped:\n";
+  for (const results::Skipped& one : plan.skipped)
+    text += fmt::format("  {}: {}\n", one.what, one.why);
+  for (const std::string& warning : plan.warnings)
+    text += fmt::format("warning: {}\n", warning);
+  return text;
+}
+
+std::string shared_rows_text(const Plan& plan) {
+  std::string text;
+  for (const PlannedMethod& planned : plan.methods)
+    if (planned.ranks > 1)
+      text += fmt::format(
+          "{}: {} ranks share the rows of the surface, {} on each\n",
+          planned.name, planned.ranks,
+          bytes_text(planned.rank_memory + base_memory(true)));
+    else if (!planned.why_alone.empty())
+      text += fmt::format("{}: rank 0 solves it alone, because {}\n",
+                          planned.name, planned.why_alone);
+  return text;
+}
 
 std::string description_text(const CaseDescription& description,
                              const cases::Case& contact_case) {
@@ -119,17 +166,14 @@ std::string description_text(const CaseDescription& description,
   text += "\n" + loads_text(description) + "\nmethods:\n";
   for (const DescribedMethod& method : description.methods)
     text += fmt::format("  {:<16} {}\n", method.name, method.text);
-  return text + "\ncost:\n" + plan_text(description.plan, contact_case);
+  return text + "\nplan:\n" + plan_text(description.plan, contact_case);
 }
 
 std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
   OrderedJson answer = {{"case", contact_case.name},
-                        {"cpu_time [s]", number_json(plan.cpu_time)},
-                        {"wall_time [s]", number_json(plan.wall_time)},
                         {"threads", plan.threads},
                         {"memory [bytes]", number_json(plan.memory)},
                         {"result [bytes]", number_json(plan.disk)},
-                        {"factor", plan.factor},
                         {"refusal", refusal_of(plan)},
                         {"methods", OrderedJson::array()},
                         {"skipped", OrderedJson::array()},
@@ -143,14 +187,9 @@ std::string plan_json(const Plan& plan, const cases::Case& contact_case) {
          {"points_x", method.grid.points_x},
          {"points_y", method.grid.points_y},
          {"unknowns", number_json(method.unknowns)},
-         {"setup_time [s]", number_json(method.setup_time)},
-         {"step_time [s]", number_json(method.step_time)},
          {"memory [bytes]", number_json(method.memory)}});
   for (const results::Skipped& one : plan.skipped)
-    answer["skipped"].push_back({{"what", one.what},
-                                 {"why", one.why},
-                                 {"cpu_time [s]", number_json(one.cpu_time)},
-                                 {"memory [bytes]", number_json(one.bytes)}});
+    answer["skipped"].push_back({{"what", one.what}, {"why", one.why}});
   return text_of_json(answer, 2) + "\n";
 }
 

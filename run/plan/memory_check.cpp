@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 namespace asperity::run {
-namespace {} // namespace
-
 std::string refusal_of(const Plan& plan) {
   const std::string shortage = memory_shortage(plan.memory);
   return shortage.empty()
@@ -20,8 +18,7 @@ void require_memory(const cases::Case& contact_case,
                     const RunOptions& options) {
   if (!contact_case.surface.points)
     return;
-  const std::string refusal =
-      refusal_of(make_plan(contact_case, options, memory_probe_points));
+  const std::string refusal = refusal_of(make_plan(contact_case, options));
   if (!refusal.empty())
     throw input::InputError(
         fmt::format("{}: surface.points = {} with {} realisation(s) {}",

@@ -6,10 +6,6 @@
 
 namespace asperity::run {
 
-/// Side of the grid on which a plan is made for its memory alone: small,
-/// because times are not needed.
-constexpr int memory_probe_points = 64;
-
 /// Returns the reason why a run does not fit into memory, such as "needs 128
 /// GiB of memory, but 12 GiB are available", and possible remedies. The text is
 /// empty if the run fits or if its memory cannot be predicted.

@@ -10,7 +10,7 @@
 #include "methods/step_chain.hpp"
 #include "methods/surfaces_of_case.hpp"
 #include "methods/worker_pool.hpp"
-#include "run/plan/block_cost.hpp"
+#include "run/plan/needs.hpp"
 #include "run/plan/preparation.hpp"
 #include "surfaces/build.hpp"
 
@@ -60,35 +60,6 @@ void share_by_ranks(const MethodSpec& method, const Grid& grid,
   planned.rank_memory = memory_of_rank(method, grid, options.ranks);
   planned.memory = options.ranks_on_machine * planned.rank_memory +
                    (options.ranks_on_machine - 1) * base_memory(true);
-}
-
-/// Returns true if the last table of each study is cached.
-bool has_tables(const cases::Case& contact_case, const MethodSpec& theory,
-                const methods::CaseKeys& keys, const methods::Cache& cache) {
-  const auto has = [&](const char* name) {
-    return cache.has(keys.table(theory, name), methods::entry_kind::table);
-  };
-  return (!contact_case.magnification_study || has("magnification")) &&
-         (!contact_case.adhesion_study || has("adhesion-flip"));
-}
-
-/// Predicts the wall time. Jobs run in parallel on the threads, those marked
-/// runs_alone one after another; the shared part takes at least the total work
-/// over the number of threads, and at least as long as its longest job.
-double wall_time(const Plan& plan) {
-  double shared = plan.study_time;
-  double longest = plan.study_time;
-  double alone = 0.0;
-  for (const PlannedMethod& method : plan.methods) {
-    const double work = method.setup_time + method.step_time;
-    if (method.runs_alone) {
-      alone += work / method.ranks;
-      continue;
-    }
-    shared += work;
-    longest = std::max(longest, work / std::max(1, method.realizations));
-  }
-  return plan.base_time + alone + std::max(longest, shared / plan.threads);
 }
 
 double predicted_peak(const Plan& plan, const Grid& grid, double n_surfaces,
@@ -199,33 +170,11 @@ double memory_of_result(const cases::Case& contact_case,
   return stresses + sizeof(double) * maps * nodes;
 }
 
-/// Predicts the CPU time of the studies and of the stress inside, which are
-/// computed for the first realisation only [s].
-double time_on_first_surface(const cases::Case& contact_case,
-                             const std::vector<MethodSpec>& methods,
-                             const Grid& grid, const methods::CaseKeys& keys,
-                             const methods::Cache& cache, MachineRates& rates) {
-  double time = 0.0;
-  if (const MethodSpec* theory =
-          cases::study_theory(contact_case.surface, methods);
-      theory != nullptr && !has_tables(contact_case, *theory, keys, cache))
-    time += study_time(contact_case, rates);
-  if (contact_case.report.stress_inside)
-    for (const MethodSpec& method : methods)
-      if (method.is_continuum())
-        time += stress_time(
-            static_cast<int>(methods::steps_with_fields(contact_case).size()),
-            grid, rates);
-  return time;
-}
-
 /// @param kept  steps that the cache has
 PlannedMethod planned_method(const cases::Case& contact_case,
                              const MethodSpec& method, const Grid& grid,
-                             const RunOptions& options, MachineRates& rates,
-                             int kept) {
-  const MethodCost cost =
-      cost_of(contact_case, method, grid, rates, options.ranks);
+                             const RunOptions& options, int kept) {
+  const MethodNeeds needs = needs_of(contact_case, method, grid, options.ranks);
   PlannedMethod planned{.name = method.name, .grid = grid};
   planned.realizations = static_cast<int>(
       methods::realizations_of(contact_case, method, options.realizations)
@@ -233,11 +182,8 @@ PlannedMethod planned_method(const cases::Case& contact_case,
   planned.steps =
       planned.realizations * static_cast<int>(contact_case.load.targets.size());
   planned.kept_steps = kept;
-  const int left = planned.steps - kept;
-  planned.unknowns = cost.unknowns;
-  planned.setup_time = left > 0 ? cost.setup_time : 0.0;
-  planned.step_time = left > 0 ? left * cost.step_time : 0.0;
-  planned.memory = cost.memory;
+  planned.unknowns = needs.unknowns;
+  planned.memory = needs.memory;
   planned.runs_alone =
       methods::describe(method, contact_case.material).runs_alone;
   share_by_ranks(method, methods::pressed_grid(contact_case, method, grid),
@@ -249,21 +195,7 @@ PlannedMethod planned_method(const cases::Case& contact_case,
 
 } // namespace
 
-void add_up_times(Plan& plan) {
-  plan.cpu_time = plan.base_time + plan.study_time;
-  for (const PlannedMethod& method : plan.methods)
-    plan.cpu_time += method.setup_time + method.step_time;
-  plan.wall_time = wall_time(plan);
-}
-
-Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
-               int largest_probe) {
-  MachineRates rates(largest_probe);
-  return make_plan(contact_case, options, rates);
-}
-
-Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
-               MachineRates& rates) {
+Plan make_plan(const cases::Case& contact_case, const RunOptions& options) {
   const std::vector<MethodSpec> methods =
       methods::chosen_methods(contact_case, options.methods, options.is_exact);
   const Grid grid = grid_of_case(contact_case, methods);
@@ -290,20 +222,14 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
         methods::realizations_of(contact_case, method, options.realizations),
         keys, cache);
     PlannedMethod planned =
-        planned_method(contact_case, method, grid, options, rates, kept);
+        planned_method(contact_case, method, grid, options, kept);
     const bool is_left = planned.steps > kept;
     uses_fem |= is_left &&
                 std::holds_alternative<mechanics::FemSettings>(method.settings);
     uses_block |= is_left && methods::is_full_block(method);
     plan.methods.push_back(std::move(planned));
   }
-  if (options.realizations.empty() || options.realizations.contains(0))
-    plan.study_time =
-        time_on_first_surface(contact_case, methods, grid, keys, cache, rates);
-  plan.base_time = base_time(rates);
-  add_up_times(plan);
-  const double program =
-      base_memory(uses_fem) + (uses_block ? full_block_memory() : 0.0);
+  const double program = base_memory(uses_fem, uses_block);
   const Grid kept = methods::presses_images(contact_case, methods)
                         ? grid
                         : methods::grid_without_images(contact_case, grid);
@@ -311,9 +237,8 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options,
       predicted_peak(plan, grid, held_surfaces(contact_case, methods, options),
                      program),
       program + memory_of_result(contact_case, methods, kept, options));
-  plan.factor = uses_block ? block_factor : plan.factor;
   plan.disk = result_bytes(contact_case, methods, kept);
-  plan.skipped = skipped_by_case({contact_case, methods, grid}, rates);
+  plan.skipped = skipped_by_case({contact_case, methods, grid});
   return plan;
 }
 

@@ -1,8 +1,6 @@
 #include "run/plan/skipped.hpp"
 
-#include "base/special_numbers.hpp"
 #include "cases/types/omissions.hpp"
-#include "input/input_error.hpp"
 #include "methods/chosen.hpp"
 #include "methods/surfaces_of_case.hpp"
 #include "surfaces/build.hpp"
@@ -10,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 namespace asperity::run {
@@ -22,8 +19,7 @@ using results::Skipped;
 /// Collects the skipped work of all kinds in one list.
 class Skips {
 public:
-  Skips(const SelectedCase& selected, MachineRates& rates)
-      : selected_(selected), rates_(rates) {}
+  explicit Skips(const SelectedCase& selected) : selected_(selected) {}
 
   void add_methods_left_out();
   void add_surfaces();
@@ -34,21 +30,16 @@ public:
   std::vector<Skipped> list;
 
 private:
-  double n_steps() const {
-    return static_cast<double>(selected_.contact_case.load.targets.size());
-  }
-
   double nodes() const { return static_cast<double>(selected_.grid.size()); }
 
   /// Returns the number of steps of a method on all its realisations.
   double all_steps(const MethodSpec& method) const {
-    return n_steps() * methods::n_realizations(selected_.contact_case, method);
+    return static_cast<double>(selected_.contact_case.load.targets.size()) *
+           methods::n_realizations(selected_.contact_case, method);
   }
 
-  /// Adds work that no run of this program does.
-  void add_unpriced(std::string what, std::string why) {
-    list.push_back(
-        {std::move(what), std::move(why), not_a_number, not_a_number});
+  void add(std::string what, std::string why) {
+    list.push_back({std::move(what), std::move(why)});
   }
 
   void add_realizations(const MethodSpec& method);
@@ -65,7 +56,6 @@ private:
   void add_of_settings(const MethodSpec&, const mechanics::WinklerSettings&) {}
 
   const SelectedCase& selected_;
-  MachineRates& rates_;
   bool has_operator_ = false; ///< listed once, because the methods share the
                               ///< operator
 };
@@ -77,16 +67,7 @@ void Skips::add_methods_left_out() {
     };
     if (std::ranges::any_of(selected_.methods, is_same))
       continue;
-    MethodCost cost{not_a_number, not_a_number, not_a_number, not_a_number};
-    try {
-      if (nodes() > 0.0)
-        cost = cost_of(selected_.contact_case, method, selected_.grid, rates_);
-    } catch (const std::domain_error&) { // nobody has asked for its mesh
-    } catch (const input::InputError&) {
-    }
-    list.push_back({method.name, "not selected by --methods",
-                    cost.setup_time + all_steps(method) * cost.step_time,
-                    cost.memory});
+    add(method.name, "not selected by --methods");
   }
 }
 
@@ -94,8 +75,7 @@ void Skips::add_surfaces() {
   if (methods::needs_surfaces(selected_.methods) || nodes() == 0.0)
     return;
   const int realizations = selected_.contact_case.surface.realizations;
-  add_unpriced(
-      fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
+  add(fmt::format("{} surface{}", realizations, realizations == 1 ? "" : "s"),
       "the theory uses the formula of the spectrum");
 }
 
@@ -107,17 +87,15 @@ void Skips::add_maps() {
     if (method.has_fields())
       left_out += all_steps(method) - kept;
   if (left_out > 0.0)
-    list.push_back(
-        {fmt::format("pressure and gap fields of {:g} steps", left_out),
-         fmt::format("[report] fields saves {:g} of realisation 0", kept),
-         not_a_number, left_out * map_bytes(selected_.grid)});
+    add(fmt::format("pressure and gap fields of {:g} steps", left_out),
+        fmt::format("[report] fields saves {:g} of realisation 0", kept));
 }
 
 void Skips::add_of(const MethodSpec& method) {
   if (method.magnification)
-    add_unpriced(fmt::format("{}: roughness above {:g} q_0", method.name,
-                             *method.magnification),
-                 "its magnification");
+    add(fmt::format("{}: roughness above {:g} q_0", method.name,
+                    *method.magnification),
+        "its magnification");
   add_realizations(method);
   std::visit([&](const auto& own) { add_of_settings(method, own); },
              method.settings);
@@ -127,7 +105,7 @@ void Skips::add_of(const MethodSpec& method) {
 void Skips::add_omissions(const MethodSpec& method) {
   for (const cases::Omission& one :
        cases::omissions(selected_.contact_case, method))
-    add_unpriced(method.name + ": " + one.what, one.why);
+    add(method.name + ": " + one.what, one.why);
 }
 
 void Skips::add_realizations(const MethodSpec& method) {
@@ -135,55 +113,49 @@ void Skips::add_realizations(const MethodSpec& method) {
                       methods::n_realizations(selected_.contact_case, method);
   if (omitted == 0)
     return;
-  const MethodCost cost =
-      cost_of(selected_.contact_case, method, selected_.grid, rates_);
-  list.push_back(
-      {fmt::format("{} on {} realisation{}", method.name, omitted,
-                   omitted == 1 ? "" : "s"),
-       method.needs_surface()
-           ? "its number of realizations"
-           : "the formula of the spectrum holds for every realisation",
-       omitted * (cost.setup_time + n_steps() * cost.step_time), 0.0});
+  add(fmt::format("{} on {} realisation{}", method.name, omitted,
+                  omitted == 1 ? "" : "s"),
+      method.needs_surface()
+          ? "its number of realizations"
+          : "the formula of the spectrum holds for every realisation");
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::HalfspaceSettings& settings) {
-  add_unpriced(method.name + ": two tangential displacements per node",
-               "the contact surface is frictionless and has no shear traction");
-  add_unpriced(method.name + ": the block below the contact surface",
-               settings.thickness
-                   ? "the compliance of a slab has a closed form"
-                   : "no thickness is given: the compliance of a half-space "
-                     "has a closed form");
+  add(method.name + ": two tangential displacements per node",
+      "the contact surface is frictionless and has no shear traction");
+  add(method.name + ": the block below the contact surface",
+      settings.thickness
+          ? "the compliance of a slab has a closed form"
+          : "no thickness is given: the compliance of a half-space "
+            "has a closed form");
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::FemSettings& settings) {
   if (settings.solver == mechanics::FemSolver::full)
     return;
-  add_unpriced(method.name + ": the displacements of the block",
-               "laterally uniform: condensed to the normal displacement of the "
-               "contact surface");
+  add(method.name + ": the displacements of the block",
+      "laterally uniform: condensed to the normal displacement of the "
+      "contact surface");
   if (selected_.grid.is_square() && !std::exchange(has_operator_, true))
-    add_unpriced(fmt::format("{}: {} of {} wavevectors of the operator",
-                             method.name, count_text(0.375 * nodes()),
-                             count_text(0.5 * nodes())),
-                 "mirror images of the others");
+    add(fmt::format("{}: {} of {} wavevectors of the operator", method.name,
+                    count_text(0.375 * nodes()), count_text(0.5 * nodes())),
+        "mirror images of the others");
 }
 
 void Skips::add_of_settings(const MethodSpec& method,
                             const mechanics::MdSettings& settings) {
   if (settings.bulk == mechanics::AtomBulk::green &&
       settings.engine == mechanics::AtomEngine::asperity)
-    add_unpriced(method.name + ": the atoms inside the block",
-                 "bulk = \"green\": condensed exactly to the lowest layer");
+    add(method.name + ": the atoms inside the block",
+        "bulk = \"green\": condensed exactly to the lowest layer");
 }
 
 } // namespace
 
-std::vector<Skipped> skipped_by_case(const SelectedCase& selected,
-                                     MachineRates& rates) {
-  Skips skips(selected, rates);
+std::vector<Skipped> skipped_by_case(const SelectedCase& selected) {
+  Skips skips(selected);
   skips.add_methods_left_out();
   skips.add_surfaces();
   skips.add_maps();

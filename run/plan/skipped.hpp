@@ -1,11 +1,10 @@
 #pragma once
 
 // Lists the work that a case does not need. Only work that is really not done
-// is listed, with its predicted cost where a run of the case could have it;
-// what no run does has none.
+// is listed.
 
+#include "cases/types/case.hpp"
 #include "results/types/result.hpp"
-#include "run/plan/cost_model.hpp"
 
 #include <string>
 #include <vector>
@@ -23,11 +22,8 @@ struct SelectedCase {
 /// Lists methods that were not selected, what the case asks of a method that
 /// has no answer (cases/types/omissions.hpp), realisations that are identical
 /// for a closed formula, maps that are not saved, unknowns and wavevectors that
-/// symmetry makes redundant, and bulk material that a closed form replaces. The
-/// costs of methods and realisations are predictions of cost_model.hpp, NaN
-/// where the method cannot be computed.
-std::vector<results::Skipped> skipped_by_case(const SelectedCase& selected,
-                                              MachineRates& rates);
+/// symmetry makes redundant, and bulk material that a closed form replaces.
+std::vector<results::Skipped> skipped_by_case(const SelectedCase& selected);
 
 /// Returns the grid of the surfaces of a case. If the case does not give it,
 /// the height map is read when surfaces are needed; otherwise the grid has no

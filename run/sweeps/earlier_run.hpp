@@ -18,8 +18,6 @@ enum class RunState { missing, to_resume, complete };
 struct EarlierRun {
   RunState state = RunState::missing;
   std::string case_hash = {}; ///< of the result
-  std::string why = {};       ///< why it is not complete: "has no result.h5"
-  bool has_converged = true;  ///< every load step that it holds
 };
 
 /// Returns whether every load step of a result has converged.

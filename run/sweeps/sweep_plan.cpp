@@ -1,6 +1,7 @@
 #include "run/sweeps/sweep_plan.hpp"
 
 #include "base/available_memory.hpp"
+#include "base/read_file.hpp"
 #include "input/input_error.hpp"
 #include "methods/worker_pool.hpp"
 #include "run/plan/memory_check.hpp"
@@ -11,21 +12,6 @@
 #include <cmath>
 
 namespace asperity::run {
-
-double SweepPlan::cpu_time() const {
-  double sum = 0.0;
-  for (const Plan& point : points)
-    sum += point.cpu_time;
-  return sum;
-}
-
-double SweepPlan::wall_time() const {
-  double longest = 0.0;
-  for (const Plan& point : points)
-    longest = std::max(longest, point.wall_time);
-  return std::max(longest,
-                  cpu_time() / std::min(threads, std::max(beside(), 1)));
-}
 
 int SweepPlan::beside() const {
   double largest = 0.0;
@@ -39,14 +25,12 @@ int SweepPlan::beside() const {
 }
 
 SweepPlan make_sweep_plan(const cases::CaseSweep& sweep,
-                          const RunOptions& options, int largest_probe) {
+                          const RunOptions& options) {
   SweepPlan plan;
   plan.threads = methods::WorkerPool(options.threads).threads();
   plan.available_memory = available_memory();
-  MachineRates rates(largest_probe);
   for (std::size_t i = 0; i < sweep.points.size(); ++i) {
-    plan.points.push_back(
-        make_plan(sweep.points[i].contact_case, options, rates));
+    plan.points.push_back(make_plan(sweep.points[i].contact_case, options));
     if (const std::string refusal = refusal_of(plan.points.back());
         !refusal.empty())
       throw input::InputError(fmt::format(
@@ -58,31 +42,23 @@ SweepPlan make_sweep_plan(const cases::CaseSweep& sweep,
 
 std::string sweep_plan_text(const SweepPlan& plan,
                             const cases::CaseSweep& sweep) {
-  std::string text = fmt::format("{}: {}\n{:>5} {:>7} {:>7} {:>8} {:>8}  {}\n",
-                                 sweep.name, sweep.title, "point", "steps",
-                                 "cached", "CPU", "memory", "values");
+  std::string text =
+      fmt::format("{}: {}\n{:>5} {:>7} {:>7} {:>9}  {}\n", sweep.name,
+                  sweep.title, "point", "steps", "cached", "memory", "values");
   for (std::size_t i = 0; i < plan.points.size(); ++i) {
-    const Plan& point = plan.points[i];
     int steps = 0;
     int kept = 0;
-    for (const PlannedMethod& method : point.methods) {
+    for (const PlannedMethod& method : plan.points[i].methods) {
       steps += method.steps;
       kept += method.kept_steps;
     }
-    text += fmt::format("{:>5} {:>7} {:>7} {:>8} {:>8}  {}\n", i, steps, kept,
-                        time_text(point.cpu_time), size_text(point.memory),
+    text += fmt::format("{:>5} {:>7} {:>7} {:>9}  {}\n", i, steps, kept,
+                        bytes_text(plan.points[i].memory),
                         point_label(sweep.keys, sweep.points[i].choice));
   }
-  double factor = 1.0;
-  for (const Plan& point : plan.points)
-    factor = std::max(factor, point.factor);
-  return text + fmt::format(
-                    "predicted: {} points, {} beside each other, CPU {}, {} on "
-                    "{} thread{}, within a factor of {:g} (not including the "
-                    "report)\n",
-                    plan.points.size(), plan.beside(),
-                    time_text(plan.cpu_time()), time_text(plan.wall_time()),
-                    plan.threads, plan.threads == 1 ? "" : "s", factor);
+  return text + fmt::format("{} points, {} beside each other on {} thread{}\n",
+                            plan.points.size(), plan.beside(), plan.threads,
+                            plan.threads == 1 ? "" : "s");
 }
 
 } // namespace asperity::run

@@ -1,6 +1,6 @@
 #pragma once
 
-// Predicts what a sweep costs, point by point, before it runs.
+// Predicts what the points of a sweep need before they run.
 
 #include "cases/sweeps/sweep.hpp"
 #include "run/plan/plan.hpp"
@@ -16,12 +16,6 @@ struct SweepPlan {
   int threads = 1;             ///< of the whole sweep
   double available_memory = 0; ///< [B]
 
-  /// Returns the predicted CPU time of all points [s]; NaN if one has no
-  /// prediction.
-  double cpu_time() const;
-  /// Returns the predicted wall time of the sweep [s]: the CPU time over the
-  /// threads, and at least the longest point.
-  double wall_time() const;
   /// Returns how many points run beside each other: as many as there are
   /// threads, and as fit into the memory. At least one.
   int beside() const;
@@ -29,14 +23,13 @@ struct SweepPlan {
 
 /// Makes the plans of all points.
 ///
-/// @param options        those of the sweep; the folder is not used
-/// @param largest_probe  see MachineRates
+/// @param options  those of the sweep; the folder is not used
 /// @throws input::InputError  as make_plan(); or a point that does not fit into
 ///                            the available memory, which is named
 SweepPlan make_sweep_plan(const cases::CaseSweep& sweep,
-                          const RunOptions& options, int largest_probe);
+                          const RunOptions& options);
 
-/// Formats the points with their predicted time and memory, and the total.
+/// Formats the points with their steps and predicted memory.
 std::string sweep_plan_text(const SweepPlan& plan,
                             const cases::CaseSweep& sweep);
 

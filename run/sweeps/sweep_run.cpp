@@ -8,8 +8,7 @@
 #include "methods/worker_pool.hpp"
 #include "run/child_run.hpp"
 #include "run/interrupt.hpp"
-#include "run/last_run.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/progress.hpp"
 #include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/memory_budget.hpp"
 #include "run/sweeps/sweep_plan.hpp"
@@ -55,7 +54,8 @@ public:
         budget_(plan_.available_memory),
         outcome_{record_of(sweep)},
         chosen_(options.points) {
-    for (std::size_t i = 0; !options.is_part && i < sweep.points.size(); ++i)
+    for (std::size_t i = 0; options.points.empty() && i < sweep.points.size();
+         ++i)
       chosen_.push_back(i);
   }
 
@@ -72,10 +72,7 @@ public:
 
 private:
   void prepare() {
-    if (!options_.resume)
-      put_points_aside(options_.folder);
-    if (!options_.is_part)
-      write_record(outcome_.record, options_.folder);
+    write_record(outcome_.record, options_.folder);
     options_.write_case();
     std::set<std::string> warnings;
     for (const Plan& point : plan_.points)
@@ -102,8 +99,10 @@ private:
                                                   options_.is_exact),
                           folder)
             : EarlierRun{};
-    if (earlier.state == RunState::complete) {
-      outcome_.record.points[i].case_hash = earlier.case_hash;
+    std::string& hash = outcome_.record.points[i].case_hash;
+    if (earlier.state == RunState::complete &&
+        (options_.points.empty() || earlier.case_hash == hash)) {
+      hash = earlier.case_hash;
       finish(i, ChildEnd{0, "", 0.0, 0.0}, "is complete already");
       return;
     }
@@ -177,9 +176,8 @@ private:
     const std::size_t left = chosen_.size() - n_done_;
     if (left == 0 || elapsed < 10.0)
       return "";
-    return fmt::format("; about {} left",
-                       time_text(elapsed / static_cast<double>(n_done_) *
-                                 static_cast<double>(left)));
+    return "; " + remaining_text(elapsed / static_cast<double>(n_done_) *
+                                 static_cast<double>(left));
   }
 
   const cases::CaseSweep& sweep_;
@@ -220,21 +218,7 @@ reports::SweepRecord record_of(const cases::CaseSweep& sweep) {
   return record;
 }
 
-void put_points_aside(const fs::path& folder) {
-  const fs::path points = folder / "points";
-  const fs::path previous = folder / "points.previous";
-  if (fs::exists(points)) {
-    fs::remove_all(previous);
-    fs::rename(points, previous);
-    fmt::print("the points of the previous sweep are saved in {}\n",
-               previous.string());
-  }
-  for (const char* name : {reports::sweep_file, "sweep.csv"})
-    fs::remove(folder / name);
-}
-
 void write_record(const reports::SweepRecord& record, const fs::path& folder) {
-  put_last_run_aside(folder); // of one case
   write_file_atomically(folder / reports::sweep_file,
                         text_of_json(reports::record_json(record), 2) + "\n");
 }
@@ -246,9 +230,7 @@ SweepOutcome run_sweep(const cases::CaseSweep& sweep,
   methods::Cache cache(methods::cache_folder(),
                        options.uses_cache ? methods::cache_size() : 0);
   run.cache = &cache;
-  return SweepRun(sweep, options,
-                  make_sweep_plan(sweep, run, memory_probe_points))
-      .execute();
+  return SweepRun(sweep, options, make_sweep_plan(sweep, run)).execute();
 }
 
 } // namespace asperity::run

@@ -24,10 +24,10 @@ struct SweepRunOptions {
   bool resume = false;
   int threads = 0; ///< 0: all hardware threads
   bool uses_cache = true;
-  bool has_reports = false; ///< of each point
-  bool is_part = false;     ///< runs only `points`, resumes them, and leaves
-                            ///< sweep.json and the report as they are
-  std::vector<std::size_t> points = {};     ///< indices, of a part
+  bool has_reports = false;                 ///< of each point
+  std::vector<std::size_t> points = {};     ///< indices, of a part, whose
+                                            ///< points are all of one text;
+                                            ///< empty: all points
   std::function<void()> write_case = [] {}; ///< if case_file is not there yet
 };
 
@@ -40,20 +40,15 @@ struct SweepOutcome {
 /// Returns the plan of a sweep as its points and their cases state it.
 reports::SweepRecord record_of(const cases::CaseSweep& sweep);
 
-/// Keeps the points of an earlier sweep as points.previous, and removes its
-/// sweep.json and sweep.csv.
-void put_points_aside(const std::filesystem::path& folder);
-
-/// Writes folder/sweep.json, and removes the report of an earlier sweep or case
-/// in this folder.
+/// Writes folder/sweep.json.
 void write_record(const reports::SweepRecord& record,
                   const std::filesystem::path& folder);
 
 /// Runs all points of a sweep. Their results are in folder/points/NNN/, the
-/// output of each run in log.txt there, and the plan in folder/sweep.json. The
-/// points of an earlier sweep are kept as points.previous, unless the sweep
-/// resumes them: a point whose result is complete, and of the same case, inputs
-/// and program, is not run again; an incomplete one is resumed.
+/// output of each run in log.txt there, and the plan in folder/sweep.json.
+/// Where the sweep is resumed, a point whose result is complete, and of the
+/// same case, inputs and program, is not run again; an incomplete one is
+/// resumed.
 ///
 /// Each point is a process of its own, so that one that fails or is killed does
 /// not affect the others; when this process ends, they end too. Points run

@@ -192,7 +192,7 @@ def check_right_answers(problem, pressures):
 
 
 def check_over_a_run(problem, pressures):
-    """An import keeps the result of a run in its folder, but not its report."""
+    """An import replaces the result of a run in its folder, with its report."""
     out = problem.parent / "over-a-run"
     asperity("run", problem / "case.toml", "--out", out)
     before = (out / "result.h5").read_bytes()
@@ -200,8 +200,8 @@ def check_over_a_run(problem, pressures):
 
     asperity("import", folder, "--problem", problem, "--out", out)
 
-    assert (out / "result.previous.h5").read_bytes() == before
-    for name in ("report.html", "curves.csv", "summary.json", "output.json"):
+    assert (out / "result.h5").read_bytes() != before
+    for name in ("report.html", "curves.csv", "summary.json", ".new-run"):
         assert not (out / name).exists(), name
     foreign = problem.parent / "foreign"
     foreign.mkdir()

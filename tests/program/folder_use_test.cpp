@@ -133,8 +133,7 @@ TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
   for (const auto& entry : fs::recursive_directory_iterator(folder / "one"))
     if (entry.is_regular_file())
       left.insert(entry.path().filename().string());
-  EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "result.h5",
-                                         "result.previous.h5"}));
+  EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "result.h5"}));
   EXPECT_TRUE(fs::exists(folder / "one/figures/notes.txt"));
 }
 
@@ -143,6 +142,8 @@ TEST_F(FolderUse, ANewRunLeavesNothingOfTheLast) {
 // before the run examines. The theory is computed before.
 class RefusedRun : public FolderUse {
 protected:
+  static constexpr const char* hidden = "one/.new-run/";
+
   const std::string refused_late =
       "run small.toml --no-cache --out one --set surface.points=16 --set "
       "fem.contact=hard --set fem.solver=full --set fem.surface_cell_depth=0.7 "
@@ -162,11 +163,9 @@ protected:
 
 TEST_F(RefusedRun, LeavesTheOutputOfTheLastOne) {
   ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
-  ASSERT_EQ(run("run small.toml --out one --no-cache").exit_code, 0);
   fs::create_directories(folder / "one/fem-0");
   std::ofstream(folder / "one/fem-0/block.vtu") << "of the last run";
   const auto before = files();
-  ASSERT_TRUE(before.contains("one/result.previous.h5"));
 
   for (const char* more : {" --methods fem", "", " --no-report"}) {
     const Ended refused = run(refused_late + more);
@@ -175,9 +174,66 @@ TEST_F(RefusedRun, LeavesTheOutputOfTheLastOne) {
     EXPECT_NE(refused.output.find("factor of the modulus"), std::string::npos)
         << refused.output;
     auto after = files();
-    after.erase("one/result.unfinished.h5"); // steps of the theory
+    std::erase_if(after, [](const auto& file) { // steps of the theory
+      return file.first.starts_with(hidden);
+    });
     EXPECT_EQ(after, before) << more;
   }
+}
+
+// So does one that a full disk, here a limit on the size of a file, ends while
+// it writes its report.
+TEST_F(RefusedRun, LikeAFullDiskTouchesNoFileOfTheLastOne) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  auto before = files();
+
+  const Ended full = run("run small.toml --methods theory --out one",
+                         "bash -c 'ulimit -f 32; exec \"$@\"' -");
+
+  EXPECT_EQ(full.exit_code, 4);
+  EXPECT_NE(full.output.find(std::string(hidden)), std::string::npos)
+      << full.output;
+  for (const auto& [path, text] : files())
+    EXPECT_TRUE(path.starts_with(hidden) || before.at(path) == text) << path;
+}
+
+// A killed run has touched nothing of the last one, and replaces it when it is
+// resumed.
+TEST_F(RefusedRun, LikeAKilledOneTouchesNoFileOfTheLastOne) {
+  ASSERT_EQ(run("run small.toml --out one").exit_code, 0);
+  const auto before = files();
+  const std::string large =
+      "run small.toml --set surface.points=128 --no-cache --out one ";
+  ASSERT_EQ(run(large, "timeout -s KILL 0.4").exit_code, 137);
+  for (const auto& [path, text] : before)
+    EXPECT_TRUE(text_of(folder / path) == text) << path;
+
+  EXPECT_EQ(run(large + "--resume").exit_code, 0);
+
+  EXPECT_EQ(result("one").surfaces.front().grid.points_x, 128);
+  EXPECT_EQ(rows("one"), all_rows);
+  EXPECT_FALSE(fs::exists(folder / hidden));
+}
+
+// What a kill has left while a complete output replaced the last one follows
+// with the next command.
+TEST_F(RefusedRun, LikeAKillWhileItReplacesLosesNothing) {
+  ASSERT_EQ(run("run small.toml --methods theory --out one").exit_code, 0);
+  ASSERT_EQ(run("run small.toml --methods halfspace --out two").exit_code, 0);
+  const Result newer = result("two");
+  fs::rename(folder / "two", folder / hidden);
+  fs::remove(folder / hidden / ".lock");
+  ASSERT_EQ(run("run small.toml --methods halfspace --resume --no-report "
+                "--out one")
+                .exit_code,
+            0);
+  tests::expect_same_bits(newer, result("one"));
+
+  fs::create_directories(folder / hidden / "fem-0");
+  std::ofstream(folder / hidden / "fem-0/block.vtu") << "of the result";
+  ASSERT_EQ(run("run small.toml --resume --no-report --out one").exit_code, 0);
+  EXPECT_EQ(text_of(folder / "one/fem-0/block.vtu"), "of the result");
+  EXPECT_FALSE(fs::exists(folder / hidden));
 }
 
 TEST_F(RefusedRun, LeavesNoResultOfItsOwn) {
@@ -242,8 +298,7 @@ TEST_F(FolderUse, AFullDiskIsAnErrorAndLosesNothing) {
   EXPECT_EQ(full.exit_code, 4) << full.output;
   EXPECT_NE(full.output.find("asperity: "), std::string::npos) << full.output;
   EXPECT_NE(full.output.find("one/"), std::string::npos) << full.output;
-  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
-  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+  tests::expect_same_bits(whole, result("one"));
 
   const Ended done = run(run_it + " --resume");
   ASSERT_EQ(done.exit_code, 0) << done.output;
@@ -276,8 +331,7 @@ TEST_F(FolderUse, AWriteThatFailsAnywhereIsAnErrorThatNamesTheFile) {
   };
   for (const int limit : {0, 1, 2, 4, 8, 16, 64, 200})
     expect_error(run_it, limit, "one/");
-  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
-  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
+  tests::expect_same_bits(whole, result("one"));
 
   const std::string convert = "surface map.txt --length 1um --height-unit nm "
                               "--no-report --write ";
@@ -366,7 +420,6 @@ TEST_F(FolderUse, AnInterruptedCheckStillWritesJunit) {
   EXPECT_NE(xml.find("interrupted"), std::string::npos) << xml;
 }
 
-// The second run that fails puts aside the result of the first one that did.
 TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
   const std::string run_it = "run small.toml --no-cache --no-report --out one";
   ASSERT_EQ(run(run_it).exit_code, 0);
@@ -375,9 +428,8 @@ TEST_F(FolderUse, RunsThatFailKeepTheLastCompleteResult) {
   for (int trial = 0; trial < 2; ++trial)
     EXPECT_EQ(run(run_it + " --methods fem", with_limit(60)).exit_code, 4);
 
-  fs::rename(folder / "one/result.previous.h5", folder / "previous.h5");
-  tests::expect_same_bits(whole, results::read_result(folder / "previous.h5"));
-  EXPECT_TRUE(fs::exists(folder / "one/result.unfinished.h5"));
+  tests::expect_same_bits(whole, result("one"));
+  EXPECT_TRUE(fs::exists(folder / "one/.new-run/result.h5"));
 }
 
 // Maps of a command or of a folder are the points of one sweep, each with a

@@ -55,6 +55,7 @@ TEST_F(OwnOutputs, FilesOfOthersAreRefusedByEveryCommand) {
       {"run small.toml " + quick + "--out f", "figures/cost.csv"},
       {"run small.toml " + quick + "--out f", "halfspace-0/block.vtu"},
       {"run small.toml " + quick + "--resume --out f", "result.journal"},
+      {"run small.toml " + quick + "--out f", ".new-run/notes.txt"},
       {"check small.toml " + quick + "--out f", "summary.json"},
       {"report one --out f", "report.html"},
       {"report one one --out f", "comparison.json"},
@@ -145,8 +146,8 @@ TEST_F(OwnOutputs, NoOutputIsAnInput) {
 // Opening a pipe waits for its other end.
 TEST_F(OwnOutputs, OnlyRegularFilesAreReplaced) {
   expect_good("run small.toml " + quick + "--out a");
-  for (const char* name : {"report.html", "curves.csv", "output.json",
-                           "summary.json", "methods.txt"}) {
+  for (const char* name :
+       {"report.html", "curves.csv", "summary.json", "methods.txt"}) {
     const fs::path file = folder / "a" / name;
     const std::string kept = text_of(file);
     const auto expect_all_refused = [&](const char* words) {

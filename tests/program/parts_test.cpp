@@ -109,7 +109,6 @@ TEST_F(Parts, OfASweepJoinToTheUndividedRun) {
   expect_good(run("run swept.toml --no-cache --out whole " + keys));
   for (const char* which : {"2/3", "1/3", "3/3"})
     expect_good(part("swept.toml", which, keys));
-  EXPECT_FALSE(fs::exists(folder / "out/swept/sweep.json")); // only of a whole
 
   expect_good(run("merge out/swept"));
 
@@ -133,14 +132,9 @@ TEST_F(Parts, KeepTheirOptions) {
   const std::string words = "'my case' --quick --exactly --set \"title=it's\" "
                             "--methods halfspace --out 'an out' --no-cache ";
   expect_good(run("run " + words + "--part 1/2"));
-  const Ended asked = run("merge 'an out'");
-  expect_refusal(asked, "part 2/2: parts/2-of-2 has no result.h5");
-  const std::size_t begin = asked.output.find("asperity run");
-  ASSERT_NE(begin, std::string::npos) << asked.output;
-
-  const std::string command = asked.output.substr(
-      begin + 9, asked.output.find('\n', begin) - begin - 9);
-  expect_good(run(command)); // as it is printed
+  expect_refusal(run("merge 'an out'"),
+                 "--part 2/2: parts/2-of-2 has no result.h5");
+  expect_good(run("run " + words + "--part 2/2"));
 
   expect_good(run("merge 'an out'"));
   const results::Result merged = results::read_result(folder / "an out");
@@ -195,7 +189,7 @@ TEST_F(Parts, ResumeAfterAKill) {
   ASSERT_EQ(killed.exit_code, 137) << killed.output;
   const Ended refused = run("merge out/rough");
   expect_refusal(refused, "1 of 2 parts is missing or incomplete");
-  expect_refusal(refused, "part 2/2: parts/2-of-2 is running and has ");
+  expect_refusal(refused, "--part 2/2: parts/2-of-2 is running and has ");
 
   expect_good(part("rough.toml", "2/2", keys));
 
@@ -208,12 +202,10 @@ TEST_F(Parts, ThatAreMissingAreNamed) {
 
   const Ended refused = run("merge out/swept");
 
-  expect_refusal(refused, "out/swept: 3 of 4 parts are missing or incomplete");
-  expect_refusal(refused, "\npart 1/4: points/");
-  expect_refusal(refused, (folder / "swept.toml").string() +
-                              " --methods halfspace --out out/swept --part "
-                              "4/4\n");
-  EXPECT_FALSE(fs::exists(folder / "out/swept/sweep.json"));
+  expect_refusal(refused, "out/swept: 3 of 4 points are missing or incomplete");
+  expect_refusal(refused, "point 003 (surface.hurst = 0.8, surface.points = "
+                          "64): has not run yet");
+  EXPECT_FALSE(fs::exists(folder / "out/swept/sweep.csv"));
   expect_refusal(run("merge out"), "out: has no parts; asperity run CASE");
   expect_refusal(run("merge nowhere"), "nowhere: there is no such folder");
   EXPECT_FALSE(fs::exists(folder / "nowhere"));
@@ -222,30 +214,37 @@ TEST_F(Parts, ThatAreMissingAreNamed) {
 TEST_F(Parts, OfAnotherCaseAreRefused) {
   const std::string one = "--methods halfspace --no-report ";
   expect_good(part("rough.toml", "1/2", one));
-  expect_good(part("rough.toml", "2/2", one + "--set surface.seed=4"));
-  expect_refusal(run("merge out/rough"), "of another case or of other options");
+  for (const std::string other : {"--set surface.seed=4", "--methods fem"}) {
+    expect_good(part("rough.toml", "2/2", one + other));
+    expect_refusal(run("merge out/rough"), "is of another case, of other");
+  }
 
   expect_good(part("rough.toml", "2/2", one));
   write("rough.toml", small_case + "# changed\n");
-  expect_refusal(run("merge out/rough"), "rough.toml has changed since");
   expect_good(part("rough.toml", "1/2", one));
-  expect_refusal(run("merge out/rough"), "of another case or of other options");
+  expect_refusal(run("merge out/rough"), "is of another case, of other");
   expect_good(part("rough.toml", "2/2", one)); // of the same numbers
   expect_good(run("merge out/rough --no-report"));
   fs::remove(folder / "out/rough/result.h5");
 
   expect_good(part("rough.toml", "1/1", one));
-  expect_refusal(run("merge out/rough"),
-                 "out/rough/parts/1-of-1 is one of 1 parts, but "
-                 "out/rough/parts/1-of-2 is one of 2");
+  expect_refusal(run("merge out/rough"), "; remove the folders that are not");
   fs::remove_all(folder / "out/rough/parts/1-of-1");
   fs::copy_file(folder / "out/rough/parts/1-of-2/result.h5",
                 folder / "out/rough/parts/2-of-2/result.h5",
                 fs::copy_options::overwrite_existing);
   expect_refusal(run("merge out/rough"), "has 0 of 4 load steps");
   EXPECT_FALSE(fs::exists(folder / "out/rough/result.h5"));
-  write("out/rough/parts/2-of-2/part.json", "{}");
-  expect_refusal(run("merge out/rough"), "is not a part.json");
+}
+
+// Points of a sweep whose text has changed are computed again.
+TEST_F(Parts, OfASweepThatHasChangedAreOfOneText) {
+  for (const std::string more : {"", "# changed\n"}) {
+    write("swept.toml", small_case + swept_keys + more);
+    for (const char* which : {"1/2", "2/2"})
+      expect_good(part("swept.toml", which, "--methods theory"));
+    expect_good(run("merge out/swept --no-report"));
+  }
 }
 
 TEST_F(Parts, RefuseWhatCannotBeDivided) {
@@ -271,16 +270,16 @@ TEST_F(Parts, AnswerInJson) {
   }
 }
 
-// An older result in the folder is kept, as by a run.
-TEST_F(Parts, KeepThePreviousResult) {
+// An older result in the folder is replaced, as by a run.
+TEST_F(Parts, ReplaceThePreviousResult) {
   expect_good(run("run rough.toml --methods theory --no-report"));
   for (const char* which : {"1/2", "2/2"})
     expect_good(part("rough.toml", which, "--methods halfspace"));
 
   expect_good(run("merge out/rough --no-report"));
 
-  EXPECT_EQ(results::read_result(folder / "out/rough").methods.size(), 1U);
-  EXPECT_TRUE(fs::exists(folder / "out/rough/result.previous.h5"));
+  EXPECT_EQ(results::read_result(folder / "out/rough").methods.at(0).name,
+            "halfspace");
 }
 
 } // namespace asperity::program::parts_test

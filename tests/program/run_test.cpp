@@ -129,13 +129,11 @@ TEST_F(RunCommand, SkipsWhatTheCaseDoesNotNeed) {
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
 
-// A new run does not overwrite the previous result.
-TEST_F(RunCommand, KeepsThePreviousResult) {
+TEST_F(RunCommand, ReplacesThePreviousResult) {
   ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
   ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
 
   EXPECT_EQ(result("result").methods.size(), 1u);
-  EXPECT_EQ(result("result/result.previous.h5").methods.size(), 3u);
 }
 
 TEST_F(RunCommand, RunsAVariantBesideItsMethod) {

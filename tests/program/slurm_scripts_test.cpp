@@ -50,7 +50,7 @@ TEST_F(SlurmScripts, ComputeAndMergeTheParts) {
             0);
   const Ended planned = run(plan_it + "--out \"it's/a run\"");
   ASSERT_EQ(planned.exit_code, 0) << planned.output;
-  EXPECT_NE(planned.output.find("rough: 2 parts, each of 1 thread for at most"),
+  EXPECT_NE(planned.output.find("rough: 2 parts, each of 1 thread; submit"),
             std::string::npos);
 
   fs::rename(folder / "it's", folder / "its"); // no ' in what sh -c gets
@@ -94,6 +94,7 @@ TEST_F(SlurmScripts, SayWhatATaskNeeds) {
        {"#SBATCH --array=1-2 ", "#SBATCH --time=1-02\n", "--cpus-per-task=3\n",
         " --threads 3 --part \"$SLURM_ARRAY_TASK_ID/2\"\n", "#SBATCH --mem="})
     EXPECT_TRUE(is_in_script("parts.sh", words)) << script("parts.sh");
+  EXPECT_FALSE(is_in_script("merge.sh", "--array"));
 }
 
 // In the name of a log Slurm would read %j as the number of the job.

@@ -117,12 +117,31 @@ TEST_F(SweepRuns, ResumesWithOtherValues) {
             std::string::npos);
 }
 
-TEST_F(SweepRuns, KeepsThePreviousSweep) {
-  ASSERT_EQ(run(small_run + "--no-report").exit_code, 0);
+// A sweep replaces the last one when all of its points are complete.
+TEST_F(SweepRuns, ReplacesThePreviousSweep) {
+  ASSERT_EQ(run(small_run).exit_code, 0);
+  const std::string before = text_of(point(0) + "/result.h5");
+  const std::string page = text_of(folder / "out/rough/report.html");
+  const std::string large = small_run +
+                            "--no-cache --no-report --threads 1 --set "
+                            "surface.points=256 ";
 
-  EXPECT_EQ(run(small_run + "--no-report").exit_code, 0);
+  EXPECT_EQ(
+      interrupt(large, "out/rough/.new-run/points/001/result.h5").exit_code,
+      130);
+  EXPECT_TRUE(text_of(point(0) + "/result.h5") == before);
+  EXPECT_TRUE(text_of(folder / "out/rough/report.html") == page);
 
-  EXPECT_TRUE(fs::exists(folder / "out/rough/points.previous/003/result.h5"));
+  const Ended resumed = run(large + "--resume");
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_NE(resumed.output.find("is complete already"), std::string::npos);
+  for (int i = 0; i < 4; ++i)
+    EXPECT_EQ(results::read_result(point(i) + "/result.h5")
+                  .surfaces.at(0)
+                  .grid.points_x,
+              256);
+  EXPECT_FALSE(fs::exists(folder / "out/rough/report.html"));
+  EXPECT_FALSE(fs::exists(folder / "out/rough/.new-run"));
 }
 
 // Ctrl-C ends all points in order; the report states what is missing.
@@ -174,7 +193,7 @@ TEST_F(SweepRuns, IsPlanned) {
   EXPECT_EQ(planned.exit_code, 0);
   EXPECT_NE(planned.output.find("surface.hurst = 0.8, surface.seed = 3"),
             std::string::npos);
-  EXPECT_NE(planned.output.find("predicted: 4 points"), std::string::npos);
+  EXPECT_NE(planned.output.find("4 points, "), std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 

@@ -45,8 +45,7 @@ protected:
     if (realization == 0)
       writer.record_table({"leak", "a table", {{"x", "m", {1.0, 2.0}}}});
     writer.record_provenance(facts);
-    writer.record_skipped(
-        std::vector<Skipped>{{"maps", "not asked for", 1.0, 2.0}});
+    writer.record_skipped(std::vector<Skipped>{{"maps", "not asked for"}});
     writer.finish(status);
     return home;
   }

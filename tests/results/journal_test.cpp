@@ -80,7 +80,7 @@ protected:
     writer.append_step("theory", 0, sample_point(0));
     writer.record_table({"leak", "A title", {{"gap", "m", {1.0, 2.0}}}});
     writer.record_table({"leak", "Another", {{"gap", "m", {3.0}}}});
-    writer.record_skipped(std::vector<Skipped>{{"md", "too dear", 1.0, 2.0}});
+    writer.record_skipped(std::vector<Skipped>{{"md", "too dear"}});
     writer.record_provenance({{"wall time", "2 s"}});
   }
 

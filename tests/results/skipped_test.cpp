@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -15,9 +14,8 @@ namespace asperity::results::skipped_test {
 using SkippedList = ResultFolder;
 
 TEST_F(SkippedList, IsReadBackUnchanged) {
-  const std::vector<Skipped> list{
-      {"fem: 16 steps", "in the cache", 0.1 + 0.2, 0.0},
-      {"maps, \u00fc", "", std::nan(""), 1e12}};
+  const std::vector<Skipped> list{{"fem: 16 steps", "in the cache"},
+                                  {"maps, \u00fc", ""}};
   ResultWriter(folder_, sample_case()).record_skipped(list);
 
   const std::vector<Skipped> read = read_result(folder_).skipped;
@@ -26,8 +24,6 @@ TEST_F(SkippedList, IsReadBackUnchanged) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     EXPECT_EQ(read[i].what, list[i].what);
     EXPECT_EQ(read[i].why, list[i].why);
-    EXPECT_PRED2(is_same, read[i].cpu_time, list[i].cpu_time);
-    EXPECT_PRED2(is_same, read[i].bytes, list[i].bytes);
   }
 }
 

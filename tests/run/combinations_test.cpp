@@ -243,7 +243,7 @@ protected:
     try {
       const cases::Case read = cases::read_case_text(
           pressed_map, (folder / "case.toml").string(), entries);
-      make_plan(read, {folder / "out", {}, false, 1}, 16);
+      make_plan(read, {folder / "out", {}, false, 1});
       auto method =
           std::ranges::find_if(read.methods, &cases::MethodSpec::has_fields);
       if (method == read.methods.end())

@@ -2,7 +2,7 @@
 // solver, against those of the block that a run builds and solves.
 #include "cases/reader/read_case.hpp"
 #include "methods/full_block_method.hpp"
-#include "run/plan/block_cost.hpp"
+#include "run/plan/needs.hpp"
 
 #include <gtest/gtest.h>
 

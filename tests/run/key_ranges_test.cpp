@@ -194,7 +194,7 @@ protected:
     try {
       const cases::Case contact_case = cases::read_case_text(
           rough, (folder / "case.toml").string(), entries);
-      make_plan(contact_case, {folder / "out", {}, false, 1}, 16);
+      make_plan(contact_case, {folder / "out", {}, false, 1});
       return "";
     } catch (const input::InputError& error) {
       return error.what();

@@ -13,76 +13,64 @@
 
 namespace asperity::run::progress_test {
 
-// Two short steps of 1 s and two long ones of 10 s, on two threads.
+// Two short steps and two long ones.
 RemainingWork mixed_work() {
-  return {{{"cheap", {2, 1.0}}, {"dear", {2, 10.0}}}, 0.5};
+  return RemainingWork({{"cheap", 2}, {"dear", 2}});
 }
 
-TEST(RemainingWork, IsThePredictionWhileNothingIsDone) {
-  EXPECT_DOUBLE_EQ(mixed_work().seconds_left(0.0, 0.0).value(), 11.0);
-  EXPECT_DOUBLE_EQ(mixed_work().seconds_left(4.0, 4.0).value(), 7.0);
-  EXPECT_FALSE(mixed_work().seconds_left(11.5, 11.5)) << "the prediction fails";
-}
-
-// A step counts with its predicted cost, at the speed of the previous ones.
-TEST(RemainingWork, ScalesThePredictionByTheStepsThatAreDone) {
+// Steps of 1 s and 10 s of CPU time on two threads: a step counts as the mean
+// of its method, or of the dearest one where none of its own is done.
+TEST(RemainingWork, FollowsTheStepsThatAreDone) {
   RemainingWork work = mixed_work();
-  work.add_done("cheap", 2); // twice as fast as predicted CPU time
+  EXPECT_FALSE(work.seconds_left(4.0, 4.0));
+  work.add_done("cheap", 1.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(0.5, 0.0).value(), 1.5);
+  work.add_done("cheap", 1.0);
+  work.add_done("dear", 10.0);
 
-  EXPECT_DOUBLE_EQ(work.seconds_left(1.0, 0.0).value(), 10.0);
-  EXPECT_DOUBLE_EQ(work.seconds_left(4.0, 3.0).value(), 7.0);
-  EXPECT_FALSE(work.seconds_left(12.0, 11.0));
-  work.add_done("dear", 2);
+  EXPECT_DOUBLE_EQ(work.seconds_left(6.0, 0.0).value(), 5.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(9.0, 3.0).value(), 2.0);
+  EXPECT_FALSE(work.seconds_left(12.0, 6.0)) << "longer than the other";
+  work.add_done("dear", 10.0);
   EXPECT_EQ(work.seconds_left(12.0, 0.0), 0.0);
   EXPECT_EQ(work.steps_done(), 4);
-}
-
-// A small amount of finished work, which is mostly overhead, does not scale the
-// rest.
-TEST(RemainingWork, KeepsThePredictionAfterCheapStepsOnly) {
-  RemainingWork work({{"theory", {1, 0.01}}, {"block", {1, 100.0}}}, 1.0);
-  work.add_done("theory", 1);
-
-  EXPECT_DOUBLE_EQ(work.seconds_left(0.5, 0.0).value(), 100.0);
-  EXPECT_DOUBLE_EQ(work.seconds_left(40.5, 40.0).value(), 60.0);
 }
 
 TEST(RemainingWork, LeavesOutWhatTheCacheHas) {
   RemainingWork work = mixed_work();
   work.add_kept("dear", 2);
+  work.add_done("cheap", 1.0);
 
-  EXPECT_DOUBLE_EQ(work.seconds_left(0.0, 0.0).value(), 1.0);
-  EXPECT_EQ(work.steps_done(), 2);
-}
-
-TEST(RemainingWork, CountsStepsWithoutAPrediction) {
-  RemainingWork work({{"a", {3, NAN}}, {"b", {1, 1.0}}}, 1.0);
-  work.add_done("b", 1);
-
-  EXPECT_DOUBLE_EQ(work.seconds_left(2.0, 0.0).value(), 6.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(2.0, 0.0).value(), 2.0);
+  EXPECT_EQ(work.steps_done(), 3);
 }
 
 // A step whose residual has fallen by a quarter of the orders of magnitude
-// takes three times as long again, and the steps after it as predicted.
+// takes three times as long again, as do those after it while none is done.
 TEST(RemainingWork, FollowsTheResidualOfAStepAtWork) {
-  const RemainingWork work = mixed_work();
+  RemainingWork work = mixed_work();
   const StepAtWork step{"dear", 20.0, share_done(1e-2, 1e-8)};
 
   EXPECT_DOUBLE_EQ(step.share, 0.25);
-  EXPECT_DOUBLE_EQ(work.seconds_left(20.0, 20.0, step).value(), 60.0 + 6.0);
-  EXPECT_DOUBLE_EQ(work.seconds_left(1.0, 1.0, {"dear", 0.1, 0.25}).value(),
-                   10.0)
-      << "the prediction is longer";
+  EXPECT_DOUBLE_EQ(work.seconds_left(20.0, 20.0, step).value(),
+                   60.0 + 3.0 * 80.0);
+  work.add_done("cheap", 1.0);
+  work.add_done("cheap", 1.0);
+  work.add_done("dear", 10.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(26.0, 20.0, step).value(), 60.0);
+  EXPECT_DOUBLE_EQ(work.seconds_left(6.1, 0.1, {"dear", 0.1, 0.25}).value(),
+                   4.9)
+      << "the other step was longer";
   EXPECT_EQ(share_done(NAN, 1e-8), 0.0);
   EXPECT_EQ(share_done(3.0, 1e-8), 0.0);
   EXPECT_EQ(share_done(1e-9, 1e-8), 1.0);
 }
 
 TEST(RemainingWork, HasReadableUnits) {
-  EXPECT_EQ(remaining_text(8.2), "about 8 s left");
+  EXPECT_EQ(remaining_text(8.2), "about 8.2 s left");
   EXPECT_EQ(remaining_text(240.0), "about 4 min left");
   EXPECT_EQ(remaining_text(9000.0), "about 2.5 h left");
-  EXPECT_EQ(remaining_text(std::nullopt), "longer than predicted");
+  EXPECT_EQ(remaining_text(std::nullopt), "time left unknown");
 }
 
 // A line on a terminal never reaches the last column, because it could not be

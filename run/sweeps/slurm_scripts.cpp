@@ -1,4 +1,4 @@
-#include "run/distributed/slurm_scripts.hpp"
+#include "run/sweeps/slurm_scripts.hpp"
 
 #include "base/atomic_file.hpp"
 #include "base/plain_text.hpp"
@@ -25,20 +25,27 @@ constexpr double bytes_per_mib = 1024.0 * 1024.0;
 /// the path of a folder and has no way to write a quote.
 std::string head_of_script(const SlurmJob& job, const std::string& name,
                            const std::string& log) {
-  std::string text = fmt::format("#!/bin/sh\n"
-                                 "#SBATCH --job-name=\"{}\"\n"
-                                 "#SBATCH --time={}\n"
-                                 "#SBATCH --nodes=1 --ntasks=1 "
-                                 "--cpus-per-task={}\n",
-                                 good_name(name), job.time, job.threads);
-  if (std::isfinite(job.memory))
-    text += fmt::format("#SBATCH --mem={:.0f}M\n",
-                        std::ceil(job.memory / bytes_per_mib));
-  return text + fmt::format("#SBATCH --output={} --open-mode=append\n", log);
+  return fmt::format("#!/bin/sh\n"
+                     "#SBATCH --job-name=\"{}\"\n"
+                     "{}"
+                     "#SBATCH --nodes=1 --ntasks=1 --cpus-per-task={}\n"
+                     "#SBATCH --mem={:.0f}M\n"
+                     "#SBATCH --output={} --open-mode=append\n",
+                     good_name(name),
+                     job.time.empty() ? ""
+                                      : "#SBATCH --time=" + job.time + "\n",
+                     job.threads, std::ceil(job.memory / bytes_per_mib), log);
+}
+
+std::string run_command(const SlurmJob& job) {
+  std::string command = quoted_word(job.program.string());
+  for (const std::string& word : job.words)
+    command += " " + quoted_word(word);
+  return command;
 }
 
 std::string parts_script(const SlurmJob& job) {
-  return head_of_script(job, job.record.case_name, "part-%a.log") +
+  return head_of_script(job, job.case_name, "part-%a.log") +
          fmt::format(
              "#SBATCH --array=1-{} --requeue\n"
              "# Computes one part. A part that is complete ends at once, and "
@@ -49,13 +56,11 @@ std::string parts_script(const SlurmJob& job) {
              "# 3: a load step did not converge, which the report will say.\n"
              "test $code -eq 3 && exit 0\n"
              "exit $code\n",
-             job.record.part.count,
-             run_command(job.record, job.program, job.folder), job.threads,
-             job.record.part.count);
+             job.n_parts, run_command(job), job.threads, job.n_parts);
 }
 
 std::string merge_script(const SlurmJob& job) {
-  return head_of_script(job, "merge " + job.record.case_name, "merge.log") +
+  return head_of_script(job, "merge " + job.case_name, "merge.log") +
          fmt::format("# Joins the parts and writes the report.\n"
                      "exec {} merge {}\n",
                      quoted_word(job.program.string()),
@@ -79,8 +84,19 @@ std::string submit_script(const SlurmJob& job) {
 
 } // namespace
 
+std::string quoted_word(const std::string& word) {
+  constexpr const char* plain = "abcdefghijklmnopqrstuvwxyz"
+                                "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=,:+@";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+    return word;
+  std::string quoted = "'";
+  for (const char letter : word)
+    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  return quoted + "'";
+}
+
 std::map<std::string, std::string> slurm_scripts(const SlurmJob& job) {
-  std::vector<std::string> words = run_arguments(job.record, job.folder);
+  std::vector<std::string> words = job.words;
   words.push_back(job.program.string());
   words.push_back(job.folder.string());
   for (const std::string& word : words)
@@ -109,13 +125,6 @@ void write_slurm_scripts(const std::map<std::string, std::string>& scripts,
   for (const auto& [name, text] : scripts)
     if (!fs::exists(home / name))
       write_file_atomically(home / name, text);
-}
-
-std::string slurm_time(double seconds) {
-  constexpr double minute = 60.0;
-  const auto minutes = static_cast<long>(std::ceil(seconds / minute));
-  constexpr long per_hour = 60;
-  return fmt::format("{}:{:02}:00", minutes / per_hour, minutes % per_hour);
 }
 
 void require_slurm_time(const std::string& text) {
