@@ -109,13 +109,6 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
   command->callback([&] { action = [&] { return run_cases(run); }; });
 }
 
-CLI::Option* add_workers(CLI::App* command, const char* name,
-                         std::vector<int>& workers, const char* help) {
-  return command->add_option(name, workers, help)
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1024));
-}
-
 void add_bench(CLI::App& program, bench::BenchCommand& bench,
                run::OutputOptions& output, Action& action) {
   CLI::App* command = program.add_subcommand(
@@ -149,17 +142,9 @@ void add_bench(CLI::App& program, bench::BenchCommand& bench,
   command->add_flag("--quick", bench.is_quick,
                     "apply quick.set, vary only the points, time one run\n"
                     "of each: about a minute");
-  CLI::Option* target =
-      command->add_option("--target-error", bench.target_error,
-                          "also choose the cheapest setting with a smaller\n"
-                          "error, e.g. 1%");
-  add_workers(command, "--threads", bench.threads,
-              "instead: strong and weak scaling over threads, 1,2,4")
-      ->excludes(target);
-  add_workers(command, "--ranks", bench.ranks,
-              "the same over ranks of mpirun, which share realisations,\n"
-              "rows or a full block")
-      ->excludes(target);
+  command->add_option("--target-error", bench.target_error,
+                      "also choose the cheapest setting with a smaller\n"
+                      "error, e.g. 1%");
   add_quiet(command, output);
   add_json(command, output, "bench.json");
   add_example(command, "bench hertz --target-error 1%");

@@ -218,7 +218,11 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
       report.parts() == 1
           ? report.name_of(0)
           : fmt::format("{} measurements of one surface", report.parts());
-  add_stitched(report);
+  require_reliable(report);
+  if (contact_modulus && report.parts() != 1)
+    throw input::InputError(
+        "--contact-modulus predicts the contact of one map or line scan; give "
+        "one");
   if (contact_modulus)
     add_contact(report, *contact_modulus, command.gamma);
   return report;

@@ -18,9 +18,4 @@ namespace asperity::run {
 ChildEnd run_self(const std::vector<std::string>& words,
                   const std::filesystem::path& log);
 
-/// The same on several ranks under mpirun; the CPU time is that of all ranks.
-/// @throws input::InputError  mpirun is not installed
-ChildEnd run_self_on_ranks(int ranks, const std::vector<std::string>& words,
-                           const std::filesystem::path& log);
-
 } // namespace asperity::run

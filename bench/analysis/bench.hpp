@@ -60,9 +60,6 @@ struct BenchPoint {
   bool is_elastic = true;
   /// Belongs to the series that defines the reference solution.
   bool is_reference = false;
-  int threads = 1;
-  int ranks = 1;      ///< processes under mpirun
-  double nodes = 0.0; ///< of all surfaces together; only for scaling
 
   int repeats = 0;           ///< number of timed runs
   bool has_warm_up = false;  ///< an untimed run came first
@@ -124,14 +121,6 @@ struct BenchSeries {
   std::map<std::string, reports::PowerLaw> against_cpu_time = {};
 };
 
-/// Runs of one method that differ in the number of threads or ranks.
-struct ScalingSeries {
-  std::string method;
-  bool has_ranks = false; ///< the workers are ranks, otherwise threads
-  bool is_weak = false;   ///< the nodes grow in proportion to the workers
-  std::vector<std::size_t> points = {}; ///< ascending workers; not empty
-};
-
 struct ReferenceSolution {
   std::string words;
   BenchAnswer answer;
@@ -182,7 +171,6 @@ struct Bench {
   results::Provenance provenance;
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
-  std::vector<ScalingSeries> scaling; ///< if any, there are no other series
   ReferenceSolution reference;
   /// For each quantity, the Pareto front: the points for which no cheaper point
   /// has a smaller error.

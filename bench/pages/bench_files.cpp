@@ -1,5 +1,4 @@
 #include "base/json.hpp"
-#include "bench/analysis/scaling.hpp"
 #include "bench/pages/bench_report.hpp"
 
 #include <fmt/format.h>
@@ -12,53 +11,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-Json numbers(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (const double value : values)
-    list.push_back(number(value));
-  return list;
-}
-
-Json numbers(const std::map<std::string, double>& values) {
-  Json table = Json::object();
-  for (const auto& [name, value] : values)
-    table[name] = number(value);
-  return table;
-}
-
 Json to_json(const BenchTime& time) {
-  return {{"median [s]", number(time.median)},
-          {"least [s]", number(time.least)},
-          {"largest [s]", number(time.largest)}};
+  return {{"median [s]", time.median},
+          {"least [s]", time.least},
+          {"largest [s]", time.largest}};
 }
 
 Json to_json(const reports::PowerLaw& law) {
-  return {{"exponent", number(law.determined_exponent())},
-          {"standard_error", number(law.exponent_error)},
-          {"factor", number(law.factor)},
+  return {{"exponent", law.determined_exponent()},
+          {"standard_error", law.exponent_error},
+          {"factor", law.factor},
           {"points", law.points}};
 }
 
 Json to_json(const BenchPhases& phases) {
-  return {{"setup [s]", number(phases.setup)},
-          {"transforms [s]", number(phases.transforms)},
-          {"solving [s]", number(phases.solving)},
-          {"observation [s]", number(phases.observation)},
-          {"writing [s]", number(phases.writing)},
-          {"rest [s]", number(phases.rest)}};
+  return {
+      {"setup [s]", phases.setup},     {"transforms [s]", phases.transforms},
+      {"solving [s]", phases.solving}, {"observation [s]", phases.observation},
+      {"writing [s]", phases.writing}, {"rest [s]", phases.rest}};
 }
 
 Json to_json(const BenchAnswer& answer) {
-  Json values = Json::object();
-  for (const auto& [name, list] : answer.values)
-    values[name] = numbers(list);
-  return {{"rms_height [m]", number(answer.rms_height)},
-          {"nominal_pressure [Pa]", numbers(answer.pressure)},
-          {"values", values}};
+  return {{"rms_height [m]", answer.rms_height},
+          {"nominal_pressure [Pa]", answer.pressure},
+          {"values", answer.values}};
 }
 
 Json to_json(const BenchPoint& point) {
@@ -70,24 +46,22 @@ Json to_json(const BenchPoint& point) {
           {"is_own", point.is_own},
           {"is_elastic", point.is_elastic},
           {"is_reference", point.is_reference},
-          {"threads", point.threads},
-          {"ranks", point.ranks},
           {"problem", point.problem},
           {"repeats", point.repeats},
           {"has_warm_up", point.has_warm_up},
           {"is_repeatable", point.is_repeatable},
           {"wall_time", to_json(point.wall)},
           {"cpu_time", to_json(point.cpu)},
-          {"peak_memory [B]", number(point.peak_memory)},
-          {"unknowns", number(point.unknowns)},
+          {"peak_memory [B]", point.peak_memory},
+          {"unknowns", point.unknowns},
           {"steps", point.steps},
           {"failed_steps", point.failed_steps},
           {"iterations", point.iterations},
           {"transforms", point.transforms},
           {"phases", to_json(point.phases)},
-          {"transform_pair [s]", number(point.transform_pair)},
-          {"errors", numbers(point.errors)},
-          {"own_errors", numbers(point.own_errors)},
+          {"transform_pair [s]", point.transform_pair},
+          {"errors", point.errors},
+          {"own_errors", point.own_errors},
           {"answer", to_json(point.answer)}};
 }
 
@@ -101,14 +75,14 @@ Json to_json(const std::map<std::string, reports::PowerLaw>& laws) {
 Json to_json(const BenchSeries& series) {
   Json orders = Json::object();
   for (const auto& [quantity, order] : series.orders)
-    orders[quantity] = {{"by_differences", number(order.by_differences)},
+    orders[quantity] = {{"by_differences", order.by_differences},
                         {"error", to_json(order.error)}};
   return {{"method", series.method},
           {"axis", series.axis},
           {"title", series.title},
           {"points", series.points},
-          {"coordinates", numbers(series.coordinates)},
-          {"theoretical_orders", numbers(series.theoretical_orders)},
+          {"coordinates", series.coordinates},
+          {"theoretical_orders", series.theoretical_orders},
           {"order_source", series.order_source},
           {"orders", orders},
           {"cpu_time_against_points", to_json(series.cost)},
@@ -123,18 +97,19 @@ Json to_json(const TargetOutcome& target) {
     checks.push_back({{"quantity", check.quantity},
                       {"estimator", check.estimator},
                       {"method", check.method},
-                      {"predicted", number(check.predicted)},
-                      {"found", number(check.found)},
+                      {"predicted", check.predicted},
+                      {"found", check.found},
                       {"is_met", check.is_met}});
-  return {{"target", number(target.target)},
+  return {{"target", target.target},
           {"overrides", target.overrides},
           {"chosen", target.chosen},
           {"finer", target.finer},
           {"problem", target.problem},
+          {"is_met", target.is_met()},
           {"earlier", target.earlier},
-          {"predicted_cpu_time [s]", number(target.predicted_cpu_time)},
-          {"cpu_time [s]", number(target.cpu_time)},
-          {"search_cpu_time [s]", number(target.search_cpu_time)},
+          {"predicted_cpu_time [s]", target.predicted_cpu_time},
+          {"cpu_time [s]", target.cpu_time},
+          {"search_cpu_time [s]", target.search_cpu_time},
           {"checks", checks}};
 }
 
@@ -159,54 +134,30 @@ double error_in(const std::map<std::string, double>& errors,
   return found == errors.end() ? not_a_number : found->second;
 }
 
-Json scaling_of(const Bench& bench) {
-  Json list = Json::array();
-  for (const ScalingSeries& series : bench.scaling) {
-    Json rows = Json::array();
-    for (const ScalingRow& row : scaling_rows(bench, series))
-      rows.push_back({{"point", row.point},
-                      {"workers", row.workers},
-                      {"speed_up", number(row.speed_up)},
-                      {"efficiency", number(row.efficiency)},
-                      {"cpu_ratio", number(row.cpu_ratio)},
-                      {"has_same_bits", row.has_same_bits}});
-    list.push_back({{"method", series.method},
-                    {"workers", series.has_ranks ? "ranks" : "threads"},
-                    {"kind", series.is_weak ? "weak" : "strong"},
-                    {"rows", rows}});
-  }
-  return list;
-}
-
 } // namespace
 
-std::string bench_json(const Bench& bench) {
+Json bench_json(const Bench& bench) {
   Json facts = Json::object();
   for (const auto& [key, fact] : bench.provenance)
     facts[key] = fact;
-  Json fronts = Json::object();
-  for (const auto& [quantity, front] : bench.fronts)
-    fronts[quantity] = front;
-  const Json json = {{"format", "asperity-bench"},
-                     {"format_version", 1},
-                     {"case", bench.case_name},
-                     {"title", bench.case_title},
-                     {"case_hash", bench.case_hash},
-                     {"provenance", facts},
-                     {"remarks", bench.remarks},
-                     {"quantities", bench.quantities},
-                     {"reference",
-                      {{"words", bench.reference.words},
-                       {"answer", to_json(bench.reference.answer)},
-                       {"uncertainty", numbers(bench.reference.uncertainty)},
-                       {"order", numbers(bench.reference.order)},
-                       {"is_exact", bench.reference.is_exact}}},
-                     {"points", list_of(bench.points)},
-                     {"series", list_of(bench.series)},
-                     {"scaling", scaling_of(bench)},
-                     {"fronts", fronts},
-                     {"targets", list_of(bench.targets)}};
-  return text_of_json(json, 2) + "\n";
+  return {{"format", "asperity-bench"},
+          {"format_version", 1},
+          {"case", bench.case_name},
+          {"title", bench.case_title},
+          {"case_hash", bench.case_hash},
+          {"provenance", facts},
+          {"remarks", bench.remarks},
+          {"quantities", bench.quantities},
+          {"reference",
+           {{"words", bench.reference.words},
+            {"answer", to_json(bench.reference.answer)},
+            {"uncertainty", bench.reference.uncertainty},
+            {"order", bench.reference.order},
+            {"is_exact", bench.reference.is_exact}}},
+          {"points", list_of(bench.points)},
+          {"series", list_of(bench.series)},
+          {"fronts", bench.fronts},
+          {"targets", list_of(bench.targets)}};
 }
 
 std::string bench_csv(const Bench& bench) {

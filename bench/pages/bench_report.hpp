@@ -6,15 +6,17 @@
 #include "bench/analysis/bench.hpp"
 #include "reports/figures/gnuplot.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace asperity::bench {
 
-/// Returns all data as JSON, with numbers in SI units and null for unknown
-/// values.
-std::string bench_json(const Bench& bench);
+/// Returns all data as JSON, with numbers in SI units. NaN, which is null in
+/// the file, is an unknown value.
+nlohmann::ordered_json bench_json(const Bench& bench);
 
 /// Returns one row per setting: its cost, the split of the cost, and each
 /// error; "nan" for unknown values.
@@ -28,10 +30,6 @@ std::vector<reports::Figure> bench_figures(const Bench& bench);
 /// Returns error against unknowns and against CPU time, a series for each
 /// finite-element method, if one of them is a full 3-D block; otherwise none.
 std::vector<reports::Figure> block_figures(const Bench& bench);
-
-/// Returns the figures of a scaling study: speed-up against threads and ranks,
-/// for constant work and for work that grows with them.
-std::vector<reports::Figure> scaling_figures(const Bench& bench);
 
 /// Writes bench.json, bench.csv, report.html and figures/ into `folder`.
 /// @return  the figures that could not be drawn, one line each

@@ -1,13 +1,11 @@
 #include "bench/runs/bench.hpp"
 
 #include "bench/analysis/bench_analysis.hpp"
-#include "bench/analysis/scaling.hpp"
 #include "bench/pages/bench_report.hpp"
 #include "bench/runs/bench_runner.hpp"
 #include "bench/runs/target_error.hpp"
 #include "bench/runs/target_text.hpp"
 #include "bench/settings/bench_plan.hpp"
-#include "bench/settings/scaling_settings.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
@@ -105,7 +103,6 @@ Bench bench_of(const Subject& subject, BenchPlan plan) {
   bench.remarks = std::move(plan.remarks);
   bench.points = std::move(plan.points);
   bench.series = std::move(plan.series);
-  bench.scaling = std::move(plan.scaling);
   bench.reference.series = plan.reference_series;
   return bench;
 }
@@ -153,28 +150,6 @@ void print_fronts(const Bench& bench) {
   }
 }
 
-void print_scaling(const Bench& bench) {
-  for (const ScalingSeries& series : bench.scaling)
-    for (const ScalingRow& row : scaling_rows(bench, series))
-      fmt::print("{}, {} scaling: {}: speed-up {:.2f}, efficiency {:.2f}{}\n",
-                 series.method, series.is_weak ? "weak" : "strong",
-                 bench.points[row.point].label, row.speed_up, row.efficiency,
-                 row.has_same_bits ? "" : "; the numbers differ");
-}
-
-/// Numbers of workers in order, each once. A study of scaling compares several.
-std::vector<int> ascending(const char* option, std::vector<int> workers) {
-  std::ranges::sort(workers);
-  workers.erase(std::unique(workers.begin(), workers.end()), workers.end());
-  if (workers.size() == 1)
-    throw input::InputError(fmt::format(
-        "{0} {1} asks for a study of scaling, which needs at least two "
-        "numbers, as in {0} 1,2; without {0}, each setting is timed on one "
-        "thread",
-        option, workers.front()));
-  return workers;
-}
-
 } // namespace
 
 double read_target_error(const std::string& text) {
@@ -202,14 +177,8 @@ run::ExitCode bench_case(const BenchCommand& command) {
       methods::chosen_methods(contact_case, command.methods);
   run::require_computable(contact_case, methods,
                           run::grid_of_case(contact_case, methods));
-  const bool is_scaling = !command.threads.empty() || !command.ranks.empty();
-  const BenchPlan plan =
-      is_scaling
-          ? scaling_of(contact_case, {command.methods,
-                                      ascending("--threads", command.threads),
-                                      ascending("--ranks", command.ranks)})
-          : bench_plan_of(contact_case, {command.methods, command.is_quick,
-                                         command.realizations});
+  const BenchPlan plan = bench_plan_of(
+      contact_case, {command.methods, command.is_quick, command.realizations});
   const fs::path folder = command.out.empty()
                               ? fs::path("out") / contact_case.name / "bench"
                               : fs::path(command.out);
@@ -225,14 +194,11 @@ run::ExitCode bench_case(const BenchCommand& command) {
       {subject.file, common, folder / "runs",
        command.is_quick ? 1 : command.repeats,
        command.is_quick ? std::min(command.budget, 60.0) : command.budget});
-  fmt::print("{}: {} settings, each run {}{}\n", contact_case.name,
-             plan.points.size(), command.is_quick ? "twice" : "several times",
-             is_scaling ? "" : " on one thread");
+  fmt::print("{}: {} settings, each run {} on one thread\n", contact_case.name,
+             plan.points.size(), command.is_quick ? "twice" : "several times");
   Bench bench = bench_of(subject, plan);
   run_points(bench, plan, runner);
-  if (!is_scaling)
-    analyse(bench, contact_case);
-  print_scaling(bench);
+  analyse(bench, contact_case);
   if (target > 0.0 && !run::is_interrupted()) {
     cases::Case asked = contact_case;
     asked.methods = methods::chosen_methods(asked, command.methods);

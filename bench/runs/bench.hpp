@@ -23,10 +23,6 @@ struct BenchCommand {
   /// Applies quick.set to the case; points only, one repeat.
   bool is_quick = false;
   std::string target_error; ///< "1%"; empty: no target
-  /// Ascending numbers on which the case is run instead, for strong and weak
-  /// scaling.
-  std::vector<int> threads = {};
-  std::vector<int> ranks = {};
 };
 
 /// @throws input::InputError  the case has mistakes, is a collection, or lacks

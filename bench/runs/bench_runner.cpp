@@ -123,7 +123,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
                                  "--no-report",
                                  "--no-cache",
                                  "--threads",
-                                 std::to_string(point.threads),
+                                 "1",
                                  "--out",
                                  folder.string()};
   for (const std::vector<std::string>* overrides :
@@ -134,8 +134,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       words.push_back(one);
     }
   Once once;
-  once.end = point.ranks > 1 ? run::run_self_on_ranks(point.ranks, words, log)
-                             : run::run_self(words, log);
+  once.end = run::run_self(words, log);
   const bool has_result = once.end.exit_code == run::exit_good ||
                           once.end.exit_code == run::exit_not_converged;
   if (!has_result) {

@@ -23,7 +23,7 @@ struct BenchRunnerOptions {
   double budget = 300.0;           ///< wall time [s], see is_spent()
 };
 
-/// Runs settings one after another, each on its threads and ranks. A setting is
+/// Runs settings one after another, each on one thread. A setting is
 /// run once as a warm-up and then `repeats` times. A setting of the reference
 /// series is run only once, as are all settings after the budget is spent; this
 /// single run is then timed.

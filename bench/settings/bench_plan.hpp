@@ -19,7 +19,6 @@ struct BenchPlan {
   std::vector<std::string> common; ///< overrides of every run
   std::vector<BenchPoint> points;
   std::vector<BenchSeries> series;
-  std::vector<ScalingSeries> scaling;
   std::size_t reference_series = no_reference; ///< index into `series`
   std::vector<std::string> remarks;
 

@@ -12,7 +12,6 @@
 #include "methods/continuum_block.hpp"
 #include "methods/curve_row.hpp"
 #include "methods/elastic_method.hpp"
-#include "reports/pages/published_json.hpp"
 #include "results/observables/contact_stiffness.hpp"
 
 #include <fmt/format.h>
@@ -189,15 +188,12 @@ nlohmann::ordered_json answer_json(const ImportedAnswer& answer) {
     Json one = certificate_json(load.field);
     one["mistakes"] = load.mistakes;
     const results::CurvePoint& row = load.answer.row;
-    one["area_fraction [1]"] = reports::json_number(row.area_fraction);
-    one["area_fraction_corrected [1]"] =
-        reports::json_number(row.area_fraction_corrected);
-    one["area_fraction_fit [1]"] = reports::json_number(row.area_fraction_fit);
-    one["area_fraction_moment [1]"] =
-        reports::json_number(row.area_fraction_moment);
-    one["contact_stiffness [Pa/m]"] =
-        reports::json_number(row.contact_stiffness);
-    one["cpu_time [s]"] = reports::json_number(row.cpu_time);
+    one["area_fraction [1]"] = row.area_fraction;
+    one["area_fraction_corrected [1]"] = row.area_fraction_corrected;
+    one["area_fraction_fit [1]"] = row.area_fraction_fit;
+    one["area_fraction_moment [1]"] = row.area_fraction_moment;
+    one["contact_stiffness [Pa/m]"] = row.contact_stiffness;
+    one["cpu_time [s]"] = row.cpu_time;
     one["iterations"] = row.iterations;
     list.push_back(std::move(one));
   }

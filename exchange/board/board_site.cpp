@@ -1,22 +1,37 @@
 #include "exchange/board/board_site.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
 #include "base/json.hpp"
 #include "exchange/board/board_figures.hpp"
-#include "exchange/board/board_tables.hpp"
-#include "reports/pages/published_json.hpp"
+#include "exchange/board/board_template.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace asperity::exchange {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string problem_page_name(const std::string& problem) {
+  return "problem-" + reports::file_word(problem) + ".html";
+}
+
+/// Two codes may have one file word, so a name that differs from its own has a
+/// part of its hash.
+std::string code_page_name(const std::string& code) {
+  const std::string word = reports::file_word(code);
+  return "code-" + word +
+         (word == code ? "" : "-" + content_hash(code).substr(0, 8)) + ".html";
+}
 
 /// The certified entry of least error with this accuracy, or null.
 const BoardEntry* leading(const BoardProblem& problem,
@@ -38,245 +53,315 @@ std::string body_words(const mechanics::ElasticBlock& body) {
   return words;
 }
 
-constexpr const char* mesh_note =
-    "The problem has a mesh for finite-element codes. An answer on it is "
-    "certified twice: above against the continuum's compliance, here against "
-    "that of the same mesh, which leaves out the error of the elements. |u - "
-    "continuum| is the distance of the mean gap that the code states from the "
-    "continuum's, with the uncertainty of the latter: the error that a user "
-    "of these elements has. Same order as above.";
-
-BoardSection mesh_section(const BoardProblem& problem,
-                          const fs::path& figures) {
-  BoardSection meshed{"On the mesh", mesh_note, mesh_table(problem)};
-  if (!meshed.table.rows.empty())
-    for (const MeshCost cost : {MeshCost::time, MeshCost::memory})
-      meshed.figures.push_back(
-          reports::draw(mesh_figure(problem, cost), figures));
-  return meshed;
+/// An entry as board.json has it.
+Json entry_json(const BoardEntry& entry) {
+  return {{"problem", entry.problem},
+          {"folder", entry.folder},
+          {"code", entry.code},
+          {"version", entry.version},
+          {"method", entry.method},
+          {"accuracy", entry.accuracy},
+          {"element", entry.element},
+          {"is_certified", entry.state == BoardEntry::State::certified},
+          {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
+          {"reasons", entry.reasons},
+          {"loads", entry.loads},
+          {"missing_loads", entry.missing_loads},
+          {"gap_error [h_rms]", entry.gap_error},
+          {"pressure_error [1]", entry.pressure_error},
+          {"mesh_error [h_rms]", entry.mesh_error},
+          {"continuum_error [h_rms]", entry.continuum_error},
+          {"cpu_time [s]", entry.cpu_time},
+          {"cpu_time_low [s]", entry.cpu_time_low},
+          {"cpu_time_high [s]", entry.cpu_time_high},
+          {"timing_run", entry.timing ? Json(entry.timing->run) : Json()},
+          {"peak_memory [B]", entry.peak_memory},
+          {"iterations", entry.iterations}};
 }
 
-BoardPage problem_page(const BoardProblem& problem, const fs::path& figures) {
-  const std::string folder = "problems/" + problem.problem.name + "/";
-  BoardPage page;
-  page.title = problem.problem.title;
-  page.lead = fmt::format(
-      "{}: {} by {} nodes, {} load(s), {}; frictionless, non-adhesive, hard "
-      "contact {}.",
-      problem.problem.name, problem.problem.grid.points_x,
-      problem.problem.grid.points_y, problem.problem.loads.size(),
-      body_words(problem.problem.body),
-      problem.problem.is_periodic ? "on a periodic cell"
-                                  : "with free boundaries");
-  page.home = "index.html";
-  BoardSection ranked{
-      "Certified answers",
-      "Largest bounds over all loads. A row is a version of a code; rows are "
-      "sorted by the smaller |u-u*| of the two accuracies, answers to a part "
-      "of the loads last; a click on the head of a column sorts by it. Bounds "
-      "follow from the submitted pressure fields alone, as does the mean gap "
-      "u. Differences between bounds below some "
-      "1e-6 h_rms say more about the bounds than about the answers. CPU times, "
-      "memory and iterations are those that the authors state; times and "
-      "iterations are summed over the loads. Times compare only within one "
-      "run, in which the codes were computed in alternation, and between "
-      "answers to the same loads; a time without a run is as submitted and in "
-      "no figure.",
-      ranking(problem)};
-  ranked.figures.push_back(reports::draw(error_figure(problem), figures));
-  page.sections.push_back(std::move(ranked));
-  BoardSection meshed = mesh_section(problem, figures);
-  if (!meshed.table.rows.empty())
-    page.sections.push_back(std::move(meshed));
-  BoardSection failed{"Answers that are not certified",
-                      "A mistake was recognised, a claim does not hold, or the "
-                      "submission cannot be read.",
-                      unranked(problem, BoardEntry::State::failed)};
-  if (!failed.table.rows.empty())
-    page.sections.push_back(std::move(failed));
-  BoardSection curves{"As submitted",
-                      "Nothing bounds the error of a curve without fields.",
-                      unranked(problem, BoardEntry::State::as_submitted)};
-  if (!curves.table.rows.empty())
-    page.sections.push_back(std::move(curves));
-  page.sections.push_back(
-      {"Reference",
-       "On this grid: rigorous bounds. Continuum: estimates from finer grids, "
-       "or an exact solution (error 0).",
-       reference_table(problem),
-       {reports::draw(surface_figure(problem.problem), figures)}});
-  BoardTable files;
-  files.heads = {head("File", "", false)};
-  for (const char* file :
+/// The interval of a CPU time and the run that it belongs to, or "as submitted"
+/// if nothing says how it was measured.
+std::string time_note(const BoardEntry& entry) {
+  if (!entry.timing)
+    return std::isnan(entry.cpu_time) ? "" : "as submitted";
+  return (std::isnan(entry.cpu_time_low + entry.cpu_time_high)
+              ? std::string()
+              : fmt::format("{:.3g} to {:.3g}; ", entry.cpu_time_low,
+                            entry.cpu_time_high)) +
+         fmt::format("run {}, {} pairs, {} thread{}", entry.timing->run,
+                     entry.timing->pairs, entry.timing->threads,
+                     entry.timing->threads == 1 ? "" : "s");
+}
+
+/// An entry of board.json with what the tables of the pages show beside it.
+Json row_of(const BoardEntry& entry) {
+  Json row = entry_json(entry);
+  row["title"] = entry.code + " " + entry.version;
+  row["code_page"] = code_page_name(entry.code);
+  row["problem_page"] = problem_page_name(entry.problem);
+  row["accuracy_word"] = entry.accuracy.empty() ? "–" : entry.accuracy;
+  row["continuum_uncertainty [h_rms]"] = entry.continuum_uncertainty;
+  row["time_note"] = time_note(entry);
+  row["credit"] = entry.credit;
+  row["machine"] = entry.machine;
+  row["state"] = entry.state == BoardEntry::State::certified ? "certified"
+                 : entry.state == BoardEntry::State::as_submitted
+                     ? "as submitted"
+                     : "failed";
+  row["reason"] = entry.state == BoardEntry::State::as_submitted
+                      ? "a curve without pressure fields, as submitted"
+                      : fmt::format("{}", fmt::join(entry.reasons, "; "));
+  if (entry.iterations == 0) // not stated
+    row["iterations"] = nullptr;
+  return row;
+}
+
+/// A table, with a field to filter it if it is long.
+Json table_of(Json rows) {
+  const bool has_filter = rows.size() > 5;
+  return {{"rows", std::move(rows)}, {"has_filter", has_filter}};
+}
+
+/// The entries in one state, in their order.
+Json rows_in(const BoardProblem& problem, BoardEntry::State state) {
+  Json rows = Json::array();
+  for (const BoardEntry& entry : problem.entries)
+    if (entry.state == state)
+      rows.push_back(row_of(entry));
+  return rows;
+}
+
+/// One row of the ranking: the answers of a code at each accuracy.
+struct RankedAnswers {
+  const BoardEntry* at_default = nullptr;
+  const BoardEntry* at_best = nullptr;
+
+  const BoardEntry& any() const {
+    return at_default != nullptr ? *at_default : *at_best;
+  }
+
+  const BoardEntry*& at(const std::string& accuracy) {
+    return accuracy == "best" ? at_best : at_default;
+  }
+};
+
+/// Certified entries in their order. Answers of one version of a code to the
+/// same number of loads share a row, if their accuracies differ.
+std::vector<RankedAnswers> ranked_answers(const BoardProblem& problem) {
+  std::vector<RankedAnswers> rows;
+  for (const BoardEntry& entry : problem.entries) {
+    if (entry.state != BoardEntry::State::certified)
+      continue;
+    const auto found = std::ranges::find_if(rows, [&](RankedAnswers& row) {
+      return row.any().code == entry.code &&
+             row.any().version == entry.version &&
+             row.any().missing_loads == entry.missing_loads &&
+             row.at(entry.accuracy) == nullptr;
+    });
+    RankedAnswers& row = found == rows.end() ? rows.emplace_back() : *found;
+    row.at(entry.accuracy) = &entry;
+  }
+  return rows;
+}
+
+std::string method_words(const RankedAnswers& row) {
+  std::string words = row.any().method;
+  if (row.at_default != nullptr && row.at_best != nullptr &&
+      row.at_best->method != words)
+    words += " (default); " + row.at_best->method + " (best)";
+  if (row.any().missing_loads > 0)
+    words += fmt::format("; {} of {} loads", row.any().loads,
+                         row.any().loads + row.any().missing_loads);
+  return words;
+}
+
+Json ranking(const BoardProblem& problem) {
+  Json rows = Json::array();
+  for (const RankedAnswers& answers : ranked_answers(problem)) {
+    Json row = row_of(answers.any());
+    row["small"] = method_words(answers);
+    row["answers"] = Json::array();
+    for (const BoardEntry* answer : {answers.at_default, answers.at_best})
+      row["answers"].push_back(
+          row_of(answer == nullptr ? BoardEntry() : *answer));
+    rows.push_back(std::move(row));
+  }
+  return table_of(std::move(rows));
+}
+
+/// Reference answers on this grid and in the continuum.
+Json reference_table(const BoardProblem& problem) {
+  const double height = problem.problem.rms_height;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < problem.answers.size(); ++i) {
+    const ProblemAnswer& answer = problem.answers[i];
+    const ContinuumAnswer limit =
+        i < problem.continuum.size() ? problem.continuum[i] : ContinuumAnswer{};
+    rows.push_back({{"pressure", answer.nominal_pressure},
+                    {"gap", answer.mean_gap / height},
+                    {"gap_error", answer.mean_gap_error / height},
+                    {"area", answer.area_fraction},
+                    {"limit_gap", limit.mean_gap / height},
+                    {"limit_gap_error", limit.mean_gap_error / height},
+                    {"limit_area", limit.area_fraction},
+                    {"limit_area_error", limit.area_fraction_error}});
+  }
+  return table_of(std::move(rows));
+}
+
+/// Entries that are not ranked, by state; none if there are none.
+Json unranked_tables(const BoardProblem& problem) {
+  Json tables = Json::array();
+  const auto add = [&](BoardEntry::State state, const char* heading,
+                       const char* note) {
+    Json table = table_of(rows_in(problem, state));
+    table["heading"] = heading;
+    table["note"] = note;
+    if (!table["rows"].empty())
+      tables.push_back(std::move(table));
+  };
+  add(BoardEntry::State::failed, "Answers that are not certified",
+      "A mistake was recognised, a claim does not hold, or the submission "
+      "cannot be read.");
+  add(BoardEntry::State::as_submitted, "As submitted",
+      "Nothing bounds the error of a curve without fields.");
+  return tables;
+}
+
+std::string html_of(Json page,
+                    const std::vector<reports::DrawnFigure>& figures) {
+  const reports::DrawnGroup group{"", figures};
+  page["page_title"] = page["title"];
+  reports::set_scripts(page, {&group, 1}, false, std::string(board_script));
+  return reports::rendered_page(board_template, std::move(page));
+}
+
+std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
+  std::vector<reports::DrawnFigure> drawn;
+  /// Draws figures and adds them to a table.
+  const auto add = [&](std::vector<reports::Figure> figures, Json& table) {
+    reports::DrawnGroup group;
+    for (const reports::Figure& figure : figures) {
+      drawn.push_back(reports::draw(figure, folder));
+      group.figures.push_back(drawn.back());
+    }
+    table["figures"] = reports::group_data({&group, 1}).front()["figures"];
+  };
+  Json page = {
+      {"title", problem.problem.title},
+      {"lead",
+       fmt::format("{}: {} by {} nodes, {} load(s), {}; frictionless, "
+                   "non-adhesive, hard contact {}.",
+                   problem.problem.name, problem.problem.grid.points_x,
+                   problem.problem.grid.points_y, problem.problem.loads.size(),
+                   body_words(problem.problem.body),
+                   problem.problem.is_periodic ? "on a periodic cell"
+                                               : "with free boundaries")},
+      {"ranked", ranking(problem)},
+      {"unranked", unranked_tables(problem)},
+      {"reference", reference_table(problem)},
+      {"problem_files", "problems/" + problem.problem.name + "/"},
+      {"files",
        {"README.md", "problem.json", "heights.npy", "heights.h5", "heights.txt",
-        "heights.gwy", "reference.json", "SHA256SUMS"})
-    files.rows.push_back({{file, "", folder + file}});
-  page.sections.push_back(
-      {"Files", "Everything that another program needs.", files});
-  return page;
+        "heights.gwy", "reference.json", "SHA256SUMS"}}};
+  add({error_figure(problem)}, page["ranked"]);
+  if (std::ranges::any_of(problem.entries, [](const BoardEntry& entry) {
+        return entry.state == BoardEntry::State::certified &&
+               !entry.element.empty();
+      })) {
+    page["meshed"] = table_of(rows_in(problem, BoardEntry::State::certified));
+    add({mesh_figure(problem, MeshCost::time),
+         mesh_figure(problem, MeshCost::memory)},
+        page["meshed"]);
+  }
+  add({surface_figure(problem.problem)}, page["reference"]);
+  return html_of(std::move(page), drawn);
 }
 
-BoardPage code_page(const std::string& code,
-                    const std::vector<BoardProblem>& board) {
-  BoardPage page;
-  page.title = code;
-  page.lead = "All answers of this code.";
-  page.home = "index.html";
-  BoardTable table;
-  table.heads = {head("Problem", "", false),      head("Version", "", false),
-                 head("Accuracy", "", false),     head("State", "", false),
-                 head("|u-u*|", "bound [h_rms]"), head("|p-p*|/|p|", "bound"),
-                 head("CPU time", "s"),           head("Credit", "", false)};
+std::string code_page(const std::string& code,
+                      const std::vector<BoardProblem>& board) {
+  Json rows = Json::array();
   for (const BoardProblem& problem : board)
     for (const BoardEntry& entry : problem.entries)
       if (entry.code == code)
-        table.rows.push_back(
-            {{entry.problem, "", problem_page_name(entry.problem)},
-             {entry.version, "", "", entry.method},
-             {accuracy_word(entry)},
-             {entry.state == BoardEntry::State::certified      ? "certified"
-              : entry.state == BoardEntry::State::as_submitted ? "as submitted"
-                                                               : "failed"},
-             error_cell(entry.gap_error),
-             error_cell(entry.pressure_error),
-             time_cell(entry),
-             {entry.credit, "", "", entry.machine}});
-  page.sections.push_back({"Answers", "", table});
-  return page;
+        rows.push_back(row_of(entry));
+  return html_of({{"title", code},
+                  {"lead", "All answers of this code."},
+                  {"code_answers", table_of(std::move(rows))}},
+                 {});
 }
 
-constexpr const char* problems_note = "Sorted by name; a click on the head of "
-                                      "a column sorts by it. Least |u-u*|: "
-                                      "of the certified answers to all loads.";
+/// Answers and certified ones of each code.
+using Counts = std::map<std::string, std::pair<int, int>>;
 
-constexpr const char* submit_note =
-    "Every problem can be answered, by any code. asperity problem writes the "
-    "files of a problem, which its page offers as well. An answer is a folder "
-    "with one pressure field per load and submission.toml; asperity import "
-    "certifies it. Put it into submissions/<problem>/<code>/<version> beside "
-    "the problems, and open a pull request: docs/submit.md leads through it.";
-
-/// Adds problems without an answer and sorts all by name.
-void add_open_problems(const std::vector<std::string>& open,
-                       BoardTable& problems) {
-  for (const std::string& name : open)
-    problems.rows.push_back({{name, "", "", "no answer yet"},
-                             number_cell(not_a_number, ""),
-                             number_cell(0.0, "{:.0f}"),
-                             number_cell(0.0, "{:.0f}"),
-                             error_cell(not_a_number),
-                             error_cell(not_a_number)});
-  std::ranges::sort(problems.rows, {}, [](const std::vector<BoardCell>& row) {
-    return row.front().text;
-  });
-}
-
-BoardPage front_page(const std::vector<BoardProblem>& board,
-                     const std::vector<std::string>& open) {
-  BoardPage page;
-  page.title = "Rough contact: certified answers";
-  page.lead =
-      "Contact problems, and the answers of many codes. A submission is a "
-      "pressure field; every error shown is a bound that follows from it, so "
-      "that nobody has to be trusted.";
-  BoardTable problems;
-  problems.heads = {head("Problem", "", false),
-                    head("Nodes"),
-                    head("Answers"),
-                    head("Certified"),
-                    head("Least |u-u*|, default", "bound [h_rms]"),
-                    head("Least |u-u*|, best", "bound [h_rms]")};
-  std::map<std::string, std::pair<int, int>> codes; // answers, certified
-  for (const BoardProblem& problem : board) {
-    int certified = 0;
-    for (const BoardEntry& entry : problem.entries) {
-      const bool holds = entry.state == BoardEntry::State::certified;
-      certified += holds ? 1 : 0;
-      ++codes[entry.code].first;
-      codes[entry.code].second += holds ? 1 : 0;
-    }
-    const auto least = [&](const char* accuracy) {
-      const BoardEntry* const entry = leading(problem, accuracy);
-      BoardCell cell =
-          error_cell(entry == nullptr ? not_a_number : entry->gap_error);
-      if (entry != nullptr)
-        cell.small = entry->code;
-      return cell;
-    };
-    problems.rows.push_back(
-        {{problem.problem.name, "", problem_page_name(problem.problem.name),
-          problem.problem.title},
-         number_cell(static_cast<double>(problem.problem.grid.size()),
-                     "{:.0f}"),
-         number_cell(static_cast<double>(problem.entries.size()), "{:.0f}"),
-         number_cell(certified, "{:.0f}"),
-         least("default"),
-         least("best")});
-  }
-  add_open_problems(open, problems);
-  page.sections.push_back({"Problems", problems_note, problems});
-  BoardTable list;
-  list.heads = {head("Code", "", false), head("Answers"), head("Certified")};
-  for (const auto& [code, counts] : codes)
-    list.rows.push_back({{code, "", code_page_name(code)},
-                         number_cell(counts.first, "{:.0f}"),
-                         number_cell(counts.second, "{:.0f}")});
-  page.sections.push_back({"Codes", "", list});
-  page.sections.push_back({"Submit an answer", submit_note, {}});
-  return page;
-}
-
-std::string json_text(const std::vector<BoardProblem>& board) {
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
+std::string front_page(const std::vector<BoardProblem>& board,
+                       const std::vector<std::string>& open,
+                       const Counts& counts) {
+  Json problems = Json::array();
+  const auto least = [](const BoardEntry* entry) {
+    return row_of(entry == nullptr ? BoardEntry() : *entry);
+  };
   for (const BoardProblem& problem : board)
-    for (const BoardEntry& entry : problem.entries)
-      list.push_back(
-          {{"problem", entry.problem},
-           {"folder", entry.folder},
-           {"code", entry.code},
-           {"version", entry.version},
-           {"method", entry.method},
-           {"accuracy", entry.accuracy},
-           {"element", entry.element},
-           {"is_certified", entry.state == BoardEntry::State::certified},
-           {"is_as_submitted", entry.state == BoardEntry::State::as_submitted},
-           {"reasons", entry.reasons},
-           {"loads", entry.loads},
-           {"missing_loads", entry.missing_loads},
-           {"gap_error [h_rms]", reports::json_number(entry.gap_error)},
-           {"pressure_error [1]", reports::json_number(entry.pressure_error)},
-           {"mesh_error [h_rms]", reports::json_number(entry.mesh_error)},
-           {"continuum_error [h_rms]",
-            reports::json_number(entry.continuum_error)},
-           {"cpu_time [s]", reports::json_number(entry.cpu_time)},
-           {"cpu_time_low [s]", reports::json_number(entry.cpu_time_low)},
-           {"cpu_time_high [s]", reports::json_number(entry.cpu_time_high)},
-           {"timing_run", entry.timing ? Json(entry.timing->run) : Json()},
-           {"peak_memory [B]", reports::json_number(entry.peak_memory)},
-           {"iterations", entry.iterations}});
-  return text_of_json(list, 2) + "\n";
+    problems.push_back(
+        {{"name", problem.problem.name},
+         {"page", problem_page_name(problem.problem.name)},
+         {"small", problem.problem.title},
+         {"nodes", problem.problem.grid.size()},
+         {"answers", problem.entries.size()},
+         {"certified", rows_in(problem, BoardEntry::State::certified).size()},
+         {"default", least(leading(problem, "default"))},
+         {"best", least(leading(problem, "best"))}});
+  for (const std::string& name : open)
+    problems.push_back({{"name", name},
+                        {"page", ""},
+                        {"small", "no answer yet"},
+                        {"nodes", nullptr},
+                        {"answers", 0},
+                        {"certified", 0},
+                        {"default", least(nullptr)},
+                        {"best", least(nullptr)}});
+  std::sort(problems.begin(), problems.end(),
+            [](const Json& one, const Json& other) {
+              return one["name"] < other["name"];
+            });
+  Json codes = Json::array();
+  for (const auto& [code, of_code] : counts)
+    codes.push_back({{"code", code},
+                     {"code_page", code_page_name(code)},
+                     {"answers", of_code.first},
+                     {"certified", of_code.second}});
+  return html_of(
+      {{"is_front", true},
+       {"title", "Rough contact: certified answers"},
+       {"lead",
+        "Contact problems, and the answers of many codes. A submission is a "
+        "pressure field; every error shown is a bound that follows from it, so "
+        "that nobody has to be trusted."},
+       {"problems", table_of(std::move(problems))},
+       {"codes", table_of(std::move(codes))}},
+      {});
 }
 
 } // namespace
 
 void write_site(const std::vector<BoardProblem>& board,
                 const std::vector<std::string>& open, const fs::path& site) {
-  const auto write = [&](const std::string& name, const std::string& text) {
-    write_file_atomically(site / name, text);
-  };
   fs::create_directories(site / "figures");
-  write("board.json", json_text(board));
-  std::set<std::string> codes;
+  Json list = Json::array();
+  Counts codes;
   for (const BoardProblem& problem : board) {
-    write(problem_page_name(problem.problem.name),
-          html_of(problem_page(problem, site / "figures")));
-    for (const BoardEntry& entry : problem.entries)
-      codes.insert(entry.code);
+    write_file_atomically(site / problem_page_name(problem.problem.name),
+                          problem_page(problem, site / "figures"));
+    for (const BoardEntry& entry : problem.entries) {
+      list.push_back(entry_json(entry));
+      ++codes[entry.code].first;
+      codes[entry.code].second += entry.state == BoardEntry::State::certified;
+    }
   }
-  for (const std::string& code : codes)
-    write(code_page_name(code), html_of(code_page(code, board)));
-  write("index.html", html_of(front_page(board, open)));
+  write_file_atomically(site / "board.json", text_of_json(list, 2) + "\n");
+  for (const auto& [code, counts] : codes)
+    write_file_atomically(site / code_page_name(code), code_page(code, board));
+  write_file_atomically(site / "index.html", front_page(board, open, codes));
 }
 
 } // namespace asperity::exchange

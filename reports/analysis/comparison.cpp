@@ -6,6 +6,7 @@
 // clang-format off
 #include <math.h>
 #include <boost/math/interpolators/pchip.hpp>
+#include <boost/math/special_functions/fpclassify.hpp>
 // clang-format on
 
 #include <algorithm>

@@ -7,6 +7,8 @@
 #include "reports/analysis/summary.hpp"
 #include "results/types/result.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <span>
 #include <string>
 #include <vector>
@@ -53,8 +55,8 @@ std::vector<Warning> warnings_of(const results::Result& result,
 std::string warning_lines(const results::Result& result,
                           const cases::Case& contact_case);
 
-/// Writes summary.json including these warnings.
-std::string summary_json(const Summary& summary,
-                         std::span<const Warning> warnings);
+/// Returns what summary_json() writes, with these warnings.
+nlohmann::ordered_json summary_data(const Summary& summary,
+                                    std::span<const Warning> warnings);
 
 } // namespace asperity::reports

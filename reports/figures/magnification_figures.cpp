@@ -1,15 +1,70 @@
-#include "reports/analysis/magnified.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/distributions.hpp"
+#include "results/types/result.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
 
 namespace asperity::reports {
 namespace {
+
+/// One load of the study.
+struct MagnifiedLoad {
+  std::size_t index = 0;
+  double pressure = 0.0;                ///< [Pa]
+  double contact_weight = 0.0;          ///< A(zeta_1)/A_0 [1]
+  const results::Table* seen = nullptr; ///< one row per zeta
+  const results::Table* gaps = nullptr; ///< quantiles of u_1
+};
+
+/// A magnification study in the form that its figures need.
+struct MagnifiedStudy {
+  double rms_height = 0.0;          ///< with all of the roughness [m]
+  std::vector<MagnifiedLoad> loads; ///< loads whose tables are present
+};
+
+// Checks that the table has all the columns and that they have equal length.
+bool has_columns(const results::Table* table,
+                 std::initializer_list<const char*> names) {
+  if (table == nullptr)
+    return false;
+  const std::size_t rows = table->values(*names.begin()).size();
+  return rows > 0 &&
+         std::all_of(names.begin(), names.end(), [&](const char* name) {
+           return table->values(name).size() == rows;
+         });
+}
+
+/// Returns the available part of the study; no loads if the study was not run.
+MagnifiedStudy study_of(const results::Result& result) {
+  MagnifiedStudy study;
+  const results::Table* loads = result.table("magnification");
+  if (loads == nullptr)
+    return study;
+  const std::vector<double> pressures = loads->values("nominal_pressure");
+  const std::vector<double> weights = loads->values("contact_weight");
+  const std::vector<double> heights = loads->values("rms_height");
+  if (heights.empty() || weights.size() < pressures.size())
+    return study;
+  study.rms_height = heights.front();
+  for (std::size_t i = 0; i < pressures.size(); ++i) {
+    const MagnifiedLoad load{
+        i, pressures[i], weights[i],
+        result.table(fmt::format("magnification-{}", i + 1)),
+        result.table(fmt::format("gap-distribution-{}", i + 1))};
+    if (has_columns(load.seen, {"magnification", "area_fraction", "rms_height",
+                                "mean_gap", "opening_gap"}) &&
+        has_columns(load.gaps, {"gap", "density"}))
+      study.loads.push_back(load);
+  }
+  return study;
+}
 
 // P_u of a map is shown beside the distribution of Eq. (27) of Yang and Persson
 // (2008) if the ratio of their loads is at most this.

@@ -1,6 +1,7 @@
 #pragma once
 
-// Formats a number with its confidence interval for a page or a figure.
+// Formats a number with its unit or its confidence interval for a page or a
+// figure.
 
 #include "reports/numbers/estimate.hpp"
 
@@ -14,5 +15,17 @@ std::string number_text(const Estimate& estimate);
 
 /// Returns the same in per cent: "+27.1 ± 0.9 %".
 std::string percent_text(const Estimate& estimate);
+
+/// Returns a number with its unit, "5.98 nm", "1.25e+06 1/m" or "3.1" for the
+/// unit "1"; m, N and Pa have a prefix that suits the number. "–" if it is not
+/// finite.
+std::string quantity_text(double value, const std::string& unit,
+                          int digits = 4);
+
+/// Returns "2.1 s", "3.5 min" or "12 h".
+std::string time_text(double seconds);
+
+/// Returns "12 MB" or "1.5 GB".
+std::string size_text(double bytes);
 
 } // namespace asperity::reports

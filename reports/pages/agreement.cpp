@@ -3,9 +3,8 @@
 #include "base/json.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/measured_curve.hpp"
+#include "reports/figures/gnuplot.hpp"
 #include "reports/numbers/fits.hpp"
-#include "reports/pages/page_data.hpp"
-#include "reports/pages/published_json.hpp"
 
 #include <fmt/format.h>
 
@@ -128,10 +127,6 @@ Agreement agreement_of(std::span<const ReportEntry> entries,
   return agreement;
 }
 
-std::string number_text(double value) {
-  return std::isfinite(value) ? fmt::format("{:.1e}", value) : "–";
-}
-
 } // namespace
 
 double Agreement::largest(double AgreementRow::*number) const {
@@ -161,18 +156,29 @@ nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
   for (const Agreement& agreement : agreements) {
     Json rows = Json::array();
     for (const AgreementRow& row : agreement.rows)
-      rows.push_back(
-          {{"realization", row.realization},
-           {"nominal_pressure [Pa]", json_number(row.nominal_pressure)},
-           {"gap_difference [h_rms]", json_number(row.gap_difference)},
-           {"area_difference [1]", json_number(row.area_difference)},
-           {"pressure_difference [1]", json_number(row.pressure_difference)},
-           {"certified_gap_error [h_rms]", json_number(row.certified_error)},
-           {"estimated_gap_error [h_rms]", json_number(row.estimated_error)}});
+      rows.push_back({{"realization", row.realization},
+                      {"nominal_pressure [Pa]", row.nominal_pressure},
+                      {"gap_difference [h_rms]", row.gap_difference},
+                      {"area_difference [1]", row.area_difference},
+                      {"pressure_difference [1]", row.pressure_difference},
+                      {"certified_gap_error [h_rms]", row.certified_error},
+                      {"estimated_gap_error [h_rms]", row.estimated_error}});
+    Json largest = Json::object();
+    for (const auto& [name, number] :
+         {std::pair("gap_difference [h_rms]", &AgreementRow::gap_difference),
+          std::pair("area_difference [1]", &AgreementRow::area_difference),
+          std::pair("pressure_difference [1]",
+                    &AgreementRow::pressure_difference),
+          std::pair("certified_gap_error [h_rms]",
+                    &AgreementRow::certified_error),
+          std::pair("estimated_gap_error [h_rms]",
+                    &AgreementRow::estimated_error)})
+      largest[name] = agreement.largest(number);
     list.push_back({{"method", agreement.method},
                     {"reference", agreement.reference},
                     {"problem", agreement.problem},
-                    {"rows", rows}});
+                    {"rows", rows},
+                    {"largest", largest}});
   }
   return list;
 }
@@ -189,29 +195,6 @@ std::string agreement_csv(std::span<const Agreement> agreements) {
                                    row.area_difference, row.pressure_difference,
                                    row.certified_error, row.estimated_error});
   return table.text();
-}
-
-kainjow::mustache::list agreement_rows(std::span<const Agreement> agreements) {
-  kainjow::mustache::list rows;
-  for (const Agreement& agreement : agreements) {
-    kainjow::mustache::data row;
-    row.set("method", agreement.method);
-    row.set("loads", agreement.problem.empty()
-                         ? std::to_string(agreement.rows.size())
-                         : agreement.problem);
-    row.set("gap",
-            number_text(agreement.largest(&AgreementRow::gap_difference)));
-    row.set("area",
-            number_text(agreement.largest(&AgreementRow::area_difference)));
-    row.set("pressure",
-            number_text(agreement.largest(&AgreementRow::pressure_difference)));
-    row.set("certified",
-            number_text(agreement.largest(&AgreementRow::certified_error)));
-    row.set("estimated",
-            number_text(agreement.largest(&AgreementRow::estimated_error)));
-    rows.push_back(row);
-  }
-  return rows;
 }
 
 } // namespace asperity::reports

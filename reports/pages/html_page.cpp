@@ -1,3 +1,4 @@
+#include "base/json.hpp"
 #include "base/shown_number.hpp"
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/html_report.hpp"
@@ -18,28 +19,25 @@
 namespace asperity::reports {
 namespace {
 
-using Value = kainjow::mustache::data;
-using List = kainjow::mustache::list;
+using Json = nlohmann::ordered_json;
 
 // Sets the cell of one fitted number. If there is none, the reason is added to
 // `reasons`.
-void set_fitted(Value& row, const char* column, const char* name,
+void set_fitted(Json& row, const char* column, const char* name,
                 const FittedValue& fitted, const MeaningfulRange& range,
                 std::vector<std::string>& reasons) {
   const FittedValue shown = determined(fitted, range);
   const bool has_value = std::isfinite(shown.value);
-  row.set(column, has_value ? fmt::format("{:.3g}", Shown{shown.value})
-                            : undetermined_word);
+  row[column] =
+      has_value ? fmt::format("{:.3g}", Shown{shown.value}) : undetermined_word;
   if (!has_value && !shown.reason.empty())
     reasons.push_back(fmt::format("{}: {}", name, shown.reason));
 }
 
-Value fit_row(const Series& series, std::size_t realization,
-              const RealizationFits& fits) {
+Json fit_row(const Series& series, std::size_t realization,
+             const RealizationFits& fits) {
   const Window& window = fits.slope.window;
-  Value row;
-  row.set("method", series.label);
-  row.set("realization", std::to_string(realization));
+  Json row = {{"method", series.label}, {"realization", realization}};
   std::vector<std::string> reasons;
   for (const std::string& reason :
        {fits.slope.reason, fits.matched.reason, fits.curve.reason,
@@ -55,7 +53,7 @@ Value fit_row(const Series& series, std::size_t realization,
              positive_range, reasons);
   if (series.is_theory())
     for (const char* name : {"gamma_matched", "gamma", "gamma_energy"})
-      row.set(name, "–"); // prescribed by the case
+      row[name] = "–"; // prescribed by the case
   else {
     set_fitted(row, "gamma_matched", "γ by the slope", fits.matched.gamma,
                gamma_range, reasons);
@@ -64,23 +62,19 @@ Value fit_row(const Series& series, std::size_t realization,
     set_fitted(row, "gamma_energy", "γ by the energy", fits.energy.gamma,
                gamma_range, reasons);
   }
-  row.set("asymptote", std::isfinite(fits.asymptotic_slope)
-                           ? fmt::format("{:.3g}", fits.asymptotic_slope)
-                           : "–");
-  const bool has_window = window.points > 0;
+  row["asymptote"] = fits.asymptotic_slope;
   const double height = fits.scales.rms_height;
-  row.set("window", has_window ? fmt::format("{:.2f} … {:.2f}",
-                                             Shown{window.gap_low / height},
-                                             Shown{window.gap_high / height})
-                               : "–");
-  row.set("rows", has_window ? std::to_string(window.points) : "–");
-  row.set("deviation", has_window
-                           ? fmt::format("{:.2g} of {:.2g}",
-                                         100.0 * window.largest_deviation,
-                                         100.0 * window.tolerance)
-                           : "–");
-  if (!reasons.empty())
-    row.set("reason", fmt::format("{}", fmt::join(reasons, "; ")));
+  if (window.points > 0)
+    row["window"] = {
+        {"words", fmt::format("{:.2f} … {:.2f}", Shown{window.gap_low / height},
+                              Shown{window.gap_high / height})},
+        {"rows", window.points},
+        {"deviation",
+         fmt::format("{:.2g} of {:.2g}", 100.0 * window.largest_deviation,
+                     100.0 * window.tolerance)}};
+  else
+    row["window"] = {{"words", "–"}, {"rows", "–"}, {"deviation", "–"}};
+  row["reason"] = fmt::format("{}", fmt::join(reasons, "; "));
   return row;
 }
 
@@ -102,7 +96,7 @@ bool is_of_observable(const std::string& part) {
 }
 
 /// Lists the observables that are NaN, with the reason and the number of steps.
-List undetermined_rows(std::span<const ReportEntry> entries) {
+Json undetermined_rows(std::span<const ReportEntry> entries) {
   std::map<std::pair<std::string, std::string>, int> steps;
   for (const ReportEntry& entry : entries)
     for (const results::MethodRecord& method : entry.result->methods)
@@ -111,21 +105,15 @@ List undetermined_rows(std::span<const ReportEntry> entries) {
           for (const std::string& part : parts_of(point.note))
             if (is_of_observable(part))
               ++steps[{method.name, part}];
-  List rows;
-  for (const auto& [key, count] : steps) {
-    Value row;
-    row.set("method", key.first);
-    row.set("what", key.second);
-    row.set("steps", std::to_string(count));
-    rows.push_back(row);
-  }
+  Json rows = Json::array();
+  for (const auto& [key, count] : steps)
+    rows.push_back(
+        {{"method", key.first}, {"what", key.second}, {"steps", count}});
   return rows;
 }
 
-} // namespace
-
-List fit_rows(std::span<const Series> series) {
-  List rows;
+Json fit_rows(std::span<const Series> series) {
+  Json rows = Json::array();
   for (const Series& one : series)
     for (std::size_t r = 0; r < one.method->fits.size(); ++r)
       rows.push_back(fit_row(one, r, one.method->fits[r]));
@@ -134,8 +122,8 @@ List fit_rows(std::span<const Series> series) {
 
 /// Lists the steps that did not converge, or those that converged but have a
 /// note, because a fallback of the method produced the solution.
-List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
-  List rows;
+Json noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
+  Json rows = Json::array();
   for (const ReportEntry& entry : entries)
     for (const results::MethodRecord& method : entry.result->methods)
       for (std::size_t r = 0; r < method.realizations.size(); ++r)
@@ -147,21 +135,16 @@ List noted_step_rows(std::span<const ReportEntry> entries, bool converged) {
               !std::all_of(parts.begin(), parts.end(), is_of_observable);
           if (has_converged != converged || (converged && !says_more))
             continue;
-          Value row;
-          row.set("method", method.name);
-          row.set("realization", std::to_string(r));
-          row.set("step", std::to_string(point.step));
-          row.set("pressure",
-                  fmt::format("{:.3g}", point.nominal_pressure /
-                                            entry.result->contact_modulus));
-          row.set("residual", fmt::format("{:.2g}", point.residual));
-          row.set("note", point.note);
-          rows.push_back(row);
+          rows.push_back({{"method", method.name},
+                          {"realization", r},
+                          {"step", point.step},
+                          {"pressure", point.nominal_pressure /
+                                           entry.result->contact_modulus},
+                          {"residual", point.residual},
+                          {"note", point.note}});
         }
   return rows;
 }
-
-namespace {
 
 std::vector<std::string> names_of(std::span<const ReportEntry> entries) {
   std::vector<std::string> names;
@@ -174,53 +157,38 @@ std::vector<std::string> names_of(std::span<const ReportEntry> entries) {
 } // namespace
 
 std::string html_page(std::span<const ReportEntry> entries,
+                      std::span<const Json> summaries,
                       std::span<const DrawnGroup> groups, bool is_for_print) {
   const std::vector<Series> series = series_of(entries);
   const bool has_many = entries.size() > 1;
-  Value page;
-  page.set("page_title",
-           has_many ? fmt::format("{} results compared: {}", entries.size(),
+  Json page = {{"page_title",
+                has_many
+                    ? fmt::format("{} results compared: {}", entries.size(),
                                   fmt::join(names_of(entries), "; "))
-                    : entries.front().summary.case_title);
-  List list;
-  for (const ReportEntry& entry : entries)
-    list.push_back(entry_data(entry, series, has_many));
-  for (std::size_t i = 0; has_many && i < list.size(); ++i)
-    list[i].set("suffix", fmt::format("-{}", i + 1));
-  page.set("entries", list);
-  set_groups(page, groups);
-  List methods;
-  for (const std::string& paragraph : methods_text(entries).paragraphs)
-    methods.push_back(text_item(paragraph));
-  page.set("has_methods_text", !methods.empty());
-  page.set("methods_text", methods);
-  set_scripts(page, groups, is_for_print);
-  page.set("fits", fit_rows(series));
-  if (has_many) {
-    const std::vector<Agreement> agreements = agreements_of(entries, series);
-    page.set("has_agreements", !agreements.empty());
-    page.set("agreements", agreement_rows(agreements));
-    if (!agreements.empty())
-      page.set("agreement_reference", agreements.front().reference);
+                    : entries.front().summary.case_title},
+               {"is_one_of_many", has_many},
+               {"entries", Json::array()},
+               {"methods_text", methods_text(entries).paragraphs},
+               {"fits", fit_rows(series)},
+               {"failed_steps", noted_step_rows(entries, false)},
+               {"undetermined", undetermined_rows(entries)},
+               {"noted_steps", noted_step_rows(entries, true)}};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    page["entries"].push_back(entry_page(entries[i], summaries[i], series));
+    if (has_many)
+      page["entries"][i]["suffix"] = fmt::format("-{}", i + 1);
   }
-  const List failed = noted_step_rows(entries, false);
-  page.set("has_failed_steps", !failed.empty());
-  page.set("failed_steps", failed);
-  const List undetermined = undetermined_rows(entries);
-  page.set("has_undetermined", !undetermined.empty());
-  page.set("undetermined", undetermined);
-  const List noted = noted_step_rows(entries, true);
-  page.set("has_noted_steps", !noted.empty());
-  page.set("noted_steps", noted);
-  page.set("contents", contents_of(page));
+  set_groups(page, groups);
+  set_scripts(page, groups, is_for_print);
+  if (has_many)
+    page["agreements"] = agreement_json(agreements_of(entries, series));
+  for (Json& agreement : page["agreements"]) { // of none: null
+    page["agreement_reference"] = agreement["reference"];
+    agreement["loads"] = agreement["rows"].size();
+  }
+  page["contents"] = contents_of(page);
   std::string text = rendered_page(report_template, std::move(page));
   return is_for_print ? unfolded(std::move(text)) : text;
-}
-
-kainjow::mustache::data text_item(const std::string& text) {
-  kainjow::mustache::data item;
-  item.set("text", text);
-  return item;
 }
 
 } // namespace asperity::reports

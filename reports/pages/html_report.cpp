@@ -1,3 +1,5 @@
+#include "base/json.hpp"
+#include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/numbers/number_text.hpp"
@@ -12,8 +14,7 @@
 namespace asperity::reports {
 namespace {
 
-using Value = kainjow::mustache::data;
-using List = kainjow::mustache::list;
+using Json = nlohmann::ordered_json;
 
 // A column of the table of methods.
 struct Column {
@@ -99,11 +100,8 @@ std::string remark_of(const Estimate& estimate) {
   return estimate.remark;
 }
 
-Value cell(const std::string& text, const std::string& small) {
-  Value value;
-  value.set("text", text);
-  value.set("small", small);
-  return value;
+Json cell(const std::string& text, const std::string& small) {
+  return {{"text", text}, {"small", small}};
 }
 
 std::string seconds_text(double seconds) {
@@ -112,9 +110,9 @@ std::string seconds_text(double seconds) {
 
 /// Returns the estimates of a method. The reasons why one is not determined are
 /// long; they are in the table of the fits as well.
-List cells_of(const MethodSummary& method, std::span<const Column> columns,
+Json cells_of(const MethodSummary& method, std::span<const Column> columns,
               bool has_reasons) {
-  List cells;
+  Json cells = Json::array();
   for (const Column& column : columns) {
     const auto found = method.quantities.find(column.quantity);
     if (found == method.quantities.end())
@@ -129,17 +127,12 @@ List cells_of(const MethodSummary& method, std::span<const Column> columns,
   return cells;
 }
 
-Value method_row(const MethodSummary& method, const char* color,
-                 const Columns& columns) {
-  Value row;
-  row.set("name", method.name);
+Json method_row(const MethodSummary& method, const char* color,
+                const Columns& columns) {
   std::string description = method.description;
   for (const std::string& omission : method.omissions)
     description += "; " + omission;
-  row.set("description", description);
-  row.set("color", color);
-  row.set("key_cells", cells_of(method, columns.key(), false));
-  List cells = cells_of(method, columns.others(), true);
+  Json cells = cells_of(method, columns.others(), true);
   const Cost& cost = method.cost;
   cells.push_back(
       cell(seconds_text(cost.step_cpu_time),
@@ -149,21 +142,17 @@ Value method_row(const MethodSummary& method, const char* color,
            cost.largest_iterations > 0
                ? fmt::format("≤ {} iterations", cost.largest_iterations)
                : ""));
-  row.set("cells", cells);
-  return row;
+  return {{"name", method.name},
+          {"description", description},
+          {"color", color},
+          {"key_cells", cells_of(method, columns.key(), false)},
+          {"cells", cells}};
 }
 
-Value head(const char* text, const char* unit) {
-  Value value;
-  value.set("head", text);
-  value.set("unit", unit);
-  return value;
-}
-
-List heads_of(std::span<const Column> columns) {
-  List heads;
+Json heads_of(std::span<const Column> columns) {
+  Json heads = Json::array();
   for (const Column& column : columns)
-    heads.push_back(head(column.head, column.unit));
+    heads.push_back({{"head", column.head}, {"unit", column.unit}});
   return heads;
 }
 
@@ -175,40 +164,35 @@ std::string typeset_published(const cases::ReferenceValue& reference) {
   return text;
 }
 
-List published_rows(const Summary& summary) {
-  List rows;
+Json published_rows(const Summary& summary) {
+  Json rows = Json::array();
   for (const PublishedValue& published : summary.published) {
-    Value row;
-    row.set("quantity", published.reference.quantity);
-    row.set("source", published.reference.source);
-    row.set("value", typeset_published(published.reference));
-    row.set("exact", published.reference.uncertainty > 0.0 ? "" : "exact");
-    List cells;
+    Json row = {{"quantity", published.reference.quantity},
+                {"source", published.reference.source},
+                {"value", typeset_published(published.reference)},
+                {"is_exact", !(published.reference.uncertainty > 0.0)},
+                {"cells", Json::array()}};
     for (const MethodSummary& method : summary.methods)
       if (!published.ours.empty()) {
         const auto found = std::find_if(
             published.ours.begin(), published.ours.end(),
             [&](const OurValue& ours) { return ours.method == method.name; });
-        cells.push_back(found == published.ours.end()
-                            ? cell("–", "not computed")
-                            : cell(number_text(found->estimate),
-                                   remark_of(found->estimate)));
+        row["cells"].push_back(found == published.ours.end()
+                                   ? cell("–", "not computed")
+                                   : cell(number_text(found->estimate),
+                                          remark_of(found->estimate)));
       }
-    row.set("cells", cells);
     if (published.ours.empty())
-      row.set("not_computed", std::to_string(summary.methods.size()));
+      row["not_computed"] = summary.methods.size();
     rows.push_back(row);
   }
   return rows;
 }
 
-List notices_of(const ReportEntry& entry) {
-  const Summary& summary = entry.summary;
-  List notices;
+std::vector<std::string> notices_of(const Summary& summary) {
+  std::vector<std::string> notices;
   const auto add = [&notices](const std::string& text) {
-    Value value;
-    value.set("text", text);
-    notices.push_back(value);
+    notices.push_back(text);
   };
   if (summary.status != "complete")
     add(fmt::format("The run is not complete (status: {}); the report shows "
@@ -233,117 +217,183 @@ List notices_of(const ReportEntry& entry) {
 
 /// Sets the notices. Of the disagreements with the theory, which can be many,
 /// the first is a notice and the others are folded.
-void set_notices(Value& page, const ReportEntry& entry) {
-  List notices;
-  List disagreements;
+void set_notices(Json& page, const ReportEntry& entry) {
+  page["notices"] = Json::array();
+  page["disagreements"] = Json::array();
   bool is_first = true;
   for (const Warning& warning :
        warnings_of(*entry.result, *entry.contact_case)) {
     const bool is_folded =
         warning.kind.starts_with("theory_") && !std::exchange(is_first, false);
-    (is_folded ? disagreements : notices)
-        .push_back(text_item(warning.headline + " " + warning.consequence));
+    page[is_folded ? "disagreements" : "notices"].push_back(
+        warning.headline + " " + warning.consequence);
   }
-  for (auto& notice : notices_of(entry))
-    notices.push_back(notice);
-  page.set("notices", notices);
-  page.set("has_disagreements", !disagreements.empty());
-  page.set("n_disagreements", std::to_string(disagreements.size()));
-  page.set("disagreements", disagreements);
+  for (const std::string& notice : notices_of(entry.summary))
+    page["notices"].push_back(notice);
+  page["n_disagreements"] = page["disagreements"].size();
 }
 
-void add_fact(List& facts, const std::string& key, const std::string& fact) {
-  Value value;
-  value.set("key", key);
-  value.set("fact", fact);
-  facts.push_back(value);
+/// The verdicts on the expectations with typographic signs.
+void set_verdicts(Json& page, const Summary& summary) {
+  for (std::size_t i = 0; i < summary.verdicts.size(); ++i) {
+    const Verdict& verdict = summary.verdicts[i];
+    Json& row = page["expectations"][i];
+    std::string band = row["band"];
+    for (const auto& [plain, sign] :
+         {std::pair("..", " … "), std::pair("<=", "≤"), std::pair(">=", "≥")})
+      if (const std::size_t at = band.find(plain); at != std::string::npos)
+        band.replace(at, 2, sign);
+    row["band"] = band;
+    row["sign"] = verdict.outcome == Outcome::ok          ? "✓"
+                  : verdict.outcome == Outcome::skipped   ? "–"
+                  : verdict.outcome == Outcome::undecided ? "?"
+                                                          : "✗";
+    if (verdict.outcome == Outcome::undecided)
+      row["remark"] =
+          fmt::format("the interval crosses a limit of the band, which the "
+                      "case counts as {}; {}",
+                      verdict.passes_if_undecided ? "passed" : "not passed",
+                      verdict.estimate.remark);
+  }
 }
 
-List facts_of(const Summary& summary) {
-  List facts;
-  add_fact(facts, "case hash", summary.case_hash);
-  add_fact(facts, "status", summary.status);
-  for (const auto& [key, fact] : summary.provenance)
-    add_fact(facts, key, fact);
-  return facts;
+/// How many steps have an error, the largest one, and where it is.
+Json errors_row(const ErrorsOfSteps& errors, int steps,
+                double contact_modulus) {
+  const bool has_any = errors.steps > 0;
+  return {
+      {"steps", has_any ? fmt::format("{} of {}", errors.steps, steps) : "–"},
+      {"largest", has_any ? errors.largest : not_a_number},
+      {"pressure", has_any ? errors.pressure / contact_modulus : not_a_number}};
 }
 
-/// The sentence with the numbers that a user asks for first, if there is one.
-void set_answer(Value& page, const ReportEntry& entry) {
-  const std::string answer =
-      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
-  page.set("has_answer", !answer.empty());
-  page.set("answer", answer);
+/// The certified bounds and the estimates of each method but the theories;
+/// empty if there is none.
+Json certified_rows(const ReportEntry& entry) {
+  Json rows = Json::array();
+  bool has_any = false;
+  for (const MethodSummary& method : entry.summary.methods) {
+    if (method.kind == "theory")
+      continue;
+    const auto& [steps, bounds, estimates] = method.certified;
+    const double modulus = entry.result->contact_modulus;
+    rows.push_back({{"name", method.name},
+                    {"bound", errors_row(bounds, steps, modulus)},
+                    {"estimate", errors_row(estimates, steps, modulus)}});
+    if (bounds.steps + estimates.steps == 0)
+      rows.back()["bound"]["steps"] = "as submitted";
+    else
+      has_any = true;
+  }
+  return has_any ? rows : Json::array();
 }
 
-void set_slips(Value& page, const ReportEntry& entry) {
-  const List slips = slip_rows(entry);
-  page.set("has_slips", !slips.empty());
-  page.set("slips", slips);
-  if (!slips.empty())
-    page.set("slip_note", slip_note(entry));
+/// What the table of partial slip means.
+std::string slip_note(const ReportEntry& entry) {
+  const cases::Case& contact_case = *entry.contact_case;
+  std::string load;
+  for (const results::MethodRecord& method : entry.result->methods)
+    if (const auto curves = partial_slips(*entry.result, contact_case, method);
+        load.empty() && !curves.empty())
+      load = fmt::format(" of {:.4g} MPa A_0",
+                         1e-6 * curves.front().front().pressure);
+  const double beta = mechanics::coupling(contact_case.material);
+  return fmt::format(
+      "A tangential load Q acts under a constant normal load P{}, with the "
+      "friction coefficient {:g}: Q = {:g} (P − P'), where the nodes "
+      "in contact at the lighter load P' stick and the others slip. The loss "
+      "is that of a cycle between Q and −Q, per nominal area. Two numbers "
+      "are those of Q along x and along y. Tangential compliance over normal "
+      "compliance, mean over the directions: {:.4g}. {}",
+      load, contact_case.friction_study->coefficient,
+      contact_case.friction_study->coefficient,
+      mechanics::tangential_ratio(contact_case.material),
+      std::abs(beta) < 1e-12
+          ? "Normal and tangential tractions of this pair do not couple."
+          : fmt::format("The coupling of normal and tangential tractions of "
+                        "this pair, Dundurs' β = {:.3g}, is neglected.",
+                        beta));
 }
 
 } // namespace
 
-Value entry_data(const ReportEntry& entry, std::span<const Series> series,
-                 bool is_one_of_many) {
+Json entry_page(const ReportEntry& entry, Json page,
+                std::span<const Series> series) {
   const Summary& summary = entry.summary;
   const bool is_exact = is_exact_shape(*entry.contact_case);
   const Columns columns{answered(columns_of(is_exact), summary)};
-  Value page;
-  page.set("name", summary.case_name);
-  page.set("title", summary.case_title);
-  page.set("is_one_of_many", is_one_of_many);
-  page.set("sentence", case_sentence(entry));
-  set_answer(page, entry);
-  const List physical = physical_rows(entry);
-  page.set("has_physical", !physical.empty());
-  page.set("physical", physical);
+  page["name"] = summary.case_name;
+  page["sentence"] = case_sentence(entry);
+  page["answer"] =
+      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
   set_notices(page, entry);
-  page.set("banner_class", banner_class(summary));
-  page.set("banner", banner_words(summary));
-  List heads = heads_of(columns.others());
-  heads.push_back(head("CPU time per step", "median"));
-  heads.push_back(head("steps", "converged"));
-  page.set("key_columns", heads_of(columns.key()));
-  page.set("columns", heads);
-  page.set("method_columns", std::to_string(columns.key().size() + 1));
-  List methods;
+  page["banner_class"] = banner_class(summary);
+  page["banner"] = banner_words(summary);
+  page["key_columns"] = heads_of(columns.key());
+  page["columns"] = heads_of(columns.others());
+  page["columns"].push_back(
+      {{"head", "CPU time per step"}, {"unit", "median"}});
+  page["columns"].push_back({{"head", "steps"}, {"unit", "converged"}});
+  page["method_columns"] = columns.key().size() + 1;
+  page["methods"] = Json::array();
   for (const MethodSummary& method : summary.methods)
     for (const Series& one : series)
       if (one.method == &method)
-        methods.push_back(method_row(method, series_color(one), columns));
-  page.set("methods", methods);
-  page.set("method_note",
-           is_exact
-               ? "Errors are the largest over the loads that have an exact "
+        page["methods"].push_back(
+            method_row(method, series_color(one), columns));
+  page["method_note"] =
+      is_exact ? "Errors are the largest over the loads that have an exact "
                  "solution. Hertz' contact must fit into the square."
                : "± is the 95 % interval over realisations, or that of "
-                 "the fit where there is a single realisation.");
-  page.set("has_verdicts", !summary.verdicts.empty());
-  page.set("verdicts", verdict_rows(summary));
-  page.set("has_published", !summary.published.empty());
-  page.set("published", published_rows(summary));
-  page.set("published_columns", std::to_string(summary.methods.size() + 2));
-  page.set("facts", facts_of(summary));
-  page.set("has_skipped", !entry.result->skipped.empty());
-  page.set("skipped", skipped_rows(*entry.result));
-  const List block_costs = block_cost_rows(*entry.result);
-  page.set("has_full_block", !block_costs.empty());
-  page.set("block_costs", block_costs);
-  const List stiffnesses = stiffness_rows(*entry.result);
-  page.set("has_stiffness", !stiffnesses.empty());
-  page.set("stiffness", stiffnesses);
-  set_slips(page, entry);
-  const List boundaries = boundary_rows(entry);
-  page.set("has_boundaries", !boundaries.empty());
-  page.set("boundaries", boundaries);
-  const List certified = certified_rows(entry);
-  page.set("has_certified", !certified.empty());
-  page.set("certified", certified);
-  page.set("case_text", entry.result->case_text);
+                 "the fit where there is a single realisation.";
+  set_verdicts(page, summary);
+  page["published"] = published_rows(summary);
+  page["published_columns"] = summary.methods.size() + 2;
+  Json facts = {{"case hash", summary.case_hash}, {"status", summary.status}};
+  facts.update(page["provenance"]);
+  page["facts"] = items_of(facts);
+  if (!page["partial_slip"].empty())
+    page["slip_note"] = slip_note(entry);
+  page["certified"] = certified_rows(entry);
+  page["case_text"] = entry.result->case_text;
   return page;
+}
+
+std::string banner_words(const Summary& summary) {
+  const int all = summary.n_judged();
+  if (all == 0)
+    return summary.verdicts.empty()
+               ? "The case states no expectations."
+               : "No expectation concerns a method that was run.";
+  const auto count = [&](auto holds) {
+    return std::count_if(summary.verdicts.begin(), summary.verdicts.end(),
+                         holds);
+  };
+  const auto met =
+      count([](const Verdict& v) { return v.outcome == Outcome::ok; });
+  const auto passed = count([](const Verdict& v) { return v.is_passed(); });
+  std::string words =
+      passed < all
+          ? fmt::format("{} of {} expectations are not met.", all - passed, all)
+      : met < all ? fmt::format("{} of {} expectations are met.", met, all)
+      : all == 1  ? std::string("The one expectation is met.")
+                  : fmt::format("All {} expectations are met.", all);
+  if (passed > met)
+    words += fmt::format(" {} {} undecided, which the case counts as passed.",
+                         passed - met, passed - met == 1 ? "is" : "are");
+  return words;
+}
+
+std::string banner_class(const Summary& summary) {
+  if (!summary.all_ok())
+    return "bad";
+  const bool is_all_met =
+      std::all_of(summary.verdicts.begin(), summary.verdicts.end(),
+                  [](const Verdict& verdict) {
+                    return verdict.outcome == Outcome::ok ||
+                           verdict.outcome == Outcome::skipped;
+                  });
+  return is_all_met && summary.n_judged() > 0 ? "good" : "none";
 }
 
 } // namespace asperity::reports

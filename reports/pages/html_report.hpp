@@ -7,6 +7,8 @@
 #include "reports/figures/series.hpp"
 #include "reports/pages/drawn_groups.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <span>
 #include <string>
 #include <vector>
@@ -15,10 +17,17 @@ namespace asperity::reports {
 
 /// Returns the page. Figures are embedded; for one that could not be drawn, its
 /// title, its caption and the reason are shown.
+/// @param summaries     what summary.json says of each result
 /// @param is_for_print  unfolds everything and leaves out the scripts
 std::string html_page(std::span<const ReportEntry> entries,
+                      std::span<const nlohmann::ordered_json> summaries,
                       std::span<const DrawnGroup> groups,
                       bool is_for_print = false);
+
+/// Returns summary.json as it is written beside the page: with the warnings and
+/// the tables that some results have (docs/reference/results.md): boundaries,
+/// stiffness, partial slip, cost of full 3-D blocks, what was not computed.
+nlohmann::ordered_json page_summary(const ReportEntry& entry);
 
 /// Describes the contact problem in one sentence: surface, material and loads.
 std::string case_sentence(const ReportEntry& entry);

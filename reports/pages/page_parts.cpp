@@ -1,3 +1,5 @@
+#include "base/json.hpp"
+#include "reports/explore/explore_data.hpp"
 #include "reports/pages/page_data.hpp"
 
 #include <fmt/format.h>
@@ -11,8 +13,7 @@
 namespace asperity::reports {
 namespace {
 
-using Value = kainjow::mustache::data;
-using List = kainjow::mustache::list;
+using Json = nlohmann::ordered_json;
 
 bool is_wide(const std::string& svg) {
   const std::size_t at = svg.find("width=\"");
@@ -38,26 +39,14 @@ std::string data_uri(const std::string& svg) {
   return uri;
 }
 
-Value figure_data(const DrawnFigure& drawn) {
-  Value figure;
-  figure.set("title", drawn.title);
-  figure.set("caption", drawn.caption);
-  figure.set("is_wide", is_wide(drawn.svg));
-  if (!drawn.svg.empty())
-    figure.set("picture", data_uri(drawn.svg));
-  else
-    figure.set("problem", drawn.problem);
-  if (!drawn.explore.empty())
-    figure.set("explore", drawn.explore);
+Json figure_data(const DrawnFigure& drawn) {
+  Json figure = {{"title", drawn.title},
+                 {"caption", drawn.caption},
+                 {"is_wide", is_wide(drawn.svg)},
+                 {"picture", drawn.svg.empty() ? "" : data_uri(drawn.svg)},
+                 {"problem", drawn.svg.empty() ? drawn.problem : ""},
+                 {"explore", drawn.explore}};
   return figure;
-}
-
-void add_content(List& contents, const std::string& anchor,
-                 const std::string& text) {
-  Value item;
-  item.set("anchor", anchor);
-  item.set("text", text);
-  contents.push_back(item);
 }
 
 using FigureOfGroup =
@@ -82,42 +71,42 @@ FigureOfGroup leading_figure(std::vector<DrawnGroup>& groups) {
 
 } // namespace
 
-void set_groups(Value& page, std::span<const DrawnGroup> groups) {
+void set_groups(Json& page, std::span<const DrawnGroup> groups) {
   std::vector<DrawnGroup> others(groups.begin(), groups.end());
-  List first;
+  page["first_figures"] = Json::array();
   if (const auto [group, figure] = leading_figure(others); group != nullptr) {
-    first.push_back(figure_data(*figure));
+    page["first_figures"].push_back(figure_data(*figure));
     group->figures.erase(figure);
   }
   std::erase_if(others,
                 [](const DrawnGroup& one) { return one.figures.empty(); });
-  page.set("first_figures", first);
-  page.set("groups", group_data(others));
+  page["groups"] = group_data(others);
 }
 
-kainjow::mustache::list contents_of(const Value& page) {
-  List contents;
-  const List& entries = page.get("entries")->list_value();
-  const Value& first = entries.front();
-  const std::string suffix = entries.size() > 1 ? "-1" : "";
-  if (first.get("has_physical")->is_true())
-    add_content(contents, "physical" + suffix, "Contact against load");
-  if (first.get("has_verdicts")->is_true())
-    add_content(contents, "expectations" + suffix, "Expectations");
-  add_content(contents, "methods" + suffix, "Comparison and cost");
-  if (first.get("has_published")->is_true())
-    add_content(contents, "published" + suffix, "Published values");
-  if (first.get("has_stiffness")->is_true())
-    add_content(contents, "stiffness" + suffix, "Stiffness");
-  for (const Value& group : page.get("groups")->list_value())
-    add_content(contents, group.get("anchor")->string_value(),
-                group.get("heading")->string_value());
-  if (page.get("has_agreements") != nullptr &&
-      page.get("has_agreements")->is_true())
-    add_content(contents, "agreement", "Agreement");
-  add_content(contents, "fits", "Fits");
-  add_content(contents, "provenance" + suffix, "Provenance");
-  add_content(contents, "citation", "Methods and literature");
+Json contents_of(const Json& page) {
+  Json contents = Json::array();
+  const auto add = [&](const std::string& anchor, const std::string& text) {
+    contents.push_back({{"anchor", anchor}, {"text", text}});
+  };
+  const Json& first = page["entries"].front();
+  const std::string suffix = page["entries"].size() > 1 ? "-1" : "";
+  const auto add_if = [&](const char* rows, const char* anchor,
+                          const char* text) {
+    if (!first[rows].empty())
+      add(anchor + suffix, text);
+  };
+  add_if("contact_against_load", "physical", "Contact against load");
+  add_if("expectations", "expectations", "Expectations");
+  add("methods" + suffix, "Comparison and cost");
+  add_if("published", "published", "Published values");
+  add_if("stiffness", "stiffness", "Stiffness");
+  for (const Json& group : page["groups"])
+    add(group["anchor"], group["heading"]);
+  if (page.contains("agreements") && !page["agreements"].empty())
+    add("agreement", "Agreement");
+  add("fits", "Fits");
+  add("provenance" + suffix, "Provenance");
+  add("citation", "Methods and literature");
   return contents;
 }
 
@@ -130,19 +119,52 @@ std::string unfolded(std::string html) {
   return html;
 }
 
-kainjow::mustache::list group_data(std::span<const DrawnGroup> groups) {
-  List list;
+Json group_data(std::span<const DrawnGroup> groups) {
+  Json list = Json::array();
   for (const DrawnGroup& group : groups) {
-    List figures;
+    Json figures = Json::array();
     for (const DrawnFigure& drawn : group.figures)
       figures.push_back(figure_data(drawn));
-    Value entry;
-    entry.set("heading", group.heading);
-    entry.set("anchor", fmt::format("figures-{}", list.size() + 1));
-    entry.set("figures", figures);
-    list.push_back(entry);
+    list.push_back({{"heading", group.heading},
+                    {"anchor", fmt::format("figures-{}", list.size() + 1)},
+                    {"figures", std::move(figures)}});
   }
   return list;
+}
+
+void set_scripts(Json& page, std::span<const DrawnGroup> groups,
+                 bool is_for_print, const std::string& own_script) {
+  Json scripts = Json::array();
+  std::string permissions;
+  const auto add = [&](const std::string& script) {
+    scripts.push_back(inline_script(script));
+    permissions += " " + script_permission(inline_script(script));
+  };
+  if (!own_script.empty())
+    add(own_script);
+  const bool has_any = std::ranges::any_of(groups, [](const DrawnGroup& group) {
+    return std::ranges::any_of(group.figures, [](const DrawnFigure& figure) {
+      return !figure.explore.empty();
+    });
+  });
+  const std::string library = chart_library();
+  if (has_any && !is_for_print) {
+    if (!library.empty())
+      add(library);
+    add(explore_script());
+  }
+  page["without_library"] = has_any && !is_for_print && library.empty();
+  page["scripts"] = std::move(scripts);
+  // The style of elements is set by the page itself and by Chart.js.
+  page["policy"] =
+      "default-src 'none'; img-src data:; style-src 'unsafe-inline'" +
+      (permissions.empty() ? "" : "; script-src" + permissions);
+}
+
+void set_figures(Json& page, std::span<const DrawnGroup> groups,
+                 bool is_for_print) {
+  page["groups"] = group_data(groups);
+  set_scripts(page, groups, is_for_print);
 }
 
 } // namespace asperity::reports

@@ -1,9 +1,12 @@
 #include "reports/pages/paper_report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
+#include "reports/analysis/judgement.hpp"
+#include "reports/analysis/verdict.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/page_data.hpp"
-#include "reports/pages/paper_table.hpp"
+#include "reports/pages/paper_json.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/pages/readme_text.hpp"
 #include "reports/report_template.hpp"
@@ -11,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -18,8 +22,7 @@ namespace asperity::reports {
 namespace {
 
 namespace fs = std::filesystem;
-using Value = kainjow::mustache::data;
-using List = kainjow::mustache::list;
+using Json = nlohmann::ordered_json;
 
 /// The parts that form one section. Sections are in the order of their first
 /// parts.
@@ -100,75 +103,103 @@ DrawnGroup drawn_figures(const Section& section, const fs::path& folder,
   return shown;
 }
 
-List links_of(const Section& section, const fs::path& folder) {
-  List links;
-  for (const PaperPart* part : section.parts) {
-    Value link;
-    link.set("name", part->name);
-    link.set("hash", part->entry.summary.case_hash.substr(0, 12));
-    link.set("target", (fs::absolute(part->folder) / "report.html")
-                           .lexically_relative(fs::absolute(folder))
-                           .generic_string());
-    links.push_back(link);
-  }
+Json links_of(const Section& section, const fs::path& folder) {
+  Json links = Json::array();
+  for (const PaperPart* part : section.parts)
+    links.push_back({{"name", part->name},
+                     {"hash", part->entry.summary.case_hash.substr(0, 12)},
+                     {"target", (fs::absolute(part->folder) / "report.html")
+                                    .lexically_relative(fs::absolute(folder))
+                                    .generic_string()}});
   return links;
 }
 
-List problems_of(const Section& section) {
-  List list;
+Json problems_of(const Section& section) {
+  Json list = Json::array();
   for (const PaperPart* part : section.parts) {
     if (part->entry.summary.status != "complete")
-      list.push_back(text_item(part->name + " is not complete (status: " +
-                               part->entry.summary.status + ")."));
+      list.push_back(part->name + " is not complete (status: " +
+                     part->entry.summary.status + ").");
     for (const MethodSummary& method : part->entry.summary.methods)
       if (method.cost.failed_steps > 0)
-        list.push_back(text_item(fmt::format(
+        list.push_back(fmt::format(
             "{}, {}: {} of {} steps did not converge.", part->name, method.name,
-            method.cost.failed_steps, method.cost.steps)));
+            method.cost.failed_steps, method.cost.steps));
   }
   return list;
 }
 
-Value section_data(const Section& section, const fs::path& folder,
-                   const DrawnGroup& group) {
+Json section_data(const Section& section, const fs::path& folder,
+                  const DrawnGroup& group) {
   const PaperPart& first = *section.parts.front();
-  Value value;
-  value.set("name", section.name);
-  value.set("title", first.entry.summary.case_title);
-  value.set("claim", paragraph_on(first.readme, "Claim"));
-  if (const std::string misses =
-          paragraph_on(first.readme, "What does not come out");
-      !misses.empty())
-    value.set("misses", misses);
-  value.set("problems", problems_of(section));
-  const List groups = group_data({&group, 1});
-  value.set("figures", *groups.front().get("figures"));
-  value.set("links", links_of(section, folder));
-  return value;
+  return {{"name", section.name},
+          {"title", first.entry.summary.case_title},
+          {"claim", paragraph_on(first.readme, "Claim")},
+          {"misses", paragraph_on(first.readme, "What does not come out")},
+          {"problems", problems_of(section)},
+          {"figures", group_data({&group, 1}).front()["figures"]},
+          {"links", links_of(section, folder)}};
 }
 
-List notices_of(std::span<const PaperPart> parts) {
-  List notices;
-  const bool is_quick =
-      std::any_of(parts.begin(), parts.end(), [](const PaperPart& part) {
+/// The rows of a published number, one for each method that computes it.
+Json rows_of(const Json& line, const PublishedValue& published) {
+  Json rows = line["ours"];
+  for (Json& row : rows) {
+    if (!row["value"].is_number() || std::isnan(row["value"].get<double>())) {
+      if (row["verdict"] == "missing")
+        row["remark"] = ""; // the verdict says it
+    } else {
+      const int realizations = row["realizations"];
+      row["remark"] =
+          realizations > 1 ? fmt::format("{} realisations", realizations) : "";
+    }
+  }
+  if (rows.empty()) {
+    Estimate none;
+    none.remark = "no method of the case computes this";
+    rows.push_back(
+        {{"method", "–"},
+         {"value", "–"},
+         {"verdict", line["verdict"]},
+         {"words", compare_with_published(published.reference, none).words}});
+  }
+  rows.front()["is_first"] = true;
+  return rows;
+}
+
+/// Adds to the published numbers of paper.json what the table of the page shows
+/// of them.
+void add_rows(std::span<const PaperPart> parts, Json& lines) {
+  std::size_t at = 0;
+  for (const PaperPart& part : parts)
+    for (const PublishedValue& published : part.entry.summary.published) {
+      Json& line = lines[at++];
+      std::string text = published_text(published.reference);
+      if (const std::size_t sign = text.find("+-"); sign != std::string::npos)
+        text.replace(sign, 2, "±");
+      line["published_text"] = text;
+      line["section"] = section_of(part.name);
+      line["rows"] = rows_of(line, published);
+      line["n_methods"] = line["rows"].size();
+    }
+}
+
+Json notices_of(std::span<const PaperPart> parts) {
+  Json notices = Json::array();
+  if (std::ranges::any_of(parts, [](const PaperPart& part) {
         return part.entry.summary.case_title.ends_with(quick_mark);
-      });
-  if (is_quick)
-    notices.push_back(text_item(
+      }))
+    notices.push_back(
         "A quick run, with fewer points, loads or realisations than the cases "
-        "specify. It only shows that everything works; quote the full run."));
+        "specify. It only shows that everything works; quote the full run.");
   return notices;
 }
 
-List facts_of(std::span<const PaperPart> parts) {
-  List facts;
+Json facts_of(std::span<const PaperPart> parts) {
+  Json facts = Json::array();
   for (const auto& [key, fact] : parts.front().entry.summary.provenance)
-    if (key != "seed" && key.find("time") == std::string::npos) {
-      Value value;
-      value.set("key", key);
-      value.set("fact", fact);
-      facts.push_back(value);
-    }
+    if (key != "seed" && key.find("time") == std::string::npos)
+      facts.push_back({{"key", key}, {"value", fact}});
   return facts;
 }
 
@@ -192,31 +223,21 @@ std::vector<std::string> write_paper_report(std::span<const PaperPart> parts,
   fs::create_directories(folder);
   std::vector<std::string> problems;
   const std::vector<std::string> paragraphs = plain_paragraphs(readme);
-  Value page;
   const std::string title =
       paragraphs.empty() ? "A collection" : paragraphs.front();
-  page.set("title", title);
-  page.set("page_title", title);
-  List lead;
-  for (std::size_t i = 1; i < std::min<std::size_t>(paragraphs.size(), 2); ++i)
-    lead.push_back(text_item(paragraphs[i]));
-  page.set("lead", lead);
-  page.set("notices", notices_of(parts));
-  const PaperTable table = paper_table(parts);
-  write_file_atomically(folder / "paper.json", paper_json(parts, table, title));
-  page.set("banner", table.banner());
-  List rows;
-  for (const PaperRow& row : table.rows)
-    rows.push_back(row_data(row));
-  page.set("rows", rows);
-  List sections;
+  Json page = paper_json(parts, title);
+  write_file_atomically(folder / "paper.json", text_of_json(page, 2) + "\n");
+  page["page_title"] = title;
+  page["lead"] = paragraphs.size() > 1 ? paragraphs[1] : "";
+  page["notices"] = notices_of(parts);
+  add_rows(parts, page["published"]);
+  page["sections"] = Json::array();
   std::vector<DrawnGroup> groups;
   for (const Section& section : sections_of(parts)) {
     groups.push_back(drawn_figures(section, folder, gnuplot, problems));
-    sections.push_back(section_data(section, folder, groups.back()));
+    page["sections"].push_back(section_data(section, folder, groups.back()));
   }
-  page.set("sections", sections);
-  page.set("facts", facts_of(parts));
+  page["facts"] = facts_of(parts);
   const auto text = [&](bool is_for_print) {
     set_scripts(page, groups, is_for_print);
     return rendered_page(paper_template, page);

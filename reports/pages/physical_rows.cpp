@@ -1,14 +1,15 @@
-// Shows the contact against the load in the units of a laboratory: rows of the
-// page, and one sentence.
+// Says what a user of the surface asks for first: the contact against the load,
+// as a table and in one sentence.
+#include "base/json.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/measured_curve.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
 #include "surfaces/inner_roughness.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -68,22 +69,8 @@ std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method) {
 }
 
 /// "2.3 MPa": three digits with the prefix that suits them.
-std::string in_unit(double value, const char* unit) {
-  constexpr std::array prefixes{std::pair(1e9, "G"),  std::pair(1e6, "M"),
-                                std::pair(1e3, "k"),  std::pair(1.0, ""),
-                                std::pair(1e-3, "m"), std::pair(1e-6, "µ"),
-                                std::pair(1e-9, "n")};
-  for (const auto& [size, prefix] : prefixes)
-    if (value >= 0.9995 * size)
-      return fmt::format("{:.3g} {}{}", value / size, prefix, unit);
-  return fmt::format("{:.3g} {}", value, unit);
-}
-
-std::string with_interval(const Estimate& number, double scale) {
-  return fmt::format("{:.4g}{}", number.value * scale,
-                     number.has_interval()
-                         ? fmt::format(" ± {:.2g}", number.half_width * scale)
-                         : "");
+std::string pressure_text(double value) {
+  return quantity_text(value, "Pa", 3);
 }
 
 /// The roughness by which the adhesion of a method is judged.
@@ -123,7 +110,7 @@ std::string adhesive_sentence(const ReportEntry& entry,
                   1e3 * law->work_of_adhesion, 1e9 * law->adhesion_range);
   if (tension != summary->quantities.end() && tension->second.has_value())
     words += fmt::format(": the largest tension of the path is {}",
-                         in_unit(tension->second.value * modulus, "Pa"));
+                         pressure_text(tension->second.value * modulus));
   const double criterion = stickiness(
       *law, modulus, judged_roughness(contact_case, method, *surface));
   if (std::isfinite(criterion) && criterion > 0.0)
@@ -135,21 +122,23 @@ std::string adhesive_sentence(const ReportEntry& entry,
 
 } // namespace
 
-kainjow::mustache::list physical_rows(const ReportEntry& entry) {
-  kainjow::mustache::list rows;
+nlohmann::ordered_json contact_against_load(const ReportEntry& entry) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   const results::MethodRecord* const method = main_method(*entry.result);
   if (method == nullptr || entry.result->surfaces.empty())
     return rows;
   const double nominal = nominal_area(*entry.result);
-  for (const PhysicalLoad& load : physical_loads(*method)) {
-    kainjow::mustache::data row;
-    row.set("pressure", in_unit(load.pressure, "Pa"));
-    row.set("load", in_unit(load.pressure * nominal, "N"));
-    row.set("share", with_interval(load.area, 100.0));
-    row.set("area", with_interval(load.area, nominal * 1e12));
-    row.set("gap", with_interval(load.gap, 1e9));
-    rows.push_back(row);
-  }
+  const auto number = [](const Estimate& estimate, double scale) {
+    return nlohmann::ordered_json{
+        {"value", estimate.value * scale},
+        {"half_width_95", estimate.half_width * scale}};
+  };
+  for (const PhysicalLoad& load : physical_loads(*method))
+    rows.push_back({{"nominal_pressure [Pa]", load.pressure},
+                    {"load [N]", load.pressure * nominal},
+                    {"area_fraction", number(load.area, 1.0)},
+                    {"area [m^2]", number(load.area, nominal)},
+                    {"mean_gap [m]", number(load.gap, 1.0)}});
   return rows;
 }
 
@@ -161,7 +150,7 @@ std::string physical_sentence(const ReportEntry& entry) {
   if (loads.empty())
     return adhesive_sentence(entry, *method);
   const auto at = [&](std::size_t i, const char* format) {
-    return fmt::format(fmt::runtime(format), in_unit(loads[i].pressure, "Pa"),
+    return fmt::format(fmt::runtime(format), pressure_text(loads[i].pressure),
                        100.0 * loads[i].area.value, 1e9 * loads[i].gap.value);
   };
   std::string words = at(0, "At {}, {:.3g} % of the nominal area is in contact "

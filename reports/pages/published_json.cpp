@@ -4,7 +4,6 @@
 #include "reports/analysis/judgement.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace asperity::reports {
@@ -27,8 +26,8 @@ Reproduction best_of(const PublishedValue& published,
 
 Json our_json(const OurValue& ours, const Judgement& judgement) {
   return {{"method", ours.method},
-          {"value", json_number(ours.estimate.value)},
-          {"half_width_95", json_number(ours.estimate.half_width)},
+          {"value", ours.estimate.value},
+          {"half_width_95", ours.estimate.half_width},
           {"realizations", ours.estimate.realizations},
           {"remark", ours.estimate.remark},
           {"verdict", reproduction_word(judgement.reproduction)},
@@ -37,19 +36,15 @@ Json our_json(const OurValue& ours, const Judgement& judgement) {
 
 } // namespace
 
-Json json_number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json published_json(const PublishedValue& published) {
   const cases::ReferenceValue& reference = published.reference;
   std::vector<Judgement> judgements;
   for (const OurValue& ours : published.ours)
     judgements.push_back(compare_with_published(reference, ours.estimate));
   Json json = {{"quantity", reference.quantity},
-               {"value", json_number(reference.value)},
+               {"value", reference.value},
                {"unit", reference.unit},
-               {"uncertainty", json_number(reference.uncertainty)},
+               {"uncertainty", reference.uncertainty},
                {"source", reference.source},
                {"why", reference.why},
                {"input", reference.input},

@@ -10,9 +10,6 @@
 
 namespace asperity::reports {
 
-/// Returns null for a number that does not exist.
-nlohmann::ordered_json json_number(double value);
-
 /// Returns quantity, value, unit, uncertainty, source, why, input, line (as
 /// `asperity check` prints it), verdict (of the method that agrees best) and
 /// ours. For each method that provides the quantity, the latter contains value,

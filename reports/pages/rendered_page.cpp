@@ -1,23 +1,161 @@
-#include "reports/pages/page_data.hpp"
+#include "reports/pages/rendered_page.hpp"
+
+#include "base/json.hpp"
+#include "base/shown_number.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/report_template.hpp"
 
-#include <string>
-#include <string_view>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <kainjow/mustache.hpp>
+#include <map>
+#include <set>
+#include <sstream>
 
 namespace asperity::reports {
+namespace {
 
-std::string rendered_page(std::string_view page_template,
-                          kainjow::mustache::data page) {
-  const auto add_part = [&](const char* name, std::string_view text) {
-    page.set(name,
-             kainjow::mustache::partial{[text] { return std::string(text); }});
-  };
-  add_part("page_head", page_head);
-  add_part("page_facts", page_facts);
-  add_part("page_end", page_end);
-  add_part("figure", figure_template);
+using Json = nlohmann::ordered_json;
+using Data = kainjow::mustache::data;
+/// The formats that the templates name, by the key in front of the bar.
+using Formats = std::map<std::string, std::set<std::string>, std::less<>>;
+
+void add_formats(std::string_view text, Formats& formats) {
+  for (std::size_t at = text.find("{{"); at != std::string_view::npos;
+       at = text.find("{{", at + 2)) {
+    const std::string_view tag =
+        text.substr(at + 2, text.find("}}", at) - at - 2);
+    const std::size_t bar = tag.find('|');
+    if (bar == std::string_view::npos)
+      continue;
+    const std::size_t start = tag.rfind('.', bar) + 1; // 0 if there is no dot
+    formats[std::string(tag.substr(start, bar - start))].emplace(
+        tag.substr(bar + 1));
+  }
+}
+
+bool is_missing(const Json& value) {
+  return value.is_null() ||
+         (value.is_number_float() && !std::isfinite(value.get<double>()));
+}
+
+/// A number in a format such as "4g e9 nm".
+std::string formatted(double value, const std::string& format) {
+  std::istringstream words(format);
+  std::string digits;
+  std::string factor;
+  std::string unit;
+  words >> digits >> factor >> unit;
+  if (!factor.starts_with('e'))
+    std::swap(factor, unit);
+  const double scale = factor.empty() ? 1.0 : std::stod("1" + factor);
+  const std::string sign = digits.starts_with('+') ? "+" : "";
+  return fmt::format(fmt::runtime(fmt::format("{{:{}.{}}}", sign,
+                                              digits.substr(sign.size()))),
+                     Shown{value * scale}) +
+         (unit.empty() ? "" : " " + unit);
+}
+
+/// A number with its interval, in a format that begins with ±.
+std::string with_interval(const Json& object, double value,
+                          const std::string& format) {
+  Estimate estimate;
+  estimate.value = value;
+  if (const auto half = object.find("half_width_95");
+      half != object.end() && half->is_number())
+    estimate.half_width = half->get<double>();
+  const std::string rest = format.substr(std::string("±").size());
+  if (rest.empty())
+    return number_text(estimate);
+  const std::string factor = rest.substr(rest.find(' '));
+  return formatted(estimate.value, rest) +
+         (estimate.has_interval()
+              ? " ± " + formatted(estimate.half_width, "2g" + factor)
+              : "");
+}
+
+/// The text of a member of an object in one of the formats of the header.
+std::string shown(const Json& object, const Json& value,
+                  const std::string& format) {
+  if (value.is_string())
+    return value.get<std::string>(); // says why there is no number
+  const double number = is_missing(value) ? not_a_number : value.get<double>();
+  if (format.starts_with("±"))
+    return with_interval(object, number, format);
+  if (format == "key")
+    return std::isnan(number) ? "1e999" : fmt::format("{:.17g}", number);
+  if (std::isnan(number))
+    return "–";
+  if (format == "unit")
+    return quantity_text(number, object.at("unit").get<std::string>());
+  if (format == "time")
+    return time_text(number);
+  if (format == "size")
+    return size_text(number);
+  if (const std::string unit = format.substr(1);
+      unit == "m" || unit == "N" || unit == "Pa")
+    return quantity_text(number, unit, format.front() - '0');
+  return formatted(number, format);
+}
+
+Data data_of(Json& value, const Formats& formats) {
+  if (value.is_array()) {
+    kainjow::mustache::list list;
+    for (Json& item : value)
+      list.push_back(data_of(item, formats));
+    return Data(std::move(list));
+  }
+  if (value.is_object()) {
+    Data object(Data::type::object);
+    for (auto& [key, member] : value.items()) {
+      if (const auto named = formats.find(key);
+          named != formats.end() && member.is_primitive())
+        for (const std::string& format : named->second)
+          object.set(key + "|" + format, shown(value, member, format));
+      if (member.is_array())
+        object.set("has_" + key, !member.empty());
+      object.set(key, data_of(member, formats));
+    }
+    return object;
+  }
+  if (value.is_boolean())
+    return Data(value.get<bool>());
+  if (is_missing(value) || value == "")
+    return Data(false);
+  if (value.is_string())
+    return Data(std::move(value.get_ref<std::string&>()));
+  return Data(text_of_json(value, -1));
+}
+
+} // namespace
+
+std::string rendered_page(std::string_view page_template, Json page) {
+  const std::pair<const char*, std::string_view> parts[] = {
+      {"page_head", page_head},
+      {"page_facts", page_facts},
+      {"page_end", page_end},
+      {"figure", figure_template}};
+  Formats formats;
+  add_formats(page_template, formats);
+  Data data = data_of(page, formats);
+  for (const auto& [name, text] : parts)
+    data.set(name, kainjow::mustache::partial{
+                       [text = text] { return std::string(text); }});
   kainjow::mustache::mustache view{std::string(page_template)};
-  return view.render(page);
+  return view.render(data);
+}
+
+Json items_of(const Json& object) {
+  Json items = Json::array();
+  for (const auto& [key, value] : object.items()) {
+    items.push_back({{"key", key}});
+    if (value.is_object())
+      items.back().update(value);
+    else
+      items.back()["value"] = value;
+  }
+  return items;
 }
 
 } // namespace asperity::reports

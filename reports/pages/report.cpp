@@ -133,19 +133,19 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
   std::vector<std::string> problems;
   const std::vector<DrawnGroup> drawn_groups = drawn_groups_of(
       figures_of(entries), folder, gnuplot, extras.journal, problems);
+  std::vector<nlohmann::ordered_json> summaries;
+  for (const ReportEntry& entry : entries)
+    summaries.push_back(page_summary(entry));
   if (entries.size() == 1)
-    write_file_atomically(
-        folder / "summary.json",
-        summary_json(entries.front().summary,
-                     warnings_of(*entries.front().result,
-                                 *entries.front().contact_case)));
+    write_file_atomically(folder / "summary.json",
+                          text_of_json(summaries.front(), 2) + "\n");
   else
     write_comparison(entries, folder);
   write_file_atomically(folder / "report.html",
-                        html_page(entries, drawn_groups));
+                        html_page(entries, summaries, drawn_groups));
   if (extras.has_pdf)
-    if (const std::string problem =
-            print_report(html_page(entries, drawn_groups, true), folder);
+    if (const std::string problem = print_report(
+            html_page(entries, summaries, drawn_groups, true), folder);
         !problem.empty())
       problems.push_back(problem);
   return problems;

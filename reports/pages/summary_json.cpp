@@ -1,4 +1,5 @@
 #include "base/json.hpp"
+#include "reports/analysis/claims.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/numbers/determined.hpp"
 #include "reports/pages/published_json.hpp"
@@ -12,19 +13,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const Estimate& estimate) {
-  return {{"value", json_number(estimate.value)},
-          {"half_width_95", json_number(estimate.half_width)},
+  return {{"value", estimate.value},
+          {"half_width_95", estimate.half_width},
           {"realizations", estimate.realizations},
           {"remark", estimate.remark}};
 }
 
 Json to_json(const Window& window) {
-  return {{"mean_gap_low [m]", json_number(window.gap_low)},
-          {"mean_gap_high [m]", json_number(window.gap_high)},
-          {"nominal_pressure_low [Pa]", json_number(window.pressure_low)},
-          {"nominal_pressure_high [Pa]", json_number(window.pressure_high)},
-          {"largest_deviation [h_rms]", json_number(window.largest_deviation)},
-          {"tolerance [h_rms]", json_number(window.tolerance)},
+  return {{"mean_gap_low [m]", window.gap_low},
+          {"mean_gap_high [m]", window.gap_high},
+          {"nominal_pressure_low [Pa]", window.pressure_low},
+          {"nominal_pressure_high [Pa]", window.pressure_high},
+          {"largest_deviation [h_rms]", window.largest_deviation},
+          {"tolerance [h_rms]", window.tolerance},
           {"points", window.points}};
 }
 
@@ -33,8 +34,8 @@ Json to_json(const FittedValue& fitted, const MeaningfulRange& range) {
   const FittedValue shown = determined(fitted, range);
   if (!std::isfinite(shown.value))
     return {{"value", nullptr}, {"reason", shown.reason}};
-  return {{"value", json_number(shown.value)},
-          {"standard_error", json_number(shown.standard_error)},
+  return {{"value", shown.value},
+          {"standard_error", shown.standard_error},
           {"degrees_of_freedom", shown.degrees_of_freedom}};
 }
 
@@ -58,9 +59,9 @@ Json fit_json(const Fit& fit, std::initializer_list<Named> numbers) {
 
 Json to_json(const RealizationFits& fits, bool is_theory) {
   Json json = {
-      {"rms_height [m]", json_number(fits.scales.rms_height)},
-      {"rms_slope [1]", json_number(fits.scales.rms_slope)},
-      {"asymptotic_slope (18)", json_number(fits.asymptotic_slope)},
+      {"rms_height [m]", fits.scales.rms_height},
+      {"rms_slope [1]", fits.scales.rms_slope},
+      {"asymptotic_slope (18)", fits.asymptotic_slope},
       {"slope", fit_json(fits.slope,
                          {{"gamma_slope", fits.slope.gamma_slope, gamma_range},
                           {"beta", fits.slope.beta, positive_range}})},
@@ -82,23 +83,22 @@ Json to_json(const Cost& cost) {
   return {{"steps", cost.steps},
           {"failed_steps", cost.failed_steps},
           {"largest_iterations", cost.largest_iterations},
-          {"cpu_time [s]", json_number(cost.cpu_time)},
-          {"setup_cpu_time [s]", json_number(cost.setup_cpu_time)},
-          {"median_step_cpu_time [s]", json_number(cost.step_cpu_time)}};
+          {"cpu_time [s]", cost.cpu_time},
+          {"setup_cpu_time [s]", cost.setup_cpu_time},
+          {"median_step_cpu_time [s]", cost.step_cpu_time}};
 }
 
 Json to_json(const Certified& certified) {
   return {{"steps", certified.steps},
           {"certified_steps", certified.bounds.steps},
-          {"largest_gap_error [h_rms]", json_number(certified.bounds.largest)},
-          {"at_nominal_pressure [Pa]", json_number(certified.bounds.pressure)}};
+          {"largest_gap_error [h_rms]", certified.bounds.largest},
+          {"at_nominal_pressure [Pa]", certified.bounds.pressure}};
 }
 
 Json to_json(const ErrorsOfSteps& estimates) {
-  return {
-      {"steps", estimates.steps},
-      {"largest_gap_error_estimate [h_rms]", json_number(estimates.largest)},
-      {"at_nominal_pressure [Pa]", json_number(estimates.pressure)}};
+  return {{"steps", estimates.steps},
+          {"largest_gap_error_estimate [h_rms]", estimates.largest},
+          {"at_nominal_pressure [Pa]", estimates.pressure}};
 }
 
 Json to_json(const MethodSummary& method) {
@@ -125,23 +125,24 @@ Json to_json(const MethodSummary& method) {
 Json to_json(const Verdict& verdict) {
   return {{"quantity", verdict.quantity},
           {"method", verdict.method},
-          {"value", json_number(verdict.estimate.value)},
-          {"half_width_95", json_number(verdict.estimate.half_width)},
-          {"low", json_number(verdict.low)},
-          {"high", json_number(verdict.high)},
+          {"value", verdict.estimate.value},
+          {"half_width_95", verdict.estimate.half_width},
+          {"low", verdict.low},
+          {"high", verdict.high},
           {"verdict", outcome_word(verdict.outcome)},
           {"remark", verdict.estimate.remark},
-          {"line", check_line(verdict)}};
+          {"line", check_line(verdict)},
+          {"band", band_text(verdict.low, verdict.high)},
+          {"meaning", meaning_of(verdict.quantity)}};
 }
 
 } // namespace
 
 std::string summary_json(const Summary& summary) {
-  return summary_json(summary, {});
+  return text_of_json(summary_data(summary, {}), 2) + "\n";
 }
 
-std::string summary_json(const Summary& summary,
-                         std::span<const Warning> warnings) {
+Json summary_data(const Summary& summary, std::span<const Warning> warnings) {
   Json json = {{"format", "asperity-summary"},
                {"format_version", 1},
                {"case", summary.case_name},
@@ -167,7 +168,7 @@ std::string summary_json(const Summary& summary,
     json["methods"].push_back(to_json(method));
   for (const auto& [key, fact] : summary.provenance)
     json["provenance"][key] = fact;
-  return text_of_json(json, 2) + "\n";
+  return json;
 }
 
 } // namespace asperity::reports

@@ -1,6 +1,7 @@
 // The figures of the predicted contact of a surface report.
 #include "base/special_numbers.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/surface/surface_figures.hpp"
 #include "reports/surface/surface_quantities.hpp"
 

@@ -102,47 +102,6 @@ Figure map_spectrum_figure(const surfaces::MapAnalysis& map) {
   return figure;
 }
 
-Figure stitched_figure(const SurfaceReport& report) {
-  Figure figure;
-  figure.name = "stitched-spectrum";
-  figure.title = "Spectrum of all measurements";
-  CsvTable table(
-      {"curve", "index", "q [1/m]", "C [m^4]", "low [m^4]", "high [m^4]"});
-  ChartPanel panel = spectrum_panel();
-  const auto add = [&](std::size_t part,
-                       const surfaces::SpectrumPart& spectrum) {
-    const bool is_line = part >= report.maps.size();
-    const std::vector<surfaces::SpectrumRing> rows =
-        is_line ? spectrum.rings
-                : joined_rings(spectrum.rings, shown_per_decade);
-    for (const surfaces::SpectrumRing& row :
-         rings_between(rows, spectrum.low, spectrum.high))
-      table.add(report.name_of(part),
-                {static_cast<double>(part + 1), row.wavevector, row.density,
-                 std::nan(""), std::nan("")});
-    panel.add(report.name_of(part), markers(method_color(part), 6, 0.6, 1.2),
-              part + 1, 3, 4);
-  };
-  for (std::size_t i = 0; i < report.maps.size(); ++i)
-    add(i, part_of(report.maps[i]));
-  for (std::size_t i = 0; i < report.lines.size(); ++i)
-    add(report.maps.size() + i, part_of(report.lines[i]));
-  for (const surfaces::SpectrumRing& row : report.stitched.rows) {
-    const surfaces::DensityInterval interval = confidence_of(row);
-    table.add("mean",
-              {0.0, row.wavevector, row.density, interval.low, interval.high});
-  }
-  panel.add("mean, spectrum.txt", line("#222222", 1.6), 0, 3, 4);
-  figure.caption =
-      "Each measurement within its reliable range, and their mean, weighted by "
-      "the number of independent modes.";
-  for (const std::string& note : stitching_notes(report))
-    figure.caption += fmt::format(" Note: {}.", note);
-  figure.panels = {std::move(panel)};
-  figure.data = table.text();
-  return figure;
-}
-
 std::vector<Figure> figures_of(const surfaces::LineAnalysis& scan) {
   Figure profile;
   profile.name = "profile";

@@ -4,16 +4,27 @@
 #include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace asperity::reports {
 namespace {
+
+/// The height above the mean that a fraction of the nodes exceed.
+double height_above(const surfaces::HeightMap& map, double fraction) {
+  std::vector<double> heights = map.heights;
+  const auto rank =
+      heights.begin() + std::lround(fraction * double(heights.size() - 1));
+  std::ranges::nth_element(heights, rank, std::greater<>());
+  return *rank - surfaces::mean_height(map);
+}
 
 Figure topography_figure(const surfaces::MapAnalysis& map) {
   const Grid& grid = map.map.grid;
@@ -21,7 +32,7 @@ Figure topography_figure(const surfaces::MapAnalysis& map) {
   const double largest = std::max(-picture.least, picture.largest);
   // A few deep pits or scan lines must not take all colours.
   const double tail =
-      std::max(map.bearing.height_at(0.005), -map.bearing.height_at(0.995));
+      std::max(height_above(map.map, 0.005), -height_above(map.map, 0.995));
   const double shown = std::min(largest, 1.3 * 1e9 * tail);
   const bool is_high = shown > 2000.0;
   const double unit = is_high ? 1e-3 : 1.0;
@@ -115,32 +126,6 @@ Figure heights_figure(const surfaces::MapAnalysis& map) {
   return figure;
 }
 
-Figure autocorrelation_figure(const surfaces::MapAnalysis& map) {
-  Figure figure;
-  figure.name = "autocorrelation";
-  figure.title = "Autocorrelation";
-  CsvTable table({"curve", "index", "r [um]", "correlation [1]"});
-  for (const surfaces::CorrelationPoint& point : map.correlation.points)
-    table.add("mean", {0.0, 1e6 * point.distance, point.correlation});
-  figure.data = table.text();
-  figure.caption = fmt::format(
-      "⟨h(x) h(x + r)⟩/⟨h²⟩, averaged over directions. It first falls to 0.2 "
-      "(dashed) at Sal = {}, {}.",
-      quantity_text(map.correlation.shortest, "m"),
-      std::isfinite(map.correlation.longest)
-          ? fmt::format("in the slowest direction at {}: Str = {:.2f}",
-                        quantity_text(map.correlation.longest, "m"),
-                        map.correlation.aspect_ratio)
-          : "and in some directions not within half of the map, so that Str is "
-            "not determined");
-  figure.panels = {{.x = {.label = "distance r [µm]", .low = 0.0},
-                    .y = {.label = "correlation"},
-                    .curves = {curve("", line("#0072B2", 1.6), 0, 3, 4),
-                               level(0.2, line("#59636e", 1.0, 3)),
-                               level(0.0, line("#59636e", 0.6))}}};
-  return figure;
-}
-
 /// Rms slope or rms curvature of differences against their distance.
 Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
   Figure figure;
@@ -184,44 +169,11 @@ Figure scale_figure(const surfaces::MapAnalysis& map, bool is_slope) {
   return figure;
 }
 
-Figure bearing_figure(const surfaces::MapAnalysis& map) {
-  const surfaces::BearingCurve& bearing = map.bearing;
-  const bool is_high = map.heights.sz > 4e-6;
-  const double unit = is_high ? 1e6 : 1e9;
-  Figure figure;
-  figure.name = "bearing-curve";
-  figure.title = "Bearing area";
-  CsvTable table({"curve", "index", "material ratio [%]",
-                  is_high ? "height [um]" : "height [nm]"});
-  for (const surfaces::BearingPoint& point : bearing.points)
-    table.add("measured",
-              {0.0, 100.0 * point.material_ratio, unit * point.height});
-  table.add("core", {1.0, 0.0, unit * bearing.upper});
-  table.add("core", {1.0, 100.0, unit * bearing.lower});
-  figure.data = table.text();
-  figure.caption = fmt::format(
-      "Height above which a fraction of the area lies. Core height Sk = {}, "
-      "reduced peak height Spk = {}, reduced valley depth Svk = {}; the core "
-      "reaches from {:.1f} % to {:.1f} %.",
-      quantity_text(bearing.core_height, "m"),
-      quantity_text(bearing.peak_height, "m"),
-      quantity_text(bearing.valley_depth, "m"), 100.0 * bearing.peak_ratio,
-      100.0 * bearing.valley_ratio);
-  figure.panels = {
-      {.x = {.label = "material ratio [%]", .low = 0.0, .high = 100.0},
-       .y = {.label = is_high ? "height [µm]" : "height [nm]"},
-       .curves = {
-           curve("measured", line("#0072B2", 1.6), 0, 3, 4),
-           curve("line of the core", line("#222222", 1.2, 2), 1, 3, 4)}}};
-  return figure;
-}
-
 } // namespace
 
 std::vector<Figure> figures_of(const surfaces::MapAnalysis& map) {
   std::vector<Figure> figures{topography_figure(map), map_spectrum_figure(map),
-                              heights_figure(map), bearing_figure(map),
-                              autocorrelation_figure(map)};
+                              heights_figure(map)};
   if (!map.scales.empty())
     for (const bool is_slope : {true, false})
       figures.push_back(scale_figure(map, is_slope));

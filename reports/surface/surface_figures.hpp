@@ -1,7 +1,7 @@
 #pragma once
 
-// Draws the figures of a surface report: map, heights, spectrum,
-// autocorrelation, dependence on scale, bearing curve and predicted contact.
+// Draws the figures of a surface report: map, heights, spectrum, dependence on
+// scale and predicted contact.
 
 #include "reports/figures/gnuplot.hpp"
 #include "reports/surface/surface_report.hpp"
@@ -10,18 +10,15 @@
 
 namespace asperity::reports {
 
-/// Figures of one map: topography, heights, map-spectrum, autocorrelation,
-/// scale-slope, scale-curvature, bearing-curve.
+/// Figures of one map: topography, heights, map-spectrum, scale-slope,
+/// scale-curvature.
 std::vector<Figure> figures_of(const surfaces::MapAnalysis& map);
 
 /// Figures of one line scan: profile, profile-spectrum.
 std::vector<Figure> figures_of(const surfaces::LineAnalysis& scan);
 
-/// The spectra of several maps or lines and their mean: stitched-spectrum.
-Figure stitched_figure(const SurfaceReport& report);
-
 /// Predicted separation and contact area: predicted-separation,
-/// predicted-area and, of a single map, predicted-cut-off.
+/// predicted-area and, of a map, predicted-cut-off.
 std::vector<Figure> contact_figures(const PredictedContact& contact);
 
 /// C(q) of a map with its confidence band, its limits and the fitted model.

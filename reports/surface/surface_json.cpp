@@ -3,16 +3,12 @@
 #include "base/json.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
-#include <cmath>
+#include <numbers>
 
 namespace asperity::reports {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json rows_json(const std::vector<surfaces::SpectrumRing>& rows) {
   Json list = Json::array();
@@ -30,7 +26,10 @@ Json rows_json(const std::vector<surfaces::SpectrumRing>& rows) {
 Json quantities_json(const std::vector<SurfaceQuantity>& quantities) {
   Json object;
   for (const SurfaceQuantity& quantity : quantities) {
-    Json entry{{"value", number(quantity.by_nodes)}, {"unit", quantity.unit}};
+    Json entry{{"value", quantity.by_nodes},
+               {"unit", quantity.unit},
+               {"symbol", quantity.symbol},
+               {"meaning", quantity.meaning}};
     if (std::isfinite(quantity.by_spectrum))
       entry["by_spectrum"] = quantity.by_spectrum;
     object[quantity.key] = entry;
@@ -41,12 +40,18 @@ Json quantities_json(const std::vector<SurfaceQuantity>& quantities) {
 Json fit_json(const surfaces::SelfAffineFit& fit) {
   Json object;
   for (const FittedQuantity& quantity : quantities_of(fit)) {
-    Json entry{{"value", number(quantity.parameter.value)},
-               {"low", number(quantity.parameter.low)},
-               {"high", number(quantity.parameter.high)},
-               {"unit", quantity.unit}};
-    if (!quantity.parameter.reason.empty())
-      entry["reason"] = quantity.parameter.reason;
+    const surfaces::FittedParameter& fitted = quantity.parameter;
+    Json entry{{"value", fitted.value},
+               {"low", fitted.low},
+               {"high", fitted.high},
+               {"unit", quantity.unit},
+               {"symbol", quantity.symbol},
+               {"meaning", quantity.meaning},
+               {"interval", interval_text(quantity)}};
+    if (!fitted.reason.empty())
+      entry["reason"] = fitted.reason;
+    if (quantity.unit == "1/m") // a wavelength is easier to imagine
+      entry["wavelength"] = 2.0 * std::numbers::pi / fitted.value;
     object[quantity.key] = entry;
   }
   object["plateau"] = fit.plateau;
@@ -70,7 +75,8 @@ Json map_json(const surfaces::MapAnalysis& map) {
                {{"low", range.low},
                 {"high", range.high},
                 {"low_reason", range.low_reason},
-                {"high_reason", range.high_reason}}}};
+                {"high_reason", range.high_reason},
+                {"words", range_text(map)}}}};
   if (range.noise)
     object["reliable"]["noise_floor"] = range.noise->density;
   if (range.tip_wavevector)
@@ -88,14 +94,16 @@ Json map_json(const surfaces::MapAnalysis& map) {
 }
 
 Json line_json(const surfaces::LineAnalysis& line) {
-  return {{"name", line.name},
-          {"origin", line.origin},
-          {"points", line.line.heights.size()},
-          {"length", line.line.length()},
-          {"parameters", quantities_json(quantities_of(line))},
-          {"reliable", {{"low", line.low}, {"high", line.high}}},
-          {"line_spectrum", rows_json(line.line_rows)},
-          {"spectrum", rows_json(line.rows)}};
+  return {
+      {"name", line.name},
+      {"origin", line.origin},
+      {"points", line.line.heights.size()},
+      {"length", line.line.length()},
+      {"parameters", quantities_json(quantities_of(line))},
+      {"reliable",
+       {{"low", line.low}, {"high", line.high}, {"words", range_text(line)}}},
+      {"line_spectrum", rows_json(line.line_rows)},
+      {"spectrum", rows_json(line.rows)}};
 }
 
 Json contact_json(const PredictedContact& contact) {
@@ -124,18 +132,11 @@ nlohmann::ordered_json surface_json(const SurfaceReport& report) {
   Json lines = Json::array();
   for (const surfaces::LineAnalysis& line : report.lines)
     lines.push_back(line_json(line));
-  Json ratios = Json::array();
-  for (const double ratio : report.stitched.ratios)
-    ratios.push_back(number(ratio));
   Json object{{"format", "asperity-surface"},
               {"schema", 1},
               {"title", report.title},
               {"maps", maps},
-              {"lines", lines},
-              {"stitched",
-               {{"rows", rows_json(report.stitched.rows)},
-                {"ratios", ratios},
-                {"notes", stitching_notes(report)}}}};
+              {"lines", lines}};
   if (report.contact)
     object["contact"] = contact_json(*report.contact);
   return object;

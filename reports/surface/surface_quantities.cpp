@@ -1,10 +1,10 @@
 #include "reports/surface/surface_quantities.hpp"
 
 #include "base/special_numbers.hpp"
+#include "reports/numbers/number_text.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,28 +12,12 @@ namespace asperity::reports {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double noticed_ratio = 1.5;
-
-struct LengthUnit {
-  double metres;
-  const char* symbol;
-};
-
-std::string length_text(double metres) {
-  static constexpr std::array<LengthUnit, 5> units{
-      {{1.0, "m"}, {1e-3, "mm"}, {1e-6, "µm"}, {1e-9, "nm"}, {1e-12, "pm"}}};
-  for (const LengthUnit& unit : units)
-    if (std::abs(metres) >= 0.9995 * unit.metres)
-      return fmt::format("{:.4g} {}", metres / unit.metres, unit.symbol);
-  return metres == 0.0 ? "0 m" : fmt::format("{:.4g} m", metres);
-}
 
 } // namespace
 
 std::vector<SurfaceQuantity> quantities_of(const surfaces::MapAnalysis& map) {
   const surfaces::HeightParameters& heights = map.heights;
   const surfaces::SpectrumEstimate& spectrum = map.spectrum;
-  const surfaces::BearingCurve& bearing = map.bearing;
   const double none = not_a_number;
   return {
       {"sq", "Sq", "root mean square height", "m", heights.sq,
@@ -52,18 +36,6 @@ std::vector<SurfaceQuantity> quantities_of(const surfaces::MapAnalysis& map) {
        map.neighbours.rms_curvature(), spectrum.rms_curvature},
       {"nayak", "α", "Nayak's parameter m₀m₄/m₂²", "1", map.nayak,
        nayak_parameter(spectrum)},
-      {"sal", "Sal", "shortest decay of the autocorrelation to 0.2", "m",
-       map.correlation.shortest, none},
-      {"str", "Str", "texture aspect ratio: shortest over longest decay", "1",
-       map.correlation.aspect_ratio, none},
-      {"sk", "Sk", "core height of the bearing curve", "m", bearing.core_height,
-       none},
-      {"spk", "Spk", "reduced peak height", "m", bearing.peak_height, none},
-      {"svk", "Svk", "reduced valley depth", "m", bearing.valley_depth, none},
-      {"smr1", "Smr1", "material ratio at the top of the core", "1",
-       bearing.peak_ratio, none},
-      {"smr2", "Smr2", "material ratio at the bottom of the core", "1",
-       bearing.valley_ratio, none},
   };
 }
 
@@ -94,14 +66,6 @@ std::vector<FittedQuantity> quantities_of(const surfaces::SelfAffineFit& fit) {
   };
 }
 
-std::string quantity_text(double value, const std::string& unit) {
-  if (!std::isfinite(value))
-    return "–";
-  if (unit == "m")
-    return length_text(value);
-  return fmt::format("{:.4g}{}", value, unit == "1" ? "" : " " + unit);
-}
-
 std::string fitted_text(const FittedQuantity& quantity) {
   const surfaces::FittedParameter& fitted = quantity.parameter;
   if (!std::isfinite(fitted.value)) {
@@ -125,6 +89,18 @@ std::string fitted_text(const FittedQuantity& quantity) {
                      std::isfinite(fitted.high) ? note : "");
 }
 
+std::string interval_text(const FittedQuantity& quantity) {
+  const surfaces::FittedParameter& fitted = quantity.parameter;
+  if (!std::isfinite(fitted.value))
+    return fitted_text(quantity);
+  if (!std::isfinite(fitted.low))
+    return fitted.reason;
+  return fmt::format(
+      "{} to {}{}", quantity_text(fitted.low, quantity.unit),
+      quantity_text(fitted.high, quantity.unit),
+      fitted.reason.empty() ? "" : fmt::format(" ({})", fitted.reason));
+}
+
 std::string wavelengths_text(double low, double high) {
   return fmt::format("{} to {}", quantity_text(two_pi / low, "m"),
                      quantity_text(two_pi / high, "m"));
@@ -132,7 +108,7 @@ std::string wavelengths_text(double low, double high) {
 
 std::string range_text(const surfaces::MapAnalysis& map) {
   const surfaces::ReliableRange& range = map.range;
-  if (rings_between(part_of(map).rings, range.low, range.high).empty())
+  if (reliable_rows(map).empty())
     return fmt::format("no wavelength is reliable: the limits by {} and by {} "
                        "leave none",
                        range.low_reason, range.high_reason);
@@ -145,22 +121,6 @@ std::string range_text(const surfaces::LineAnalysis& line) {
   return fmt::format("wavelengths {} (limits: length of the line; conversion "
                      "near the end of the spectrum)",
                      wavelengths_text(line.low, line.high));
-}
-
-std::vector<std::string> stitching_notes(const SurfaceReport& report) {
-  std::vector<std::string> notes;
-  for (const auto& [low, high] : report.stitched.gaps)
-    notes.push_back(fmt::format(
-        "no map covers the wavelengths {}; the spectrum is interpolated there",
-        wavelengths_text(low, high)));
-  for (std::size_t part = 0; part < report.stitched.ratios.size(); ++part) {
-    const double ratio = report.stitched.ratios[part];
-    if (ratio > noticed_ratio || ratio < 1.0 / noticed_ratio)
-      notes.push_back(fmt::format("the spectrum of {} is {:.3g} times the mean "
-                                  "of all where they overlap",
-                                  report.name_of(part), ratio));
-  }
-  return notes;
 }
 
 } // namespace asperity::reports

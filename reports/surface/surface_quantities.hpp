@@ -35,12 +35,11 @@ struct FittedQuantity {
 
 std::vector<FittedQuantity> quantities_of(const surfaces::SelfAffineFit& fit);
 
-/// Returns a number with a prefixed unit, "5.98 nm", "1.25e+06 1/m" or "3.1";
-/// "–" if it is not finite.
-std::string quantity_text(double value, const std::string& unit);
-
 /// Returns "0.80 [0.76, 0.84]", or the reason why it is not determined.
 std::string fitted_text(const FittedQuantity& quantity);
+
+/// Returns "0.76 to 0.84", or the reason why there is no interval.
+std::string interval_text(const FittedQuantity& quantity);
 
 /// Returns "10 µm to 312 nm": the wavelengths of a range of wavevectors.
 std::string wavelengths_text(double low, double high);
@@ -48,9 +47,5 @@ std::string wavelengths_text(double low, double high);
 /// Describes the reliable range of a map or line in one sentence.
 std::string range_text(const surfaces::MapAnalysis& map);
 std::string range_text(const surfaces::LineAnalysis& line);
-
-/// Returns sentences about what the spectra leave open: gaps between ranges,
-/// and parts that differ from the others by more than a factor of 1.5.
-std::vector<std::string> stitching_notes(const SurfaceReport& report);
 
 } // namespace asperity::reports

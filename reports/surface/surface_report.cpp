@@ -1,6 +1,7 @@
 #include "reports/surface/surface_report.hpp"
 
 #include "input/input_error.hpp"
+#include "reports/numbers/number_text.hpp"
 #include "reports/surface/surface_quantities.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "theory/persson/persson.hpp"
@@ -19,22 +20,19 @@ namespace {
 constexpr int contact_loads = 31;
 constexpr double lightest_load = 1e-4; // in E* h'
 
-const surfaces::MapAnalysis* only_map(const SurfaceReport& report) {
-  return report.parts() == 1 && report.maps.size() == 1 ? &report.maps.front()
-                                                        : nullptr;
-}
-
 theory::HeightSpectrum spectrum_for(const SurfaceReport& report) {
-  if (const surfaces::MapAnalysis* const map = only_map(report)) {
+  if (!report.maps.empty()) {
+    const surfaces::MapAnalysis& map = report.maps.front();
     std::vector<theory::SpectrumShell> shells;
     for (const surfaces::SpectrumRing& ring :
-         surfaces::rings_between(map->spectrum.rings, 0.0, map->range.high))
+         surfaces::rings_between(map.spectrum.rings, 0.0, map.range.high))
       shells.push_back({ring.wavevector, ring.mean_square_height});
     return theory::HeightSpectrum(std::move(shells));
   }
   std::vector<double> wavevectors;
   std::vector<double> densities;
-  for (const surfaces::SpectrumRing& row : report.stitched.rows) {
+  for (const surfaces::SpectrumRing& row :
+       reliable_rows(report.lines.front())) {
     wavevectors.push_back(row.wavevector);
     densities.push_back(row.density);
   }
@@ -78,7 +76,15 @@ std::string remedy_for(const surfaces::MapAnalysis& map) {
   return "leave out --tip-radius, or use a scan of a larger part";
 }
 
-[[noreturn]] void refuse_all(const SurfaceReport& report) {
+} // namespace
+
+void require_reliable(const SurfaceReport& report) {
+  const auto is_reliable = [](const auto& part) {
+    return !reliable_rows(part).empty();
+  };
+  if (std::ranges::any_of(report.maps, is_reliable) ||
+      std::ranges::any_of(report.lines, is_reliable))
+    return;
   std::string text;
   for (const surfaces::MapAnalysis& map : report.maps)
     text +=
@@ -91,21 +97,6 @@ std::string remedy_for(const surfaces::MapAnalysis& map) {
                         text.empty() ? "" : "\n", line.name,
                         line.line.heights.size());
   throw input::InputError(text);
-}
-
-} // namespace
-
-void add_stitched(SurfaceReport& report) {
-  std::vector<surfaces::SpectrumPart> parts;
-  for (const surfaces::MapAnalysis& map : report.maps)
-    parts.push_back(part_of(map));
-  for (const surfaces::LineAnalysis& line : report.lines)
-    parts.push_back(part_of(line));
-  if (std::ranges::none_of(parts, [](const surfaces::SpectrumPart& part) {
-        return !rings_between(part.rings, part.low, part.high).empty();
-      }))
-    refuse_all(report);
-  report.stitched = surfaces::stitch(parts);
 }
 
 void add_contact(SurfaceReport& report, double contact_modulus, double gamma) {
@@ -129,8 +120,9 @@ void add_contact(SurfaceReport& report, double contact_modulus, double gamma) {
   }
   contact.light_load = 0.01 * scale;
   contact.heavy_load = 0.1 * scale;
-  if (const surfaces::MapAnalysis* const map = only_map(report))
-    contact.cut_offs = areas_of_cut_offs(map->spectrum.rings, contact);
+  if (!report.maps.empty())
+    contact.cut_offs =
+        areas_of_cut_offs(report.maps.front().spectrum.rings, contact);
   report.contact = std::move(contact);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the report of `asperity surface` shows: analyses of maps and lines,
-// their common spectrum, and the contact that theory predicts.
+// What the report of `asperity surface` shows: analyses of maps and lines, and
+// the contact that theory predicts for one of them.
 
 #include "surfaces/analysis/surface_analysis.hpp"
 
@@ -38,7 +38,7 @@ struct PredictedContact {
   std::vector<PredictedLoad> loads;
   double light_load = 0.0; ///< 0.01 E* h' [Pa]
   double heavy_load = 0.0; ///< 0.1 E* h' [Pa]
-  /// Of a single map: from its longest wave to its shortest, also beyond the
+  /// Of a map: from its longest wave to its shortest, also beyond the
   /// reliable range, which ends at wavevector_high.
   std::vector<CutOffArea> cut_offs;
 };
@@ -47,8 +47,6 @@ struct SurfaceReport {
   std::string title;
   std::vector<surfaces::MapAnalysis> maps;
   std::vector<surfaces::LineAnalysis> lines;
-  /// C(q) of all maps and lines within their reliable ranges.
-  surfaces::StitchedSpectrum stitched;
   std::optional<PredictedContact> contact;
 
   std::size_t parts() const { return maps.size() + lines.size(); }
@@ -60,15 +58,15 @@ struct SurfaceReport {
   }
 };
 
-/// Adds the stitched spectrum of all maps and lines.
-/// @throws input::InputError  none has a wave in its reliable range; the
-///                            message names each and says what would help
-void add_stitched(SurfaceReport& report);
+/// @throws input::InputError  no map or line has a wave in its reliable range;
+///                            the message names each and says what would help
+void require_reliable(const SurfaceReport& report);
 
-/// Evaluates the theory at 31 loads between 1e-4 and 1 E* h'. A single map
-/// enters with all rings up to the end of its reliable range, so that its long
-/// waves count, and the area against the cut-off is computed; otherwise the
-/// stitched spectrum enters, interpolated between its rows.
+/// Evaluates the theory for the only map or line of the report at 31 loads
+/// between 1e-4 and 1 E* h'. A map enters with all rings up to the end of its
+/// reliable range, so that its long waves count, and the area against the
+/// cut-off is computed; a line with its reliable rows, interpolated between
+/// them.
 /// @param contact_modulus  E* [Pa] > 0
 /// @param gamma            0 < gamma <= 1
 /// @throws std::domain_error  an argument is outside its range

@@ -1,5 +1,6 @@
 #include "reports/surface/surface_text.hpp"
 
+#include "reports/numbers/number_text.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
 #include <fmt/format.h>
@@ -102,34 +103,19 @@ std::string surface_text(const SurfaceReport& report) {
     text += map_text(map);
   for (const surfaces::LineAnalysis& line : report.lines)
     text += line_text(line);
-  if (report.parts() > 1) {
-    const auto& rows = report.stitched.rows;
-    text += fmt::format(
-        "all together: {} rows, wavelengths {}\n", rows.size(),
-        wavelengths_text(rows.front().wavevector, rows.back().wavevector));
-    for (std::size_t part = 0; part < report.parts(); ++part)
-      if (const double ratio = report.stitched.ratios[part];
-          std::isfinite(ratio))
-        text += fmt::format(
-            "  {}: {:.3g} times the mean where it overlaps others\n",
-            report.name_of(part), ratio);
-    for (const std::string& note : stitching_notes(report))
-      text += fmt::format("  note: {}\n", note);
-  }
   if (report.contact)
     text += contact_text(*report.contact);
   return text;
 }
 
-std::string spectrum_text(const SurfaceReport& report) {
-  std::vector<std::string> comments;
-  for (const surfaces::MapAnalysis& map : report.maps)
-    comments.push_back(map.name + ": " + range_text(map));
-  for (const surfaces::LineAnalysis& line : report.lines)
-    comments.push_back(line.name + ": " + range_text(line));
-  for (const std::string& note : stitching_notes(report))
-    comments.push_back("note: " + note);
-  return spectrum_table(report.stitched.rows, comments);
+std::string spectrum_text(const std::vector<surfaces::SpectrumRing>& rows,
+                          const std::string& comment) {
+  std::string text = fmt::format("# {}\n# q [1/m]  C [m^4], <h^2> = 2 pi int "
+                                 "q C dq\n",
+                                 comment);
+  for (const surfaces::SpectrumRing& row : rows)
+    text += fmt::format("{:.8e} {:.8e}\n", row.wavevector, row.density);
+  return text;
 }
 
 } // namespace asperity::reports

@@ -13,8 +13,9 @@ namespace asperity::reports {
 /// models and the predicted contact.
 std::string surface_text(const SurfaceReport& report);
 
-/// Returns the text of spectrum.txt: C(q) within the reliable ranges, with
-/// comments that say where it came from.
-std::string spectrum_text(const SurfaceReport& report);
+/// Returns the rows as the text that `kind = "spectrum"` reads, q [1/m] and
+/// C [m^4], below a comment that says where they came from.
+std::string spectrum_text(const std::vector<surfaces::SpectrumRing>& rows,
+                          const std::string& comment);
 
 } // namespace asperity::reports

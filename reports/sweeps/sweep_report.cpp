@@ -1,6 +1,7 @@
 #include "reports/sweeps/sweep_report.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json.hpp"
 #include "base/read_file.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/explore/packed.hpp"
@@ -21,19 +22,11 @@
 namespace asperity::reports {
 namespace {
 
-using Value = kainjow::mustache::data;
-using List = kainjow::mustache::list;
+using Json = nlohmann::ordered_json;
 using Results = std::vector<std::unique_ptr<SweptResult>>;
 
 /// Quantities that the table of the page shows; sweep.csv has all of them.
 constexpr std::size_t most_columns = 5;
-
-List text_cells(const std::vector<std::string>& texts) {
-  List cells;
-  for (const std::string& text : texts)
-    cells.push_back(text_item(text));
-  return cells;
-}
 
 std::vector<std::string> shown_quantities(const Results& results) {
   std::vector<std::string> names = swept_quantities(results);
@@ -67,39 +60,35 @@ std::string point_name(const SweepRecord& record, std::size_t point) {
 
 /// One row per point and method.
 /// @param out  of the page, from which a point's own report is linked
-List point_rows(const SweepRecord& record, const Results& results,
+Json point_rows(const SweepRecord& record, const Results& results,
                 const std::vector<std::string>& quantities,
                 const std::filesystem::path& out) {
-  List rows;
+  Json rows = Json::array();
   for (const auto& result : results) {
-    const auto add = [&](const std::string& method, const List& cells) {
-      Value row;
-      row.set("point", point_name(record, result->point));
-      row.set("folder", point_folder(result->point).string());
-      row.set("has_report",
-              std::filesystem::exists(out / point_folder(result->point) /
-                                      "report.html"));
-      row.set("method", method);
-      row.set("cells", cells);
-      row.set("verdicts", verdict_words(*result));
-      row.set("class", result->has_result() && !result->summary.all_ok()
-                           ? "failed"
-                           : "");
-      row.set("problem", result->problem);
-      rows.push_back(row);
+    const std::filesystem::path folder = point_folder(result->point);
+    const auto add = [&](const std::string& method, const Json& cells) {
+      rows.push_back(
+          {{"point", point_name(record, result->point)},
+           {"folder", folder.string()},
+           {"has_report",
+            std::filesystem::exists(out / folder / "report.html")},
+           {"method", method},
+           {"cells", cells},
+           {"verdicts", verdict_words(*result)},
+           {"is_failed", result->has_result() && !result->summary.all_ok()},
+           {"problem", result->problem}});
     };
     for (const MethodSummary& method : result->summary.methods) {
-      List cells;
+      Json cells = Json::array();
       for (const std::string& name : quantities) {
         const Estimate* const estimate =
             swept_estimate(*result, method.name, name);
-        cells.push_back(
-            text_item(estimate == nullptr ? "–" : number_text(*estimate)));
+        cells.push_back(estimate == nullptr ? "–" : number_text(*estimate));
       }
       add(method.name, cells);
     }
     if (result->summary.methods.empty())
-      add("–", text_cells(std::vector<std::string>(quantities.size(), "–")));
+      add("–", std::vector<std::string>(quantities.size(), "–"));
   }
   return rows;
 }
@@ -112,9 +101,9 @@ std::string sample_name(const SweepRecord& record, std::size_t point) {
 
 /// One row per method and quantity over all samples, of the quantities that
 /// the figures show first and of the roughness.
-List scatter_rows(const SweepRecord& record, const Results& results) {
+Json scatter_rows(const SweepRecord& record, const Results& results) {
   constexpr std::size_t most_rows = 8; // of a method
-  List rows;
+  Json rows = Json::array();
   std::vector<std::string> quantities = swept_quantities(results);
   quantities.resize(std::min(quantities.size(), most_rows));
   quantities.emplace_back("rms_height");
@@ -128,77 +117,57 @@ List scatter_rows(const SweepRecord& record, const Results& results) {
     std::string outliers;
     for (const std::size_t point : scatter.outliers)
       outliers += (outliers.empty() ? "" : "; ") + named(point);
-    Value row;
-    row.set("method", scatter.method);
-    row.set("quantity", scatter.quantity);
-    row.set("count", std::to_string(scatter.count));
-    row.set("mean", fmt::format("{:.4g}", scatter.mean));
-    row.set("deviation", fmt::format("{:.2g}", scatter.deviation));
-    row.set("lowest", named(scatter.lowest));
-    row.set("highest", named(scatter.highest));
-    row.set("outliers", outliers.empty() ? "–" : outliers);
-    rows.push_back(row);
+    rows.push_back({{"method", scatter.method},
+                    {"quantity", scatter.quantity},
+                    {"count", scatter.count},
+                    {"mean", scatter.mean},
+                    {"deviation", scatter.deviation},
+                    {"lowest", named(scatter.lowest)},
+                    {"highest", named(scatter.highest)},
+                    {"outliers", outliers.empty() ? "–" : outliers}});
   }
   return rows;
 }
 
 /// One row per spectrum.
-List limit_rows(const std::vector<SweepLimit>& limits) {
-  List rows;
+Json limit_rows(const std::vector<SweepLimit>& limits) {
+  Json rows = Json::array();
   for (const SweepLimit& limit : limits) {
-    Value row;
-    row.set("method", limit.method);
-    row.set("hurst", fmt::format("{:g}", limit.hurst));
-    const auto number = [](double value) {
-      return std::isnan(value) ? "all" : fmt::format("{:.4g}", value);
-    };
-    row.set("ratio", number(limit.ratio));
-    row.set("nayak", number(limit.nayak));
-    row.set("points", std::to_string(limit.points));
-    List cells;
+    Json cells = Json::array();
     for (const char* quantity : quantities_with_limits) {
       const auto found = limit.limits.find(quantity);
-      cells.push_back(text_item(
-          found == limit.limits.end() ? "–" : number_text(found->second)));
+      cells.push_back(found == limit.limits.end() ? "–"
+                                                  : number_text(found->second));
     }
-    row.set("cells", cells);
-    rows.push_back(row);
+    rows.push_back({{"method", limit.method},
+                    {"hurst", limit.hurst},
+                    {"ratio", limit.ratio},
+                    {"nayak", limit.nayak},
+                    {"points", limit.points},
+                    {"cells", cells}});
   }
   return rows;
 }
 
 /// The surfaces of the points that have a report of their own.
-List gallery(const SweepRecord& record, const std::filesystem::path& out) {
+Json gallery(const SweepRecord& record, const std::filesystem::path& out) {
   constexpr std::size_t most_pictures = 24; // some 200 KB each
   constexpr std::uintmax_t largest_picture = 4 << 20;
-  List pictures;
+  Json pictures = Json::array();
   for (std::size_t point = 0; point < record.points.size(); ++point) {
     const std::filesystem::path folder = point_folder(point);
     const std::filesystem::path file = out / folder / "figures" / "surface.svg";
     if (pictures.size() == most_pictures || !std::filesystem::exists(file))
       continue;
-    Value picture;
     try {
-      picture.set("picture", base64(read_file(file, largest_picture)));
+      pictures.push_back({{"picture", base64(read_file(file, largest_picture))},
+                          {"folder", folder.string()},
+                          {"name", sample_name(record, point)}});
     } catch (const FileError&) {
       continue; // its report shows it
     }
-    picture.set("folder", folder.string());
-    picture.set("name", sample_name(record, point));
-    pictures.push_back(picture);
   }
   return pictures;
-}
-
-void set_samples(Value& page, const SweepRecord& record, const Results& results,
-                 const std::filesystem::path& out) {
-  const List rows =
-      has_samples(record) ? scatter_rows(record, results) : List{};
-  page.set("has_scatter", !rows.empty());
-  page.set("scatter", rows);
-  const List pictures = has_samples(record) ? gallery(record, out) : List{};
-  page.set("has_gallery", !pictures.empty());
-  page.set("gallery", pictures);
 }
 
 /// The root mean square of the errors of a theory over the points, with the
@@ -223,20 +192,17 @@ std::string error_words(const Results& results, const std::string& method,
 }
 
 /// One row per theory that was compared with another method.
-List law_rows(const Results& results) {
-  List rows;
+Json law_rows(const Results& results) {
+  Json rows = Json::array();
   for (const std::string& method : swept_methods(results)) {
-    Value row;
+    Json row = {{"method", method}, {"cells", Json::array()}};
     for (const auto& result : results)
       for (const MethodSummary& one : result->summary.methods)
         if (one.name == method)
-          row.set("description", one.description);
-    List cells;
+          row["description"] = one.description;
     for (const char* quantity :
          {"law_area_error", "law_energy_error", "law_gap_error"})
-      cells.push_back(text_item(error_words(results, method, quantity)));
-    row.set("method", method);
-    row.set("cells", cells);
+      row["cells"].push_back(error_words(results, method, quantity));
     if (error_words(results, method, "law_gap_error") != "–")
       rows.push_back(row);
   }
@@ -244,35 +210,28 @@ List law_rows(const Results& results) {
 }
 
 /// Lists the expectations that a point does not meet.
-List failed_rows(const SweepRecord& record, const Results& results) {
-  List rows;
+Json failed_rows(const SweepRecord& record, const Results& results) {
+  Json rows = Json::array();
   for (const auto& result : results)
-    for (const Verdict& verdict : result->summary.verdicts) {
-      if (verdict.outcome == Outcome::skipped || verdict.is_passed())
-        continue;
-      Value row;
-      row.set("label", record.label(result->point));
-      row.set("line", check_line(verdict));
-      rows.push_back(row);
-    }
+    for (const Verdict& verdict : result->summary.verdicts)
+      if (verdict.outcome != Outcome::skipped && !verdict.is_passed())
+        rows.push_back({{"label", record.label(result->point)},
+                        {"line", check_line(verdict)}});
   return rows;
 }
 
-List key_rows(const SweepRecord& record) {
-  List rows;
+Json key_rows(const SweepRecord& record) {
+  Json rows = Json::array();
   for (const cases::SweptKey& key : record.keys) {
     std::string values;
     for (const std::string& value : key.values)
       values += (values.empty() ? "" : ", ") + value_label(value);
-    Value row;
-    row.set("key", key.key);
-    row.set("values", values);
-    rows.push_back(row);
+    rows.push_back({{"key", key.key}, {"values", values}});
   }
   return rows;
 }
 
-void set_banner(Value& page, const Results& results) {
+void set_banner(Json& page, const Results& results) {
   std::size_t incomplete = 0;
   std::size_t judged = 0;
   std::size_t bad = 0;
@@ -291,21 +250,10 @@ void set_banner(Value& page, const Results& results) {
   if (incomplete > 0)
     words += fmt::format(" {} of {} points are not complete.", incomplete,
                          results.size());
-  page.set("banner", words);
-  page.set("banner_class", bad > 0 || incomplete > 0 ? "bad"
-                           : judged == 0             ? "none"
-                                                     : "");
-}
-
-void set_limits(Value& page, const std::vector<SweepLimit>& limits,
-                const Results& results) {
-  page.set("has_limits", !limits.empty());
-  page.set("limit_heads", text_cells({quantities_with_limits.begin(),
-                                      quantities_with_limits.end()}));
-  page.set("limits", limit_rows(limits));
-  const List laws = law_rows(results);
-  page.set("has_laws", laws.size() > 1);
-  page.set("laws", laws);
+  page["banner"] = words;
+  page["banner_class"] = bad > 0 || incomplete > 0 ? "bad"
+                         : judged == 0             ? "none"
+                                                   : "";
 }
 
 std::string page_text(const SweepRecord& record, const Results& results,
@@ -313,29 +261,29 @@ std::string page_text(const SweepRecord& record, const Results& results,
                       const std::vector<DrawnGroup>& groups,
                       const std::filesystem::path& out, bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
-  Value page;
-  page.set("title", record.title);
-  page.set("page_title", "Sweep: " + record.title);
-  page.set("lead",
-           fmt::format("Case {}: {} points{}.", record.case_name,
-                       record.points.size(),
-                       record.keys.size() < 2 ? ""
-                       : record.combine == cases::Combine::zip
-                           ? ", the lists of values side by side"
-                           : ", every value of each key with every value of "
-                             "the others"));
-  set_banner(page, results);
-  page.set("keys", key_rows(record));
   std::vector<std::string> heads = quantities;
   for (std::string& head : heads) // allows line breaks
     std::ranges::replace(head, '_', ' ');
-  page.set("quantity_heads", text_cells(heads));
-  page.set("rows", point_rows(record, results, quantities, out));
-  set_samples(page, record, results, out);
-  set_limits(page, limits, results);
-  const List failed = failed_rows(record, results);
-  page.set("has_failed", !failed.empty());
-  page.set("failed", failed);
+  const bool is_sampled = has_samples(record);
+  Json page = record_json(record);
+  page["page_title"] = "Sweep: " + record.title;
+  page["lead"] = fmt::format(
+      "Case {}: {} points{}.", record.case_name, record.points.size(),
+      record.keys.size() < 2 ? ""
+      : record.combine == cases::Combine::zip
+          ? ", the lists of values side by side"
+          : ", every value of each key with every value of the others");
+  set_banner(page, results);
+  page["keys"] = key_rows(record);
+  page["quantity_heads"] = heads;
+  page["rows"] = point_rows(record, results, quantities, out);
+  page["scatter"] = is_sampled ? scatter_rows(record, results) : Json::array();
+  page["gallery"] = is_sampled ? gallery(record, out) : Json::array();
+  page["limit_heads"] = quantities_with_limits;
+  page["limits"] = limit_rows(limits);
+  const Json laws = law_rows(results);
+  page["laws"] = laws.size() > 1 ? laws : Json::array();
+  page["failed"] = failed_rows(record, results);
   set_figures(page, groups, is_for_print);
   return rendered_page(sweep_template, std::move(page));
 }

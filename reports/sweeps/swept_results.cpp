@@ -3,7 +3,6 @@
 #include "base/json.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/verdict.hpp"
-#include "reports/pages/published_json.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
@@ -120,11 +119,10 @@ Json quantities_json(const Summary& summary) {
   Json methods = Json::object();
   for (const MethodSummary& method : summary.methods)
     for (const auto& [name, estimate] : method.quantities)
-      methods[method.name][name] = {
-          {"value", json_number(estimate.value)},
-          {"half_width_95", json_number(estimate.half_width)},
-          {"realizations", estimate.realizations},
-          {"remark", estimate.remark}};
+      methods[method.name][name] = {{"value", estimate.value},
+                                    {"half_width_95", estimate.half_width},
+                                    {"realizations", estimate.realizations},
+                                    {"remark", estimate.remark}};
   return methods;
 }
 

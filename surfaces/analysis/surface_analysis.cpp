@@ -17,8 +17,6 @@ MapAnalysis analyse_map(HeightMap map, bool is_periodic,
   result.is_periodic = is_periodic;
   result.spectrum = estimate_spectrum(map, is_periodic);
   result.heights = height_parameters(map, is_periodic);
-  result.bearing = bearing_curve(map);
-  result.correlation = autocorrelation(map, is_periodic);
   result.neighbours = local_differences(map, 1, 1, is_periodic);
   result.scales = scale_dependence(map, is_periodic);
   result.nayak =
@@ -51,14 +49,18 @@ LineAnalysis analyse_line(LineScan line) {
   return result;
 }
 
-SpectrumPart part_of(const MapAnalysis& analysis) {
-  if (!(analysis.range.low < analysis.range.high)) // a ring may be at both
-    return {{}, analysis.range.low, analysis.range.high};
-  return {analysis.spectrum.rings, analysis.range.low, analysis.range.high};
+std::vector<SpectrumRing> reliable_rows(const MapAnalysis& analysis) {
+  constexpr double per_decade = 10.0;
+  const ReliableRange& range = analysis.range;
+  if (!(range.low < range.high)) // a ring may be at both
+    return {};
+  return joined_rings(
+      rings_between(analysis.spectrum.rings, range.low, range.high),
+      per_decade);
 }
 
-SpectrumPart part_of(const LineAnalysis& analysis) {
-  return {analysis.rows, analysis.low, analysis.high};
+std::vector<SpectrumRing> reliable_rows(const LineAnalysis& analysis) {
+  return rings_between(analysis.rows, analysis.low, analysis.high);
 }
 
 } // namespace asperity::surfaces

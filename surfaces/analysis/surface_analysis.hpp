@@ -3,15 +3,12 @@
 // Combines the analyses of one map or one line scan into a record that a page,
 // a table or a script can show.
 
-#include "surfaces/analysis/autocorrelation.hpp"
-#include "surfaces/analysis/bearing_curve.hpp"
 #include "surfaces/analysis/height_parameters.hpp"
 #include "surfaces/analysis/line_scan.hpp"
 #include "surfaces/analysis/local_differences.hpp"
 #include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/analysis/self_affine_fit.hpp"
 #include "surfaces/analysis/spectrum_estimate.hpp"
-#include "surfaces/analysis/stitched_spectrum.hpp"
 
 #include <optional>
 #include <string>
@@ -27,8 +24,6 @@ struct MapAnalysis {
   HeightMap map;
   bool is_periodic = false;
   HeightParameters heights;
-  BearingCurve bearing;
-  Autocorrelation correlation;
   LocalDifferences neighbours;          ///< over one spacing of each side
   std::vector<LocalDifferences> scales; ///< over longer distances, may be empty
   double nayak = 0.0;                   ///< by neighbours [1]
@@ -61,9 +56,9 @@ struct LineAnalysis {
 /// @throws std::domain_error  the line is flat
 LineAnalysis analyse_line(LineScan line);
 
-/// The reliable part of the spectrum of a map or a line; without rings if none
-/// is reliable.
-SpectrumPart part_of(const MapAnalysis& analysis);
-SpectrumPart part_of(const LineAnalysis& analysis);
+/// C(q) in the reliable range of a map, ten rows per decade, or of a line;
+/// empty if nothing is reliable.
+std::vector<SpectrumRing> reliable_rows(const MapAnalysis& analysis);
+std::vector<SpectrumRing> reliable_rows(const LineAnalysis& analysis);
 
 } // namespace asperity::surfaces

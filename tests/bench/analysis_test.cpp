@@ -1,5 +1,6 @@
 // Tests of the analysis of a benchmark against runs from a formula: an error c
 // h^p of a known limit, a cost c n^e.
+#include "base/json.hpp"
 #include "bench/analysis/bench_analysis.hpp"
 #include "bench/analysis/bench_answer.hpp"
 #include "bench/pages/bench_report.hpp"
@@ -8,7 +9,6 @@
 #include "theory/exact/hertz.hpp"
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -231,7 +231,7 @@ TEST(BenchPage, NamesEverySetting) {
 
 // An unknown number is null in the file, and numbers are read back.
 TEST_F(BenchAnalysis, IsWrittenAsJson) {
-  const auto json = nlohmann::json::parse(bench_json(bench));
+  const auto json = json_of_text(text_of_json(bench_json(bench), 2));
 
   EXPECT_EQ(json["case"], bench.case_name);
   EXPECT_TRUE(json["points"][0]["transform_pair [s]"].is_null());

@@ -49,7 +49,7 @@ void require_sound(const surfaces::MapAnalysis& map) {
   for (const double number :
        {map.heights.sa, map.heights.sq, map.heights.sz, map.heights.sdq,
         map.heights.sdr, map.neighbours.rms_curvature(), map.nayak,
-        map.spectrum.rms_height, map.bearing.core_height})
+        map.spectrum.rms_height})
     require(std::isfinite(number), "the parameters are finite");
   require(map.range.low <= map.range.high, "the reliable range is ascending");
   if (map.fit)
@@ -77,7 +77,7 @@ void read_input(const std::string& bytes) {
   report.maps.front().name = report.title = "map.txt";
   require_sound(report.maps.front());
   try {
-    add_stitched(report);
+    require_reliable(report);
     add_contact(report, 1e9, 0.5);
     require(!surface_text(report).empty(), "there is a table");
     require(!surface_json(report).empty(), "there is an answer");

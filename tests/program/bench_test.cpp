@@ -70,32 +70,6 @@ TEST_F(Bench, MeasuresEverySetting) {
   }
 }
 
-// The numbers do not depend on the threads; with two realisations, two ranks
-// compute one each.
-TEST_F(Bench, ScalesOverThreadsAndRanks) {
-  write("two.toml", small_case);
-  const Ended done =
-      run("bench two.toml --methods halfspace --set surface.points=32 "
-          "--threads 2,1 --ranks 1,2 --repeats 1 --out b");
-
-  ASSERT_EQ(done.exit_code, 0) << done.output;
-  const Json bench = json();
-  ASSERT_EQ(bench["scaling"].size(), 4U);
-  for (const Json& series : bench["scaling"]) {
-    ASSERT_EQ(series["rows"].size(), 2U) << series;
-    EXPECT_EQ(series["rows"][0]["workers"], 1);
-    EXPECT_EQ(series["rows"][1]["workers"], 2);
-    EXPECT_EQ(series["rows"][0]["speed_up"], 1.0);
-    EXPECT_GT(series["rows"][1]["speed_up"], 0.0);
-    EXPECT_TRUE(series["rows"][1]["has_same_bits"]) << series;
-  }
-  EXPECT_NE(text_of(folder / "b" / "runs" / "last-run.log").find("on 2 ranks"),
-            std::string::npos);
-  const std::string page = text_of(folder / "b" / "report.html");
-  EXPECT_NE(page.find("Weak scaling over ranks"), std::string::npos);
-  EXPECT_EQ(page.find("Reference solution"), std::string::npos);
-}
-
 /// One run for several tests.
 class QuickBench : public Bench {
 protected:

@@ -280,14 +280,6 @@ TEST_F(Messages, CheckFindsAMissingResultBeforeItRunsACase) {
   EXPECT_EQ(report.find("<testsuite "), report.rfind("<testsuite "));
 }
 
-TEST_F(Messages, OneNumberOfThreadsIsNoStudyOfScaling) {
-  write("small.toml", small_case);
-  const Ended ended = run("bench small.toml --threads 1");
-  EXPECT_EQ(ended.exit_code, 2);
-  EXPECT_TRUE(says(ended, "--threads 1 asks for a study of scaling"))
-      << ended.output;
-}
-
 TEST_F(Messages, AMapNeedsAContactModulusAndACaseHasOne) {
   write("map.asc", map_text());
   write("small.toml", small_case);

@@ -9,6 +9,7 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <pugixml.hpp>
@@ -315,7 +316,10 @@ TEST_F(Report, HasAVersionForPrint) {
   const results::Result result = synthetic::rough_result(rough, 1);
   const ReportEntry entry = entry_of(result, rough);
 
-  const std::string page = html_page(std::span(&entry, 1), {}, true);
+  const nlohmann::ordered_json summary = page_summary(entry);
+
+  const std::string page =
+      html_page(std::span(&entry, 1), std::span(&summary, 1), {}, true);
 
   EXPECT_EQ(count(page, "<script"), 0U);
   EXPECT_GT(count(page, "<details"), 3U);

@@ -1,7 +1,6 @@
-// Tests of surfaces/analysis/line_scan.hpp and stitched_spectrum.hpp.
+// Tests of surfaces/analysis/line_scan.hpp.
 #include "input/input_error.hpp"
 #include "surfaces/analysis/line_scan.hpp"
-#include "surfaces/analysis/stitched_spectrum.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
@@ -305,65 +304,6 @@ TEST(LineScan, IsNotEveryTable) {
   EXPECT_THROW(read_line_scan(written("asperity-map.txt", "1 2 3\n4 5 6\n"),
                               {1.0, 1.0, {}}),
                input::InputError);
-}
-
-// Two parts of one power law that overlap: the mean is that law, and a part
-// that is three times too high is noticed. Towards the ends of the overlap the
-// mean is that of one part alone, which costs 5 % of the factor.
-TEST(StitchedSpectrum, JoinsThePartsAndComparesThem) {
-  const auto law = [](double q) { return std::pow(q, -3.0); };
-  auto long_waves = rows_of(law, 1.0, 1e3, 90);
-  auto short_waves = rows_of(law, 1e2, 1e5, 90);
-  for (auto* rows : {&long_waves, &short_waves})
-    for (SpectrumRing& row : *rows)
-      row.degrees_of_freedom = 1e6;
-
-  const StitchedSpectrum found =
-      stitch({{long_waves, 2.0, 5e2}, {short_waves, 2e2, 5e4}});
-  for (SpectrumRing& row : short_waves)
-    row.density *= 3.0;
-  const StitchedSpectrum uneven =
-      stitch({{long_waves, 2.0, 5e2}, {short_waves, 2e2, 5e4}});
-
-  for (const SpectrumRing& row : found.rows)
-    EXPECT_NEAR(row.density / law(row.wavevector), 1.0, 1e-2);
-  EXPECT_NEAR(found.rows.back().wavevector / 5e4, 1.0, 0.13);
-  EXPECT_TRUE(found.gaps.empty());
-  EXPECT_NEAR(found.ratios[0], 1.0, 1e-2);
-  EXPECT_NEAR(uneven.ratios[1] / uneven.ratios[0], 3.0, 0.2);
-}
-
-// The logarithm of a chi-squared variable of few degrees of freedom has a mean
-// below that of the variable: exp(-2 gamma) of nu = 1 is psi(1/2) - ln(1/2).
-TEST(StitchedSpectrum, CorrectsTheBiasOfTheLogarithm) {
-  const StitchedSpectrum found = stitch({{{{10.0, 1.0, 1.0, 0.0}}, 1.0, 99.0}});
-
-  EXPECT_NEAR(std::log(found.rows[0].density), 1.2703628454614782, 1e-12);
-  EXPECT_THROW(stitch({{{{10.0, 1.0, 1.0, 0.0}}, 20.0, 99.0}}),
-               std::domain_error);
-}
-
-TEST(StitchedSpectrum, NamesWhatNoPartCovers) {
-  const auto law = [](double q) { return std::pow(q, -3.0); };
-
-  const StitchedSpectrum found =
-      stitch({{rows_of(law, 1e3, 1e5, 20), 1e3, 1e5},
-              {rows_of(law, 1.0, 1e2, 20), 1.0, 1e2}});
-
-  ASSERT_EQ(found.gaps.size(), 1U);
-  EXPECT_EQ(found.gaps[0].first, 1e2);
-  EXPECT_EQ(found.gaps[0].second, 1e3);
-  EXPECT_TRUE(std::isnan(found.ratios[0]));
-}
-
-// The table is one that a case of kind "spectrum" reads.
-TEST(SpectrumTable, IsReadAsATabulatedSpectrum) {
-  const std::string text = spectrum_table(
-      {{1e5, 2e-25, 4.0, 0.0}, {1e6, 3e-28, 4.0, 0.0}}, {"map.txt: all of it"});
-
-  const TabulatedSpectrum read = read_tabulated_spectrum_text(text, "table");
-
-  EXPECT_NEAR(read(1e6) / 3e-28, 1.0, 1e-7);
 }
 
 } // namespace asperity::surfaces::line_scan_test

@@ -1,7 +1,4 @@
-// Tests of surfaces/analysis: height_parameters.hpp, local_differences.hpp,
-// bearing_curve.hpp and autocorrelation.hpp.
-#include "surfaces/analysis/autocorrelation.hpp"
-#include "surfaces/analysis/bearing_curve.hpp"
+// Tests of surfaces/analysis: height_parameters.hpp and local_differences.hpp.
 #include "surfaces/analysis/height_parameters.hpp"
 #include "surfaces/analysis/local_differences.hpp"
 #include "surfaces/analysis/surface_analysis.hpp"
@@ -148,18 +145,6 @@ TEST(ScaleDependence, IsEmptyWithoutACommonDistance) {
   EXPECT_GT(analyse_map(map, true, 1e-8).nayak, 0.0);
 }
 
-// A distance is half of the spacing in its direction, so that spacings that
-// differ by a factor of a million need no millions of steps.
-TEST(Autocorrelation, TakesFewStepsOnElongatedPixels) {
-  const HeightMap map =
-      map_of({32, 32, 32.0, 32e9}, [](double x, double) { return x - 15.5; });
-
-  const Autocorrelation found = autocorrelation(map, false);
-
-  EXPECT_TRUE(std::isnan(found.longest));
-  EXPECT_GT(found.shortest, 1.0);
-}
-
 TEST(ScaleDependence, CoversSpacingToAQuarterOfTheSide) {
   const HeightMap map = wave_2d({64, 128, 1.0, 1.0}, 1e-3, 1.0);
 
@@ -170,99 +155,6 @@ TEST(ScaleDependence, CoversSpacingToAQuarterOfTheSide) {
   EXPECT_EQ(scales.front().distance_y, 1.0 / 64); // two of its own spacings
   EXPECT_LE(scales.back().distance(), 0.25);
   EXPECT_GT(scales.back().distance(), 0.2);
-}
-
-// Heights spread evenly over 0..1: the curve is a straight line, so that the
-// core is all of it.
-TEST(BearingCurve, OfEvenHeightsHasOnlyACore) {
-  HeightMap map{{1000, 100, 1.0, 1.0}, {}};
-  for (int i = 0; i < 100000; ++i)
-    map.heights.push_back(static_cast<double>(i * 7919L % 100000) / 99999.0);
-
-  const BearingCurve found = bearing_curve(map);
-
-  EXPECT_NEAR(found.core_height, 1.0, 1e-9);
-  EXPECT_NEAR(found.peak_height, 0.0, 1e-6);
-  EXPECT_NEAR(found.valley_depth, 0.0, 1e-6);
-  EXPECT_NEAR(found.height_at(0.25), 0.25, 1e-9);
-}
-
-// Heights at the quantiles of a normal distribution. The flattest 40 % are
-// symmetric; line, intersections and areas follow from quadrature here.
-// Tolerance: 1000 steps of the material ratio.
-TEST(BearingCurve, OfGaussianHeightsFollowsFromTheNormalDistribution) {
-  const boost::math::normal normal;
-  const int count = 200000;
-  HeightMap map{{1000, 200, 1.0, 1.0}, {}};
-  double slope = 0.0;
-  double variance = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double ratio = (i + 0.5) / count;
-    const double height = quantile(complement(normal, ratio));
-    map.heights.push_back(height);
-    if (std::abs(ratio - 0.5) < 0.2) {
-      slope -= (ratio - 0.5) * height;
-      variance += (ratio - 0.5) * (ratio - 0.5);
-    }
-  }
-  const double core = slope / variance;
-  const double ratio = cdf(complement(normal, 0.5 * core));
-  // int (h - core/2) over the ratio above core/2: phi(z) - z Q(z)
-  const double area = pdf(normal, 0.5 * core) - 0.5 * core * ratio;
-
-  const BearingCurve found = bearing_curve(map);
-
-  EXPECT_NEAR(found.core_height, core, 2e-3);
-  EXPECT_NEAR(found.peak_ratio, ratio, 2e-3);
-  EXPECT_NEAR(found.valley_ratio, 1.0 - ratio, 2e-3);
-  EXPECT_NEAR(found.peak_height, 2.0 * area / ratio, 1e-2);
-  EXPECT_NEAR(found.valley_depth, found.peak_height, 1e-3);
-}
-
-// cos(qx): the correlation is cos(q r cos(angle)), 0.2 at acos(0.2)/q across
-// the grooves and not at all along them.
-TEST(Autocorrelation, OfGroovesHasNoLongestLength) {
-  const HeightMap map = wave_1d({256, 64, 4.0, 1.0}, 1e-3, 1.0);
-
-  const Autocorrelation found = autocorrelation(map, true);
-
-  // Linear interpolation between 64 nodes per wavelength: (q h)^2/8
-  EXPECT_NEAR(found.shortest, std::acos(0.2) / (2.0 * pi), 3e-4);
-  EXPECT_TRUE(std::isnan(found.longest));
-  EXPECT_TRUE(std::isnan(found.aspect_ratio));
-}
-
-// An isotropic self-affine surface has Str near 1, and h(x) shrunk to a third
-// along x has a third of the length there: the same nodes with another period.
-TEST(Autocorrelation, DetectsTheStretchOfASurface) {
-  const auto spectrum = SelfAffineSpectrum::with_rms_height(
-      {0.8, 2.0 * pi * 8, 2.0 * pi * 8, 2.0 * pi * 30}, 1.0);
-  HeightMap map = realize(spectrum.isotropic(), {128, 128, 1.0, 1.0}, {5, 0});
-  const Autocorrelation isotropic = autocorrelation(map, true);
-  map.grid.length_x /= 3.0;
-
-  const Autocorrelation found = autocorrelation(map, true);
-
-  EXPECT_GT(isotropic.aspect_ratio, 0.8);
-  EXPECT_NEAR(found.aspect_ratio, isotropic.aspect_ratio / 3.0, 0.04);
-  EXPECT_EQ(found.points.front().correlation, 1.0);
-}
-
-// Without periodicity the product at each lag is averaged over the pairs
-// inside: an alternating map has exactly +-1 at every lag of a line.
-TEST(Autocorrelation, CountsThePairsInsideTheMap) {
-  const HeightMap map = map_of({10, 6, 10.0, 6.0}, [](double x, double y) {
-    return std::lround(x + y) % 2 == 0 ? 1.0 : -1.0;
-  });
-
-  const Autocorrelation found = autocorrelation(map, false);
-
-  // Nearest rings are (1, 0) and (0, 1), then (1, 1) among others.
-  EXPECT_NEAR(found.shortest, 0.4, 0.02); // 1 - 2 r = 0.2 along an axis
-  EXPECT_NEAR(found.points.front().correlation, 1.0, 1e-12);
-  EXPECT_THROW(
-      autocorrelation({{4, 4, 1.0, 1.0}, std::vector<double>(16)}, false),
-      std::domain_error);
 }
 
 } // namespace asperity::surfaces::surface_parameters_test
