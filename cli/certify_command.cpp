@@ -1,7 +1,8 @@
-#include "cli/certify_command.hpp"
-
+// `asperity certify`: bounds on the errors of the pressure fields of a result,
+// whichever program computed them.
 #include "base/json.hpp"
 #include "base/special_numbers.hpp"
+#include "cli/command_line.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "exchange/answers/certified_field.hpp"
@@ -24,6 +25,11 @@ namespace asperity::cli {
 namespace {
 
 using results::Result;
+
+/// Options of `asperity certify`.
+struct CertifyCommand {
+  std::vector<std::string> results; ///< files or folders
+};
 
 /// Error of a mean gap that every result must not exceed [h_rms].
 constexpr double claimed_error = 1e-3;
@@ -196,8 +202,13 @@ private:
   std::vector<std::string> notes_;
 };
 
-} // namespace
-
+/// Prints one line per saved pressure field: what it violates, and how far its
+/// pressure and its mean gap can be from the exact answer of the discrete
+/// problem. A method for which no bound exists is labelled "as submitted".
+///
+/// @return  exit_bad_input if no field could be certified,
+///          exit_expectation_failed if a mean gap cannot be shown to be within
+///          1e-3 h_rms of the exact one
 run::ExitCode certify_results(const CertifyCommand& command) {
   std::vector<Result> results;
   results.reserve(command.results.size());
@@ -239,6 +250,22 @@ run::ExitCode certify_results(const CertifyCommand& command) {
     return run::exit_bad_input;
   }
   return is_sound ? run::exit_good : run::exit_expectation_failed;
+}
+
+} // namespace
+
+void add_certify(CommandLine& line) {
+  auto [command, certify] =
+      line.add<CertifyCommand>("certify",
+                               "Bound the errors of the pressure fields of\n"
+                               "results, of any program; exit 1 if a mean gap\n"
+                               "may be wrong by more than 1e-3 h_rms.",
+                               certify_results);
+  command->add_option("result", certify.results, "results (files or folders)")
+      ->required();
+  add_quiet(command, line.output);
+  add_json(command, line.output, "all numbers");
+  add_example(command, "certify out/polymer");
 }
 
 } // namespace asperity::cli

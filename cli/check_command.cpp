@@ -1,5 +1,6 @@
-#include "cli/check_command.hpp"
-
+// `asperity check`: tests results against the expectations of their cases, for
+// CI jobs.
+#include "cli/case_run.hpp"
 #include "cli/checks.hpp"
 #include "cli/commands.hpp"
 #include "cli/sweep_commands.hpp"
@@ -23,6 +24,19 @@ namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Options of `asperity check`. All but the first two concern targets that are
+/// cases.
+struct CheckCommand {
+  std::vector<std::string> targets; ///< results (file or folder), or cases
+  std::string junit;                ///< file for JUnit XML; empty: none
+  std::string out;                  ///< as in RunCommand
+  std::vector<std::string> methods;
+  std::vector<std::string> overrides; ///< "key.path=value"
+  bool is_quick = false;              ///< apply quick.set of each case
+  int threads = 0;
+  bool uses_cache = true;
+};
 
 /// Throws before anything runs if the JUnit file cannot be written there.
 void require_junit_folder(const std::string& junit) {
@@ -161,37 +175,13 @@ private:
   bool is_cut_short_ = false; ///< the run of a case was interrupted
 };
 
-} // namespace
-
-void add_check(CLI::App& program, CheckCommand& check,
-               run::OutputOptions& output, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "check", "Check results against the expectations of\n"
-               "their cases; exit 1 if one is not met.");
-  command
-      ->add_option("target", check.targets,
-                   "results (files or folders), or cases, which are run\n"
-                   "first")
-      ->required();
-  command->add_option("--junit", check.junit,
-                      "write the outcome to this file as JUnit XML,\n"
-                      "however the command ends");
-  add_methods(command, check.methods);
-  add_overrides(command, check.overrides);
-  command->add_option("--out", check.out,
-                      "output folder (default: out/<case>)");
-  add_quick(command, check.is_quick);
-  command->add_flag("!--no-cache", check.uses_cache,
-                    "compute every step; do not read or write the cache");
-  add_threads(command, check.threads);
-  command->add_flag("--quiet", output.is_quiet,
-                    "print only expectations that are not met, and\n"
-                    "errors");
-  add_json(command, output, "the summaries");
-  add_example(command, "check polymer --junit check.xml");
-  command->callback([&] { action = [&] { return check_targets(check); }; });
-}
-
+/// Checks results against the expectations of their cases. All cases among the
+/// targets are read before the first one is run. The JUnit file is written
+/// however the command ends.
+///
+/// @throws input::InputError  a target cannot be read, the folder of the JUnit
+///                            file does not exist, or an option for cases is
+///                            given without a case
 run::ExitCode check_targets(const CheckCommand& command) {
   require_junit_folder(command.junit);
   run::catch_interrupts();
@@ -219,6 +209,37 @@ run::ExitCode check_targets(const CheckCommand& command) {
     throw;
   }
   return checks.end(command.junit);
+}
+
+} // namespace
+
+void add_check(CommandLine& line) {
+  auto [command, check] =
+      line.add<CheckCommand>("check",
+                             "Check results against the expectations of\n"
+                             "their cases; exit 1 if one is not met.",
+                             check_targets);
+  command
+      ->add_option("target", check.targets,
+                   "results (files or folders), or cases, which are run\n"
+                   "first")
+      ->required();
+  command->add_option("--junit", check.junit,
+                      "write the outcome to this file as JUnit XML,\n"
+                      "however the command ends");
+  add_methods(command, check.methods);
+  add_overrides(command, check.overrides);
+  command->add_option("--out", check.out,
+                      "output folder (default: out/<case>)");
+  add_quick(command, check.is_quick);
+  command->add_flag("!--no-cache", check.uses_cache,
+                    "compute every step; do not read or write the cache");
+  add_threads(command, check.threads);
+  command->add_flag("--quiet", line.output.is_quiet,
+                    "print only expectations that are not met, and\n"
+                    "errors");
+  add_json(command, line.output, "the summaries");
+  add_example(command, "check polymer --junit check.xml");
 }
 
 } // namespace asperity::cli

@@ -5,7 +5,6 @@
 #include "cases/reader/read_case.hpp"
 #include "cli/case_run.hpp"
 #include "cli/checks.hpp"
-#include "cli/collection.hpp"
 #include "cli/part_commands.hpp"
 #include "cli/sweep_commands.hpp"
 #include "input/input_error.hpp"
@@ -20,7 +19,6 @@
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
-#include "run/arguments/option_quantity.hpp"
 #include "run/arguments/physics.hpp"
 #include "run/interrupt.hpp"
 #include "run/mpi_world.hpp"
@@ -159,6 +157,46 @@ run::ExitCode print_plans(const std::vector<run::NamedCases>& all,
   return run::exit_good;
 }
 
+/// A part of a collection that has a result.
+struct RunPart {
+  run::FoundCase part;
+  std::filesystem::path folder; ///< folder of the result
+};
+
+/// Writes folder/report.html and the files that belong to it. Does nothing if
+/// no part has run.
+/// @param has_pdf  also print the report to report.pdf
+void write_collection_report(const run::FoundCases& collection,
+                             const std::vector<RunPart>& parts,
+                             const std::filesystem::path& folder,
+                             bool has_pdf) {
+  if (parts.empty())
+    return;
+  std::vector<results::Result> results;
+  std::vector<cases::Case> contact_cases;
+  for (const RunPart& part : parts) {
+    results.push_back(
+        results::read_result(part.folder, results::MapsInFile::large));
+    contact_cases.push_back(reports::case_of(results.back()));
+  }
+  std::vector<reports::PaperPart> pages;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::filesystem::path part = parts[i].part.file.parent_path();
+    const std::string name = part.filename().string();
+    const auto figures = collection.figures.find(name);
+    pages.push_back(
+        {name, parts[i].folder, run::text_of_file(part / "README.md"),
+         figures == collection.figures.end() ? std::vector<std::string>()
+                                             : figures->second,
+         reports::entry_of(results[i], contact_cases[i])});
+  }
+  const std::string readme = run::text_of_file(collection.folder / "README.md");
+  for (const std::string& failure :
+       reports::write_paper_report(pages, readme, folder, {.has_pdf = has_pdf}))
+    fmt::print(stderr, "figure not drawn: {}\n", failure);
+  fmt::print("report on all parts: {}\n", (folder / "report.html").string());
+}
+
 run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
                         methods::Cache& cache, run::JsonAnswer& answer) {
   if (named.sweep) {
@@ -171,14 +209,15 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
         is_for_ranks(named, command)
             ? run_over_ranks(named, command, folder)
             : run_named_sweep(*named.sweep, command, folder);
-    add_answer(answer, named.sweep->sweep.name, folder, ended);
+    add_answer(answer, named.sweep->sweep.name, run::latest_output(folder),
+               ended);
     return ended;
   }
   if (is_for_ranks(named, command)) {
     const std::string& name = named.cases.front().found.name;
     const fs::path folder = folder_of(name, command.out, command.cases.size());
     const run::ExitCode ended = run_over_ranks(named, command, folder);
-    add_answer(answer, name, folder, ended);
+    add_answer(answer, name, run::latest_output(folder), ended);
     return ended;
   }
   const bool is_collection = !named.found.collection.empty();
@@ -209,8 +248,8 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
                       {command.no_report, command.has_pdf})
             : run_to_target(read, command, options);
     end = worse(end, ended);
-    add_answer(answer, read.found.name, folder, ended);
-    parts.push_back({read.found, folder});
+    add_answer(answer, read.found.name, run::latest_output(folder), ended);
+    parts.push_back({read.found, run::latest_output(folder)});
     if (run::is_interrupted())
       break;
   }

@@ -3,10 +3,9 @@
 // The commands of the program. Each takes the parsed command line and returns
 // an exit code.
 
-#include "cli/report_forms.hpp"
-#include "run/arguments/map_case.hpp"
+#include "cli/command_line.hpp"
+#include "reports/pages/report.hpp"
 #include "run/arguments/named_cases.hpp"
-#include "run/exit_code.hpp"
 #include "run/result_outputs.hpp"
 
 #include <cstddef>
@@ -53,6 +52,10 @@ struct ReportCommand {
   std::vector<std::string> labels; ///< names of the results, in order
 };
 
+/// @throws std::domain_error  no program prints PDF, or an unknown format,
+///                            width or unit
+reports::ReportExtras extras_of(const ReportForms& forms);
+
 /// Returns the output folder of a case or collection of that name.
 /// @param out        option --out; empty: out/<name>
 /// @param n_targets  number of targets of the command; with more than one, each
@@ -87,26 +90,5 @@ run::ExitCode run_bench(const bench::BenchCommand& command);
 /// @throws std::domain_error  a format or the width is unknown, or a PDF is
 ///         asked for and no program that prints one is installed
 run::ExitCode report_results(const ReportCommand& command);
-
-/// Prints the location of the cache and how much of it is used.
-///
-/// @param is_to_clear  empties the cache first
-run::ExitCode show_cache(bool is_to_clear);
-
-run::ExitCode list_cases();
-
-struct NewCommand {
-  std::string name;                   ///< folder to create
-  run::MapOfCase map = {};            ///< without a file: the template
-  std::vector<std::string> overrides; ///< "key.path=value"
-};
-
-/// Writes the file name/case.toml: a template, or the case of a map.
-///
-/// @throws input::InputError  the file exists already, the map cannot be read,
-///                            or the case is invalid
-run::ExitCode new_case(const NewCommand& made);
-
-run::ExitCode print_schema();
 
 } // namespace asperity::cli

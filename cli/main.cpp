@@ -4,18 +4,11 @@
 #include "base/folder_lock.hpp"
 #include "base/plain_text.hpp"
 #include "bench/runs/bench.hpp"
-#include "cli/answer_commands.hpp"
-#include "cli/check_command.hpp"
-#include "cli/command_parts.hpp"
 #include "cli/commands.hpp"
-#include "cli/inspect_commands.hpp"
 #include "cli/manual/command_model.hpp"
-#include "cli/part_commands.hpp"
-#include "cli/robustness_command.hpp"
-#include "cli/surface_command.hpp"
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
-#include "run/arguments/installed_files.hpp"
+#include "run/arguments/case_library.hpp"
 #include "run/mpi_world.hpp"
 
 #include <CLI/CLI.hpp>
@@ -60,11 +53,12 @@ void add_map_options(CLI::App* command, RunCommand& run) {
                       "the theory of a map, e.g. \"2 GPa\"");
 }
 
-void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
-             Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "run", "Run cases; write result, tables and report\n"
-             "of each.");
+void add_run(CommandLine& line) {
+  auto [command, run] =
+      line.add<RunCommand>("run",
+                           "Run cases; write result, tables and report\n"
+                           "of each.",
+                           run_cases);
   command
       ->add_option("case", run.cases,
                    "case files, their folders, shipped cases or\n"
@@ -102,19 +96,19 @@ void add_run(CLI::App& program, RunCommand& run, run::OutputOptions& output,
       ->excludes(target)
       ->excludes(pdf);
   add_threads(command, run.threads);
-  add_quiet(command, output);
-  add_json(command, output, "the summaries, or the plans,");
+  add_quiet(command, line.output);
+  add_json(command, line.output, "the summaries, or the plans,");
   add_example(command, "run polymer --methods fem,theory --set "
                        "surface.points=128");
-  command->callback([&] { action = [&] { return run_cases(run); }; });
 }
 
-void add_bench(CLI::App& program, bench::BenchCommand& bench,
-               run::OutputOptions& output, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "bench", "Measure, for each setting of a case's\n"
-               "methods, its cost and its error against the\n"
-               "reference solution.");
+void add_bench(CommandLine& line) {
+  auto [command, bench] = line.add<bench::BenchCommand>(
+      "bench",
+      "Measure, for each setting of a case's\n"
+      "methods, its cost and its error against the\n"
+      "reference solution.",
+      run_bench);
   command
       ->add_option("case", bench.contact_case,
                    "case file, its folder or shipped case")
@@ -145,17 +139,17 @@ void add_bench(CLI::App& program, bench::BenchCommand& bench,
   command->add_option("--target-error", bench.target_error,
                       "also choose the cheapest setting with a smaller\n"
                       "error, e.g. 1%");
-  add_quiet(command, output);
-  add_json(command, output, "bench.json");
+  add_quiet(command, line.output);
+  add_json(command, line.output, "bench.json");
   add_example(command, "bench hertz --target-error 1%");
-  command->callback([&] { action = [&] { return run_bench(bench); }; });
 }
 
-void add_report(CLI::App& program, ReportCommand& report,
-                run::OutputOptions& output, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "report", "Write the report of one or more results,\n"
-                "compared side by side.");
+void add_report(CommandLine& line) {
+  auto [command, report] =
+      line.add<ReportCommand>("report",
+                              "Write the report of one or more results,\n"
+                              "compared side by side.",
+                              report_results);
   command
       ->add_option("result", report.paths,
                    "result.h5 files or their folders; after the first\n"
@@ -170,83 +164,9 @@ void add_report(CLI::App& program, ReportCommand& report,
                       "output folder (default: that of a single result,\n"
                       "else out/comparison)");
   add_report_forms(command, report.forms);
-  add_quiet(command, output);
-  add_json(command, output, "the summaries");
+  add_quiet(command, line.output);
+  add_json(command, line.output, "the summaries");
   add_example(command, "report out/polymer --figures pdf --width 86mm");
-  command->callback([&] { action = [&] { return report_results(report); }; });
-}
-
-void add_cache(CLI::App& program, bool& is_to_clear, run::OutputOptions& output,
-               Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "cache", "Show the folder of the step cache, its size\n"
-               "and the number of its entries.");
-  command->add_flag("--clear", is_to_clear, "remove all entries first");
-  add_quiet(command, output);
-  add_json(command, output, "folder and size");
-  add_example(command, "cache");
-  command->callback([&] { action = [&] { return show_cache(is_to_clear); }; });
-}
-
-void add_robustness(CLI::App& program, RobustnessCommand& robustness,
-                    run::OutputOptions& output, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "robustness", "Run thousands of random problem instances\n"
-                    "and verify every answer; exit 3 if one is\n"
-                    "neither verified nor refused.");
-  command->alias("stress"); // former name of the command
-  command->add_option("case", robustness.cases,
-                      "cases whose settings are perturbed\n"
-                      "(default: none)");
-  command
-      ->add_option("--instances", robustness.instances,
-                   "number of problem instances (default: 2000)")
-      ->check(CLI::Range(1, 10000000));
-  command->add_option("--seed", robustness.seed,
-                      "seed of the instances (default: 1)");
-  command->add_option("--only", robustness.only,
-                      "only instances of a family or with a value of an\n"
-                      "axis: slab, law=hard");
-  command->add_option("--instance", robustness.instance,
-                      "run the instance with this index only and print\n"
-                      "its details");
-  command->add_option("--out", robustness.out,
-                      "output folder (default: out/robustness)");
-  add_threads(command, robustness.threads);
-  add_quiet(command, output);
-  add_json(command, output, "stress.json");
-  add_example(command, "robustness --instances 500 --only law=hard");
-  command->callback(
-      [&] { action = [&] { return run_robustness(robustness); }; });
-}
-
-void add_new(CLI::App& program, NewCommand& made, run::OutputOptions& output,
-             Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "new", "Write a commented case file to start from.");
-  command->add_option("name", made.name, "folder to create for case.toml")
-      ->required();
-  command->add_option("--map", made.map.file,
-                      "the case presses this measured map, with loads\n"
-                      "that suit it");
-  command->add_option("--contact-modulus", made.map.contact_modulus,
-                      "E* of the block, with --map, e.g. \"2 GPa\"");
-  add_overrides(command, made.overrides);
-  add_quiet(command, output);
-  add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");
-  command->callback([&] { action = [&] { return new_case(made); }; });
-}
-
-void add_small_commands(CLI::App& program, run::OutputOptions& output,
-                        Action& action) {
-  CLI::App* list = program.add_subcommand("list", "List the shipped cases.");
-  add_json(list, output, "names and titles");
-  add_example(list, "list");
-  list->callback([&] { action = list_cases; });
-  CLI::App* schema =
-      program.add_subcommand("schema", "Print the JSON Schema of a case file.");
-  add_example(schema, "schema > case.schema.json");
-  schema->callback([&] { action = print_schema; });
 }
 
 /// Returns a line with the nearest command or option for the first word of the
@@ -280,10 +200,11 @@ std::string nearest_word(const CLI::App& program, int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App program(
+  CommandLine line{CLI::App(
       "Asperity: rough contact by finite elements, a half-space, atoms and "
       "Persson's\ntheory, computed from one case file and compared in one "
-      "report.");
+      "report.")};
+  CLI::App& program = line.program;
   program.name("asperity");
   program.require_subcommand(1);
   program.set_version_flag("--version", ASPERITY_VERSION);
@@ -292,31 +213,18 @@ int run(int argc, char** argv) {
       "input, 3 a solution did not\n  converge, 4 system or "
       "library error, 130 interrupted\n\ndocumentation: " +
       run::documentation_folder().string());
-  Action action;
-  run::OutputOptions output;
-  RunCommand run;
-  RobustnessCommand stress;
-  add_run(program, run, output, action);
-  bench::BenchCommand bench;
-  add_bench(program, bench, output, action);
-  ReportCommand report;
-  add_report(program, report, output, action);
-  PartCommands parts;
-  CheckCommand check;
-  add_part_commands(program, parts, output, action);
-  add_check(program, check, output, action);
-  AnswerCommands answers;
-  add_answer_commands(program, answers, output, action);
-  SurfaceCommand surface;
-  add_surface_command(program, surface, output, action);
-  InspectCommands inspect;
-  bool is_to_clear = false;
-  add_cache(program, is_to_clear, output, action);
-  add_robustness(program, stress, output, action);
-  NewCommand made;
-  add_new(program, made, output, action);
-  add_small_commands(program, output, action);
-  add_inspect_commands(program, inspect, output, action);
+  add_run(line);
+  add_bench(line);
+  add_report(line);
+  add_part_commands(line);
+  add_check(line);
+  add_certify(line);
+  add_answer_commands(line);
+  add_surface(line);
+  add_cache(line);
+  add_robustness(line);
+  add_small_commands(line);
+  add_inspect_commands(line);
   name_values(program);
   try {
     program.parse(argc, argv);
@@ -328,8 +236,8 @@ int run(int argc, char** argv) {
       fmt::print(stderr, "{}", nearest_word(program, argc, argv));
     return run::exit_bad_input;
   }
-  const run::OutputScope scope(output);
-  return action();
+  const run::OutputScope scope(line.output);
+  return line.action();
 }
 
 /// Opens /dev/null for those of standard input, output and error that are

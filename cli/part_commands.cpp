@@ -16,7 +16,6 @@
 #include "run/plan/needs.hpp"
 #include "run/plan/plan.hpp"
 #include "run/run_case.hpp"
-#include "run/sweeps/earlier_run.hpp"
 #include "run/sweeps/parts.hpp"
 #include "run/sweeps/slurm_scripts.hpp"
 #include "run/sweeps/sweep_run.hpp"
@@ -25,6 +24,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace asperity::cli {
 namespace {
@@ -172,53 +173,6 @@ run::ExitCode run_points(const run::NamedSweep& named,
   return outcome.is_interrupted ? run::exit_interrupted : outcome.worst;
 }
 
-void add_plan(CLI::App& program, PlanCommand& plan, run::OutputOptions& output,
-              Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "plan", "Print what a run needs, or write the scripts\n"
-              "that run it by Slurm; compute nothing.");
-  RunCommand& run = plan.run;
-  command
-      ->add_option("case", run.cases,
-                   "case file, its folder, shipped case or\n"
-                   "collection, or measured map")
-      ->required();
-  CLI::Option* slurm =
-      command->add_flag("--slurm", plan.is_for_slurm,
-                        "write an array of tasks, their merge and the script\n"
-                        "that submits them, into the folder slurm of the\n"
-                        "output folder");
-  command
-      ->add_option("--parts", plan.n_parts,
-                   "number of tasks (default: one per realisation or\n"
-                   "point)")
-      ->check(CLI::Range(1, 1000))
-      ->needs(slurm);
-  command
-      ->add_option("--time", plan.time,
-                   "time limit of a task, as for sbatch (default: that of\n"
-                   "the partition)")
-      ->needs(slurm);
-  add_methods(command, run.methods);
-  command->add_flag("--exactly", run.is_exact,
-                    "--methods gives full names only");
-  command->add_option("--contact-modulus", run.contact_modulus,
-                      "E* of the block under a map file, e.g. \"2 GPa\"");
-  add_overrides(command, run.overrides);
-  command->add_option("--out", run.out,
-                      "output folder of the run (default: out/<case>)");
-  add_quick(command, run.is_quick);
-  command
-      ->add_option("--threads", run.threads,
-                   "number of threads (default: all cores; of a task\n"
-                   "of Slurm: 1)")
-      ->check(CLI::Range(1, 1024));
-  add_quiet(command, output);
-  add_json(command, output, "the plans");
-  add_example(command, "plan polymer --slurm --parts 4 --time 1:00:00");
-  command->callback([&] { action = [&] { return plan_run(plan); }; });
-}
-
 } // namespace
 
 run::ExitCode run_part(const std::vector<run::NamedCases>& all,
@@ -303,6 +257,16 @@ run::ExitCode run_over_ranks(const run::NamedCases& named,
   return end;
 }
 
+namespace {
+
+struct MergeCommand {
+  std::string folder; ///< of the run, with its parts
+  bool no_report = false;
+  bool has_pdf = false; ///< also print the report
+};
+
+/// Joins the parts of a run and writes its report.
+/// @throws input::InputError  there are none, or they lack something
 run::ExitCode merge_parts(const MergeCommand& command) {
   const fs::path folder = command.folder;
   if (!fs::is_directory(folder))
@@ -324,6 +288,16 @@ run::ExitCode merge_parts(const MergeCommand& command) {
   return end;
 }
 
+struct PlanCommand {
+  RunCommand run; ///< of which nothing is run
+  bool is_for_slurm = false;
+  int n_parts = 0;       ///< 0: one per realisation or point
+  std::string time = {}; ///< limit of a task; empty: that of the partition
+};
+
+/// Prints the plan of a run, or writes the scripts by which Slurm computes it.
+/// @throws input::InputError  as run_part() and write_slurm_scripts(); a wrong
+///                            time
 run::ExitCode plan_run(const PlanCommand& command) {
   if (!command.is_for_slurm) {
     RunCommand run = command.run;
@@ -369,24 +343,71 @@ run::ExitCode plan_run(const PlanCommand& command) {
   return run::exit_good;
 }
 
-void add_part_commands(CLI::App& program, PartCommands& commands,
-                       run::OutputOptions& output, Action& action) {
-  add_plan(program, commands.plan, output, action);
-  CLI::App* merge = program.add_subcommand(
-      "merge", "Join the parts of a run (run --part) to the\n"
-               "result of the whole, and write its report.");
-  merge->add_option("folder", commands.merge.folder, "output folder of the run")
+void add_plan(CommandLine& line) {
+  auto [command, plan] =
+      line.add<PlanCommand>("plan",
+                            "Print what a run needs, or write the scripts\n"
+                            "that run it by Slurm; compute nothing.",
+                            plan_run);
+  RunCommand& run = plan.run;
+  command
+      ->add_option("case", run.cases,
+                   "case file, its folder, shipped case or\n"
+                   "collection, or measured map")
       ->required();
-  merge->add_flag("--no-report", commands.merge.no_report,
-                  "join the results only");
-  merge->add_flag("--pdf", commands.merge.has_pdf,
+  CLI::Option* slurm =
+      command->add_flag("--slurm", plan.is_for_slurm,
+                        "write an array of tasks, their merge and the script\n"
+                        "that submits them, into the folder slurm of the\n"
+                        "output folder");
+  command
+      ->add_option("--parts", plan.n_parts,
+                   "number of tasks (default: one per realisation or\n"
+                   "point)")
+      ->check(CLI::Range(1, 1000))
+      ->needs(slurm);
+  command
+      ->add_option("--time", plan.time,
+                   "time limit of a task, as for sbatch (default: that of\n"
+                   "the partition)")
+      ->needs(slurm);
+  add_methods(command, run.methods);
+  command->add_flag("--exactly", run.is_exact,
+                    "--methods gives full names only");
+  command->add_option("--contact-modulus", run.contact_modulus,
+                      "E* of the block under a map file, e.g. \"2 GPa\"");
+  add_overrides(command, run.overrides);
+  command->add_option("--out", run.out,
+                      "output folder of the run (default: out/<case>)");
+  add_quick(command, run.is_quick);
+  command
+      ->add_option("--threads", run.threads,
+                   "number of threads (default: all cores; of a task\n"
+                   "of Slurm: 1)")
+      ->check(CLI::Range(1, 1024));
+  add_quiet(command, line.output);
+  add_json(command, line.output, "the plans");
+  add_example(command, "plan polymer --slurm --parts 4 --time 1:00:00");
+}
+
+} // namespace
+
+void add_part_commands(CommandLine& line) {
+  add_plan(line);
+  auto [merge, options] =
+      line.add<MergeCommand>("merge",
+                             "Join the parts of a run (run --part) to the\n"
+                             "result of the whole, and write its report.",
+                             merge_parts);
+  merge->add_option("folder", options.folder, "output folder of the run")
+      ->required();
+  merge->add_flag("--no-report", options.no_report, "join the results only");
+  merge->add_flag("--pdf", options.has_pdf,
                   "also print the report to report.pdf, by chromium\n"
                   "or weasyprint");
-  add_quiet(merge, output);
-  add_json(merge, output, "the summaries");
+  add_quiet(merge, line.output);
+  add_json(merge, line.output, "the summaries");
   add_example(merge, "merge out/polymer");
-  merge->callback(
-      [&] { action = [&] { return merge_parts(commands.merge); }; });
 }
 
 } // namespace asperity::cli

@@ -1,7 +1,9 @@
-#include "cli/robustness_command.hpp"
+// `asperity robustness`: runs and verifies the random problem instances of the
+// stability matrix and writes the reports.
 
 #include "base/atomic_file.hpp"
 #include "cases/reader/read_case.hpp"
+#include "cli/command_line.hpp"
 #include "input/input_error.hpp"
 #include "results/provenance.hpp"
 #include "robustness/axes.hpp"
@@ -20,12 +22,23 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace asperity::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using robustness::Instance;
+
+struct RobustnessCommand {
+  std::vector<std::string> cases; ///< cases to perturb; none: random
+  int instances = 2000; ///< number of instances that match `only`, per case
+  std::uint64_t seed = 1;
+  std::string only;            ///< see robustness::InstanceFilter
+  std::optional<int> instance; ///< run only this instance and print all details
+  int threads = 0;             ///< number of processes; 0: all cores
+  std::string out = "out/robustness";
+};
 
 /// Where the problem instances come from: a base case, or none.
 struct Source {
@@ -205,8 +218,11 @@ run::ExitCode run_one(const Source& source, const RobustnessCommand& command) {
   return is_good(report.outcome) ? run::exit_good : run::exit_not_converged;
 }
 
-} // namespace
-
+/// Writes stress.html, stress.json and stress.csv into `out`; for a case, into
+/// the sub-folder with the name of the case.
+///
+/// @return  exit_not_converged if any instance is neither verified nor
+///          refused
 run::ExitCode run_robustness(const RobustnessCommand& command) {
   if (run::n_mpi_ranks() > 1)
     throw input::InputError("asperity robustness distributes its instances "
@@ -221,6 +237,39 @@ run::ExitCode run_robustness(const RobustnessCommand& command) {
   if (run::wants_json() && !command.instance)
     run::emit_answer(command.cases.size() > 1 ? "[" + json + "]\n" : json);
   return worst;
+}
+
+} // namespace
+
+void add_robustness(CommandLine& line) {
+  auto [command, robustness] =
+      line.add<RobustnessCommand>("robustness",
+                                  "Run thousands of random problem instances\n"
+                                  "and verify every answer; exit 3 if one is\n"
+                                  "neither verified nor refused.",
+                                  run_robustness);
+  command->alias("stress"); // former name of the command
+  command->add_option("case", robustness.cases,
+                      "cases whose settings are perturbed\n"
+                      "(default: none)");
+  command
+      ->add_option("--instances", robustness.instances,
+                   "number of problem instances (default: 2000)")
+      ->check(CLI::Range(1, 10000000));
+  command->add_option("--seed", robustness.seed,
+                      "seed of the instances (default: 1)");
+  command->add_option("--only", robustness.only,
+                      "only instances of a family or with a value of an\n"
+                      "axis: slab, law=hard");
+  command->add_option("--instance", robustness.instance,
+                      "run the instance with this index only and print\n"
+                      "its details");
+  command->add_option("--out", robustness.out,
+                      "output folder (default: out/robustness)");
+  add_threads(command, robustness.threads);
+  add_quiet(command, line.output);
+  add_json(command, line.output, "stress.json");
+  add_example(command, "robustness --instances 500 --only law=hard");
 }
 
 } // namespace asperity::cli

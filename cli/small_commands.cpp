@@ -5,10 +5,11 @@
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/documents.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cli/commands.hpp"
+#include "cli/command_line.hpp"
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/arguments/map_case.hpp"
 #include "run/output.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/statistics.hpp"
@@ -39,9 +40,8 @@ void print_map(const mechanics::SurfaceSpec& surface) {
              1e6 * numbers.rms_height, numbers.rms_slope);
 }
 
-} // namespace
-
-run::ExitCode show_cache(bool is_to_clear) {
+/// Prints the location of the cache and how much of it is used.
+run::ExitCode show_cache(const bool& is_to_clear) {
   methods::Cache cache(methods::cache_folder(), methods::cache_size());
   if (is_to_clear)
     cache.clear();
@@ -62,7 +62,7 @@ run::ExitCode show_cache(bool is_to_clear) {
   return run::exit_good;
 }
 
-run::ExitCode list_cases() {
+run::ExitCode list_cases(const bool&) {
   Json list = Json::array();
   for (const run::ShippedCase& shipped : run::shipped_cases()) {
     list.push_back({{"name", shipped.name}, {"title", shipped.title}});
@@ -74,6 +74,13 @@ run::ExitCode list_cases() {
   return run::exit_good;
 }
 
+struct NewCommand {
+  std::string name;                   ///< folder to create
+  run::MapOfCase map = {};            ///< without a file: the template
+  std::vector<std::string> overrides; ///< "key.path=value"
+};
+
+/// Writes the file name/case.toml: a template, or the case of a map.
 run::ExitCode new_case(const NewCommand& made) {
   const fs::path file = fs::path(made.name) / "case.toml";
   if (fs::exists(file))
@@ -98,9 +105,50 @@ run::ExitCode new_case(const NewCommand& made) {
   return run::exit_good;
 }
 
-run::ExitCode print_schema() {
+run::ExitCode print_schema(const bool&) {
   fmt::print("{}\n", cases::json_schema());
   return run::exit_good;
+}
+
+void add_new(CommandLine& line) {
+  auto [command, made] = line.add<NewCommand>(
+      "new", "Write a commented case file to start from.", new_case);
+  command->add_option("name", made.name, "folder to create for case.toml")
+      ->required();
+  command->add_option("--map", made.map.file,
+                      "the case presses this measured map, with loads\n"
+                      "that suit it");
+  command->add_option("--contact-modulus", made.map.contact_modulus,
+                      "E* of the block, with --map, e.g. \"2 GPa\"");
+  add_overrides(command, made.overrides);
+  add_quiet(command, line.output);
+  add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");
+}
+
+} // namespace
+
+void add_cache(CommandLine& line) {
+  auto [command, is_to_clear] =
+      line.add<bool>("cache",
+                     "Show the folder of the step cache, its size\n"
+                     "and the number of its entries.",
+                     show_cache);
+  command->add_flag("--clear", is_to_clear, "remove all entries first");
+  add_quiet(command, line.output);
+  add_json(command, line.output, "folder and size");
+  add_example(command, "cache");
+}
+
+void add_small_commands(CommandLine& line) {
+  add_new(line);
+  auto [list, unused] =
+      line.add<bool>("list", "List the shipped cases.", list_cases);
+  add_json(list, line.output, "names and titles");
+  add_example(list, "list");
+  add_example(line.add<bool>("schema", "Print the JSON Schema of a case file.",
+                             print_schema)
+                  .first,
+              "schema > case.schema.json");
 }
 
 } // namespace asperity::cli

@@ -1,8 +1,9 @@
-#include "cli/surface_command.hpp"
-
+// `asperity surface`: parameters, spectrum and predicted contact of measured
+// maps and lines, or of the surface of a case.
 #include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
+#include "cli/commands.hpp"
 #include "cli/surface_input.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/summary.hpp"
@@ -12,7 +13,7 @@
 #include "reports/surface/surface_text.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
-#include "run/arguments/option_quantity.hpp"
+#include "run/arguments/physics.hpp"
 #include "run/output_folder.hpp"
 #include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/scan.hpp"
@@ -259,8 +260,8 @@ fs::path folder_of(const SurfaceCommand& command,
                                 : std::string("surface"));
 }
 
-} // namespace
-
+/// Analyses the inputs, prints the results and writes the report.
+/// @throws input::InputError  an input cannot be read, or an option is invalid
 run::ExitCode inspect_surface(const SurfaceCommand& command) {
   if (command.lists_channels)
     return print_channels(command.inputs);
@@ -290,8 +291,6 @@ run::ExitCode inspect_surface(const SurfaceCommand& command) {
   fmt::print("report: {}\n", (folder / "report.html").string());
   return run::exit_good;
 }
-
-namespace {
 
 /// How the inputs are read.
 void add_input_options(CLI::App* command, SurfaceCommand& surface) {
@@ -327,11 +326,12 @@ void add_input_options(CLI::App* command, SurfaceCommand& surface) {
 
 } // namespace
 
-void add_surface_command(CLI::App& program, SurfaceCommand& surface,
-                         run::OutputOptions& output, Action& action) {
-  CLI::App* command = program.add_subcommand(
-      "surface", "Inspect measured maps, line scans or the surface\n"
-                 "of a case: parameters, spectrum, report.");
+void add_surface(CommandLine& line) {
+  auto [command, surface] = line.add<SurfaceCommand>(
+      "surface",
+      "Inspect measured maps, line scans or the surface\n"
+      "of a case: parameters, spectrum, report.",
+      inspect_surface);
   add_input_options(command, surface);
   command->add_option("--tip-radius", surface.tip_radius,
                       "radius of the tip, e.g. \"10 nm\": limits the\n"
@@ -367,14 +367,13 @@ void add_surface_command(CLI::App& program, SurfaceCommand& surface,
   command->add_flag("--no-report", surface.has_no_report,
                     "print the numbers only");
   add_report_forms(command, surface.forms);
-  add_quiet(command, output);
-  command->add_flag("--json", output.is_json,
+  add_quiet(command, line.output);
+  command->add_flag("--json", line.output.is_json,
                     "print all numbers, or with --channels the list of\n"
                     "channels, as JSON; other text goes to standard\n"
                     "error; write a report only with --out");
   add_example(command,
               "surface map.txt --contact-modulus \"2 GPa\" --figures pdf");
-  command->callback([&] { action = [&] { return inspect_surface(surface); }; });
 }
 
 } // namespace asperity::cli

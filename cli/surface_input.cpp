@@ -6,7 +6,7 @@
 #include "mechanics/limits.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
-#include "run/arguments/option_quantity.hpp"
+#include "run/arguments/physics.hpp"
 #include "surfaces/build.hpp"
 #include "surfaces/measured_map.hpp"
 

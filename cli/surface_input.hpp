@@ -3,7 +3,7 @@
 // Reads the inputs of `asperity surface`: a map file, a line scan, or the
 // surface of a case, each levelled.
 
-#include "cli/surface_command.hpp"
+#include "cli/command_line.hpp"
 #include "surfaces/analysis/line_scan.hpp"
 #include "surfaces/maps/height_map.hpp"
 
@@ -12,6 +12,31 @@
 #include <vector>
 
 namespace asperity::cli {
+
+/// Options of `asperity surface`.
+struct SurfaceCommand {
+  std::vector<std::string> inputs; ///< map files, line scans or cases
+  std::vector<std::string> overrides;
+  std::string level = "plane"; ///< [surface] level of a file
+  bool is_periodic = false;    ///< --edges periodic
+  std::string length;          ///< "20 um"; empty: the file states it
+  std::string height_unit;     ///< "nm"; empty: the file states it
+  std::string missing_value;   ///< "-9999"; empty: no number marks a point
+  std::string length_unit;     ///< "um", of positions; empty: stated or none
+  std::string channel;         ///< title or number; empty: the one with heights
+  std::string tip_radius;      ///< "10 nm"; empty: not known
+  std::string contact_modulus; ///< "2 GPa"; empty: no theory
+  double gamma = 0.4;          ///< of the theory, as `run MAP` sets it
+  std::string out;             ///< empty: out/<name>
+  std::string write;           ///< file to convert the map to
+  std::string field;           ///< of a result: pressure, gap or heights
+  bool is_whole_cell = false;  ///< the map with its mirror images
+  std::string method;          ///< whose field; empty: the first with fields
+  int step = -1;               ///< of the field; negative: the last saved one
+  bool lists_channels = false; ///< print the channels of files, no more
+  bool has_no_report = false;
+  ReportForms forms; ///< of the report
+};
 
 /// A map as it is analysed.
 struct SurfaceMap {

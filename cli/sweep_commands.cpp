@@ -7,7 +7,6 @@
 #include "run/interrupt.hpp"
 #include "run/new_output.hpp"
 #include "run/output_folder.hpp"
-#include "run/sweeps/sweep_plan.hpp"
 #include "run/sweeps/sweep_run.hpp"
 
 #include <fmt/format.h>

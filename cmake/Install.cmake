@@ -1,6 +1,6 @@
 # What `cmake --install` puts where, and the Debian package made of it. The program
 # finds its cases, its documentation and the finite-element module relative to itself
-# (run/arguments/installed_files.cpp, fem/plugin_loader.cpp), so that any prefix works.
+# (run/arguments/case_library.cpp, fem/plugin_loader.cpp), so that any prefix works.
 include(GNUInstallDirs)
 set(ASPERITY_LIBRARY_FOLDER lib/asperity) # the same on every system
 

@@ -106,12 +106,12 @@ bool is_complete(const fs::path& place) {
 /// Moves all files of a folder into another one, the result or the sweep first:
 /// where it is missing, only its report was still to be moved.
 void move_files(const fs::path& from, const fs::path& to) {
-  if (has_main_file(from))
-    for (const char* name : main_files)
-      if (fs::exists(from / name))
-        fs::rename(from / name, to / name);
-      else
-        fs::remove(to / name);
+  const bool is_whole = has_main_file(from);
+  for (const char* name : main_files)
+    if (fs::exists(from / name))
+      fs::rename(from / name, to / name);
+    else if (is_whole)
+      fs::remove(to / name);
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(from))
     if (!entry.is_directory())
@@ -134,6 +134,11 @@ void remove_output(const fs::path& folder) {
   remove_report(folder);
   for (const char* name : main_files)
     fs::remove(folder / name);
+}
+
+fs::path latest_output(const fs::path& folder) {
+  const fs::path hidden = folder / NewOutput::hidden_folder;
+  return has_main_file(hidden) ? hidden : folder;
 }
 
 NewOutput::NewOutput(fs::path folder, bool resume, const char* main_file)

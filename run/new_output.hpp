@@ -17,6 +17,10 @@ std::string files_of_method(const std::string& method, int realization);
 /// Nothing else is touched.
 void remove_output(const std::filesystem::path& folder);
 
+/// Returns where the last run into a folder has left its output: the hidden
+/// folder of NewOutput if it is not complete, otherwise the folder.
+std::filesystem::path latest_output(const std::filesystem::path& folder);
+
 /// The output of a command. In a folder without an output of ours it is
 /// computed in the folder itself, otherwise in the hidden folder ".new-run" in
 /// it, whose files replace the earlier output once they are complete: no run

@@ -19,7 +19,7 @@
 #include "run/interrupt.hpp"
 #include "run/method_job.hpp"
 #include "run/mpi_world.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/plan/plan.hpp"
 #include "run/plan/preparation.hpp"
 #include "run/plan/skipped.hpp"
 #include "run/provenance_of_run.hpp"

@@ -67,4 +67,15 @@ struct ShippedCase {
 /// read says so.
 std::vector<ShippedCase> shipped_cases();
 
+/// Returns the folder of the shipped cases: share/asperity/cases beside the
+/// folder of the running program if it exists, else cases/ of the source tree.
+///
+/// @throws std::runtime_error  neither exists; the message names both
+std::filesystem::path shipped_cases_folder();
+
+/// Returns the folder of the documentation: share/doc/asperity beside the
+/// folder of the running program if it has an index, else docs/ of the source
+/// tree; empty if neither exists.
+std::filesystem::path documentation_folder();
+
 } // namespace asperity::run

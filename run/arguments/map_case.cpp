@@ -6,7 +6,7 @@
 #include "input/input_file.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "run/arguments/case_library.hpp"
-#include "run/arguments/option_quantity.hpp"
+#include "run/arguments/physics.hpp"
 
 #include <fmt/format.h>
 

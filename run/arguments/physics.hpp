@@ -3,6 +3,7 @@
 // Overrides of a case by which a command adds a physical effect to it.
 
 #include "cases/types/case.hpp"
+#include "input/units.hpp"
 
 #include <string>
 #include <vector>
@@ -35,5 +36,19 @@ std::vector<std::string> adhesion_overrides(const std::string& work,
 /// @param presses  the case of each map, with the loads of maps
 /// @return  an override of the loads; "" if they are below the hardness
 std::string loads_below_hardness(const std::vector<cases::Case>& presses);
+
+/// Returns the quantity in SI units.
+/// @param option  name of the option, for messages: "--contact-modulus"
+/// @param text    number and unit: "2 GPa"
+/// @throws input::InputError  no number with a unit of the dimension, or the
+///                            number is not above 0
+double positive_quantity(const std::string& option, const std::string& text,
+                         input::Dimension dimension);
+
+/// Returns the unit of length that an option gives, as a quantity of a case:
+/// "1 nm" for "nm", and "2 nm" as it is.
+/// @throws input::InputError  it is no unit of length
+std::string length_unit_text(const std::string& option,
+                             const std::string& unit);
 
 } // namespace asperity::run

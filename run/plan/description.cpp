@@ -4,7 +4,7 @@
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/plan/plan.hpp"
 #include "surfaces/inner_roughness.hpp"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 #include "base/read_file.hpp"
 #include "cases/text/toml_text.hpp"
 #include "run/plan/description.hpp"
-#include "run/plan/memory_check.hpp"
 #include "run/plan/needs.hpp"
+#include "run/plan/plan.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,10 @@
 #include "run/plan/plan.hpp"
 
+#include "base/available_memory.hpp"
 #include "cases/reader/locking.hpp"
 #include "cases/types/omissions.hpp"
 #include "fem/plugin.hpp"
+#include "input/input_error.hpp"
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
@@ -13,6 +15,8 @@
 #include "run/plan/needs.hpp"
 #include "run/plan/preparation.hpp"
 #include "surfaces/build.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -240,6 +244,26 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options) {
   plan.disk = result_bytes(contact_case, methods, kept);
   plan.skipped = skipped_by_case({contact_case, methods, grid});
   return plan;
+}
+
+std::string refusal_of(const Plan& plan) {
+  const std::string shortage = memory_shortage(plan.memory);
+  return shortage.empty()
+             ? ""
+             : shortage +
+                   "; reduce surface.points, surface.realizations or --threads";
+}
+
+void require_memory(const cases::Case& contact_case,
+                    const RunOptions& options) {
+  if (!contact_case.surface.points)
+    return;
+  const std::string refusal = refusal_of(make_plan(contact_case, options));
+  if (!refusal.empty())
+    throw input::InputError(
+        fmt::format("{}: surface.points = {} with {} realisation(s) {}",
+                    contact_case.path, *contact_case.surface.points,
+                    contact_case.surface.realizations, refusal));
 }
 
 } // namespace asperity::run

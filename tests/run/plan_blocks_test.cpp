@@ -1,7 +1,7 @@
 // Tests of plans of full blocks: their memory.
 // tests/run/expected_block_test.cpp compares the unknowns and the linear solver
 // with those of blocks.
-#include "run/plan/memory_check.hpp"
+#include "run/plan/plan.hpp"
 #include "tests/run/planned_run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,21 +1,59 @@
 #pragma once
 
-// Parts of the command line that several commands share.
+// The command line while it is described: its commands, and the options that
+// several of them share.
 
-#include "cli/report_forms.hpp"
 #include "run/exit_code.hpp"
 #include "run/output.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::cli {
 
-/// The chosen command, which is called after the command line is parsed.
-using Action = std::function<run::ExitCode()>;
+struct CommandLine {
+  CLI::App program;
+  run::OutputOptions output = {};             ///< of the chosen command
+  std::function<run::ExitCode()> action = {}; ///< the chosen command
+
+  /// Adds a command, with an object for its options that `run` gets if the
+  /// command is chosen.
+  template <class Options>
+  std::pair<CLI::App*, Options&>
+  add(const std::string& name, const std::string& text,
+      std::function<run::ExitCode(const Options&)> run) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = program.add_subcommand(name, text);
+    command->callback([this, options, run = std::move(run)] {
+      action = [options, run] { return run(*options); };
+    });
+    return {command, *options};
+  }
+};
+
+// The commands of this folder, each beside its implementation.
+void add_part_commands(CommandLine& line);
+void add_check(CommandLine& line);
+void add_certify(CommandLine& line);
+void add_answer_commands(CommandLine& line);
+void add_surface(CommandLine& line);
+void add_cache(CommandLine& line);
+void add_robustness(CommandLine& line);
+void add_small_commands(CommandLine& line);
+void add_inspect_commands(CommandLine& line);
+
+/// In which forms a report is written besides its page.
+struct ReportForms {
+  bool has_pdf = false;             ///< also print the report
+  std::vector<std::string> formats; ///< of figures for a journal
+  std::string width = "86mm";       ///< of these
+  std::string units;                ///< likewise; empty: those of the report
+};
 
 /// Adds an example line to the help of a command, before the footer that all
 /// commands share.
