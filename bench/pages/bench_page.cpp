@@ -184,21 +184,6 @@ Json method_tables(const Bench& bench, const Json& points) {
   return tables;
 }
 
-reports::DrawnGroup drawn(const std::string& heading,
-                          const std::vector<reports::Figure>& figures,
-                          const std::filesystem::path& folder,
-                          const std::string& gnuplot,
-                          std::vector<std::string>& problems) {
-  reports::DrawnGroup group{heading, {}};
-  for (const reports::Figure& figure : figures) {
-    group.figures.push_back(reports::draw(figure, folder / "figures", gnuplot));
-    if (!group.figures.back().problem.empty())
-      problems.push_back(
-          fmt::format("{}: {}", figure.name, group.figures.back().problem));
-  }
-  return group;
-}
-
 } // namespace
 
 std::string per_cent(double share) {
@@ -213,14 +198,14 @@ std::vector<std::string> write_bench_report(const Bench& bench,
   write_file_atomically(folder / "bench.json", text_of_json(page, 2) + "\n");
   write_file_atomically(folder / "bench.csv", bench_csv(bench));
   std::vector<std::string> problems;
-  std::vector<reports::DrawnGroup> groups;
-  const auto draw_group = [&](const std::string& heading,
-                              const std::vector<reports::Figure>& figures) {
-    if (!figures.empty())
-      groups.push_back(drawn(heading, figures, folder, gnuplot, problems));
-  };
-  draw_group("Finite-element blocks", block_figures(bench));
-  draw_group("Cost and error", bench_figures(bench));
+  std::vector<reports::FigureGroup> figures{
+      {"Finite-element blocks", "", block_figures(bench)},
+      {"Cost and error", "", bench_figures(bench)}};
+  std::erase_if(figures, [](const reports::FigureGroup& group) {
+    return group.figures.empty();
+  });
+  const std::vector<reports::DrawnGroup> groups =
+      reports::drawn_groups_of(figures, folder, gnuplot, {}, problems);
   page["page_title"] = "Benchmark: " + bench.case_title;
   page["lead"] = fmt::format("Case {}, {}: {} settings of its methods, each "
                              "run as a separate process on one thread.",

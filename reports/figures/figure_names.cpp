@@ -1,4 +1,4 @@
-#include "reports/figures/figure_names.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <algorithm>
 

@@ -70,16 +70,4 @@ std::string quantity_text(double value, const std::string& unit, int digits) {
   return fmt::format("{:.{}g}{}", value, digits, unit == "1" ? "" : " " + unit);
 }
 
-std::string time_text(double seconds) {
-  if (seconds < 60.0)
-    return fmt::format("{:.2g} s", seconds);
-  return seconds < 3600.0 ? fmt::format("{:.1f} min", seconds / 60.0)
-                          : fmt::format("{:.3g} h", seconds / 3600.0);
-}
-
-std::string size_text(double bytes) {
-  return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes)
-                     : fmt::format("{:.3g} GB", 1e-9 * bytes);
-}
-
 } // namespace asperity::reports

@@ -22,10 +22,4 @@ std::string percent_text(const Estimate& estimate);
 std::string quantity_text(double value, const std::string& unit,
                           int digits = 4);
 
-/// Returns "2.1 s", "3.5 min" or "12 h".
-std::string time_text(double seconds);
-
-/// Returns "12 MB" or "1.5 GB".
-std::string size_text(double bytes);
-
 } // namespace asperity::reports

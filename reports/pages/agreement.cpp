@@ -11,11 +11,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
 
 using results::MethodRecord;
+
+/// The numbers of a row in comparison.json and comparison.csv.
+constexpr std::array agreement_columns{
+    std::pair("gap_difference [h_rms]", &AgreementRow::gap_difference),
+    std::pair("area_difference [1]", &AgreementRow::area_difference),
+    std::pair("pressure_difference [1]", &AgreementRow::pressure_difference),
+    std::pair("certified_gap_error [h_rms]", &AgreementRow::certified_error),
+    std::pair("estimated_gap_error [h_rms]", &AgreementRow::estimated_error)};
 
 /// The record behind a series.
 const MethodRecord& record_of(std::span<const ReportEntry> entries,
@@ -155,24 +164,14 @@ nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
   Json list = Json::array();
   for (const Agreement& agreement : agreements) {
     Json rows = Json::array();
-    for (const AgreementRow& row : agreement.rows)
-      rows.push_back({{"realization", row.realization},
-                      {"nominal_pressure [Pa]", row.nominal_pressure},
-                      {"gap_difference [h_rms]", row.gap_difference},
-                      {"area_difference [1]", row.area_difference},
-                      {"pressure_difference [1]", row.pressure_difference},
-                      {"certified_gap_error [h_rms]", row.certified_error},
-                      {"estimated_gap_error [h_rms]", row.estimated_error}});
     Json largest = Json::object();
-    for (const auto& [name, number] :
-         {std::pair("gap_difference [h_rms]", &AgreementRow::gap_difference),
-          std::pair("area_difference [1]", &AgreementRow::area_difference),
-          std::pair("pressure_difference [1]",
-                    &AgreementRow::pressure_difference),
-          std::pair("certified_gap_error [h_rms]",
-                    &AgreementRow::certified_error),
-          std::pair("estimated_gap_error [h_rms]",
-                    &AgreementRow::estimated_error)})
+    for (const AgreementRow& row : agreement.rows) {
+      rows.push_back({{"realization", row.realization},
+                      {"nominal_pressure [Pa]", row.nominal_pressure}});
+      for (const auto& [name, number] : agreement_columns)
+        rows.back()[name] = row.*number;
+    }
+    for (const auto& [name, number] : agreement_columns)
       largest[name] = agreement.largest(number);
     list.push_back({{"method", agreement.method},
                     {"reference", agreement.reference},
@@ -184,16 +183,19 @@ nlohmann::ordered_json agreement_json(std::span<const Agreement> agreements) {
 }
 
 std::string agreement_csv(std::span<const Agreement> agreements) {
-  CsvTable table({"method", "realization", "nominal_pressure [Pa]",
-                  "gap_difference [h_rms]", "area_difference [1]",
-                  "pressure_difference [1]", "certified_gap_error [h_rms]",
-                  "estimated_gap_error [h_rms]"});
+  std::vector<std::string> head{"method", "realization",
+                                "nominal_pressure [Pa]"};
+  for (const auto& [name, number] : agreement_columns)
+    head.emplace_back(name);
+  CsvTable table(head);
   for (const Agreement& agreement : agreements)
-    for (const AgreementRow& row : agreement.rows)
-      table.add(agreement.method, {static_cast<double>(row.realization),
-                                   row.nominal_pressure, row.gap_difference,
-                                   row.area_difference, row.pressure_difference,
-                                   row.certified_error, row.estimated_error});
+    for (const AgreementRow& row : agreement.rows) {
+      std::vector<double> cells{static_cast<double>(row.realization),
+                                row.nominal_pressure};
+      for (const auto& [name, number] : agreement_columns)
+        cells.push_back(row.*number);
+      table.add(agreement.method, cells);
+    }
   return table.text();
 }
 

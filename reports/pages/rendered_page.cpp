@@ -89,10 +89,6 @@ std::string shown(const Json& object, const Json& value,
     return "–";
   if (format == "unit")
     return quantity_text(number, object.at("unit").get<std::string>());
-  if (format == "time")
-    return time_text(number);
-  if (format == "size")
-    return size_text(number);
   if (const std::string unit = format.substr(1);
       unit == "m" || unit == "N" || unit == "Pa")
     return quantity_text(number, unit, format.front() - '0');

@@ -23,7 +23,6 @@ namespace asperity::reports {
 ///     {{gap|4m}}          in metres, with a prefix: "5.98 nm"; also N and Pa
 ///     {{gap|unit}}        the same in the unit that its object has as `unit`
 ///     {{gap|key}}         all digits; what is missing is sorted last
-///     {{gap|time}}        seconds, minutes or hours; |size: MB or GB
 ///     {{value|±}}         with the half_width_95 of its object: "0.41 ± 0.02";
 ///                         |±4g e9: in this format
 std::string rendered_page(std::string_view page_template,

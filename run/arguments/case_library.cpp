@@ -7,7 +7,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
-#include "reports/figures/figure_names.hpp"
+#include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 // Tests of report.html as a browser shows it, in headless Chromium where it is
-// installed: verdicts and pictures are there, and nothing is loaded from
-// elsewhere.
+// installed: pictures are there, and nothing is loaded from elsewhere.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -10,38 +9,6 @@
 #include "browser.hpp"
 
 namespace asperity::reports::browser_test {
-
-// Three verdicts are ok and one is not, by construction, and each drawn figure
-// is a picture within the page.
-TEST_F(Browser, ShowsEveryVerdictAndFigure) {
-  const std::string dom = dom_of(folder / "report.html");
-
-  EXPECT_EQ(all_between(dom, "<td class=\"word ", "</td>"),
-            (std::vector<std::string>{"ok\">✓ ok", "ok\">✓ ok", "ok\">✓ ok",
-                                      "failed\">✗ failed"}));
-  EXPECT_GE(n_pictures(), 9);
-  const std::vector<std::string> pictures = all_between(dom, "<img ", ">");
-  EXPECT_EQ(std::ssize(pictures), n_pictures());
-  for (const std::string& picture : pictures)
-    EXPECT_NE(picture.find(" src=\"data:image/"), std::string::npos);
-  EXPECT_EQ(dom.find("could not be drawn"), std::string::npos);
-}
-
-// Scripts are those of the page itself, and links lead to its own sections.
-TEST_F(Browser, RefersToNothingElsewhere) {
-  const std::string dom = dom_of(folder / "report.html");
-
-  for (const char* tag : {"<link", "<iframe", "<object", "<embed", "@import",
-                          "url(", " srcset=", "<script src"})
-    EXPECT_EQ(dom.find(tag), std::string::npos) << tag;
-  for (const std::string& scheme : all_between(dom, " src=\"", ":"))
-    EXPECT_EQ(scheme, "data");
-  for (const std::string& target : all_between(dom, " href=\"", "\"")) {
-    EXPECT_EQ(target.substr(0, 1), "#");
-    EXPECT_NE(dom.find(" id=\"" + target.substr(1) + "\""), std::string::npos)
-        << target;
-  }
-}
 
 /// Addresses that the browser requested, without those of its own services.
 std::vector<std::string> requests_in(const std::string& log) {
@@ -120,6 +87,7 @@ TEST_F(Browser, CanDrawEveryPicture) {
   const std::vector<std::string> widths =
       all_between(dom_of(folder / "probe.html"), "alt=\"width ", "\"");
 
+  EXPECT_GE(n_pictures(), 9);
   EXPECT_EQ(std::ssize(widths), n_pictures());
   for (const std::string& width : widths)
     EXPECT_GE(std::stoi(width), 480);

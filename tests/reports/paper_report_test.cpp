@@ -1,6 +1,5 @@
 // Tests of the report on a collection: every published number has its verdict
-// in each part; a series of parts is one section; pages link to each other; a
-// browser shows all of it.
+// in each part; a series of parts is one section; pages link to each other.
 #include "reports/pages/paper_report.hpp"
 #include "reports/pages/readme_text.hpp"
 
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 
-#include "browser.hpp"
 #include "report_folder.hpp"
 #include "synthetic.hpp"
 
@@ -195,20 +193,6 @@ TEST_F(PaperReport, ParsesAReadme) {
             (std::vector<std::string>{"A b", "c d e"}));
   EXPECT_EQ(paragraph_on(readme, "Claim"), "The gap & the load.");
   EXPECT_EQ(paragraph_on(readme, "Figure"), "");
-}
-
-// A browser shows every row and makes no request.
-TEST_F(PaperReport, OpensInABrowser) {
-  if (!has_chromium())
-    GTEST_SKIP() << "skipped: needs chromium";
-  page_of({"size-1", "size-2"});
-
-  const std::string dom = dom_in_chromium(folder / "report.html", folder);
-
-  EXPECT_EQ(count(dom, "<tr class=\"first\">"), 5);
-  EXPECT_EQ(count(dom, "<img "), count(dom, "src=\"data:image/"));
-  EXPECT_EQ(dom.find("<script src"), std::string::npos);
-  EXPECT_EQ(dom.find("src=\"http"), std::string::npos);
 }
 
 } // namespace asperity::reports::paper_report_test

@@ -59,7 +59,16 @@ TEST_F(Report, IsSelfContained) {
        at = own.find("://", at + 1))
     EXPECT_EQ(own.substr(at - 4, 18), "http://www.w3.org/");
   EXPECT_TRUE(
-      document.select_nodes("//script/@src | //link | //iframe").empty());
+      document
+          .select_nodes("//script/@src | //@srcset | //link | //iframe | "
+                        "//object | //embed")
+          .empty());
+  for (const auto& link : document.select_nodes("//a/@href")) {
+    const std::string target = link.attribute().value();
+    EXPECT_EQ(target.front(), '#');
+    EXPECT_NE(html.find(" id=\"" + target.substr(1) + "\""), std::string::npos)
+        << target;
+  }
   for (const auto& image : document.select_nodes("//img/@src"))
     EXPECT_EQ(std::string(image.attribute().value()).rfind("data:image/svg", 0),
               0U);

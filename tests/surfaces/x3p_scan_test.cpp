@@ -67,49 +67,15 @@ std::string x3p_refusal(const Arguments&... arguments) {
   return tests::message_of<input::InputError>([&] { x3p_scan(arguments...); });
 }
 
-/// @param tolerance  [m]; the default is the roundoff of a few operations
-void expect_six(const Scan& scan, double tolerance = 1e-22) {
+/// Tolerance: the roundoff of a few operations.
+void expect_six(const Scan& scan) {
   EXPECT_EQ(scan.map.grid.points_x, 3);
   EXPECT_EQ(scan.map.grid.points_y, 2);
   EXPECT_NEAR(scan.map.grid.length_x, 3e-6, 1e-12);
   EXPECT_NEAR(scan.map.grid.length_y, 4e-6, 1e-12);
   ASSERT_EQ(scan.map.heights.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_NEAR(scan.map.heights[i], six[i], tolerance) << i;
-}
-
-TEST(X3pScan, ReadsEveryTypeOfNumber) {
-  X3pText document;
-  expect_six(x3p_scan(document, numbers_as_bytes(six)));
-  document.z = "<AxisType>A</AxisType><DataType>F</DataType>";
-  expect_six(
-      x3p_scan(document, numbers_as_bytes<float>(
-                             {1e-9F, -2e-9F, 3e-9F, 4e-9F, 5e-9F, 60e-9F})),
-      60e-9 * 0x1p-24); // half a unit
-  document.z = "<AxisType>A</AxisType><DataType>I</DataType><Increment>1e-9"
-               "</Increment>";
-  expect_six(
-      x3p_scan(document, numbers_as_bytes<std::int16_t>({1, -2, 3, 4, 5, 60})));
-  document.z = "<AxisType>A</AxisType><DataType>L</DataType><Increment>1e-10"
-               "</Increment><Offset>1e-9</Offset>";
-  expect_six(x3p_scan(
-      document, numbers_as_bytes<std::int32_t>({0, -30, 20, 30, 40, 590})));
-}
-
-// Absolute axes are stored with each point and must be regular.
-TEST(X3pScan, ReadsAbsoluteAxes) {
-  X3pText document;
-  document.x = document.y = document.z;
-  std::vector<double> points;
-  for (int i = 0; i < 6; ++i)
-    points.insert(points.end(),
-                  {7e-6 + static_cast<double>(i % 3) * 1e-6, (i / 3) * 2e-6,
-                   six[static_cast<std::size_t>(i)]});
-  expect_six(x3p_scan(document, numbers_as_bytes(points)));
-  points[3] += 0.1e-6;
-  EXPECT_EQ(x3p_refusal(document, numbers_as_bytes(points)),
-            "map.x3p: main.xml: the absolute positions along x are not regular "
-            "at point (1, 0)");
+    EXPECT_NEAR(scan.map.heights[i], six[i], 1e-22) << i;
 }
 
 TEST(X3pScan, ReadsTheMaskAndTheList) {
@@ -337,8 +303,9 @@ TEST(X3pArchive, HasHeightsOfEveryType) {
   parts.z = "<AxisType>A</AxisType><DataType>I</DataType><Increment>1e-12"
             "</Increment>";
   expect_heights<std::int16_t>(parts, 3e4, 1e-12, 0.0);
-  parts.z = "<AxisType>A</AxisType><DataType>L</DataType>";
-  expect_heights<std::int32_t>(parts, 2e9, 1.0, 0.0);
+  parts.z = "<AxisType>A</AxisType><DataType>L</DataType><Increment>1e-10"
+            "</Increment><Offset>1e-9</Offset>";
+  expect_heights<std::int32_t>(parts, 2e9, 1e-10, 1e-9);
 }
 
 /// Positions of both axes and heights of each point.
