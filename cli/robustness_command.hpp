@@ -22,7 +22,7 @@ struct RobustnessCommand {
   std::string out = "out/robustness";
 };
 
-/// Writes stress.html, stress.json and stress.csv into `out`; for a case, into
+/// Writes stress.json and stress.csv into `out`; for a case, into
 /// the sub-folder with the name of the case.
 ///
 /// @return  exit_not_converged if any instance is neither verified nor
