@@ -1,7 +1,6 @@
-// Tests of md/minimise/fire.hpp and md/dynamics/dynamics_run.hpp: three methods
-// converge to one state.
+// Tests of md/dynamics/dynamics_run.hpp: damped motion converges to the state
+// of L-BFGS.
 #include "md/dynamics/dynamics_run.hpp"
-#include "md/minimise/fire.hpp"
 #include "tests/base/fields.hpp"
 #include "tests/md/rough_contact.hpp"
 
@@ -11,7 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace asperity::md::fire_test {
+namespace asperity::md::dynamics_run_agreement_test {
 
 using problems::angstrom;
 using problems::RoughContact;
@@ -35,9 +34,9 @@ double force_difference(const System& system, std::span<const double> a,
   return tests::largest_difference(first, second) / mean;
 }
 
-class ThreeMinimizers : public ::testing::TestWithParam<Load> {
+class TwoMinimizers : public ::testing::TestWithParam<Load> {
 protected:
-  ThreeMinimizers() : system(problem().system()) {
+  TwoMinimizers() : system(problem().system()) {
     system.set_load(GetParam());
     start = system.undeformed(GetParam().kind == Load::Kind::height
                                   ? GetParam().amount
@@ -56,34 +55,17 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(
-    Loads, ThreeMinimizers,
+    Loads, TwoMinimizers,
     ::testing::Values(Load{Load::Kind::nominal_pressure, 1e9},
                       Load{Load::Kind::height, 5.0 * angstrom}));
 
-// FIRE converges to the state of L-BFGS. Tolerance: both leave a residual of
-// 1e-7 of the mean force, root mean square over all unknowns; the error of the
-// largest force of a layer may be sqrt(unknowns) times the range of the softest
-// wave, 1e-4.
-TEST_P(ThreeMinimizers, FireEndsWhereLbfgsDoes) {
-  std::vector<double> by_lbfgs = start;
-  std::vector<double> by_fire = start;
-
-  const Relaxation lbfgs = relax(system, by_lbfgs, tight());
-  const Relaxation fire = relax_by_fire(system, by_fire, tight());
-
-  ASSERT_TRUE(lbfgs.converged) << lbfgs.note;
-  ASSERT_TRUE(fire.converged) << fire.note;
-  RecordProperty("lbfgs_evaluations", lbfgs.evaluations);
-  RecordProperty("fire_evaluations", fire.evaluations);
-  EXPECT_LE(fire.residual, tolerance);
-  EXPECT_NEAR(fire.energy / lbfgs.energy, 1.0, 1e-9);
-  EXPECT_LT(force_difference(system, by_lbfgs, by_fire), 1e-4);
-}
-
-// Damped motion converges to it too, and ends early. Tolerance as above. The
+// Damped motion converges to the state of L-BFGS, and ends early. Tolerance:
+// both leave a residual of 1e-7 of the mean force, root mean square over all
+// unknowns; the error of the largest force of a layer may be sqrt(unknowns)
+// times the range of the softest wave, 1e-4. The
 // damping is near critical for the block on its contact: 9 m per surface atom
 // on some 0.5 N/m.
-TEST_P(ThreeMinimizers, DampedMotionEndsWhereLbfgsDoes) {
+TEST_P(TwoMinimizers, DampedMotionEndsWhereLbfgsDoes) {
   std::vector<double> by_lbfgs = start;
   const Relaxation lbfgs = relax(system, by_lbfgs, tight());
   ASSERT_TRUE(lbfgs.converged) << lbfgs.note;
@@ -107,21 +89,4 @@ TEST_P(ThreeMinimizers, DampedMotionEndsWhereLbfgsDoes) {
   EXPECT_LT(force_difference(system, by_lbfgs, by_motion), 1e-4);
 }
 
-// Verifies that FIRE reports why it stopped.
-TEST_P(ThreeMinimizers, FireReportsNonConvergence) {
-  RelaxationSettings settings = tight();
-  settings.max_evaluations = 5;
-  std::vector<double> state = start;
-
-  const Relaxation short_run = relax_by_fire(system, state, settings);
-  EXPECT_FALSE(short_run.converged);
-  EXPECT_EQ(short_run.evaluations, 5);
-  EXPECT_EQ(short_run.note, "max_evaluations reached");
-
-  const Relaxation stopped = relax_by_fire(
-      system, state, tight(), [](const Progress&) { return false; });
-  EXPECT_FALSE(stopped.converged);
-  EXPECT_EQ(stopped.note, "stopped");
-}
-
-} // namespace asperity::md::fire_test
+} // namespace asperity::md::dynamics_run_agreement_test
