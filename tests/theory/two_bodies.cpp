@@ -1,4 +1,4 @@
-#include "theory/exact/two_bodies.hpp"
+#include "tests/theory/two_bodies.hpp"
 
 #include "base/require.hpp"
 

@@ -1,4 +1,4 @@
-#include "theory/exact/hertz_stress.hpp"
+#include "tests/theory/hertz_stress.hpp"
 
 #include "base/require.hpp"
 
