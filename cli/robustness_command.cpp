@@ -6,10 +6,8 @@
 #include "cli/command_line.hpp"
 #include "input/input_error.hpp"
 #include "results/provenance.hpp"
-#include "robustness/axes.hpp"
-#include "robustness/case_instance.hpp"
 #include "robustness/instance_pool.hpp"
-#include "robustness/page.hpp"
+#include "robustness/matrix.hpp"
 #include "robustness/run_instance.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/mpi_world.hpp"
@@ -44,11 +42,13 @@ struct RobustnessCommand {
 struct Source {
   std::string name; ///< name of the case; empty: none
   std::string word; ///< path of the case file, as needed to repeat the run
-  std::optional<Instance> base;
+  std::vector<robustness::Base> bases = {}; ///< taken in turn
 
   Instance draw(std::uint64_t seed, int index) const {
-    return base ? robustness::draw_instance_about(*base, seed, index)
-                : robustness::draw_instance(seed, index);
+    const auto n = static_cast<int>(bases.size());
+    return robustness::draw_instance(
+        seed, index,
+        n == 0 ? nullptr : &bases[static_cast<std::size_t>(index % n)]);
   }
 };
 
@@ -58,8 +58,7 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
     for (const run::FoundCase& found : run::find_cases(word).cases) {
       const cases::Case read = cases::read_case(found.file.string());
       sources.push_back({found.name.empty() ? read.name : found.name,
-                         found.file.string(),
-                         robustness::instance_of_case(read)});
+                         found.file.string(), robustness::bases_of(read)});
     }
   if (command.cases.empty())
     sources.emplace_back();
@@ -143,26 +142,13 @@ Results results_of(const std::vector<Instance>& instances,
   return results;
 }
 
-void write_files(const fs::path& folder, const robustness::Matrix& matrix,
-                 const Results& results,
-                 const robustness::RunDescription& words) {
-  const std::vector<robustness::LockingRow> locking =
-      robustness::locking_table();
-  write_table(folder, results);
-  write_file_atomically(folder / "stress.json",
-                        robustness::json_of(matrix, words, locking));
-  write_file_atomically(folder / "stress.html",
-                        robustness::page_of(matrix, words, locking));
-}
-
 run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
                          std::string& json) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<Instance> instances = instances_of(source, command);
   const fs::path folder = fs::path(command.out) / source.name;
   const run::OutputFolder lock(folder, "robustness",
-                               {"stress.csv", "stress.json", "stress.html"},
-                               {source.word});
+                               {"stress.csv", "stress.json"}, {source.word});
   const Results results = results_of(instances, command, folder);
   robustness::Matrix matrix;
   for (const auto& [index, result] : results)
@@ -178,22 +164,21 @@ run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
   words.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
           .count();
-  write_files(folder, matrix, results, words);
+  write_table(folder, results);
+  write_file_atomically(
+      folder / "stress.json",
+      robustness::json_of(matrix, words, robustness::locking_table()));
   json +=
       (json.empty() ? "" : ",\n") + run::json_of_file(folder / "stress.json");
 
-  for (const auto& [instance, report] : matrix.others())
-    fmt::print("{} --instance {}: {}{} {}\n", words.rerun, instance.index,
-               name_of(report.outcome),
-               report.check.empty() ? "" : " (" + report.check + ")",
-               report.reason);
+  fmt::print("{}", text_of(matrix, words));
   const robustness::Counts& total = matrix.total();
   fmt::print("{} problem instances in {:.0f} s: {} verified, {} refused, {} "
              "with any other outcome; {}\n",
              total.all(), words.wall_seconds,
              total.of(robustness::Outcome::verified),
              total.of(robustness::Outcome::refused), total.others(),
-             (folder / "stress.html").string());
+             (folder / "stress.json").string());
   return total.others() > 0 ? run::exit_not_converged : run::exit_good;
 }
 
@@ -212,7 +197,7 @@ run::ExitCode run_one(const Source& source, const RobustnessCommand& command) {
   if (report.has_pair)
     fmt::print(
         "metamorphic pair ({}): {} bits, mean gaps {:.3g} tolerances apart\n",
-        name_of(instance.relation),
+        instance.label("metamorphic pair"),
         report.has_same_bits ? "identical" : "different",
         report.pair_difference);
   return is_good(report.outcome) ? run::exit_good : run::exit_not_converged;

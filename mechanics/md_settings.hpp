@@ -23,7 +23,7 @@ enum class AtomLattice {
 enum class AtomBulk { green, explicit_layers };
 enum class AtomModes { vector, normal };
 enum class AtomPotential { repulsive, lennard_jones };
-enum class AtomMinimizer { automatic, lbfgs, fire, dynamics };
+enum class AtomMinimizer { automatic, lbfgs, dynamics };
 
 /// Returns the number of atoms per side of the periodic substrate lattice whose
 /// spacing is closest to a/phi, where phi is the golden mean. The number is

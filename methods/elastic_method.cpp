@@ -1,7 +1,9 @@
 #include "methods/elastic_method.hpp"
 
+#include "base/cpu_clock.hpp"
 #include "contact/operators/free_halfspace.hpp"
-#include "methods/cached_operator.hpp"
+#include "fem/plugin.hpp"
+#include "methods/cache/cache.hpp"
 #include "methods/continuum_block.hpp"
 #include "methods/curve_row.hpp"
 #include "methods/load_steps.hpp"
@@ -11,9 +13,38 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+#include <string>
 #include <utility>
 
 namespace asperity::methods {
+
+/// Returns functions that read and write the cache entry `key`. The entry holds
+/// the CPU time of the operator set-up, followed by the bytes of the operator.
+///
+/// @param threads           number of threads of the set-up; its time is
+///                          measured from this call
+/// @param saved_setup_time  [s], set when the entry is read; must outlive the
+///                          returned functions
+fem::OperatorCache operator_cache(Cache& cache, const std::string& key,
+                                  int threads, double& saved_setup_time) {
+  const auto read = [&cache, key, &saved_setup_time] {
+    std::optional<std::string> bytes = cache.read(key, entry_kind::face);
+    if (!bytes || bytes->size() < sizeof(double))
+      return std::optional<std::string>();
+    std::memcpy(&saved_setup_time, bytes->data(), sizeof(double));
+    return std::optional(bytes->substr(sizeof(double)));
+  };
+  const auto write = [&cache, key,
+                      clock = CpuClock(threads)](std::string_view bytes) {
+    const double cost = clock.seconds();
+    std::string kept(sizeof(double), '\0');
+    std::memcpy(kept.data(), &cost, sizeof(double));
+    cache.write(key, entry_kind::face, kept.append(bytes));
+  };
+  return {read, write};
+}
+
 namespace {
 
 using mechanics::ContactSettings;

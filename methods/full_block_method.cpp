@@ -143,7 +143,7 @@ private:
   /// The residual bounds nodal forces and gaps, relative to the largest contact
   /// force and to the rms height.
   Reached reached_by(const fem::BlockSolution& solution) const {
-    double strongest = 0.0;
+    double strongest = std::abs(solution.nominal_pressure); // of samples too
     for (const double pressure : solution.pressure)
       strongest = std::max(strongest, pressure);
     const double height = surface_.scales.rms_height > 0.0

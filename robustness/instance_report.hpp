@@ -50,6 +50,7 @@ struct InstanceReport {
   double reduced_gap = 0.0;
   /// Tolerance of reduced_gap; not sent to other processes [1]
   double reduced_tolerance = 0.0;
+  double gap_scale = 0.0; ///< h_rms of the first surface; not sent [m]
   bool has_pair = false;
   bool has_same_bits = false; ///< fields of the pair, scaled, are bitwise equal
   /// Difference of the mean gaps, in units of the tolerance [1]

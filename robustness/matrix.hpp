@@ -1,23 +1,23 @@
 #pragma once
 
-// Holds the outcome matrix: the number of instances in the bins of each axis by
-// outcome.
+// Holds the outcomes of a run: the number of instances in the bins of each axis
+// by outcome, and what is written of them.
 
 #include "robustness/instance.hpp"
 #include "robustness/instance_report.hpp"
+#include "robustness/locking.hpp"
 
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::robustness {
 
-/// Number of instances in one cell by outcome.
+/// Number of instances in one bin by outcome.
 struct Counts {
   std::array<int, n_outcomes> by_outcome{};
-
-  void add(Outcome outcome) { ++by_outcome[static_cast<std::size_t>(outcome)]; }
 
   int of(Outcome outcome) const {
     return by_outcome[static_cast<std::size_t>(outcome)];
@@ -47,20 +47,12 @@ public:
 
   const Counts& total() const { return total_; }
 
-  int sound_but_refused() const { return sound_but_refused_; }
-
   double seconds() const { return seconds_; } ///< CPU time of all instances
 
   /// Returns the counts of one bin; zeros if there are none.
   Counts of(const std::string& axis, const std::string& label) const;
 
-  /// Returns the counts of instances in two bins at once; the order is
-  /// irrelevant.
-  Counts of(const std::string& axis, const std::string& label,
-            const std::string& other_axis,
-            const std::string& other_label) const;
-
-  const std::map<MetamorphicRelation, RelationCounts>& relations() const {
+  const std::map<std::string, RelationCounts>& relations() const {
     return relations_;
   }
 
@@ -68,20 +60,34 @@ public:
   /// added.
   const std::vector<InstanceResult>& others() const { return others_; }
 
-  /// The verified instances with the most iterations, in descending order; at
-  /// most ten.
-  const std::vector<InstanceResult>& slowest() const { return slowest_; }
-
 private:
-  void keep_if_slow(const InstanceResult& result);
-
   Counts total_;
-  std::map<std::pair<std::string, std::string>, Counts> pairs_;
-  std::map<MetamorphicRelation, RelationCounts> relations_;
+  std::map<std::pair<std::string, std::string>, Counts> bins_;
+  std::map<std::string, RelationCounts> relations_;
   std::vector<InstanceResult> others_;
-  std::vector<InstanceResult> slowest_;
-  int sound_but_refused_ = 0;
   double seconds_ = 0.0;
 };
+
+/// Description of the run itself.
+struct RunDescription {
+  std::string rerun;   ///< "asperity robustness --seed 1", without --instance
+  std::string commit;  ///< commit of the program
+  std::string machine; ///< processor and number of cores
+  double wall_seconds = 0.0;
+  std::uint64_t seed = 0;
+};
+
+/// Return the header line and the line of an instance.
+std::string csv_header();
+std::string csv_line(const InstanceResult& result);
+
+/// Returns the counts, the metamorphic pairs, locking and all instances with
+/// other outcomes.
+std::string json_of(const Matrix& matrix, const RunDescription& run,
+                    const std::vector<LockingRow>& locking);
+
+/// Returns the outcomes of each family, the metamorphic pairs and the instances
+/// with other outcomes with the commands that run them again.
+std::string text_of(const Matrix& matrix, const RunDescription& run);
 
 } // namespace asperity::robustness

@@ -1,6 +1,6 @@
 #pragma once
 
-// Runs a problem instance from its parameters to its outcome.
+// Runs a problem instance from its case to its outcome.
 
 #include "robustness/instance.hpp"
 #include "robustness/instance_report.hpp"
@@ -9,10 +9,12 @@
 
 namespace asperity::robustness {
 
-/// Runs the instance and every check on it. Nothing is thrown:
+/// Reads the case of the instance, runs its method by the library as a run
+/// does, and every check on each load step. Nothing is thrown:
 /// std::domain_error and input::InputError count as a refusal, and any other
-/// exception is reported as such. A refusal must state a reason and what is
-/// allowed. A flawed instance that is not refused fails the check "refusal".
+/// exception is reported as such. A refusal must state what is allowed, or the
+/// place in a file. A flawed instance that is not refused fails the check
+/// "refusal".
 /// @param program  path of `asperity`, for the instances that go through it;
 ///     empty: the executable of this process
 InstanceReport run_instance(const Instance& instance,

@@ -1,4 +1,7 @@
-#include "robustness/kinds.hpp"
+// Evaluates a theory and verifies its rows against each other.
+#include "methods/surfaces_of_case.hpp"
+#include "methods/theory_method.hpp"
+#include "robustness/case_pass.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
@@ -15,18 +18,6 @@ constexpr double relative_accuracy = 1e-12;
 
 /// In full contact, u below this value has lost digits to underflow.
 constexpr double smallest_gap = 1e-280;
-
-StepSummary summary_of(const theory::PerssonContact& contact,
-                       double nominal_pressure) {
-  StepSummary summary;
-  summary.nominal_pressure = nominal_pressure;
-  summary.mean_gap = contact.mean_gap(nominal_pressure);
-  summary.separation = summary.mean_gap;
-  summary.energy = contact.elastic_energy(nominal_pressure);
-  summary.area = contact.area_fraction(nominal_pressure);
-  summary.tolerance = relative_accuracy * summary.mean_gap;
-  return summary;
-}
 
 std::optional<Failure> verify_values(const theory::PerssonContact& contact,
                                      const StepSummary& step) {
@@ -47,11 +38,11 @@ std::optional<Failure> verify_values(const theory::PerssonContact& contact,
 /// Compares A/A_0 = erf(sqrt2 p/(E* h')) with the error function evaluated
 /// here; h' comes from the theory's own moments of the spectrum.
 std::optional<Failure> verify_area(const theory::PerssonContact& contact,
-                                   const Instance& instance,
+                                   double contact_modulus,
                                    const StepSummary& step) {
   const double slope = contact.spectrum().rms_slope();
   const double expected = std::erf(std::numbers::sqrt2 * step.nominal_pressure /
-                                   (instance.contact_modulus * slope));
+                                   (contact_modulus * slope));
   if (std::abs(step.area - expected) > relative_accuracy * expected)
     return Failure{
         "area",
@@ -78,29 +69,44 @@ std::optional<Failure> verify_inverse(const theory::PerssonContact& contact,
 
 } // namespace
 
-void run_theory(const Instance& instance, InstanceReport& report) {
-  const surfaces::IsotropicSpectrum formula = spectrum_of(instance);
-  const theory::PerssonContact contact(
-      theory::HeightSpectrum(
-          theory::SpectrumFormula{formula.density, formula.kinks}),
-      instance.contact_modulus, instance.gamma);
+void run_theory(const MethodOfCase& what, InstanceReport& report) {
+  const auto& settings =
+      std::get<mechanics::TheorySettings>(what.method.settings);
+  const methods::CaseSurfaces surfaces(what.contact_case, {what.method}, {0});
+  const bool by_formula = !what.method.needs_surface();
+  const theory::HeightSpectrum spectrum =
+      by_formula ? methods::formula_of_case(what.contact_case, what.method)
+                 : methods::spectrum_of(surfaces.of(what.method, 0));
+  const mechanics::Scales scales =
+      by_formula ? methods::formula_scales(what.contact_case, spectrum)
+                 : surfaces.of(what.method, 0).scales;
+  const theory::PerssonContact contact(spectrum, scales.contact_modulus,
+                                       settings.gamma);
+  const bool is_first_law =
+      settings.loss_factor == mechanics::LossFactor::yang_persson;
   std::vector<StepSummary> steps;
-  for (const double factor : {0.5, 1.0, 1.01}) {
-    const StepSummary step =
-        summary_of(contact, factor * instance.load * instance.contact_modulus *
-                                instance.rms_slope);
+  for (const results::CurvePoint& row : methods::theory_rows(
+           settings, what.contact_case.load, spectrum, scales)) {
+    StepSummary step;
+    step.nominal_pressure = row.nominal_pressure;
+    step.mean_gap = step.separation = row.mean_gap;
+    step.energy = row.elastic_energy;
+    step.area = row.area_fraction;
+    step.tolerance = relative_accuracy * step.mean_gap;
+    if (const auto failure = verify_values(contact, step))
+      return fail(report, *failure);
     for (const auto& failure :
-         {verify_values(contact, step), verify_area(contact, instance, step),
+         {verify_area(contact, scales.contact_modulus, step),
           verify_inverse(contact, step)})
-      if (failure)
+      if (failure && is_first_law)
         return fail(report, *failure);
-    if (!steps.empty())
+    if (!steps.empty() && is_first_law)
       if (const auto failure = verify_pair(steps.back(), step))
         return fail(report, *failure);
     steps.push_back(step);
   }
-  report.area = steps[1].area;
-  report.reduced_gap = steps[1].mean_gap / contact.spectrum().rms_height();
+  report.area = steps[steps.size() / 2].area;
+  report.reduced_gap = steps[steps.size() / 2].mean_gap / spectrum.rms_height();
 }
 
 } // namespace asperity::robustness

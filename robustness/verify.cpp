@@ -1,6 +1,7 @@
 #include "robustness/verify.hpp"
 
 #include "base/field_sums.hpp"
+#include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "results/observables/observables.hpp"
 
@@ -105,35 +106,21 @@ std::optional<Failure> verify_apart(const AskedContact& asked,
   return {};
 }
 
-std::optional<Failure> verify_contact(const AskedContact& asked,
-                                      const ContactSolution& solution) {
-  double overlap = 0.0;
-  double open_contact = 0.0;
-  for (std::size_t i = 0; i < solution.gap.size(); ++i) {
-    const double clearance =
-        solution.gap[i] + asked.local_compliance * solution.pressure[i];
-    overlap = std::max(overlap, -clearance);
-    if (solution.pressure[i] > 0.0)
-      open_contact = std::max(open_contact, std::abs(clearance));
-  }
-  const double allowed =
-      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
-  const auto says = [&](double found) {
-    return fmt::format("{:.3g} m, allowed {:.3g} m", found, allowed);
-  };
-  if (overlap > allowed)
-    return Failure{"overlap", says(overlap)};
-  if (open_contact > allowed)
-    return Failure{"complementarity", says(open_contact)};
-  return {};
-}
-
 double energy_of(const AskedContact& asked, const ContactSolution& solution) {
   return results::elastic_energy(solution.pressure, solution.displacement,
                                  asked.weights) +
          results::contact_energy(solution.pressure, asked.local_compliance,
                                  asked.weights);
 }
+
+/// A number of a row with its admissible range.
+struct Ranged {
+  const char* name;
+  double value;
+  double low;
+  double high;
+  bool may_be_unknown = false; ///< NaN means "not determined"
+};
 
 } // namespace
 
@@ -173,6 +160,68 @@ std::optional<Failure> verify_step(const AskedContact& asked,
   if (auto failure = verify_gap_field(asked, solution, displacement))
     return failure;
   return verify_contact(asked, solution);
+}
+
+std::optional<Failure> verify_contact(const AskedContact& asked,
+                                      const ContactSolution& solution) {
+  double overlap = 0.0;
+  double open_contact = 0.0;
+  for (std::size_t i = 0; i < solution.gap.size(); ++i) {
+    const double clearance =
+        solution.gap[i] + asked.local_compliance * solution.pressure[i];
+    overlap = std::max(overlap, -clearance);
+    if (solution.pressure[i] > 0.0)
+      open_contact = std::max(open_contact, std::abs(clearance));
+  }
+  const double allowed =
+      1.01 * asked.gap_tolerance + gap_rounding(asked, solution);
+  const auto says = [&](double found) {
+    return fmt::format("{:.3g} m, allowed {:.3g} m", found, allowed);
+  };
+  if (overlap > allowed)
+    return Failure{"overlap", says(overlap)};
+  if (open_contact > allowed)
+    return Failure{"complementarity", says(open_contact)};
+  return {};
+}
+
+std::optional<Failure> verify_row(const results::CurvePoint& row) {
+  const double rounding = 1e-12;
+  const bool is_adhesive = std::isfinite(row.adhesive_energy);
+  for (const Ranged& number :
+       {Ranged{"nominal_pressure", row.nominal_pressure,
+               is_adhesive ? -infinity : 0.0, infinity},
+        Ranged{"mean_gap", row.mean_gap, -infinity, infinity},
+        Ranged{"area_fraction", row.area_fraction, 0.0, 1.0 + rounding},
+        Ranged{"area_fraction_corrected", row.area_fraction_corrected, 0.0,
+               1.0 + rounding, true},
+        Ranged{"area_fraction_fit", row.area_fraction_fit, 0.0, 1.0, true},
+        Ranged{"area_fraction_moment", row.area_fraction_moment, 0.0, 1.0,
+               true},
+        Ranged{"contact_perimeter", row.contact_perimeter, 0.0, infinity, true},
+        Ranged{"elastic_energy", row.elastic_energy, -infinity, infinity},
+        Ranged{"contact_energy", row.contact_energy, 0.0, infinity},
+        Ranged{"residual", row.residual, 0.0, infinity},
+        Ranged{"iterations", static_cast<double>(row.iterations), 0.0,
+               infinity},
+        Ranged{"cpu_time", row.cpu_time, 0.0, infinity},
+        Ranged{"certified_gap_error", row.certified_gap_error, 0.0, infinity,
+               true},
+        Ranged{"estimated_gap_error", row.estimated_gap_error, 0.0, infinity,
+               true}}) {
+    const bool is_known = !number.may_be_unknown || !std::isnan(number.value);
+    if (is_known &&
+        !(std::isfinite(number.value) && number.value >= number.low &&
+          number.value <= number.high))
+      return Failure{"observables",
+                     fmt::format("{} = {:.6g}, but must be finite and between "
+                                 "{:g} and {:g}",
+                                 number.name, number.value, number.low,
+                                 number.high)};
+  }
+  if (row.status != results::StepStatus::converged)
+    return Failure{"observables", "a row that did not converge"};
+  return {};
 }
 
 std::optional<Failure>

@@ -5,6 +5,7 @@
 
 #include "contact/solvers/solver.hpp"
 #include "results/observables/observables.hpp"
+#include "results/types/result.hpp"
 
 #include <functional>
 #include <optional>
@@ -66,6 +67,15 @@ std::optional<Failure> verify_step(const AskedContact& asked,
                                    const mechanics::LoadTarget& target,
                                    const contact::ContactSolution& solution,
                                    const Displace& displace);
+
+/// The last two of these checks.
+std::optional<Failure> verify_contact(const AskedContact& asked,
+                                      const contact::ContactSolution& solution);
+
+/// Verifies that every observable of a row exists and lies in its range: areas
+/// in 0..1 (those that are fitted may be NaN, not determined), perimeters and
+/// energies >= 0; and that it has converged.
+std::optional<Failure> verify_row(const results::CurvePoint& row);
 
 /// Verifies the certificate of a solution: from the tolerance t of the solver
 /// it follows that the duality gap is at most 2 p_0 t.

@@ -61,7 +61,7 @@ mechanics::Edges continuation_of(const mechanics::SurfaceSpec& surface);
 /// that is a noise floor.
 /// @throws input::InputError  the file is not a map, the window is not inside
 ///                            it, more points are missing than max_missing, a
-///                            number marks missing points (missing_values.hpp),
+///                            number marks missing points,
 ///                            or the map is flat
 MeasuredMap measured_map(const mechanics::SurfaceSpec& surface);
 

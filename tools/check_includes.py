@@ -24,9 +24,6 @@ MAY_INCLUDE = {
     "md": {"base", "input", "mechanics", "surfaces"},
     "results": {"base", "input", "mechanics", "ranks", "theory"},  # its Eq. (20) is (1) with another variance
     "reports": {"base", "input", "mechanics", "cases", "surfaces", "theory", "results"},
-    # It makes case files and reads them.
-    "robustness": {"base", "input", "mechanics", "cases", "surfaces", "theory", "contact",
-                   "meshes", "results", "fem/plugin.hpp", "md/engines.hpp"},
     "methods": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "meshes",
                 "contact", "flow", "results", "fem/plugin.hpp", "md/contact/atomic_contact.hpp",
                 "md/engines.hpp"},
@@ -34,6 +31,9 @@ MAY_INCLUDE = {
                  "reports", "methods"},
     "run": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "meshes",
             "contact", "flow", "results", "reports", "methods", "fem/plugin.hpp", "md/engines.hpp"},
+    # It makes cases and runs them.
+    "robustness": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "contact",
+                   "results", "methods", "run", "fem/plugin.hpp"},
     "bench": {"base", "ranks", "input", "mechanics", "cases", "surfaces", "theory", "results",
               "reports", "methods", "run"},
     "cli": {"base", "input", "mechanics", "cases", "surfaces", "theory", "contact", "results",

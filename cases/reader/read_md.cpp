@@ -57,8 +57,7 @@ void check_balance(TableReader& table, const mechanics::MdSettings& md) {
       table.has("damping"))
     table.refuse(table.said_by("damping"),
                  "must be > 0 [1/s] at a temperature of 0");
-  if ((is_dynamics || md.minimizer == mechanics::AtomMinimizer::fire) &&
-      md.bulk != mechanics::AtomBulk::explicit_layers)
+  if (is_dynamics && md.bulk != mechanics::AtomBulk::explicit_layers)
     table.complain(table.said_by("minimizer"),
                    "needs bulk = \"explicit\": the atoms of a condensed block "
                    "have no mass");

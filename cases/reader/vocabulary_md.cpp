@@ -65,9 +65,9 @@ std::vector<Key> interaction_keys() {
           "layer above the substrate; a pair closer than d_c is in contact.",
           needed("4.3615 angstrom")),
       key<&Md::minimizer>(
-          "minimizer", {"auto", "lbfgs", "fire", "dynamics"},
+          "minimizer", {"auto", "lbfgs", "dynamics"},
           "Minimiser; auto is Newton's method for green and L-BFGS for "
-          "explicit. fire and dynamics need bulk = \"explicit\"."),
+          "explicit. dynamics needs bulk = \"explicit\"."),
       key<&Md::tolerance>("tolerance", Range{0.0, 0.1, false, true},
                           "Root mean square of the residual forces, relative "
                           "to the mean normal force per atom."),

@@ -8,7 +8,6 @@
 #include "md/dynamics/checkpoint.hpp"
 #include "md/dynamics/dynamics_run.hpp"
 #include "md/lattice/effective_modulus.hpp"
-#include "md/minimise/fire.hpp"
 
 #include <fmt/format.h>
 
@@ -119,11 +118,8 @@ ExplicitContact::balance(const Load& load, int step, std::vector<double>& state,
                          const RelaxationSettings& settings,
                          const Watch& watch) {
   const mechanics::MdSettings& asked = request().settings;
-  if (asked.minimizer == AtomMinimizer::automatic ||
-      asked.minimizer == AtomMinimizer::lbfgs)
+  if (asked.minimizer != AtomMinimizer::dynamics)
     return {relax(system_, state, settings, watch), {}};
-  if (asked.minimizer == AtomMinimizer::fire)
-    return {relax_by_fire(system_, state, settings, watch), {}};
 
   DynamicsRun run;
   // Each load step has its own seed, so that random numbers are not repeated.

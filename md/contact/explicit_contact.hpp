@@ -1,7 +1,7 @@
 #pragma once
 
-// The engine with an explicit bulk: the multiscale block, solved by L-BFGS,
-// FIRE or molecular dynamics.
+// The engine with an explicit bulk: the multiscale block, solved by L-BFGS or
+// molecular dynamics.
 
 #include "md/contact/atomic_contact.hpp"
 

@@ -138,7 +138,6 @@ void LammpsContact::write_inputs(const mechanics::LoadTarget& target) const {
   task.start_height = mean_height(block_, start_);
   task.tolerance = settings.tolerance;
   task.max_evaluations = settings.max_evaluations;
-  task.minimizer = settings.minimizer;
   write_file_atomically(folder_ / lammps_file::start,
                         positions_file(block_, start_));
   write_file_atomically(folder_ / lammps_file::input,

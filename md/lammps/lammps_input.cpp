@@ -83,19 +83,6 @@ std::string load_lines(const LammpsBlock& block, const LammpsTask& task) {
       is_height ? "-c_mean[3]" : "0.0", -load);
 }
 
-/// Returns the lines that select the minimiser. The time step of FIRE is based
-/// on the highest frequency, sqrt(12 k/m); FIRE may increase the step tenfold,
-/// which approaches the stability limit.
-std::string minimizer_lines(const LammpsBlock& block, const LammpsTask& task) {
-  if (task.minimizer != mechanics::AtomMinimizer::fire)
-    return "min_style cg\nmin_modify dmax 0.1 line quadratic\n";
-  const double frequency =
-      std::sqrt(12.0 * block.bond_stiffness() / metal::mass);
-  return fmt::format("min_style fire\nmin_modify dmax 0.1 tmax 10\n"
-                     "timestep {:.6g}\n",
-                     0.17 / frequency / metal::time);
-}
-
 /// Returns the force norm, relative to the contact force, at which LAMMPS must
 /// stop for the residual to equal `tolerance`.
 double stopping_norm(const LammpsBlock& block, double tolerance) {
@@ -155,7 +142,7 @@ std::string answer_lines() {
 
 std::string input_script(const LammpsBlock& block, const LammpsTask& task) {
   return crystal_lines(block) + load_lines(block, task) +
-         minimizer_lines(block, task) +
+         "min_style cg\nmin_modify dmax 0.1 line quadratic\n" +
          (task.control == mechanics::Control::mean_gap
               ? height_lines(block, task)
               : pressure_lines(block, task)) +

@@ -31,7 +31,6 @@ struct LammpsTask {
   double start_height = 0.0; ///< mean z of the lowest layer at the start [m]
   double tolerance = 0.0;    ///< as RelaxationSettings::tolerance
   int max_evaluations = 0;
-  mechanics::AtomMinimizer minimizer = mechanics::AtomMinimizer::automatic;
 };
 
 /// Returns the input script. The following are constrained: the substrate is
@@ -44,9 +43,9 @@ struct LammpsTask {
 /// entire block. This compression is not part of the problem and, at
 /// p_0 = 0.01 E*, changes the bending stiffness of the springs by 0.3 %.
 ///
-/// The minimizer `lbfgs` selects the conjugate gradient method of LAMMPS, which
-/// has no L-BFGS, and `fire` its FIRE. The target residual is below the
-/// tolerance by a tenth, as a margin for the residual evaluated afterwards.
+/// The minimiser is the conjugate gradient method of LAMMPS, which has no
+/// L-BFGS. The target residual is below the tolerance by a tenth, as a margin
+/// for the residual evaluated afterwards.
 std::string input_script(const LammpsBlock& block, const LammpsTask& task);
 
 } // namespace asperity::md

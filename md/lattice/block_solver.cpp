@@ -1,17 +1,111 @@
 #include "md/lattice/block_solver.hpp"
 
+#include "base/grid.hpp"
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
-#include "md/lattice/alias_modes.hpp"
 #include "md/lattice/level_transfer.hpp"
-#include "md/lattice/wave_blocks.hpp"
+#include "md/lattice/slab_symbol.hpp"
 
+#include <Eigen/Core>
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <complex>
+#include <cstddef>
 
 namespace asperity::md {
+
+using WaveBlock = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+using WaveVector = Eigen::Matrix<std::complex<double>, 3, 1>;
+
+inline WaveBlock full(const SymmetricBlock& block) {
+  WaveBlock matrix;
+  matrix << block.xx, block.xy, block.xz, block.xy, block.yy, block.yz,
+      block.xz, block.yz, block.zz;
+  return matrix;
+}
+
+inline WaveBlock full(const std::array<double, 9>& block) {
+  return Eigen::Map<const WaveBlock>(block.data());
+}
+
+inline SymmetricBlock packed(const WaveBlock& matrix) {
+  return {matrix(0, 0),
+          matrix(1, 1),
+          matrix(2, 2),
+          0.5 * (matrix(0, 1) + matrix(1, 0)),
+          0.5 * (matrix(0, 2) + matrix(2, 0)),
+          0.5 * (matrix(1, 2) + matrix(2, 1))};
+}
+
+/// Adds the block, or the block of the mode -q, to the sum.
+inline void add(SymmetricBlock& sum, const SymmetricBlock& block,
+                bool is_conjugate) {
+  const double sign = is_conjugate ? -1.0 : 1.0;
+  sum.xx += block.xx;
+  sum.yy += block.yy;
+  sum.zz += block.zz;
+  sum.xy += block.xy;
+  sum.xz += sign * block.xz;
+  sum.yz += sign * block.yz;
+}
+
+/// Returns the amplitudes of the same real fields at -q if `is_conjugate` is
+/// set, and the vector itself otherwise.
+inline WaveVector conjugated(const WaveVector& vector, bool is_conjugate) {
+  if (!is_conjugate)
+    return vector;
+  return {-std::conj(vector(0)), -std::conj(vector(1)), std::conj(vector(2))};
+}
+
+/// Three spectra of a layer, each with n modes, stored contiguously.
+struct WavePlanes {
+  std::complex<double>* x = nullptr;
+  std::size_t n = 0;
+
+  WaveVector at(std::size_t mode) const {
+    return {x[mode], x[n + mode], x[2 * n + mode]};
+  }
+
+  void set(std::size_t mode, const WaveVector& vector) const {
+    x[mode] = vector(0);
+    x[n + mode] = vector(1);
+    x[2 * n + mode] = vector(2);
+  }
+};
+
+/// A mode of a half spectrum, or the conjugate of such a mode.
+struct HalfMode {
+  std::size_t index = 0; ///< index into the half spectrum
+  bool is_conjugate = false;
+};
+
+/// Returns the entry of the half spectrum that represents the mode (jx, jy) of
+/// the full spectrum. Both numbers may be any non-negative integers.
+inline HalfMode half_mode(const Grid& grid, int jx, int jy) {
+  int x = jx % grid.points_x;
+  int y = jy % grid.points_y;
+  const bool is_conjugate = x > grid.points_x / 2;
+  if (is_conjugate) {
+    x = grid.points_x - x;
+    y = (grid.points_y - y) % grid.points_y;
+  }
+  const std::size_t columns = grid.half_spectrum_columns();
+  return {static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x),
+          is_conjugate};
+}
+
+/// Returns the four modes of the fine grid that alias to the mode (jx, jy) of
+/// the coarse grid.
+inline std::array<HalfMode, 4> aliases(const Grid& fine, int jx, int jy) {
+  const int x = jx + fine.points_x / 2;
+  const int y = jy + fine.points_y / 2;
+  return {half_mode(fine, jx, jy), half_mode(fine, x, jy),
+          half_mode(fine, jx, y), half_mode(fine, x, y)};
+}
+
 namespace {
 
 double angle(int wavenumber, int points) {

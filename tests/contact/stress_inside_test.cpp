@@ -3,7 +3,7 @@
 // work done on the surface.
 #include "base/special_numbers.hpp"
 #include "contact/operators/stress_inside.hpp"
-#include "theory/exact/hertz_stress.hpp"
+#include "tests/theory/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
 

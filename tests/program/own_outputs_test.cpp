@@ -66,7 +66,7 @@ TEST_F(OwnOutputs, FilesOfOthersAreRefusedByEveryCommand) {
       {"problem small.toml --set surface.points=32 --out f", "SHA256SUMS"},
       {"bench small.toml --quick --out f", "bench.csv"},
       {"bench small.toml --quick --out f", "runs/run-1/notes.txt"},
-      {"robustness --instances 2 --out f", "stress.html"}};
+      {"robustness --instances 2 --out f", "stress.json"}};
   for (const auto& [command, name] : commands) {
     const fs::path file = folder / "f" / name;
     fs::remove_all(folder / "f");

@@ -16,7 +16,7 @@ PATIENCE = 60  # seconds until the first table, which is written after ten; the 
 
 def main(program, folder):
     shutil.rmtree(folder, ignore_errors=True)
-    process = subprocess.Popen([program, "robustness", "--instances", "100000", "--only",
+    process = subprocess.Popen([program, "robustness", "--instances", "20000", "--only",
                                 "theory", "--threads", "1", "--out", folder],
                                stdout=subprocess.DEVNULL, start_new_session=True)
     try:

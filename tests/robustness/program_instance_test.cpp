@@ -1,7 +1,6 @@
-// Tests of robustness/program_instance.cpp and robustness/written_case.hpp: an
-// instance runs through the program itself, and errors of the program are
-// detected.
-#include "robustness/kinds.hpp"
+// Tests of robustness/program_instance.cpp: an instance runs through the
+// program itself, and errors of the program are detected.
+#include "robustness/flaws.hpp"
 #include "robustness/run_instance.hpp"
 
 #include <gtest/gtest.h>
@@ -10,76 +9,81 @@ namespace asperity::robustness::program_instance_test {
 
 const std::filesystem::path program = ASPERITY_PROGRAM;
 
-Instance instance_of(Family family, Path path) {
-  Instance instance;
-  instance.family = family;
-  instance.path = path;
-  instance.law = mechanics::ContactLaw::penalty;
-  instance.penalty = 1e3;
-  instance.load = 0.1;
-  instance.points = 16;
-  instance.threads = 2;
-  return within_reach(instance);
+/// The first problem of a seed with these labels, on a path.
+Instance drawn(const std::string& filter, const std::string& path) {
+  for (int index = 0;; ++index) {
+    Instance instance = draw_instance(5, index);
+    if (instance.label("points") != "16" ||
+        instance.label("shortest-wave") == "2" ||
+        !InstanceFilter(filter).takes(instance))
+      continue;
+    instance.labels["path"] = path;
+    instance.labels["metamorphic pair"] = "none";
+    instance.threads = 2;
+    return instance;
+  }
 }
 
 TEST(ProgramInstance, AgreesWithTheLibrary) {
-  for (const Family family : {Family::halfspace, Family::slab,
-                              Family::condensed_q1, Family::condensed_q2}) {
-    const InstanceReport report =
-        run_instance(instance_of(family, Path::program), program);
+  for (const char* const filter :
+       {"edges=free", "slab", "condensed-q1", "condensed-q2", "edges=mirror",
+        "study=flow"}) {
+    const Instance instance = drawn(filter, "program");
+    const InstanceReport report = run_instance(instance, program);
 
     EXPECT_EQ(report.outcome, Outcome::verified)
-        << name_of(family) << " " << report.check << ": " << report.reason;
+        << report.check << ": " << report.reason << "\n"
+        << text_of(instance);
   }
 }
 
 TEST(ProgramInstance, HasAReport) {
   const InstanceReport report =
-      run_instance(instance_of(Family::halfspace, Path::report), program);
+      run_instance(drawn("halfspace", "report"), program);
 
   EXPECT_EQ(report.outcome, Outcome::verified) << report.reason;
 }
 
 TEST(ProgramInstance, RunsOnTwoRanks) {
   const InstanceReport report =
-      run_instance(instance_of(Family::full_block, Path::two_ranks), program);
+      run_instance(drawn("full-block", "two-ranks"), program);
 
   EXPECT_EQ(report.outcome, Outcome::verified) << report.reason;
 }
 
-TEST(ProgramInstance, IsRefusedWithEveryFlaw) {
-  for (int flaw = 1; flaw <= static_cast<int>(Flaw::infinite_modulus); ++flaw) {
-    Instance instance = instance_of(Family::flawed, Path::program);
-    instance.flaw = static_cast<Flaw>(flaw);
-
-    const InstanceReport report = run_instance(instance, program);
-
-    EXPECT_EQ(report.outcome, Outcome::refused)
-        << name_of(instance.flaw) << ": " << report.reason;
-  }
+/// A problem with this flaw.
+Instance flawed(const std::string& flaw, const std::string& path) {
+  for (int index = 0;; ++index)
+    if (Instance instance = draw_instance(6, index);
+        instance.label("flaw") == flaw) {
+      instance.labels["path"] = path;
+      return instance;
+    }
 }
 
-// A gap that is wrong by ten tolerances, a program that fails and one that
-// leaves no result.
+TEST(ProgramInstance, IsRefusedWithEveryFlawByLibraryAndProgram) {
+  for (const std::string& flaw : flaw_names())
+    for (const char* const path : {"library", "program"}) {
+      const InstanceReport report = run_instance(flawed(flaw, path), program);
+
+      EXPECT_EQ(report.outcome, Outcome::refused)
+          << flaw << " by " << path << ": " << report.check << " "
+          << report.reason;
+      EXPECT_FALSE(report.reason.empty());
+    }
+}
+
+// A flaw that is in fact valid is not refused, which must be detected, as must
+// a program that fails and one that leaves no result.
 TEST(ProgramInstance, FailsByName) {
-  const Instance instance = instance_of(Family::halfspace, Path::program);
-  InstanceReport library =
-      run_instance(instance_of(Family::halfspace, Path::library));
-  library.reduced_gap += 10.0 * library.reduced_tolerance;
-
-  run_program(instance, program, library);
-
-  EXPECT_EQ(library.outcome, Outcome::check_failed);
-  EXPECT_EQ(library.check, "program");
+  for (const char* const path : {"library", "program"}) {
+    Instance valid = drawn("slab", path);
+    valid.labels["flaw"] = "none";
+    EXPECT_EQ(run_instance(valid, program).check, "refusal") << path;
+  }
+  const Instance instance = drawn("slab", "program");
   EXPECT_EQ(run_instance(instance, "/bin/false").check, "program");
   EXPECT_FALSE(is_good(run_instance(instance, "/bin/true").outcome));
-}
-
-TEST(ProgramInstance, IsNotRefusedWithoutAFlaw) {
-  const InstanceReport report =
-      run_instance(instance_of(Family::flawed, Path::program), program);
-
-  EXPECT_EQ(report.check, "refusal") << report.reason;
 }
 
 } // namespace asperity::robustness::program_instance_test

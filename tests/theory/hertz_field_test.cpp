@@ -1,7 +1,7 @@
-// Tests of theory/exact/hertz_stress.hpp: the stress is in balance and has the
+// Tests of tests/theory/hertz_stress.hpp: the stress is in balance and has the
 // known values at the boundary and on the axis; the displacement satisfies
 // Hooke's law and has the known limits.
-#include "theory/exact/hertz_stress.hpp"
+#include "tests/theory/hertz_stress.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-// Tests of theory/exact/two_bodies.hpp: compliances add, and so do the mean
+// Tests of tests/theory/two_bodies.hpp: compliances add, and so do the mean
 // squares of heights and slopes.
 #include "tests/theory/spectra.hpp"
-#include "theory/exact/two_bodies.hpp"
+#include "tests/theory/two_bodies.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <gtest/gtest.h>
