@@ -108,7 +108,7 @@ const std::vector<Axis>& axes() {
       {"path", names(Path::library, Path::two_ranks)},
       {"threads", {"1", "2", "3"}},
       {"sides", {"periodic", "free"}},
-      {"linear-solver", {"auto", "multigrid", "fourier"}},
+      {"linear-solver", {"auto", "multigrid"}},
       {"modulus-ratio", modulus_ratios.labels()},
       {"mesh", names(MeshKind::layers, MeshKind::gmsh)},
       {"counter-body", names(CounterBody::none, CounterBody::cuboid)}};

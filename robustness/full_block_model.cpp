@@ -20,21 +20,16 @@ mechanics::CounterShape shape_of(CounterBody counter) {
   }
 }
 
-/// The mesh of an instance. Cells of gmsh are hexahedra or tetrahedra of one
-/// spacing at the contact surface, and an adaptive mesh has two coarsest cells
-/// per side, or four first-order ones.
+/// The mesh of an instance. Cells of gmsh have one spacing at the contact
+/// surface, and an adaptive mesh has two coarsest cells per side, or four
+/// first-order ones.
 mechanics::MeshSpec mesh_of(const Instance& instance) {
   using mechanics::ReferenceUnit;
   mechanics::MeshSpec mesh;
   mesh.kind = instance.mesh;
   mesh.halvings = instance.points == 8 ? 1 : 2;
   mesh.size_far = {2.0, ReferenceUnit::spacing};
-  const bool has_counter = instance.counter != CounterBody::none;
-  // Vertices of second-order tetrahedra have no area for contact at nodes, and
-  // counter-bodies are hexahedra.
-  if (instance.index % 2 == 1 && instance.degree == 1 && !has_counter)
-    mesh.cells = mechanics::MeshCells::tetrahedra;
-  if (has_counter) {
+  if (instance.counter != CounterBody::none) {
     mechanics::CounterMeshSpec& counter = mesh.counter.emplace();
     counter.shape = shape_of(instance.counter);
     counter.radius = {instance.counter_radius, ReferenceUnit::length};

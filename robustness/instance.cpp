@@ -112,8 +112,7 @@ void draw_block(const Draw& draw, Instance& instance) {
   instance.has_free_sides = draw.coin(Stream::sides);
   instance.linear_solver = draw.pick<mechanics::LinearSolver>(
       Stream::linear_solver,
-      {mechanics::LinearSolver::automatic, mechanics::LinearSolver::multigrid,
-       mechanics::LinearSolver::fourier});
+      {mechanics::LinearSolver::automatic, mechanics::LinearSolver::multigrid});
   instance.mesh = draw.weigh<mechanics::MeshKind>(
       Stream::mesh, {{mechanics::MeshKind::layers, 4.0},
                      {mechanics::MeshKind::hanging, 2.0},

@@ -61,15 +61,8 @@ Instance with_block_settings(Instance instance) {
     instance = with_counter_settings(instance);
   if (instance.far_boundary == mechanics::FarBoundary::pressure)
     instance.has_free_sides = false;
-  if ((instance.has_free_sides ||
-       instance.mesh != mechanics::MeshKind::layers ||
-       instance.counter != CounterBody::none) &&
-      instance.linear_solver == LinearSolver::fourier)
-    instance.linear_solver = LinearSolver::multigrid;
-  // Their iterations grow beyond the cost of a direct solver, which `auto`
+  // Its iterations grow beyond the cost of a direct solver, which `auto`
   // chooses instead (docs/numerics/full-block.md).
-  if (instance.linear_solver == LinearSolver::fourier)
-    instance.modulus_ratio = std::min(instance.modulus_ratio, 10.0);
   if (instance.linear_solver == LinearSolver::multigrid)
     instance.poisson_ratio = std::min(instance.poisson_ratio, 0.49);
   return instance;

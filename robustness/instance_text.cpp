@@ -46,8 +46,7 @@ std::string name_of(Program program) {
 }
 
 std::string name_of(mechanics::LinearSolver linear_solver) {
-  return nth(std::array{"auto", "direct", "multigrid", "fourier"},
-             linear_solver);
+  return nth(std::array{"auto", "direct", "multigrid"}, linear_solver);
 }
 
 std::string name_of(mechanics::MeshKind mesh) {

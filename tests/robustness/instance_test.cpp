@@ -104,12 +104,10 @@ TEST(Instance, GivesTheSettingsOfABlockToBlocksOnly) {
       EXPECT_NE(instance.law, mechanics::ContactLaw::hard);
       EXPECT_NE(instance.far_boundary, mechanics::FarBoundary::pressure);
       EXPECT_NE(instance.mesh, mechanics::MeshKind::adaptive);
-      EXPECT_NE(instance.linear_solver, mechanics::LinearSolver::fourier);
     }
     most = std::max(most, instance.modulus_ratio);
     if (instance.has_free_sides) {
       EXPECT_NE(instance.far_boundary, mechanics::FarBoundary::pressure);
-      EXPECT_NE(instance.linear_solver, mechanics::LinearSolver::fourier);
     }
   }
   EXPECT_GT(n_free, 10);
