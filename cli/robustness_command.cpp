@@ -203,7 +203,7 @@ run::ExitCode run_one(const Source& source, const RobustnessCommand& command) {
   return is_good(report.outcome) ? run::exit_good : run::exit_not_converged;
 }
 
-/// Writes stress.html, stress.json and stress.csv into `out`; for a case, into
+/// Writes stress.json and stress.csv into `out`; for a case, into
 /// the sub-folder with the name of the case.
 ///
 /// @return  exit_not_converged if any instance is neither verified nor

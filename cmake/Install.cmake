@@ -5,12 +5,10 @@ include(GNUInstallDirs)
 set(ASPERITY_LIBRARY_FOLDER lib/asperity) # the same on every system
 
 set_target_properties(asperity PROPERTIES INSTALL_RPATH "$ORIGIN/../${ASPERITY_LIBRARY_FOLDER}")
-set_target_properties(asperity_fem_module asperity_mesh asperity_base PROPERTIES
-  INSTALL_RPATH "$ORIGIN")
+set_target_properties(asperity_fem_module asperity_base PROPERTIES INSTALL_RPATH "$ORIGIN")
 install(TARGETS asperity RUNTIME DESTINATION bin)
 install(TARGETS asperity_fem_module LIBRARY DESTINATION ${ASPERITY_LIBRARY_FOLDER})
 install(TARGETS asperity_base LIBRARY DESTINATION ${ASPERITY_LIBRARY_FOLDER})
-install(TARGETS asperity_mesh RUNTIME DESTINATION ${ASPERITY_LIBRARY_FOLDER})
 
 install(DIRECTORY cases/ DESTINATION share/asperity/cases
   FILES_MATCHING PATTERN "*"

@@ -40,9 +40,8 @@ double nodes_by_gmsh(const FullRequest& request, double depth) {
     return static_cast<double>(request.file_mesh->vertices.size()) * degree *
            degree * degree;
   return meshes::gmsh_nodes(
-      meshes::gmsh_parameters(request.mesh, request.material,
-                              request.full.sides, depth, request.grid,
-                              request.scales),
+      meshes::gmsh_parameters(request.mesh, request.material, depth,
+                              request.grid, request.scales),
       degree);
 }
 
@@ -94,10 +93,8 @@ MeshStructure structure_of(const FullRequest& request) {
   if (is_one && kind != MeshKind::gmsh)
     return MeshStructure::halved;
   const bool has_hexahedra =
-      request.file_mesh
-          ? request.file_mesh->shape == meshes::CellShape::hexahedron
-          : kind != MeshKind::gmsh ||
-                request.mesh.cells == mechanics::MeshCells::hexahedra;
+      !request.file_mesh ||
+      request.file_mesh->shape == meshes::CellShape::hexahedron;
   return has_hexahedra && degree_of(request.block.element) == 2 &&
                  (is_one || request.mesh.counter)
              ? MeshStructure::hexahedra
@@ -125,15 +122,12 @@ bool has_compressible_cells(const FullRequest& request) {
 
 BlockTraits expected_block(const FullRequest& request, int ranks) {
   const double own = nodes_of_block(request);
-  BlockTraits traits{.requested = request.full.linear_solver,
-                     .unknowns = 3.0 * (own + nodes_of_counter(request, own)),
-                     .ranks = ranks,
-                     .structure = structure_of(request),
-                     .is_compressible = has_compressible_cells(request),
-                     .is_plastic = request.full.yield_stress.has_value()};
-  traits.has_fourier = traits.structure == MeshStructure::lattice &&
-                       request.full.sides == mechanics::BlockSides::periodic;
-  return traits;
+  return {.requested = request.full.linear_solver,
+          .unknowns = 3.0 * (own + nodes_of_counter(request, own)),
+          .ranks = ranks,
+          .structure = structure_of(request),
+          .is_compressible = has_compressible_cells(request),
+          .is_plastic = request.full.yield_stress.has_value()};
 }
 
 } // namespace asperity::fem

@@ -10,7 +10,6 @@
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/mesh_bytes.hpp"
 #include "meshes/mesh_quality.hpp"
-#include "meshes/valid_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,8 +51,8 @@ meshes::BlockMesh mesh_of(const FullRequest& request) {
   if (spec.geometry == mechanics::MeshGeometry::file)
     return request.file_mesh.value();
   return meshes::gmsh_block(meshes::gmsh_parameters(
-      spec, request.material, request.full.sides,
-      request.block.depth.in_si(request.scales), request.grid, request.scales));
+      spec, request.material, request.block.depth.in_si(request.scales),
+      request.grid, request.scales));
 }
 
 /// Adds the mesh of a counter-body of its own and what the report says of it.
@@ -118,8 +117,6 @@ BlockProblem problem_of(const FullRequest& request,
     if (!mesh)
       mesh =
           meshes::layered_mesh(cells_of(grid, degree), thicknesses_of(layers));
-    if (full.sides == mechanics::BlockSides::periodic && full.bodies == 1)
-      problem.lattice = layers;
   }
   if (!mesh)
     mesh = mesh_of(request);
@@ -127,7 +124,6 @@ BlockProblem problem_of(const FullRequest& request,
     problem.adaptive = AdaptiveMesh{mesh_spec.halvings, mesh_spec.moduli_ratio,
                                     mesh_spec.interface_halvings};
   problem.mesh = std::move(*mesh);
-  meshes::require_valid_mesh(problem.mesh, full.sides);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
   if (full.yield_stress)
     problem.plasticity = {
@@ -135,8 +131,6 @@ BlockProblem problem_of(const FullRequest& request,
         full.hardening_modulus ? full.hardening_modulus->in_si(scales) : 0.0};
   problem.far_boundary = block.far_boundary;
   problem.sides = full.sides;
-  problem.contact_at = full.contact_at;
-  problem.height_interpolation = full.height_interpolation;
   problem.linear_solver = full.linear_solver;
   if (full.bodies == 2)
     problem.counter = material.counter;

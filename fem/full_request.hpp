@@ -23,8 +23,8 @@ struct FullRequest {
   mechanics::MaterialSpec material; ///< with poisson_ratio
   mechanics::MeshSpec mesh;
   mechanics::Scales scales;
-  /// The mesh of the file that `mesh` names, with fit_sides; otherwise empty,
-  /// and on other ranks than rank 0.
+  /// The mesh of the file that `mesh` names, with meshes::fit_sides; otherwise
+  /// empty, and on other ranks than rank 0.
   std::optional<meshes::BlockMesh> file_mesh = {};
 };
 

@@ -94,9 +94,8 @@ public:
     return make_block(problem_on_ranks(request));
   }
 
-  std::unique_ptr<FullBlock>
-  uncondensed(const BlockRequest& request) const override {
-    return make_full_block(request.grid, degree(request), layers_of(request));
+  FileMesh mesh_file(const std::string& path, double unit) const override {
+    return read_mesh_file(path, unit);
   }
 
   bool has_followed(const std::function<void(const std::string& text)>& execute)

@@ -6,6 +6,7 @@
 
 #include "contact/operators/surface_operator.hpp"
 #include "fem/block/full_block.hpp"
+#include "fem/block/mesh_file.hpp"
 #include "fem/full_request.hpp"
 #include "flow/network.hpp"
 #include "mechanics/contact_law.hpp"
@@ -67,10 +68,8 @@ public:
   /// @throws input::InputError  in addition, for a file that the request names
   virtual std::unique_ptr<FullBlock> full(const FullRequest& request) const = 0;
 
-  /// The full method for a laterally uniform block: the block of condensed() as
-  /// a full 3-D finite-element model, on a single process.
-  virtual std::unique_ptr<FullBlock>
-  uncondensed(const BlockRequest& request) const = 0;
+  /// As fem::read_mesh_file().
+  virtual FileMesh mesh_file(const std::string& path, double unit) const = 0;
 
   /// Solves a network on this process alone, see flow::SolveNetwork.
   virtual flow::NetworkSolution

@@ -31,29 +31,17 @@ struct BlockSettings {
 
 /// Solver of the linear systems of the full block.
 enum class LinearSolver {
-  automatic, ///< direct for small blocks; for larger ones geometric multigrid
-             ///< on a lattice of boxes (one rank), fourier if the mesh is a
-             ///< periodic regular grid, else multigrid
+  automatic, ///< direct for small and for nearly incompressible blocks, else
+             ///< multigrid
   direct,    ///< MUMPS; KLU on several ranks
-  multigrid, ///< CG with geometric multigrid on a lattice of boxes (one rank),
-             ///< otherwise Trilinos ML smoothed aggregation
-  fourier,   ///< CG, preconditioned by the Fourier solver of the laterally
-             ///< uniform block
+  multigrid, ///< CG with geometric multigrid on boxes and hexahedra of second
+             ///< order, otherwise Trilinos ML smoothed aggregation
 };
-
-/// Where the contact conditions of the full block hold.
-enum class ContactPoints { nodes, gauss };
-
-/// The heights of contact points between the points of the map
-/// (fem/solution/height_interpolation.hpp).
-enum class HeightInterpolation { bicubic, band_limited, bilinear };
 
 /// What only the full 3-D block has (solver = "full").
 struct FullBlockSettings {
   BlockSides sides = BlockSides::periodic;
   LinearSolver linear_solver = LinearSolver::automatic;
-  ContactPoints contact_at = ContactPoints::nodes;
-  HeightInterpolation height_interpolation = HeightInterpolation::bicubic;
   bool uses_case_mesh = false; ///< [mesh] instead of graded layers
   int bodies = 1; ///< 2 meshes the second body too; with 1 it enters through E*
   bool has_stiffness = false; ///< finds the stiffness of each contact

@@ -14,7 +14,6 @@ enum class BlockSides { periodic, free };
 
 enum class MeshKind { layers, hanging, adaptive, gmsh };
 enum class MeshGeometry { block, indentation, layered, inclusion, file };
-enum class MeshCells { hexahedra, tetrahedra };
 
 /// The outline of a counter-body that is meshed by itself: a half ball or a cap
 /// of it, or an upright circular or square column.
@@ -49,16 +48,13 @@ struct MeshSpec {
   /// they follow from the distance from the contact surface.
   std::optional<int> interface_halvings = {};
   MeshGeometry geometry = MeshGeometry::block; ///< for gmsh
-  MeshCells cells = MeshCells::hexahedra;      ///< for gmsh
   /// Edge length of a cell [m].
   Quantity size_at_contact{1.0, ReferenceUnit::spacing};
   Quantity size_far{0.1, ReferenceUnit::length};    ///< far from the contact
                                                     ///< surface [m]
   Quantity fine_radius{0.1, ReferenceUnit::length}; ///< for indentation [m]
   std::string file;                                 ///< as in MaterialVariation
-  double file_unit = 1.0;      ///< metres per unit of the file
-  bool allow_commands = false; ///< a .geo file may start programs and write
-                               ///< files
+  double file_unit = 1.0; ///< metres per unit of the file
   /// Empty: a meshed counter-body is the mirror image of the block.
   std::optional<CounterMeshSpec> counter = {};
 };

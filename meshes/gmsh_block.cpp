@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "meshes/facets.hpp"
-#include "meshes/gmsh_cells.hpp"
 #include "meshes/gmsh_geometries.hpp"
 #include "meshes/gmsh_session.hpp"
 #include "meshes/valid_mesh.hpp"
@@ -75,17 +74,12 @@ BlockMesh gmsh_block(const GmshBlock& block) {
   const GmshBlock scaled = in_units_of(block, unit);
   BlockMesh mesh;
   in_gmsh([&] {
-    if (block.cells == mechanics::MeshCells::hexahedra)
-      mesh_by_gmsh(hexahedra_of(scaled), group_names_of(scaled));
-    else
-      make_tetrahedra(scaled);
-    mesh = cells_of_gmsh().mesh;
+    mesh = mesh_by_gmsh(hexahedra_of(scaled), group_names_of(scaled));
   });
   scale(mesh, block, unit);
   for (const Facet& facet : boundary_facets(mesh))
     mesh.faces.push_back({facet.vertices, side_of(mesh, facet)});
-  require_valid_mesh(mesh, block.is_periodic ? mechanics::BlockSides::periodic
-                                             : mechanics::BlockSides::free);
+  require_positive_cells(mesh);
   return mesh;
 }
 

@@ -17,10 +17,6 @@ GmshBlock in_units_of(GmshBlock block, double unit);
 /// The hexahedra of the block. Vertices lie on the planes up to roundoff.
 TransfiniteBlocks hexahedra_of(const GmshBlock& block);
 
-/// Meshes the block as the current model of gmsh, with one physical volume per
-/// group of cells; to be called inside in_gmsh. Vertices lie as above.
-void make_tetrahedra(const GmshBlock& block);
-
 /// The names of the groups, in order.
 std::vector<std::string> group_names_of(const GmshBlock& block);
 
@@ -30,8 +26,5 @@ std::vector<double> depths_of(const GmshBlock& block);
 /// The cell size at depth z, which grows linearly from the contact surface to
 /// the far boundary.
 double size_at_depth(const GmshBlock& block, double z);
-
-/// The size of a tetrahedron at a place.
-double size_at(const GmshBlock& block, const Place& place);
 
 } // namespace asperity::meshes

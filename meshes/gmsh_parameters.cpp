@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace asperity::meshes {
@@ -17,7 +16,7 @@ using mechanics::MeshGeometry;
 void check_geometry(const GmshBlock& block) {
   const double half = 0.5 * std::min(block.length_x, block.length_y);
   if (block.geometry == MeshGeometry::file)
-    throw std::domain_error("gmsh_block: a file is read by mesh_file");
+    throw std::domain_error("gmsh_block: the geometry is that of a file");
   if (block.geometry == MeshGeometry::indentation)
     require_between("fine_radius", block.fine_radius, block.size_at_contact,
                     0.8 * std::min(half, block.depth), "m");
@@ -40,30 +39,6 @@ void check_geometry(const GmshBlock& block) {
   }
 }
 
-/// Estimates the vertices of the tetrahedra from their size at n^3 places,
-/// which are close together below the centre of the contact surface, where
-/// cells may be small: x = l (1 + t^3) / 2 and z = depth t^3 with equal steps
-/// of t. A regular tetrahedron of edge s has the volume s^3 / (6 sqrt 2), and
-/// there are six of them per vertex.
-double vertices_of_tetrahedra(const GmshBlock& block) {
-  constexpr int n = 64;
-  double vertices = 0.0;
-  for (int k = 0; k < n; ++k)
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) {
-        const double x = (2.0 * i + 1.0) / n - 1.0;
-        const double y = (2.0 * j + 1.0) / n - 1.0;
-        const double z = (k + 0.5) / n;
-        const double size =
-            size_at(block, {0.5 * block.length_x * (1.0 + x * x * x),
-                            0.5 * block.length_y * (1.0 + y * y * y),
-                            block.depth * z * z * z});
-        const double shares = 27.0 * x * x * y * y * z * z / n / n / n;
-        vertices += std::numbers::sqrt2 * shares / (size * size * size);
-      }
-  return vertices * block.length_x * block.length_y * block.depth;
-}
-
 } // namespace
 
 std::vector<double>
@@ -78,18 +53,15 @@ interfaces_of(const std::vector<mechanics::MaterialLayer>& layers,
 }
 
 GmshBlock gmsh_parameters(const mechanics::MeshSpec& spec,
-                          const mechanics::MaterialSpec& material,
-                          mechanics::BlockSides sides, double depth,
+                          const mechanics::MaterialSpec& material, double depth,
                           const Grid& grid, const mechanics::Scales& scales) {
   GmshBlock block;
   block.geometry = spec.geometry;
-  block.cells = spec.cells;
   block.length_x = grid.length_x;
   block.length_y = grid.length_y;
   block.depth = depth;
   block.size_at_contact = spec.size_at_contact.in_si(scales);
   block.size_far = spec.size_far.in_si(scales);
-  block.is_periodic = sides == mechanics::BlockSides::periodic;
   block.fine_radius = spec.fine_radius.in_si(scales);
   if (spec.geometry == MeshGeometry::layered)
     block.interfaces = interfaces_of(material.layers, scales);
@@ -115,10 +87,7 @@ void require_gmsh_block(const GmshBlock& block) {
 }
 
 double gmsh_nodes(const GmshBlock& block, int degree) {
-  const GmshBlock scaled = in_units_of(block, largest_extent(block));
-  if (block.cells == mechanics::MeshCells::hexahedra)
-    return hexahedra_of(scaled).nodes(degree);
-  return vertices_of_tetrahedra(scaled) * degree * degree * degree;
+  return hexahedra_of(in_units_of(block, largest_extent(block))).nodes(degree);
 }
 
 double largest_extent(const GmshBlock& block) {
@@ -147,27 +116,6 @@ std::vector<double> depths_of(const GmshBlock& block) {
 
 double size_at_depth(const GmshBlock& block, double z) {
   return std::lerp(block.size_at_contact, block.size_far, z / block.depth);
-}
-
-double size_at(const GmshBlock& block, const Place& place) {
-  const double x = place[0] - 0.5 * block.length_x;
-  const double y = place[1] - 0.5 * block.length_y;
-  const double near = block.size_at_contact;
-  if (block.geometry == mechanics::MeshGeometry::indentation) {
-    const double reach =
-        std::min({0.5 * block.length_x, 0.5 * block.length_y, block.depth});
-    const double beyond = std::hypot(x, y, place[2]) - block.fine_radius;
-    return std::clamp(near + (block.size_far - near) * beyond /
-                                 (reach - block.fine_radius),
-                      near, block.size_far);
-  }
-  const double by_depth = size_at_depth(block, place[2]);
-  if (block.geometry != mechanics::MeshGeometry::inclusion)
-    return by_depth;
-  const double beyond = std::hypot(x, y, place[2] - block.inclusion_depth) -
-                        block.inclusion_radius;
-  return std::min(by_depth,
-                  block.inclusion_radius / 3.0 + 0.5 * std::max(0.0, beyond));
 }
 
 } // namespace asperity::meshes

@@ -1,6 +1,5 @@
 #include "meshes/mesh_quality.hpp"
 
-#include "meshes/cut_mesh.hpp"
 #include "meshes/facets.hpp"
 
 #include <Eigen/Dense>
@@ -116,6 +115,58 @@ void measure_contact_faces(MeshQuality& quality, const BlockMesh& mesh) {
   }
 }
 
+/// Appends how often the layers of cells between two depths are halved.
+void append_levels(const std::vector<double>& refine_below, std::size_t next,
+                   double top, double bottom, std::vector<int>& levels,
+                   int level = 0) {
+  const double middle = 0.5 * (top + bottom);
+  if (next == refine_below.size()) {
+    levels.push_back(level);
+  } else if (middle < refine_below[next]) {
+    append_levels(refine_below, next + 1, top, middle, levels, level + 1);
+    append_levels(refine_below, next + 1, middle, bottom, levels, level + 1);
+  } else {
+    append_levels(refine_below, next + 1, top, bottom, levels, level);
+  }
+}
+
+/// Replaces the numbers of equal boxes by those after they have been halved.
+void halve_boxes(MeshQuality& quality, const BlockMesh& mesh) {
+  const auto n_layers = mesh.cells.size() / quality.n_contact_faces;
+  const double edge = std::abs(mesh.vertices[mesh.cells[0][1]][0] -
+                               mesh.vertices[mesh.cells[0][0]][0]);
+  const auto n_x = static_cast<std::size_t>(std::lround(mesh.length_x / edge));
+  const std::size_t n_y = quality.n_contact_faces / n_x;
+  std::vector<int> levels; // of the layers, from the contact surface
+  for (std::size_t layer = 0; layer < n_layers; ++layer) {
+    const double height = mesh.depth / static_cast<double>(n_layers);
+    append_levels(mesh.refine_below, 0, height * static_cast<double>(layer),
+                  height * static_cast<double>(layer + 1), levels);
+  }
+  quality.n_cells = quality.n_vertices = 0;
+  int above = levels.front();
+  levels.push_back(levels.back());
+  for (std::size_t layer = 0; layer < levels.size(); ++layer) {
+    const std::size_t fine = std::size_t{1} << std::max(above, levels[layer]);
+    quality.n_vertices += (fine * n_x + 1) * (fine * n_y + 1);
+    above = levels[layer];
+    if (layer + 1 < levels.size())
+      quality.n_cells += (n_x << above) * (n_y << above);
+  }
+  quality.cells_per_group = {quality.n_cells};
+  const int finest = levels.front();
+  quality.n_contact_faces <<= 2 * finest;
+  const double halved = std::ldexp(1.0, -finest);
+  quality.worst_cell = 0; // all are equally good
+  quality.worst_place = {
+      0.5 * halved * edge,
+      0.5 * halved * mesh.length_y / static_cast<double>(n_y),
+      0.5 * halved * mesh.depth / static_cast<double>(n_layers)};
+  quality.edges.smallest *= halved;
+  quality.contact_edges.smallest *= halved;
+  quality.contact_edges.largest *= halved;
+}
+
 } // namespace
 
 double cell_shape(const BlockMesh& mesh, std::size_t cell) {
@@ -127,8 +178,6 @@ double cell_shape(const BlockMesh& mesh, std::size_t cell) {
 MeshQuality mesh_quality(const BlockMesh& mesh) {
   if (mesh.cells.empty())
     throw std::domain_error("mesh: there are no cells");
-  if (!mesh.refine_below.empty())
-    return mesh_quality(cut_mesh(mesh));
   const EdgeRange nothing{std::numeric_limits<double>::infinity(), 0.0};
   MeshQuality quality{.shape = mesh.shape,
                       .n_cells = mesh.cells.size(),
@@ -140,6 +189,8 @@ MeshQuality mesh_quality(const BlockMesh& mesh) {
                           std::vector<std::size_t>(mesh.group_names.size())};
   measure_cells(quality, mesh);
   measure_contact_faces(quality, mesh);
+  if (!mesh.refine_below.empty())
+    halve_boxes(quality, mesh);
   return quality;
 }
 

@@ -17,7 +17,8 @@ struct EdgeRange {
   double largest = 0.0;
 };
 
-/// Quality of a mesh after the refinement of refine_below.
+/// Quality of a mesh after the refinement of refine_below, which only equal
+/// boxes have.
 struct MeshQuality {
   CellShape shape = CellShape::hexahedron;
   std::size_t n_cells = 0;

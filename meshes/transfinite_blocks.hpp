@@ -93,9 +93,9 @@ private:
   std::map<std::array<int, 4>, int> face_between_; ///< by sorted corners
 };
 
-/// Generates the mesh as the current model of gmsh, with one physical volume
-/// per group, starting with tag 1; to be used inside in_gmsh.
-void mesh_by_gmsh(const TransfiniteBlocks& blocks,
-                  const std::vector<std::string>& group_names);
+/// Generates the mesh by gmsh, to be used inside in_gmsh: its vertices, its
+/// cells group by group, and the groups.
+BlockMesh mesh_by_gmsh(const TransfiniteBlocks& blocks,
+                       const std::vector<std::string>& group_names);
 
 } // namespace asperity::meshes

@@ -5,6 +5,8 @@
 
 #include <gmsh.h>
 
+#include <map>
+
 namespace asperity::meshes {
 namespace {
 
@@ -28,10 +30,48 @@ void add_outlines(const TransfiniteBlocks& blocks) {
   geo::synchronize();
 }
 
+/// Adds the hexahedra of a volume, by gmsh's numbers of their nodes.
+void add_cells(int volume, std::vector<std::array<std::size_t, 8>>& cells) {
+  constexpr int hexahedron = 5;
+  /// For each of deal.II's vertices 0, 1, 2, ..., the index of gmsh's vertex.
+  constexpr std::array<std::size_t, 8> order = {0, 1, 3, 2, 4, 5, 7, 6};
+  std::vector<std::size_t> numbers, nodes;
+  constrain::getElementsByType(hexahedron, numbers, nodes, volume);
+  for (std::size_t first = 0; first < nodes.size(); first += 8) {
+    auto& cell = cells.emplace_back();
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      cell[corner] = nodes[first + order[corner]];
+  }
+}
+
+/// Gives the nodes of the cells their places and the cells their vertices.
+void take_vertices(const std::vector<std::array<std::size_t, 8>>& cells,
+                   BlockMesh& mesh) {
+  std::vector<std::size_t> tags;
+  std::vector<double> places, parameters;
+  constrain::getNodes(tags, places, parameters);
+  std::map<std::size_t, Place> place_of;
+  for (std::size_t i = 0; i < tags.size(); ++i)
+    place_of[tags[i]] = {places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+  std::map<std::size_t, unsigned int> vertex_of;
+  for (const auto& cell : cells)
+    for (const std::size_t node : cell)
+      vertex_of[node] = 0;
+  for (auto& [node, vertex] : vertex_of) {
+    vertex = static_cast<unsigned int>(mesh.vertices.size());
+    mesh.vertices.push_back(place_of.at(node));
+  }
+  for (const auto& cell : cells) {
+    auto& vertices = mesh.cells.emplace_back();
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      vertices[corner] = vertex_of.at(cell[corner]);
+  }
+}
+
 } // namespace
 
-void mesh_by_gmsh(const TransfiniteBlocks& blocks,
-                  const std::vector<std::string>& group_names) {
+BlockMesh mesh_by_gmsh(const TransfiniteBlocks& blocks,
+                       const std::vector<std::string>& group_names) {
   add_outlines(blocks);
   int tag = 0;
   for (const TransfiniteBlocks::Edge& edge : blocks.edges())
@@ -51,12 +91,17 @@ void mesh_by_gmsh(const TransfiniteBlocks& blocks,
         ++tag, {at[0], at[1], at[3], at[2], at[4], at[5], at[7], at[6]});
     volumes.at(static_cast<std::size_t>(block.group)).push_back(tag);
   }
-  for (std::size_t group = 0; group < group_names.size(); ++group) {
-    const int physical = gmsh::model::addPhysicalGroup(
-        3, volumes[group], static_cast<int>(group) + 1);
-    gmsh::model::setPhysicalName(3, physical, group_names[group]);
-  }
   constrain::generate(3);
+  BlockMesh mesh;
+  mesh.group_names = group_names;
+  std::vector<std::array<std::size_t, 8>> cells;
+  for (std::size_t group = 0; group < volumes.size(); ++group) {
+    for (const int volume : volumes[group])
+      add_cells(volume, cells);
+    mesh.cell_group.resize(cells.size(), static_cast<int>(group));
+  }
+  take_vertices(cells, mesh);
+  return mesh;
 }
 
 } // namespace asperity::meshes

@@ -1,7 +1,6 @@
 #include "meshes/valid_mesh.hpp"
 
 #include "meshes/facets.hpp"
-#include "meshes/matching_sides.hpp"
 #include "meshes/mesh_quality.hpp"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -18,6 +18,8 @@
 namespace asperity::meshes {
 namespace {
 
+constexpr double accuracy_of_files = 1e-6; ///< of the places, over the largest
+                                           ///< extent
 constexpr double least_shape = 1e-6; ///< smaller values mark an inverted or
                                      ///< flat cell
 
@@ -30,35 +32,6 @@ template <class... Parts>
 
 double tolerance_of(const BlockMesh& mesh) {
   return 1e-9 * std::max({mesh.length_x, mesh.length_y, mesh.depth});
-}
-
-void require_consistent_lists(const BlockMesh& mesh) {
-  if (mesh.cells.empty())
-    refuse("there are no cells");
-  if (mesh.cell_group.size() != mesh.cells.size())
-    refuse("{} cells, but {} cell groups", mesh.cells.size(),
-           mesh.cell_group.size());
-  for (const double length : {mesh.length_x, mesh.length_y, mesh.depth})
-    if (!std::isfinite(length) || length <= 0.0)
-      refuse("its extent is {} x {} x {} m, but must be > 0", mesh.length_x,
-             mesh.length_y, mesh.depth);
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-    for (const double coordinate : mesh.vertices[i])
-      if (!std::isfinite(coordinate))
-        refuse("vertex {} is at {}", i, place_text(mesh.vertices[i]));
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-    for (std::size_t i = 0; i < vertices_per_cell(mesh.shape); ++i)
-      if (mesh.cells[cell][i] >= mesh.vertices.size())
-        refuse("cell {} has vertex {}, but there are {} vertices", cell,
-               mesh.cells[cell][i], mesh.vertices.size());
-    const int group = mesh.cell_group[cell];
-    if (group < 0 || static_cast<std::size_t>(group) >= mesh.group_names.size())
-      refuse("cell {} is of group {}, but there are {} groups", cell, group,
-             mesh.group_names.size());
-  }
-  if (!mesh.refine_below.empty() && mesh.shape != CellShape::hexahedron)
-    refuse("hanging nodes (refine_below) are supported for hexahedra only, but "
-           "the cells are tetrahedra");
 }
 
 /// Refuses coincident vertices. Vertices whose coordinates before `direction`
@@ -98,54 +71,11 @@ void refuse_coincident(const BlockMesh& mesh, std::span<std::size_t> vertices,
   }
 }
 
-/// Requires each vertex to belong to a cell and to have a place of its own.
+/// Requires each vertex to have a place of its own.
 void require_joined_vertices(const BlockMesh& mesh) {
-  std::vector<bool> has_cell(mesh.vertices.size(), false);
-  for (const auto& cell : mesh.cells)
-    for (std::size_t i = 0; i < vertices_per_cell(mesh.shape); ++i)
-      has_cell[cell[i]] = true;
-  for (std::size_t i = 0; i < has_cell.size(); ++i)
-    if (!has_cell[i])
-      refuse("vertex {} at {} belongs to no cell", i,
-             place_text(mesh.vertices[i]));
-
   std::vector<std::size_t> all(mesh.vertices.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   refuse_coincident(mesh, all, 0);
-}
-
-/// Requires every boundary facet to be in exactly one group, and no other facet
-/// to be in any.
-void require_closed(const BlockMesh& mesh) {
-  std::map<std::array<unsigned int, 4>, bool> is_listed;
-  for (const Facet& facet : boundary_facets(mesh))
-    is_listed[facet_key(mesh.shape, facet.vertices)] = false;
-  for (const BoundaryFace& face : mesh.faces) {
-    for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
-      if (face.vertices[i] >= mesh.vertices.size())
-        refuse("a face has vertex {}, but there are {} vertices",
-               face.vertices[i], mesh.vertices.size());
-    const auto found = is_listed.find(facet_key(mesh.shape, face.vertices));
-    const auto place = [&] {
-      return place_text(centre_of_facet(mesh, face.vertices));
-    };
-    if (found == is_listed.end())
-      refuse("the face at {} is not a facet of the boundary", place());
-    if (found->second)
-      refuse("the face at {} is listed twice", place());
-    found->second = true;
-  }
-  for (const auto& [key, listed] : is_listed)
-    if (!listed)
-      refuse("the boundary facet at {} is in no group of faces",
-             place_text(centre_of_facet(mesh, key)));
-}
-
-void require_group(const BlockMesh& mesh, FaceGroup group, const char* name) {
-  if (std::none_of(
-          mesh.faces.begin(), mesh.faces.end(),
-          [&](const BoundaryFace& face) { return face.group == group; }))
-    refuse("no face is in the group {}", name);
 }
 
 void require_flat_contact(const BlockMesh& mesh) {
@@ -182,6 +112,116 @@ void require_held_cells(const BlockMesh& mesh) {
              cell, place_text(centre_of_cell(mesh, cell)));
 }
 
+struct Side {
+  FaceGroup group;
+  const char* name;
+};
+
+/// Two opposite sides and the translation from the first to the second.
+struct Pair {
+  Side from, to;
+  std::size_t direction; ///< 0: x, 1: y
+  double period;         ///< [m]
+};
+
+using VertexByPlace = std::multimap<double, unsigned int>;
+
+/// The vertices of a side, sorted by the in-plane coordinate other than z.
+VertexByPlace vertices_of(const BlockMesh& mesh, const Pair& pair,
+                          const Side& side) {
+  std::set<unsigned int> vertices;
+  for (const BoundaryFace& face : mesh.faces)
+    if (face.group == side.group)
+      for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
+        vertices.insert(face.vertices[i]);
+  if (vertices.empty())
+    throw std::domain_error(fmt::format(
+        "mesh: a periodic block needs the face {}, but has none: its sides "
+        "must "
+        "be planes through the edges of the contact surface; with sides = "
+        "\"free\" in [fem] they may have any shape",
+        side.name));
+  VertexByPlace sorted;
+  for (const unsigned int vertex : vertices)
+    sorted.emplace(mesh.vertices[vertex][1 - pair.direction], vertex);
+  return sorted;
+}
+
+std::optional<unsigned int> vertex_at(const BlockMesh& mesh,
+                                      const VertexByPlace& vertices,
+                                      std::size_t along, const Place& place,
+                                      double tolerance) {
+  const auto end = vertices.upper_bound(place[along] + tolerance);
+  for (auto next = vertices.lower_bound(place[along] - tolerance); next != end;
+       ++next) {
+    const Place& found = mesh.vertices[next->second];
+    if (std::abs(found[0] - place[0]) <= tolerance &&
+        std::abs(found[1] - place[1]) <= tolerance &&
+        std::abs(found[2] - place[2]) <= tolerance)
+      return next->second;
+  }
+  return std::nullopt;
+}
+
+/// The partner of each vertex of the first side. Every vertex of both sides
+/// must have a partner.
+std::map<unsigned int, unsigned int> partners(const BlockMesh& mesh,
+                                              const Pair& pair) {
+  const std::size_t along = 1 - pair.direction;
+  const double tolerance =
+      accuracy_of_files * std::max({mesh.length_x, mesh.length_y, mesh.depth});
+  const VertexByPlace from = vertices_of(mesh, pair, pair.from);
+  const VertexByPlace to = vertices_of(mesh, pair, pair.to);
+  const auto search = [&](const VertexByPlace& side, unsigned int vertex,
+                          double period, const char* name,
+                          const char* opposite) {
+    Place expected = mesh.vertices[vertex];
+    expected[pair.direction] += period;
+    const auto found = vertex_at(mesh, side, along, expected, tolerance);
+    if (!found)
+      throw std::domain_error(fmt::format(
+          "mesh: periodic faces do not match: vertex {} at {} of the face {} "
+          "has no partner on the face {}",
+          vertex, place_text(mesh.vertices[vertex]), name, opposite));
+    return *found;
+  };
+  std::map<unsigned int, unsigned int> matched;
+  for (const auto& [place, vertex] : from)
+    matched[vertex] =
+        search(to, vertex, pair.period, pair.from.name, pair.to.name);
+  for (const auto& [place, vertex] : to)
+    search(from, vertex, -pair.period, pair.to.name, pair.from.name);
+  return matched;
+}
+
+/// Moves the vertices of the second side to the places of their partners
+/// shifted by one period, and requires the partners of the vertices of each
+/// face to form a face.
+void align(BlockMesh& mesh, const Pair& pair) {
+  const auto partner_of = partners(mesh, pair);
+  std::set<std::array<unsigned int, 4>> faces;
+  for (const BoundaryFace& face : mesh.faces)
+    if (face.group == pair.to.group)
+      faces.insert(facet_key(mesh.shape, face.vertices));
+  for (const BoundaryFace& face : mesh.faces) {
+    if (face.group != pair.from.group)
+      continue;
+    auto moved = face.vertices;
+    for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i)
+      moved[i] = partner_of.at(face.vertices[i]);
+    if (!faces.contains(facet_key(mesh.shape, moved)))
+      refuse(
+          "periodic faces do not match: the face at {} of the face {} has no "
+          "partner on the face {}, although its vertices have partners",
+          place_text(centre_of_facet(mesh, face.vertices)), pair.from.name,
+          pair.to.name);
+  }
+  for (const auto& [vertex, partner] : partner_of) {
+    mesh.vertices[partner] = mesh.vertices[vertex];
+    mesh.vertices[partner][pair.direction] += pair.period;
+  }
+}
+
 } // namespace
 
 void require_positive_cells(const BlockMesh& mesh) {
@@ -198,9 +238,8 @@ void require_positive_cells(const BlockMesh& mesh) {
 }
 
 void require_flat_support(const BlockMesh& mesh) {
-  constexpr double accuracy = 1e-6; // of the places in files
   const double tolerance =
-      accuracy * std::max({mesh.length_x, mesh.length_y, mesh.depth});
+      accuracy_of_files * std::max({mesh.length_x, mesh.length_y, mesh.depth});
   for (const BoundaryFace& face : mesh.faces)
     if (face.group == FaceGroup::far_boundary)
       for (std::size_t i = 0; i < vertices_per_facet(mesh.shape); ++i) {
@@ -214,17 +253,21 @@ void require_flat_support(const BlockMesh& mesh) {
       }
 }
 
-void require_valid_mesh(const BlockMesh& mesh, mechanics::BlockSides sides) {
-  require_consistent_lists(mesh);
+void fit_sides(BlockMesh& mesh, mechanics::BlockSides sides) {
   require_positive_cells(mesh);
   require_joined_vertices(mesh);
-  require_closed(mesh);
-  require_group(mesh, FaceGroup::contact, "contact");
-  require_group(mesh, FaceGroup::far_boundary, "fixed");
   require_flat_contact(mesh);
   require_held_cells(mesh);
-  if (sides == mechanics::BlockSides::periodic)
-    require_matching_sides(mesh);
+  if (sides != mechanics::BlockSides::periodic)
+    return;
+  align(mesh, {{FaceGroup::left, "left (x = 0)"},
+               {FaceGroup::right, "right (x = length)"},
+               0,
+               mesh.length_x});
+  align(mesh, {{FaceGroup::front, "front (y = 0)"},
+               {FaceGroup::back, "back (y = length)"},
+               1,
+               mesh.length_y});
 }
 
 } // namespace asperity::meshes

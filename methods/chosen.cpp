@@ -78,8 +78,7 @@ bool is_full_block(const MethodSpec& method) {
 
 bool conducts_in_block(const MethodSpec& method) {
   const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
-  return is_full_block(method) && fem->full.bodies == 1 &&
-         fem->full.contact_at == mechanics::ContactPoints::nodes;
+  return is_full_block(method) && fem->full.bodies == 1;
 }
 
 const mechanics::ContactSettings* convex_contact(const MethodSpec& method) {

@@ -23,9 +23,8 @@ bool has_method(const cases::Case& contact_case, const std::string& name) {
 bool is_condensable(const cases::Case& contact_case,
                     const mechanics::FemSettings& fem) {
   return fem.full.sides == mechanics::BlockSides::periodic &&
-         fem.full.bodies == 1 &&
-         fem.full.contact_at == mechanics::ContactPoints::nodes &&
-         !contact_case.material.inclusion && !contact_case.material.variation;
+         fem.full.bodies == 1 && !contact_case.material.inclusion &&
+         !contact_case.material.variation;
 }
 
 std::optional<int> halvings_for(const cases::Case& contact_case, int points) {

@@ -74,11 +74,6 @@ void check_counter_mesh(const Node& file, const Case& read,
                    "mesh.counter cannot be combined with " + method.name +
                        ".top = \"pressure\": a body of finite size would tilt; "
                        "use top = \"clamped\" or \"sliding\"");
-    if (fem->full.uses_case_mesh &&
-        read.mesh.cells == mechanics::MeshCells::tetrahedra)
-      mistakes.add(place.place,
-                   "mesh.counter consists of hexahedra and cannot be combined "
-                   "with mesh.cells = \"tetrahedra\"");
     if (read.surface.length && read.surface.points)
       check_counter_body(file, read, *fem,
                          {*read.surface.points, *read.surface.points,
@@ -118,15 +113,10 @@ void check_flow(const Node& file, const Case& read, const MethodSpec& method,
       fem.full.uses_case_mesh &&
           read.mesh.kind == mechanics::MeshKind::adaptive,
       "cannot be combined with mesh.kind = \"adaptive\"; use \"hanging\"");
-  refuse_if(fem.full.uses_case_mesh &&
-                read.mesh.kind == mechanics::MeshKind::gmsh &&
-                read.mesh.cells == mechanics::MeshCells::tetrahedra,
-            "needs mesh.cells = \"hexahedra\"");
 }
 
 /// What a full block cannot combine.
-void check_full_block(const Node& file, const Case& read,
-                      const MethodSpec& method,
+void check_full_block(const Node& file, const MethodSpec& method,
                       const mechanics::FemSettings& fem, Mistakes& mistakes) {
   if (fem.full.sides == mechanics::BlockSides::free &&
       fem.block.far_boundary == mechanics::FarBoundary::pressure)
@@ -135,18 +125,6 @@ void check_full_block(const Node& file, const Case& read,
                      ".top = \"pressure\" cannot be combined with sides = "
                      "\"free\": the block can tilt as a rigid body; use top "
                      "= \"clamped\" or \"sliding\"");
-  if (fem.full.uses_case_mesh && read.mesh.kind == mechanics::MeshKind::gmsh &&
-      read.mesh.geometry != mechanics::MeshGeometry::file &&
-      read.mesh.cells == mechanics::MeshCells::tetrahedra &&
-      fem.block.element == mechanics::Element::q2 &&
-      fem.full.contact_at == mechanics::ContactPoints::nodes)
-    mistakes.add(entry_of(file, method.name, "contact_at").place,
-                 method.name +
-                     ".contact_at = \"nodes\" cannot be combined with "
-                     "mesh.cells = \"tetrahedra\" and element = \"Q2\": the "
-                     "vertices of second-order tetrahedra have no share of "
-                     "the contact surface; use contact_at = \"gauss\" with "
-                     "contact = \"augmented\", or element = \"Q1\"");
 }
 
 } // namespace
@@ -182,21 +160,12 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
                        ".bodies = 2 cannot be combined with hard (unilateral) "
                        "contact; use contact = \"augmented\" or \"penalty\"");
     if (is_full)
-      check_full_block(file, read, method, *fem, mistakes);
+      check_full_block(file, method, *fem, mistakes);
     if (is_full && fem->full.yield_stress)
       check_flow(file, read, method, *fem, mistakes);
     if (fem->full.uses_case_mesh &&
         read.mesh.kind == mechanics::MeshKind::adaptive)
       check_adaptive(file, read, method, *fem, mistakes);
-    const bool is_lattice =
-        fem->full.sides == mechanics::BlockSides::periodic &&
-        (!fem->full.uses_case_mesh ||
-         read.mesh.kind == mechanics::MeshKind::layers);
-    if (fem->full.linear_solver == mechanics::LinearSolver::fourier &&
-        (!is_lattice || fem->full.bodies == 2))
-      mistakes.add(entry_of(file, method.name, "linear_solver").place,
-                   method.name + ".linear_solver = \"fourier\" needs one "
-                                 "periodic block of graded layers");
   }
 }
 

@@ -21,7 +21,6 @@ double edge_of(const Case& read, const mechanics::FemSettings& fem,
     return grid.length_x / cells;
   }
   const bool has_columns =
-      read.mesh.cells == mechanics::MeshCells::hexahedra &&
       (read.mesh.geometry == mechanics::MeshGeometry::block ||
        read.mesh.geometry == mechanics::MeshGeometry::layered);
   const double size = read.mesh.size_at_contact.in_si(scales);

@@ -66,19 +66,14 @@ interpolation_warnings(const Case& contact_case,
         std::get_if<mechanics::FemSettings>(&method.settings);
     if (fem == nullptr || fem->solver != mechanics::FemSolver::full)
       continue;
-    const mechanics::FullBlockSettings& full = fem->full;
-    const bool is_between =
-        full.contact_at == mechanics::ContactPoints::gauss ||
-        (full.uses_case_mesh &&
-         contact_case.mesh.kind == mechanics::MeshKind::gmsh);
-    if (is_between &&
-        full.height_interpolation != mechanics::HeightInterpolation::bilinear)
+    if (fem->full.uses_case_mesh &&
+        contact_case.mesh.kind == mechanics::MeshKind::gmsh)
       warnings.push_back(
           method.name +
-          ": contact points lie between the points of the map, where this "
-          "height_interpolation overshoots the step at the edge of the punch "
-          "and contact areas are too small; use height_interpolation = "
-          "\"bilinear\"");
+          ": contact points lie between the points of the map, where the cubic "
+          "interpolation of the heights overshoots the step at the edge of the "
+          "punch and contact areas are too small; use another mesh.kind, whose "
+          "nodes are points of the map");
   }
   return warnings;
 }

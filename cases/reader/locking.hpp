@@ -24,9 +24,9 @@ locking_warnings(const mechanics::MaterialSpec& material,
                  std::span<const MethodSpec> methods);
 
 /// Returns one sentence for each full block on a punch whose contact points lie
-/// between the points of the map: Gauss points, or nodes of a mesh by gmsh or
-/// from a file. There, the interpolations other than bilinear overshoot the
-/// step at the edge of the end, so that it touches there only.
+/// between the points of the map: nodes of a mesh by gmsh or from a file. There
+/// the interpolated heights overshoot the step at the edge of the end, so that
+/// it touches there only.
 std::vector<std::string>
 interpolation_warnings(const Case& contact_case,
                        std::span<const MethodSpec> methods);

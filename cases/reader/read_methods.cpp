@@ -60,8 +60,6 @@ void refuse_stiffness(TableReader& table, const mechanics::FemSettings& fem) {
       table.refuse(table.said_by("stiffness"),
                    "cannot be combined with " + key + "; it needs " + needed);
   };
-  refuse_if(fem.full.contact_at == mechanics::ContactPoints::gauss,
-            "contact_at = \"gauss\"", "contact_at = \"nodes\"");
   refuse_if(fem.full.bodies == 2, "bodies = 2", "bodies = 1");
   refuse_if(fem.block.far_boundary != mechanics::FarBoundary::clamped,
             "this far boundary (top)", "top = \"clamped\"");
@@ -80,8 +78,7 @@ void refuse_flow(TableReader& table, const mechanics::FemSettings& fem) {
             "flow keeps their volume");
   refuse_if(fem.full.bodies == 2, "cannot be combined with bodies = 2");
   refuse_if(fem.full.has_stiffness, "cannot be combined with stiffness = true");
-  refuse_if(fem.full.linear_solver == mechanics::LinearSolver::direct ||
-                fem.full.linear_solver == mechanics::LinearSolver::fourier,
+  refuse_if(fem.full.linear_solver == mechanics::LinearSolver::direct,
             "needs linear_solver = \"auto\" or \"multigrid\"");
 }
 
@@ -97,9 +94,6 @@ void check_full_block(TableReader& table, bool has_mesh,
   only_full(full.uses_case_mesh, "mesh");
   only_full(full.sides != defaults.sides, "sides");
   only_full(full.linear_solver != defaults.linear_solver, "linear_solver");
-  only_full(full.contact_at != defaults.contact_at, "contact_at");
-  only_full(full.height_interpolation != defaults.height_interpolation,
-            "height_interpolation");
   only_full(full.bodies == 2, "bodies");
   only_full(full.has_stiffness, "stiffness");
   only_full(full.yield_stress.has_value(), "yield_stress");
@@ -107,13 +101,6 @@ void check_full_block(TableReader& table, bool has_mesh,
   refuse_flow(table, fem);
   if (full.uses_case_mesh && !has_mesh)
     table.refuse(table.said_by("mesh"), "the table [mesh] is missing");
-  if (full.contact_at == mechanics::ContactPoints::gauss &&
-      mechanics::traits_of(fem.contact.law).block_solver ==
-          mechanics::BlockSolver::wall)
-    table.refuse(
-        table.said_by("contact_at"),
-        "hard (unilateral) contact at more points than the contact surface has "
-        "nodes is overconstrained; use contact = \"augmented\" or \"penalty\"");
 }
 
 /// The properties of the case that determine which keys of a method are valid.

@@ -38,8 +38,6 @@ std::vector<Key> mesh_keys() {
           "of the contact surface, one with the layers or the inclusion of "
           "[material], or a file of your own.",
           eg("indentation")),
-      key<&Mesh::cells>("cells", {"hexahedra", "tetrahedra"},
-                        "With gmsh: shape of the cells.", eg("tetrahedra")),
       key<&Mesh::size_at_contact>(
           "size_at_contact", by_the_grid(),
           "With gmsh: edge length of a cell in the contact region."),
@@ -62,21 +60,14 @@ std::vector<Key> mesh_file_keys() {
           is_from_file,
           key<&Mesh::file>(
               "file", ValueType::path,
-              "A .msh file ($MeshFormat) or a .geo script of gmsh, with the "
-              "physical groups contact, fixed and, if it has any, sides. The "
-              "contact surface is a plane rectangle with its edges along x and "
-              "y, as large as the surface. A .geo is a program, which runs "
-              "confined: see allow_commands.",
+              "A .msh, .inp, .vtk or .unv file with the groups of faces "
+              "contact, fixed and, if it has any, sides (without names: 1, 2 "
+              "and 3). The contact surface is a plane rectangle with its edges "
+              "along x and y, as large as the surface.",
               needed("block.msh", "with geometry = \"file\""))),
       key<&Mesh::file_unit>(
           "file_unit", Dimension::length,
           "Length that corresponds to the number 1 in the file.", eg("1 mm")),
-      key<&Mesh::allow_commands>(
-          "allow_commands", ValueType::boolean,
-          "With a .geo file: allow it to start programs (SystemCall and "
-          "others), to write files and to use the network, which is refused "
-          "otherwise. Only for files that you trust.",
-          eg("true")),
   };
 }
 

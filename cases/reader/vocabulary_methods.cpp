@@ -252,25 +252,11 @@ std::vector<Key> full_block_keys() {
                              "sides need solver = \"full\".",
                              eg("free")),
       key<&FullBlock::linear_solver>(
-          "linear_solver", {"auto", "direct", "multigrid", "fourier"},
+          "linear_solver", {"auto", "direct", "multigrid"},
           "With solver = \"full\": direct factorisation, or conjugate "
-          "gradients with multigrid or with the condensed block (fourier; "
-          "periodic layers only) as preconditioner; auto selects the fastest "
-          "that the mesh allows.",
-          eg("fourier")),
-      key<&FullBlock::contact_at>(
-          "contact_at", {"nodes", "gauss"},
-          "With solver = \"full\": points at which the contact law is "
-          "evaluated; Gauss points are not available with hard (unilateral) "
-          "contact.",
-          eg("gauss")),
-      key<&FullBlock::height_interpolation>(
-          "height_interpolation", {"bicubic", "band-limited", "bilinear"},
-          "With solver = \"full\": the surface at contact points between the "
-          "points of the map, such as Gauss points; band-limited is exact for "
-          "waves longer than two spacings, bilinear stays within the heights "
-          "around the point.",
-          eg("band-limited")),
+          "gradients with multigrid as preconditioner; auto selects the "
+          "fastest that the mesh allows.",
+          eg("multigrid")),
       key<&FullBlock::bodies>(
           "bodies", between(1, 2),
           "With solver = \"full\": 2 meshes [material.counter] against the "
@@ -280,8 +266,7 @@ std::vector<Key> full_block_keys() {
           "stiffness", ValueType::boolean,
           "With solver = \"full\": finds the normal and the tangential "
           "stiffness of the contact after each load step, by one linear solve "
-          "per direction; needs top = \"clamped\", contact at nodes and one "
-          "body.",
+          "per direction; needs top = \"clamped\" and one body.",
           eg("true")),
   };
 }

@@ -148,8 +148,7 @@ private:
 /// least half of the prescribed one serves to decide on the mesh.
 BlockSolution AdaptiveBlock::solve_on_mesh(const Step& step, double tolerance) {
   const ContactPoints& points = block_->system().contact();
-  const std::vector<double> at_points =
-      block_->maps().heights_at_points(step.heights);
+  const std::vector<double> at_points = block_->maps().at_points(step.heights);
   double mean_at_points = 0.0;
   for (std::size_t i = 0; i < at_points.size(); ++i)
     mean_at_points += points[i].area * at_points[i];

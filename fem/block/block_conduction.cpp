@@ -70,9 +70,8 @@ std::vector<global_dof_index> given_unknowns(const BlockSystem& system,
 
 BlockConduction conduction(const BlockSystem& system,
                            const std::vector<bool>& touching, double depth) {
-  if (!system.contact().is_nodal() || system.has_counter())
-    throw std::domain_error("the conduction of a block needs contact at the "
-                            "nodes of one body");
+  if (system.has_counter())
+    throw std::domain_error("the conduction of a block needs one body");
   if (dealii::Utilities::MPI::max(std::ranges::count(touching, true),
                                   MPI_COMM_WORLD) == 0)
     return {0.0, 0.0, 0, true};

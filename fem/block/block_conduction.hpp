@@ -22,7 +22,7 @@ namespace asperity::fem {
 /// (F.3). Collective.
 /// @param touching  which contact points of this rank are in contact
 /// @param depth     of the block [m] > 0
-/// @throws std::domain_error  contact is not node-wise, or there are two bodies
+/// @throws std::domain_error  there are two bodies
 BlockConduction conduction(const BlockSystem& system,
                            const std::vector<bool>& touching, double depth);
 

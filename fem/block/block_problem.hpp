@@ -54,9 +54,6 @@ struct BlockProblem {
   /// Free sides with a pressure-loaded far boundary are refused, because such a
   /// block may tilt.
   mechanics::BlockSides sides = mechanics::BlockSides::periodic;
-  mechanics::ContactPoints contact_at = mechanics::ContactPoints::nodes;
-  mechanics::HeightInterpolation height_interpolation =
-      mechanics::HeightInterpolation::bicubic;
   LinearSolver linear_solver = LinearSolver::automatic;
 
   /// The second body, if it is meshed as well, below the contact surface and
@@ -67,10 +64,6 @@ struct BlockProblem {
   /// held at its group far_boundary, z = -depth (counter_body.hpp). Empty: the
   /// second body is the mirror image of the first.
   std::optional<meshes::BlockMesh> counter_mesh = {};
-
-  /// The laterally uniform block on the same node grid that the mesh equals or
-  /// approximates; LinearSolver::fourier uses it as preconditioner.
-  std::optional<LayeredBlock> lattice = {};
 
   /// Set for make_adaptive_block, for which `mesh` is the coarsest mesh.
   std::optional<AdaptiveMesh> adaptive = {};

@@ -123,13 +123,12 @@ std::string BlockSystem::report() const {
   const auto& triangulation = space_.triangulation();
   const auto n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
   std::string text = fmt::format(
-      "{} {} of order {}, {} unknowns, {} contact points ({}), {} {}\n",
+      "{} {} of order {}, {} unknowns, {} contact points, {} {}\n",
       triangulation.n_global_active_cells(),
       triangulation.all_reference_cells_are_hyper_cube() ? "hexahedra"
                                                          : "tetrahedra",
       space_.element().degree, n_unknowns(),
-      dealii::Utilities::MPI::sum(contact_.size(), MPI_COMM_WORLD),
-      contact_.is_nodal() ? "nodes" : "Gauss points", n_ranks,
+      dealii::Utilities::MPI::sum(contact_.size(), MPI_COMM_WORLD), n_ranks,
       n_ranks == 1 ? "rank" : "ranks");
   return text + quality_;
 }

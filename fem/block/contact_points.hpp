@@ -1,22 +1,67 @@
 #pragma once
 
-// The points at which the contact law is evaluated, and the effect of a
-// pressure there on the unknowns. Nodes and Gauss points are treated alike;
-// this file is independent of the contact law.
+// The nodes at which the contact law is evaluated, and the effect of a pressure
+// there on the unknowns. This file is independent of the contact law.
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
 #include "fem/block/block_triangulation.hpp"
-#include "fem/block/counter_faces.hpp"
 
-#include <deal.II/fe/fe_values.h>
-
-#include <functional>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace asperity::fem {
+
+/// The faces of the second body in the group contact, those of all ranks on
+/// every rank. A place belongs to the body if it lies in the projection of one
+/// of these faces along z.
+class CounterFaces {
+public:
+  /// This call is collective.
+  explicit CounterFaces(const BlockSpace& space);
+
+  /// The row of u_z of the end at a place of the contact surface, interpolated
+  /// by the shape functions of the face there; empty beside the body.
+  std::optional<FaceRow> row_at(const dealii::Point<2>& place) const;
+
+private:
+  /// A face in its own coordinates (xi, eta) in the unit square.
+  struct Face {
+    std::array<dealii::Point<2>, 4> corners; ///< (0,0), (1,0), (0,1), (1,1)
+    /// u_z of the nodes, xi fastest; nobody where it is held at zero.
+    std::vector<dealii::types::global_dof_index> unknowns;
+  };
+
+  static constexpr dealii::types::global_dof_index nobody =
+      dealii::numbers::invalid_dof_index;
+
+  static void
+  append_face(const BlockSpace& space,
+              const dealii::DoFHandler<3>::active_cell_iterator& cell,
+              unsigned int f, std::vector<double>& numbers);
+  void gather(const BlockSpace& space);
+  void sort_into_boxes();
+  std::array<int, 2> box_of(const dealii::Point<2>& place) const;
+
+  std::size_t number_of(const std::array<int, 2>& box) const {
+    return static_cast<std::size_t>(box[0]) +
+           static_cast<std::size_t>(n_boxes_[0]) *
+               static_cast<std::size_t>(box[1]);
+  }
+
+  static std::optional<dealii::Point<2>>
+  coordinates_in(const Face& face, const dealii::Point<2>& place);
+
+  unsigned int degree_;
+  std::vector<Face> faces_;
+  // Equal boxes of the plane, each with the faces that reach into it.
+  dealii::Point<2> corner_;
+  double box_ = 1.0; ///< side of a box [m]
+  std::array<int, 2> n_boxes_{1, 1};
+  std::vector<std::vector<std::size_t>> in_box_;
+};
 
 /// Calls `visit(cell, face number)` for each face on the contact surface of the
 /// locally owned cells of the first body.
@@ -33,15 +78,6 @@ void for_contact_faces(const BlockSpace& space, const Visitor& visit) {
   }
 }
 
-/// Calls `visit(face values, number of the point, row of u_z)` for each point
-/// of the quadrature on these faces, face by face. The values are those of u_z
-/// with places and weights; the row is resolved in the constraints of the
-/// space.
-void for_gauss_points(
-    const BlockSpace& space, const dealii::Quadrature<2>& quadrature,
-    const std::function<void(const dealii::FEFaceValues<3>&, unsigned int,
-                             const FaceRow&)>& visit);
-
 /// One point of the contact surface.
 struct ContactPoint {
   dealii::Point<2> place; ///< [m]
@@ -57,14 +93,13 @@ struct ContactPoint {
   bool is_opposed = true;
 };
 
-/// The contact points of this rank: node-wise those of its own unknowns,
-/// otherwise the Gauss points on the faces of its own cells, face by face in
-/// the order of for_contact_faces. Sums over points extend over all ranks.
+/// The contact points of this rank: the nodes of its own unknowns on the
+/// contact surface. Sums over points extend over all ranks.
 ///
 ///     w = B u [m],    f = B^T (a p) [N],    a = area of each point    (F.2)
 ///
-/// For node-wise contact a is the row sum of the mass matrix of the contact
-/// surface and B selects u_z.
+/// a is the row sum of the mass matrix of the contact surface and B selects
+/// u_z.
 ///
 /// A second body that is the mirror image of the first has a node opposite to
 /// each node. If it has a mesh of its own, its displacement at a point is that
@@ -83,9 +118,7 @@ public:
 
   const ContactPoint& operator[](std::size_t i) const { return points_[i]; }
 
-  bool is_nodal() const { return is_nodal_; }
-
-  /// Whether contact is node-wise and the nodes are exactly those of the grid.
+  /// Whether the points are exactly the nodes of the grid.
   bool is_grid() const { return is_grid_; }
 
   /// Whether the second body has a mesh of its own.
@@ -123,22 +156,15 @@ public:
   /// at this place.
   bool add_counter(const dealii::Point<2>& place, FaceRow& row) const;
 
-  /// The Gauss point nearest to a place among those of one face.
-  /// @param first  index of the first point of the face
-  std::size_t nearest_on_face(std::size_t first,
-                              const dealii::Point<2>& place) const;
-
 private:
   void find_counter();
   void find_needed();
   void add_point(const Grid& grid, const dealii::Point<2>& place, double area,
                  FaceRow row);
   void take_nodes(const Grid& grid);
-  void take_gauss_points(const Grid& grid);
   void finish(const Grid& grid);
 
   const BlockSpace& space_;
-  bool is_nodal_;
   bool has_counter_;
   bool is_grid_ = false;
   std::vector<ContactPoint> points_;

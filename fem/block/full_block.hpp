@@ -155,9 +155,9 @@ struct SectionPlane {
 /// where K is the stiffness matrix assembled with deal.II, B u the displacement
 /// u_z at the points, a their areas, d the rigid approach, and P g the
 /// balancing load on a pressure-loaded far boundary. P or the mean gap is
-/// prescribed. Points are nodes (B selects u_z, a is the row sum of the mass
-/// matrix of the contact surface) or Gauss points. With two bodies B u is the
-/// difference of their displacements.
+/// prescribed. Points are nodes: B selects u_z, and a is the row sum of the
+/// mass matrix of the contact surface. With two bodies B u is the difference of
+/// their displacements.
 ///
 /// Penalty and augmented Lagrangian contact use a semi-smooth Newton method.
 /// One step solves (F.1) exactly for a given contact set; the iteration ends
@@ -165,14 +165,12 @@ struct SectionPlane {
 /// penalty; otherwise lambda <- p is repeated until no gap in contact exceeds
 /// the tolerance.
 ///
-/// Hard contact uses the primal-dual active-set method, node-wise. Active nodes
+/// Hard contact uses the primal-dual active-set method. Active nodes
 /// are constrained to u_z = h - d, and p is the constraint force per area. A
 /// node becomes active if it penetrates and inactive if its constraint force is
 /// tensile. With second-order elements this method may cycle, because a force
 /// on one node may lift another node. If no active set is found in 30 steps,
 /// the augmented Lagrangian method, which has the same solution, continues.
-/// Gauss points cannot be constrained one by one, so hard contact is refused
-/// for them; the augmented Lagrangian method is available.
 ///
 /// A penalty acts on the primal unknowns: beyond some 1e7 E/h the roundoff of
 /// the gap would exceed 1e-8 of the pressure. Therefore k is bounded by
@@ -184,9 +182,8 @@ struct SectionPlane {
 /// Fields of the solution are node-wise if the nodes of the contact surface are
 /// those of the grid. Otherwise they are samples at the nodes of the grid: the
 /// gap is computed with the displacement of the contact surface there; the
-/// pressure is interpolated like u_z from nodal values and truncated at 0, or
-/// it is that of the nearest Gauss point of the cell face (the mean over the
-/// faces that share the node). Scalars are always sums over the contact points.
+/// pressure is interpolated like u_z from nodal values and truncated at 0.
+/// Scalars are always sums over the contact points.
 ///
 /// Under mpirun every call is collective and needs equal arguments on every
 /// rank; every rank receives the complete solution.
@@ -216,8 +213,7 @@ public:
   /// Solves one load step, starting from the displacement at the end of the
   /// last call.
   /// @param heights  grid().size() values [m]; used exactly at points that are
-  ///                 nodes of the grid and interpolated elsewhere, as
-  ///                 BlockProblem::height_interpolation says
+  ///                 nodes of the grid and interpolated elsewhere
   /// @throws std::domain_error  an argument is outside its range or not finite
   virtual BlockSolution solve(std::span<const double> heights,
                               const mechanics::LoadTarget& load,
@@ -236,13 +232,13 @@ public:
 
   /// The stiffness of the contact of the last solution, for unchanged nodes in
   /// contact: one linear solve per direction. Zeros without contact.
-  /// @throws std::domain_error  contact is not node-wise, there are two bodies,
-  ///                            or the far boundary is not clamped
+  /// @throws std::domain_error  there are two bodies, or the far boundary is
+  /// not
+  ///                            clamped
   virtual ContactStiffness stiffness() = 0;
 
   /// What the contact of the last solution conducts. Zeros without contact.
-  /// @throws std::domain_error  contact is not node-wise, or there are two
-  ///                            bodies
+  /// @throws std::domain_error  there are two bodies
   virtual BlockConduction conduction() const = 0;
 
   /// The largest stress of the last solution; zeros before the first.
@@ -259,8 +255,7 @@ public:
   /// Writes the last solution as a further step for ParaView:
   /// <stem>_<step>.pvtu with its parts .vtu, <stem>.pvd over the steps, and the
   /// same for the contact surface as <stem>_surface. Each file is written
-  /// completely or not at all. block_output.hpp and surface_output.hpp list the
-  /// fields.
+  /// completely or not at all. block_output.hpp lists the fields.
   /// @param folder_and_stem  for example "out/block"; the folder is created if
   ///                         necessary
   /// @throws std::runtime_error  a file could not be written

@@ -33,9 +33,7 @@ public:
   explicit Masked(const BlockSolver& solver) : solver_(solver) {}
 
   void vmult(Vector& to, const Vector& from) const {
-    if (solver_.own_) {
-      solver_.own_->vmult(to, from);
-    } else if (solver_.joined_.exist()) {
+    if (solver_.joined_.exist()) {
       Vector force(from);
       Vector displacement(from);
       solver_.joined_.multiply(force, from, true);
@@ -97,7 +95,7 @@ void BlockSolver::refresh_multigrid() {
 /// one. Short solves are not counted because they are not representative.
 void BlockSolver::check_efficiency(int steps, double decades) {
   constexpr int fewest_steps = 5;
-  if (own_ || steps < fewest_steps || !(decades > 1.0))
+  if (steps < fewest_steps || !(decades > 1.0))
     return;
   if (is_new_) {
     steps_per_decade_ = std::max(steps_per_decade_, steps / decades);
@@ -124,8 +122,6 @@ bool BlockSolver::solve_iteratively(Vector& unknowns, const Vector& forces,
     setups_ = matrix_free_->setups();
     return last_.has_converged;
   }
-  if (own_)
-    return iterate(unknowns, forces, tolerance, most_steps);
   refresh_multigrid();
   if (!is_new_) {
     if (iterate(unknowns, forces, tolerance, most_with_old))

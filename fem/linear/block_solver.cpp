@@ -29,19 +29,17 @@ void MatrixFreeBlock::set_tangents(std::span<const CellTangents> /*cells*/) {
 }
 
 BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
-                         std::unique_ptr<BlockPreconditioner> own,
                          std::unique_ptr<MatrixFreeBlock> matrix_free)
     : system_(system),
       is_direct_(kind == LinearSolver::direct),
       is_automatic_(kind == LinearSolver::automatic),
       may_turn_direct_(has_mumps() && !system.plasticity() &&
                        system.n_unknowns() <= most_unknowns_of_last_resort),
-      own_(std::move(own)),
       matrix_free_(std::move(matrix_free)) {
   if (matrix_free_)
     return;
   static_cast<void>(system.stiffness()); // is assembled here
-  if (is_direct_ || own_)
+  if (is_direct_)
     return;
   const bool is_low_order = has_low_order(system.space());
   if (is_low_order)
@@ -53,9 +51,7 @@ BlockSolver::BlockSolver(const BlockSystem& system, LinearSolver kind,
 std::string BlockSolver::name() const {
   if (is_direct_)
     return has_mumps() ? "direct (MUMPS)" : "direct (KLU)";
-  if (matrix_free_)
-    return matrix_free_->name();
-  return own_ ? "CG, " + own_->name() : "CG, multigrid (Trilinos ML)";
+  return matrix_free_ ? matrix_free_->name() : "CG, multigrid (Trilinos ML)";
 }
 
 void BlockSolver::multiply(Vector& to, const Vector& from) const {
@@ -65,13 +61,8 @@ void BlockSolver::multiply(Vector& to, const Vector& from) const {
     system_.stiffness().vmult(to, from);
 }
 
-std::string BlockSolver::failure() const {
-  const std::string own = own_ ? own_->failure() : "";
-  return "the linear solver did not converge" + (own.empty() ? "" : ": " + own);
-}
-
 std::string BlockSolver::advice() const {
-  if (is_direct_ || last_.has_converged || (own_ && !own_->failure().empty()))
+  if (is_direct_ || last_.has_converged)
     return {};
   std::string text = fmt::format(
       "; after {} iterations of {} a residual of {} N is left, which must "
@@ -88,15 +79,11 @@ double BlockSolver::memory() const {
   if (matrix_free_)
     return dealii::Utilities::MPI::sum(
         static_cast<double>(matrix_free_->bytes()), MPI_COMM_WORLD);
-  std::size_t bytes = system_.stiffness().memory_consumption();
-  if (own_) {
-    bytes += own_->bytes();
-  } else {
-    bytes += low_order_.memory_consumption() + matrix_.memory_consumption() +
-             joined_.bytes();
-    if (!is_direct_ && !is_stale_)
-      bytes += hierarchy_bytes(factors_.multigrid);
-  }
+  std::size_t bytes = system_.stiffness().memory_consumption() +
+                      low_order_.memory_consumption() +
+                      matrix_.memory_consumption() + joined_.bytes();
+  if (!is_direct_ && !is_stale_)
+    bytes += hierarchy_bytes(factors_.multigrid);
   return dealii::Utilities::MPI::sum(static_cast<double>(bytes),
                                      MPI_COMM_WORLD);
 }
@@ -151,9 +138,6 @@ void BlockSolver::set_contact(std::span<const double> springs,
   } else if (matrix_free_) {
     matrix_free_->prepare(springs, held, is_sticking);
     setups_ = matrix_free_->setups();
-  } else if (own_) {
-    own_->prepare(springs, held);
-    ++setups_;
   }
 }
 
@@ -169,8 +153,7 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
   }
   if (solve_iteratively(unknowns, forces, tolerance))
     return true;
-  const bool has_failed = own_ && !own_->failure().empty();
-  if (!may_turn_direct_ || (has_failed && !is_automatic_))
+  if (!may_turn_direct_)
     return false;
   turn_direct();
   factors_.direct->solve(unknowns, forces);
@@ -182,7 +165,6 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
 void BlockSolver::turn_direct() {
   is_direct_ = true;
   matrix_free_.reset();
-  own_.reset();
   factors_.multigrid.clear();
   low_order_.clear();
   is_set_ = false;

@@ -32,31 +32,6 @@ inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
 /// follows. Flat cells beside large contrasts of moduli need a thousand.
 inline constexpr unsigned int most_steps_without_direct = 3000;
 
-/// Approximates the inverse of the matrix in CG. It must be symmetric and
-/// positive definite.
-class BlockPreconditioner {
-public:
-  virtual ~BlockPreconditioner() = default;
-
-  /// Prepares for a new contact state: one spring [N/m] per contact point of
-  /// this rank, and whether the unknown of the point is held (an infinite
-  /// spring). This call is collective.
-  virtual void prepare(std::span<const double> springs,
-                       const std::vector<bool>& held) = 0;
-
-  /// Applies the preconditioner. This call is collective.
-  virtual void vmult(dealii::TrilinosWrappers::MPI::Vector& to,
-                     const dealii::TrilinosWrappers::MPI::Vector& from) = 0;
-
-  virtual std::string name() const = 0;
-
-  /// Description of a failure since the last prepare(); empty if there was
-  /// none.
-  virtual std::string failure() const { return {}; }
-
-  virtual std::size_t bytes() const = 0; ///< memory on this rank [bytes]
-};
-
 /// Appends the unknown u_z of a held node and, if it sticks, u_x and u_y. The
 /// three unknowns of a node follow each other.
 template <class Unknown>
@@ -142,10 +117,8 @@ public:
   /// @param system       must outlive the solver
   /// @param kind         direct: the direct solver; others: conjugate gradients
   ///                     that may go on with it
-  /// @param own          preconditioner used in place of multigrid; may be null
   /// @param matrix_free  solves in place of all others; may be null
   BlockSolver(const BlockSystem& system, LinearSolver kind,
-              std::unique_ptr<BlockPreconditioner> own = {},
               std::unique_ptr<MatrixFreeBlock> matrix_free = {});
 
   /// Computes to = K from, without the contact state. This call is collective.
@@ -167,7 +140,7 @@ public:
   /// Sets the contact state. The call is free if nothing has changed.
   /// @param springs  springs of the contact points of this rank [N/m]
   /// @param held     whether the only unknown of a point is held; may be true
-  ///                 only for node-wise contact with one body
+  ///                 only for contact with one body
   /// @param is_sticking  u_x and u_y of held points are held, too
   void set_contact(std::span<const double> springs,
                    const std::vector<bool>& held, bool is_sticking = false);
@@ -198,12 +171,8 @@ public:
 
   std::string name() const;
 
-  /// The reason why the last solve failed.
-  std::string failure() const;
-
   /// How far the last solve was from its tolerance and which linear solver to
-  /// use instead; empty if it was none of conjugate gradients, or if the
-  /// preconditioner has a reason of its own.
+  /// use instead; empty if it was none of conjugate gradients.
   std::string advice() const;
 
   /// Memory of the matrix and the preconditioner on all ranks [bytes]. The
@@ -238,7 +207,6 @@ private:
   bool is_direct_;
   bool is_automatic_;
   bool may_turn_direct_; ///< if conjugate gradients need too many steps
-  std::unique_ptr<BlockPreconditioner> own_;
   std::unique_ptr<MatrixFreeBlock> matrix_free_;
   dealii::TrilinosWrappers::SparseMatrix low_order_; ///< empty if not used
   dealii::TrilinosWrappers::SparseMatrix matrix_;    ///< matrix that factors_

@@ -4,7 +4,6 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <Epetra_MultiVector.h>
 #include <Teuchos_ParameterList.hpp>
@@ -29,8 +28,6 @@ double weight_of(unsigned int v, std::size_t node) {
 BlockProblem first_order(const BlockProblem& problem) {
   BlockProblem coarse = problem;
   coarse.degree = 1;
-  // Reserves entries for all pairs of vertices of a face.
-  coarse.contact_at = mechanics::ContactPoints::gauss;
   return coarse;
 }
 
@@ -66,12 +63,8 @@ FirstOrderCorrection::FirstOrderCorrection(const BlockProblem& problem,
       displacement_(force_),
       values_(numbers_.size()) {
   find_parents(unknowns);
-  if (fine.contact().is_nodal())
-    find_points(fine, unknowns);
-  else
-    find_gauss_points(fine);
-  if (fine.has_counter())
-    coarse_.also_reserve(points_);
+  find_points(fine, unknowns);
+  coarse_.also_reserve(points_);
   find_rigid_modes();
   numbers_.forget_cells();
 }
@@ -121,18 +114,6 @@ void FirstOrderCorrection::find_points(const BlockSystem& fine,
     if (!coarse_.space().owned().is_element(*vertices_.back()))
       throw std::logic_error("the owners of a node and its vertex differ");
   }
-}
-
-/// Writes the rows of Gauss points in first-order unknowns. Second-order
-/// functions contain those of first order, whose values at the points are thus
-/// the Galerkin product.
-void FirstOrderCorrection::find_gauss_points(const BlockSystem& fine) {
-  for_gauss_points(coarse_.space(), fine.space().face_quadrature(),
-                   [&](const auto& values, unsigned int q, const FaceRow& row) {
-                     const dealii::Point<3> place = values.quadrature_point(q);
-                     add_point(dealii::Point<2>(place[0], place[1]), row);
-                     vertices_.emplace_back();
-                   });
 }
 
 /// The faces of a second body carry first-order functions, too, whose values

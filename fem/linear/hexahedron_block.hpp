@@ -51,7 +51,6 @@ private:
 
   void find_parents(const LocalUnknowns& unknowns);
   void find_points(const BlockSystem& fine, const LocalUnknowns& unknowns);
-  void find_gauss_points(const BlockSystem& fine);
   void add_point(const dealii::Point<2>& place, FaceRow row);
   void find_rigid_modes();
   void refresh();

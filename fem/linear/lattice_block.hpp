@@ -6,16 +6,129 @@
 
 #include "fem/block/block_system.hpp"
 #include "fem/linear/block_solver.hpp"
-#include "fem/linear/lattice_exchange.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
+#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/mesh_contact.hpp"
+#include "ranks/value_exchange.hpp"
+
+#include <deal.II/lac/trilinos_vector.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace asperity::fem {
+
+/// The nodes of the unknowns on the cells of this rank. The number of a node's
+/// component is its index in a vector of the whole lattice (NodeLayout).
+struct LatticeNumbering {
+  struct Pin {
+    std::size_t node = 0;
+    unsigned int component = 0;
+  };
+
+  /// Of each unknown that this rank owns, or SlabPlaces::nowhere if it is
+  /// constrained.
+  std::vector<std::size_t> nodes;
+  /// Of each unconstrained u_z on the contact surface; periodic images count as
+  /// their roots.
+  std::map<dealii::types::global_dof_index, std::size_t> face;
+  std::vector<Pin> pins; ///< unknowns held that the far boundary does not hold
+
+  LatticeNumbering(const BlockSystem& system, const BoxLattice& lattice);
+
+private:
+  void add_cell(const BlockSystem& system, const BoxLattice& lattice,
+                const dealii::DoFHandler<3>::active_cell_iterator& cell);
+  void take(const BlockSpace& space, const BoxLattice& lattice,
+            dealii::types::global_dof_index unknown, unsigned int component,
+            std::size_t node);
+
+  dealii::types::global_dof_index first_owned_ = 0;
+  NodeLayout layout_;          ///< of the whole lattice
+  std::vector<double> depths_; ///< of the sides of the layers [m]
+};
+
+/// Values of unknowns that go from the rank that has them in deal.II's
+/// numbering to the rank that has their node of a lattice, and back. All calls
+/// are collective.
+class UnknownExchange {
+public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+  static constexpr auto nowhere = static_cast<std::size_t>(-1);
+
+  /// @param ranks     null if there is only one
+  /// @param numbers   of the node's component of each own unknown, or nowhere
+  /// @param rank_of   the rank that has a number; null if each rank has all
+  /// @param place_of  the place of a number in a vector of the rank that has it
+  UnknownExchange(
+      RankGroup* ranks, std::span<const std::size_t> numbers,
+      const std::function<int(std::size_t number)>& rank_of,
+      const std::function<std::size_t(std::size_t number)>& place_of);
+
+  /// Writes the values to their places; others become zero.
+  void send(const Vector& from, std::span<double> to) const;
+
+  /// Sets the unknowns from their places; those that are nowhere become zero.
+  void give_back(std::span<const double> from, Vector& to) const;
+
+  std::size_t bytes() const {
+    return (unknowns_.size() + places_.size()) * sizeof(std::uint32_t);
+  }
+
+private:
+  // Both are below 2^32, because the numbers of unknowns are.
+  std::vector<std::uint32_t> unknowns_; ///< in this rank's vector, by target
+  std::vector<std::uint32_t> places_;   ///< of values received
+  std::optional<ValueExchange> values_; ///< none on one rank
+};
+
+/// All calls are collective.
+class LatticeExchange {
+public:
+  using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+  /// @param slab   the rows of this rank
+  /// @param ranks  null if there is only one
+  LatticeExchange(const BlockSystem& system, const BoxLattice& lattice,
+                  const LatticeSlab& slab, RankGroup* ranks,
+                  const LatticeNumbering& numbering);
+
+  /// Sets the values on the lattice, zero at images and constrained unknowns.
+  void to_lattice(const Vector& from, std::vector<double>& to) const;
+
+  /// Sets the unknowns, zero if constrained.
+  void from_lattice(const std::vector<double>& from, Vector& to) const;
+
+  /// The contact of the slab.
+  /// @param springs, held  of the contact points of this rank
+  MeshContact contact(std::span<const double> springs,
+                      const std::vector<bool>& held, bool is_sticking) const;
+
+  std::size_t bytes() const;
+
+private:
+  static UnknownExchange unknowns_of(const BoxLattice& lattice,
+                                     const LatticeSlab& slab, RankGroup* ranks,
+                                     const LatticeNumbering& numbering);
+  void number_points(const BlockSystem& system, const BoxLattice& lattice,
+                     const LatticeSlab& slab,
+                     const LatticeNumbering& numbering);
+
+  RankGroup* ranks_;
+  RankGroup* sharing_; ///< the same, but null if each has all rows
+  std::size_t size_;   ///< of a vector of the slab
+  UnknownExchange unknowns_;
+  std::vector<std::size_t> order_; ///< contact points of this rank by target
+  SparseRows points_; ///< contact points received, by places on the slab
+  std::unique_ptr<ValueExchange> point_values_; ///< null on one rank
+};
 
 /// The lattice of a problem if its mesh consists of equal columns of boxes
 /// numbered as by layered_mesh; none for other meshes and two bodies.

@@ -1,5 +1,9 @@
 #include "fem/linear/solver_choice.hpp"
 
+#include "base/require.hpp"
+
+#include <fmt/format.h>
+
 namespace asperity::fem {
 
 BlockSolverKind solver_of(const BlockTraits& block) {
@@ -9,9 +13,6 @@ BlockSolverKind solver_of(const BlockTraits& block) {
                : BlockSolverKind::halved; // a lattice has no halvings
   if (block.requested == LinearSolver::direct)
     return BlockSolverKind::direct;
-  if (block.requested == LinearSolver::fourier)
-    return block.has_fourier ? BlockSolverKind::fourier
-                             : BlockSolverKind::algebraic;
   const bool is_automatic = block.requested == LinearSolver::automatic;
   const bool is_lattice = block.structure == MeshStructure::lattice;
   if (is_automatic && block.unknowns <= most_direct_unknowns &&
@@ -23,16 +24,19 @@ BlockSolverKind solver_of(const BlockTraits& block) {
     return BlockSolverKind::halved;
   if (block.is_compressible && block.structure == MeshStructure::hexahedra)
     return BlockSolverKind::hexahedra;
-  if (!is_automatic)
+  if (!is_automatic || block.is_compressible)
     return BlockSolverKind::algebraic;
-  if (block.has_fourier)
-    return BlockSolverKind::fourier;
-  const double most_stiff = block.ranks == 1
-                                ? most_direct_stiff_unknowns
-                                : most_direct_stiff_unknowns_on_ranks;
-  return !block.is_compressible && block.unknowns <= most_stiff
-             ? BlockSolverKind::direct
-             : BlockSolverKind::algebraic;
+  const double most = block.ranks == 1 ? most_direct_stiff_unknowns
+                                       : most_direct_stiff_unknowns_on_ranks;
+  if (block.unknowns > most)
+    refuse_argument(
+        "unknowns of a full block with a Poisson's ratio above 0.49",
+        block.unknowns,
+        fmt::format("at most {}, the most of the direct solver; choose solver "
+                    "= \"condensed\" (layers, periodic sides), or "
+                    "poisson_ratio = 0.49 with the same E*",
+                    most));
+  return BlockSolverKind::direct;
 }
 
 bool is_compressible(const Moduli& moduli) {

@@ -15,8 +15,8 @@ using mechanics::LinearSolver;
 /// unknowns. On several ranks a lattice is never too small for multigrid.
 inline constexpr double most_direct_unknowns = 500;
 
-/// The same above a Poisson's ratio of 0.49 where no Fourier preconditioner
-/// serves, on one rank: multigrid may need hundreds of iterations there.
+/// The same above a Poisson's ratio of 0.49, on one rank: multigrid may need
+/// hundreds of iterations there.
 inline constexpr double most_direct_stiff_unknowns = 12000;
 
 /// The same on several ranks, where the direct solver is KLU.
@@ -26,7 +26,6 @@ inline constexpr double most_direct_stiff_unknowns_on_ranks = 2000;
 enum class BlockSolverKind {
   direct,    ///< sparse factorisation
   algebraic, ///< conjugate gradients with multigrid from the matrix
-  fourier,   ///< the same with the Fourier solver of the uniform block
   lattice,   ///< geometric multigrid on a lattice of boxes
   halved,    ///< multigrid without a matrix on boxes that are halved from one
   hexahedra  ///< the same for other second-order hexahedra
@@ -46,13 +45,13 @@ struct BlockTraits {
   double unknowns = 0.0;
   int ranks = 1;
   MeshStructure structure = MeshStructure::other;
-  bool has_fourier = false; ///< a lattice with periodic sides and known layers
   bool is_compressible = true; ///< every cell, see below
   bool is_plastic = false;     ///< its stiffness has tangents
 };
 
-/// The linear solver of a block. A Fourier solver that is requested, but does
-/// not fit, is replaced by an algebraic one.
+/// The linear solver of a block.
+/// @throws RefusedArgument  the block is nearly incompressible and too large
+///                          for the direct solver; multigrid must be requested
 BlockSolverKind solver_of(const BlockTraits& block);
 
 /// Whether multigrid without a matrix converges in few iterations: up to a

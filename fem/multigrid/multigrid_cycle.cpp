@@ -1,12 +1,122 @@
 #include "fem/multigrid/multigrid_cycle.hpp"
 
+#include "fem/multigrid/box_stiffness.hpp"
 #include "fem/multigrid/lattice_levels.hpp"
 #include "fem/multigrid/lattice_operator.hpp"
 #include "fem/multigrid/lattice_transfer.hpp"
+#include "fem/multigrid/rigid_modes.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include <utility>
 
 namespace asperity::fem {
+
+struct CoarsestLattice::Factors {
+  Eigen::MatrixXd stiffness; ///< without contact
+  Eigen::LDLT<Eigen::MatrixXd> inverse;
+  Eigen::VectorXd vector;
+};
+
+CoarsestLattice::CoarsestLattice(const BoxLattice& lattice)
+    : force(NodeLayout(lattice).size()),
+      displacement(force.size()),
+      lattice_(lattice),
+      layout_(lattice),
+      constraints_(unknowns_of(lattice, LatticeSlab(lattice)).constraints),
+      numbers_(force.size()),
+      factors_(std::make_unique<Factors>()) {
+  for (int k = 0; k < static_cast<int>(layout_.planes()); ++k)
+    for (int j = 0; j < layout_.nodes_y(); ++j)
+      for (int i = 0; i < layout_.nodes_x(); ++i)
+        for (int c = 0; c < 3; ++c) {
+          const std::size_t place = layout_.index(i, j, k, c);
+          numbers_[place] = places_.size();
+          places_.push_back(place);
+        }
+  assemble();
+}
+
+CoarsestLattice::~CoarsestLattice() = default;
+
+void CoarsestLattice::assemble() {
+  const auto size = static_cast<Eigen::Index>(places_.size());
+  Eigen::MatrixXd& matrix = factors_->stiffness;
+  matrix.setZero(size, size);
+  const int degree = lattice_.degree;
+  std::vector<std::size_t> rows;
+  for (int layer = 0; layer < lattice_.layers(); ++layer)
+    for (int y = 0; y < lattice_.cells_y; ++y)
+      for (int x = 0; x < lattice_.cells_x; ++x) {
+        const std::vector<double> cell = box_stiffness(
+            degree, lattice_.cell_size(layer), lattice_.moduli_of(x, y, layer));
+        rows.clear();
+        for (int c = 0; c < 3; ++c)
+          for (int k = 0; k <= degree; ++k)
+            for (int j = 0; j <= degree; ++j)
+              for (int i = 0; i <= degree; ++i) {
+                const int wrap_x =
+                    lattice_.is_periodic ? layout_.nodes_x() : 1 << 30;
+                const int wrap_y =
+                    lattice_.is_periodic ? layout_.nodes_y() : 1 << 30;
+                rows.push_back(numbers_[layout_.index((degree * x + i) % wrap_x,
+                                                      (degree * y + j) % wrap_y,
+                                                      degree * layer + k, c)]);
+              }
+        for (std::size_t r = 0; r < rows.size(); ++r)
+          for (std::size_t s = 0; s < rows.size(); ++s)
+            matrix(static_cast<Eigen::Index>(rows[r]),
+                   static_cast<Eigen::Index>(rows[s])) +=
+                cell[r * rows.size() + s];
+      }
+}
+
+void CoarsestLattice::set_contact(const MeshContact& contact) {
+  Eigen::MatrixXd matrix = factors_->stiffness;
+  const double scale = matrix.diagonal().mean();
+  const auto row_of = [&](std::size_t number) {
+    return static_cast<Eigen::Index>(numbers_[contact.unknowns[number]]);
+  };
+  const SparseRows& springs = contact.springs;
+  for (std::size_t row = 0; row < springs.rows(); ++row)
+    for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
+      matrix(row_of(row), row_of(springs.column[i])) += springs.weight[i];
+  for (const auto& mode :
+       rigid_modes(lattice_, LatticeSlab(lattice_), !contact.is_free())) {
+    Eigen::VectorXd values(matrix.rows());
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      values[static_cast<Eigen::Index>(i)] = mode[places_[i]];
+    matrix += scale / values.squaredNorm() * values * values.transpose();
+  }
+  std::vector<bool> is_held(layout_.size(), false);
+  constraints_->visit([&](std::size_t place) { is_held[place] = true; });
+  for (const std::size_t place : contact.held_unknowns(layout_.step()))
+    is_held[place] = true;
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    if (is_held[places_[i]]) {
+      const auto row = static_cast<Eigen::Index>(i);
+      matrix.row(row).setZero();
+      matrix.col(row).setZero();
+      matrix(row, row) = 1e30 * scale; // the displacement is zero
+    }
+  factors_->inverse.compute(matrix);
+}
+
+void CoarsestLattice::solve() {
+  factors_->vector.resize(static_cast<Eigen::Index>(places_.size()));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    factors_->vector[static_cast<Eigen::Index>(i)] =
+        static_cast<double>(force[places_[i]]);
+  factors_->vector = factors_->inverse.solve(factors_->vector).eval();
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    displacement[places_[i]] =
+        static_cast<float>(factors_->vector[static_cast<Eigen::Index>(i)]);
+}
+
+std::size_t CoarsestLattice::bytes() const {
+  return 2 * places_.size() * places_.size() * sizeof(double);
+}
 
 void MultigridCycle::add_level(std::unique_ptr<LevelTransfer> transfer,
                                std::unique_ptr<SmoothedLevel> level) {

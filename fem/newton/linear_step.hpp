@@ -53,8 +53,6 @@ public:
   bool take(const mechanics::LoadTarget& load, std::span<const double> springs,
             const ContactSet& held, const StepAccuracy& accuracy);
 
-  std::string failure() const { return solver_.failure(); } ///< of take()
-
   /// As ContactNewton::response_to_approach().
   const Vector& response_to_approach() const { return by_approach_; }
 

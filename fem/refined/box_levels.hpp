@@ -3,14 +3,67 @@
 // Coarser and coarser meshes for a mesh of halved boxes. This file does not
 // depend on deal.II.
 
-#include "fem/refined/box_operator.hpp"
+#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/mesh_operator.hpp"
+#include "fem/refined/box_kernel.hpp"
 #include "fem/refined/mesh_plan.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace asperity::fem {
+
+/// The first unknown of each of the nodes of each cell, x fastest, filled up to
+/// whole groups of cells by zeros.
+using SharedNodes = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+SharedNodes shared_nodes(std::vector<std::uint32_t> nodes);
+
+/// Boxes with edges along the axes, those of this rank if several share the
+/// block; the three unknowns of a node are consecutive.
+struct BoxMesh {
+  SharedNodes nodes;
+  std::vector<std::array<double, 3>> edges; ///< of each cell [m]
+  std::vector<CellModuli> moduli;           ///< of each cell
+  UnknownLayout unknowns;
+};
+
+/// Those of all ranks. Collective.
+MeshUnits units_of(const BoxMesh& mesh);
+
+/// The mesh in these units.
+BoxMesh scaled(const BoxMesh& mesh, const MeshUnits& units);
+
+/// Diagonal of K without the terms that couple two masters of one unknown;
+/// positive, and zero at constrained unknowns. Collective.
+std::vector<double> diagonal_of(const BoxMesh& mesh);
+
+/// K with isotropic linear elasticity.
+template <class Number>
+class BoxOperator final : public MeshOperator<Number> {
+public:
+  using Mesh = BoxMesh;
+
+  explicit BoxOperator(const BoxMesh& mesh);
+
+  /// The nodes are counted in single precision only, because the operator in
+  /// double precision shares them.
+  std::size_t bytes() const override;
+
+private:
+  void add_cells(const Number* displacement, Number* force,
+                 Number factor) const override;
+
+  SharedNodes nodes_;
+  std::vector<Number> boxes_;        ///< of the groups that differ
+  std::vector<std::uint32_t> kinds_; ///< of each group, its place in boxes_
+};
+
+extern template class BoxOperator<float>;
+extern template class BoxOperator<double>;
 
 /// Boxes that are halved from the cells of a lattice, and their moduli.
 struct HalvedBoxes {

@@ -12,10 +12,17 @@ namespace {
 
 using dealii::Point;
 using dealii::types::global_dof_index;
-using mechanics::HeightInterpolation;
 using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
 constexpr double inside = 1e-6; // in unit-cell widths and in node spacings
+
+/// Weights of the nodes -1, 0, 1, 2 at the fraction t of the distance from
+/// 0 to 1.
+std::array<double, 4> cubic_weights(double t) {
+  return {0.5 * t * (-1.0 + t * (2.0 - t)),
+          1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
+          0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0)};
+}
 
 /// The place in a tetrahedron in units of the cell, which is affine. The
 /// iteration of deal.II for it was seen to fail in cells of kilometres.
@@ -43,8 +50,24 @@ Point<3> at_node_if_close(Point<3> unit, unsigned int degree) {
 
 } // namespace
 
-FaceMaps::FaceMaps(const BlockSystem& system, HeightInterpolation between)
-    : system_(system), between_(between) {
+double interpolated(const Grid& grid, std::span<const double> field,
+                    const Point<2>& place) {
+  const double across = place[0] / grid.spacing_x();
+  const double along = place[1] / grid.spacing_y();
+  const int ix = static_cast<int>(std::floor(across));
+  const int iy = static_cast<int>(std::floor(along));
+  const std::array<double, 4> by_column = cubic_weights(across - ix);
+  const std::array<double, 4> by_row = cubic_weights(along - iy);
+  double value = 0.0;
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      value += by_row[static_cast<std::size_t>(j)] *
+               by_column[static_cast<std::size_t>(i)] *
+               field[grid.periodic_index(ix - 1 + i, iy - 1 + j)];
+  return value;
+}
+
+FaceMaps::FaceMaps(const BlockSystem& system) : system_(system) {
   if (!system.contact().is_grid())
     find_samples();
 }
@@ -54,11 +77,8 @@ FaceMaps::FaceMaps(const BlockSystem& system, HeightInterpolation between)
 void FaceMaps::find_samples() {
   const BlockSpace& space = system_.space();
   faces_a_node_.assign(system_.grid().size(), 0.0);
-  std::size_t first_point = 0;
-  for_contact_faces(space, [&](const auto& cell, unsigned int f) {
-    sample_face(cell, f, first_point);
-    first_point += space.face_quadrature().size();
-  });
+  for_contact_faces(
+      space, [&](const auto& cell, unsigned int f) { sample_face(cell, f); });
   faces_a_node_ = summed(std::move(faces_a_node_));
   if (*std::min_element(faces_a_node_.begin(), faces_a_node_.end()) == 0.0)
     throw std::domain_error("the contact surface does not cover the grid");
@@ -74,8 +94,7 @@ void FaceMaps::find_samples() {
 }
 
 void FaceMaps::sample_face(
-    const dealii::DoFHandler<3>::active_cell_iterator& cell, unsigned int f,
-    std::size_t first_point) {
+    const dealii::DoFHandler<3>::active_cell_iterator& cell, unsigned int f) {
   const Grid& grid = system_.grid();
   const dealii::BoundingBox<3> box = cell->face(f)->bounding_box();
   const auto first = [&](unsigned int axis, double spacing) {
@@ -90,13 +109,12 @@ void FaceMaps::sample_face(
        ++iy)
     for (int ix = first(0, grid.spacing_x()); ix <= last(0, grid.spacing_x());
          ++ix)
-      take_sample(cell, ix, iy, first_point);
+      take_sample(cell, ix, iy);
 }
 
 /// Adds the node (ix, iy) if it lies on this cell.
 void FaceMaps::take_sample(
-    const dealii::DoFHandler<3>::active_cell_iterator& cell, int ix, int iy,
-    std::size_t first_point) {
+    const dealii::DoFHandler<3>::active_cell_iterator& cell, int ix, int iy) {
   const Grid& grid = system_.grid();
   const BlockSpace& space = system_.space();
   const ContactPoints& points = system_.contact();
@@ -115,9 +133,6 @@ void FaceMaps::take_sample(
   sample.node = grid.periodic_index(ix, iy);
   sample.row =
       points.row_at(cell, at_node_if_close(unit, space.element().degree));
-  if (!points.is_nodal())
-    sample.nearest =
-        points.nearest_on_face(first_point, Point<2>(place[0], place[1]));
   faces_a_node_[sample.node] += 1.0;
   samples_.push_back(std::move(sample));
 }
@@ -127,50 +142,24 @@ std::vector<double> FaceMaps::summed(std::vector<double> field) const {
   return field;
 }
 
-/// A field at places, of which those that are nodes of the grid have the value
-/// there.
-std::vector<double> FaceMaps::values_at(std::span<const double> field,
-                                        std::span<const Point<2>> places,
-                                        HeightInterpolation between) const {
-  std::vector<double> values(places.size());
-  std::vector<SurfacePlace> others;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const int node = grid_node_at(system_.grid(), places[i][0], places[i][1]);
-    if (node >= 0) {
-      values[i] = field[static_cast<std::size_t>(node)];
-    } else {
-      others.push_back({places[i][0], places[i][1]});
-      which.push_back(i);
-    }
+std::vector<double>
+FaceMaps::values_at(std::span<const double> field,
+                    std::span<const Point<2>> places) const {
+  std::vector<double> values;
+  values.reserve(places.size());
+  for (const Point<2>& place : places) {
+    const int node = grid_node_at(system_.grid(), place[0], place[1]);
+    values.push_back(node >= 0 ? field[static_cast<std::size_t>(node)]
+                               : interpolated(system_.grid(), field, place));
   }
-  const std::vector<double> found =
-      interpolated(system_.grid(), field, between, others);
-  for (std::size_t i = 0; i < which.size(); ++i)
-    values[which[i]] = found[i];
   return values;
 }
 
-std::vector<Point<2>> FaceMaps::places_of_points() const {
+std::vector<double> FaceMaps::at_points(std::span<const double> field) const {
   std::vector<Point<2>> places;
   for (std::size_t i = 0; i < system_.contact().size(); ++i)
     places.push_back(system_.contact()[i].place);
-  return places;
-}
-
-std::vector<double> FaceMaps::at_points(std::span<const double> field) const {
-  return values_at(field, places_of_points(), HeightInterpolation::bicubic);
-}
-
-std::vector<double>
-FaceMaps::heights_at_points(std::span<const double> heights) const {
-  return values_at(heights, places_of_points(), between_);
-}
-
-std::vector<double>
-FaceMaps::heights_at(std::span<const double> heights,
-                     std::span<const Point<2>> places) const {
-  return values_at(heights, places, between_);
+  return values_at(field, places);
 }
 
 std::vector<double> FaceMaps::displacement(const Vector& unknowns) const {
@@ -201,20 +190,14 @@ FaceMaps::pressure(std::span<const double> at_points) const {
       field[static_cast<std::size_t>(points[i].grid_node)] = at_points[i];
     return summed(std::move(field));
   }
-  if (points.is_nodal()) {
-    Vector nodal = system_.space().make_vector();
-    for (std::size_t i = 0; i < points.size(); ++i)
-      nodal(points[i].row.front().first) = at_points[i];
-    nodal.compress(dealii::VectorOperation::insert);
-    field = displacement(nodal);
-    for (double& pressure : field)
-      pressure = std::max(0.0, pressure);
-    return field;
-  }
-  for (const Sample& sample : samples_)
-    field[sample.node] +=
-        at_points[sample.nearest] / faces_a_node_[sample.node];
-  return summed(std::move(field));
+  Vector nodal = system_.space().make_vector();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    nodal(points[i].row.front().first) = at_points[i];
+  nodal.compress(dealii::VectorOperation::insert);
+  field = displacement(nodal);
+  for (double& pressure : field)
+    pressure = std::max(0.0, pressure);
+  return field;
 }
 
 std::vector<double> FaceMaps::weights() const {

@@ -4,39 +4,37 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/solution/height_interpolation.hpp"
 
 #include <span>
 #include <vector>
 
 namespace asperity::fem {
 
+/// A periodic field between the nodes of its grid, by cubic convolution of 4 x
+/// 4 nodes (R. G. Keys, IEEE Trans. Acoust. Speech Signal Process. 29, 1153
+/// (1981), a = -1/2): the value of the grid at a node, exact for quadratic
+/// functions, of third order elsewhere.
+double interpolated(const Grid& grid, std::span<const double> field,
+                    const dealii::Point<2>& place);
+
 /// Transfers fields between the nodes of the grid, which every rank stores, and
 /// the contact points, which only their own rank stores. See full_block.hpp for
 /// the definition of a sample.
 class FaceMaps {
 public:
-  /// @param system   must outlive this object
-  /// @param between  interpolation of heights between the nodes of the grid
+  /// @param system  must outlive this object
   /// @throws std::domain_error  a node of the grid is not on the contact
   ///                            surface
-  explicit FaceMaps(const BlockSystem& system,
-                    mechanics::HeightInterpolation between =
-                        mechanics::HeightInterpolation::bicubic);
+  explicit FaceMaps(const BlockSystem& system);
 
   const BlockSystem& system() const { return system_; }
 
-  /// A field of the grid evaluated at this rank's points, with bicubic
-  /// interpolation.
+  /// A field of the grid evaluated at this rank's points by interpolated().
   std::vector<double> at_points(std::span<const double> field) const;
 
-  /// The heights of this rank's points [m].
-  std::vector<double> heights_at_points(std::span<const double> heights) const;
-
-  /// The heights of places on the contact surface [m].
-  std::vector<double>
-  heights_at(std::span<const double> heights,
-             std::span<const dealii::Point<2>> places) const;
+  /// A field of the grid evaluated at places on the contact surface.
+  std::vector<double> values_at(std::span<const double> field,
+                                std::span<const dealii::Point<2>> places) const;
 
   /// The displacement w at the grid's nodes, on every rank [m]. This call is
   /// collective.
@@ -54,23 +52,17 @@ private:
   /// A node of the grid on one cell face of this rank.
   struct Sample {
     std::size_t node = 0;
-    FaceRow row;             ///< of u_z
-    std::size_t nearest = 0; ///< nearest Gauss point of the same face
+    FaceRow row; ///< of u_z
   };
 
   void find_samples();
   void sample_face(const dealii::DoFHandler<3>::active_cell_iterator& cell,
-                   unsigned int f, std::size_t first_point);
+                   unsigned int f);
   void take_sample(const dealii::DoFHandler<3>::active_cell_iterator& cell,
-                   int ix, int iy, std::size_t first_point);
+                   int ix, int iy);
   std::vector<double> summed(std::vector<double> field) const;
-  std::vector<double> values_at(std::span<const double> field,
-                                std::span<const dealii::Point<2>> places,
-                                mechanics::HeightInterpolation between) const;
-  std::vector<dealii::Point<2>> places_of_points() const;
 
   const BlockSystem& system_;
-  mechanics::HeightInterpolation between_;
   std::vector<Sample> samples_; ///< empty if the points are the grid's nodes
   std::vector<double> faces_a_node_;
   dealii::IndexSet needed_;

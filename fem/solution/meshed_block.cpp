@@ -7,7 +7,6 @@
 #include "fem/block/block_conduction.hpp"
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
-#include "fem/linear/lattice_preconditioner.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/refined/refined_block.hpp"
@@ -48,18 +47,6 @@ const BlockProblem& checked(const BlockProblem& problem) {
   return problem;
 }
 
-/// Whether the mesh consists of the boxes of the regular node grid and nothing
-/// else.
-bool is_lattice(const BlockProblem& problem) {
-  if (!problem.lattice || !problem.mesh.refine_below.empty() ||
-      problem.counter || problem.sides != mechanics::BlockSides::periodic)
-    return false;
-  const auto degree = static_cast<std::size_t>(problem.degree);
-  return problem.mesh.shape == meshes::CellShape::hexahedron &&
-         problem.mesh.cells.size() * degree * degree ==
-             problem.lattice->layers.size() * problem.grid.size();
-}
-
 bool is_compressible(const BlockSystem& system) {
   bool is_own = true;
   for (const auto& cell : system.space().dof_handler().active_cell_iterators())
@@ -76,7 +63,6 @@ BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
       .requested = problem.linear_solver,
       .unknowns = static_cast<double>(system.n_unknowns()),
       .ranks = n_ranks(),
-      .has_fourier = lattice.has_value() && is_lattice(problem),
       .is_compressible =
           lattice ? std::ranges::all_of(
                         lattice->moduli,
@@ -107,25 +93,16 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
   const std::optional<BoxLattice> lattice =
       has_own_mesh ? box_lattice(problem) : std::nullopt;
   const BlockTraits traits = traits_of(problem, system, lattice);
-  if (requested == LinearSolver::fourier && has_own_mesh && !traits.has_fourier)
-    throw std::domain_error(
-        "linear_solver = fourier: the block is not a periodic regular grid of "
-        "boxes; choose auto, direct or multigrid");
   switch (solver_of(traits)) {
   case BlockSolverKind::direct:
     return ContactNewton(system, LinearSolver::direct);
-  case BlockSolverKind::fourier:
-    return ContactNewton(system, requested,
-                         std::make_unique<LatticePreconditioner>(
-                             system, *lattice, *problem.lattice));
   case BlockSolverKind::lattice:
-    return ContactNewton(system, requested, nullptr,
+    return ContactNewton(system, requested,
                          std::make_unique<LatticeBlock>(system, *lattice));
   case BlockSolverKind::halved:
-    return ContactNewton(system, requested, nullptr,
-                         refined_block_of(problem, system));
+    return ContactNewton(system, requested, refined_block_of(problem, system));
   case BlockSolverKind::hexahedra:
-    return ContactNewton(system, requested, nullptr,
+    return ContactNewton(system, requested,
                          std::make_unique<HexahedronBlock>(problem, system));
   case BlockSolverKind::algebraic:
     break;
@@ -140,7 +117,7 @@ MeshedBlock::MeshedBlock(
     const std::shared_ptr<dealii::parallel::TriangulationBase<3>>&
         triangulation)
     : system_(checked(problem), triangulation),
-      maps_(system_, problem.height_interpolation),
+      maps_(system_),
       weights_(maps_.weights()),
       report_(system_.report()),
       newton_(newton_of(problem, system_, triangulation == nullptr)),
@@ -148,9 +125,8 @@ MeshedBlock::MeshedBlock(
       depth_(problem.mesh.depth) {}
 
 ContactStiffness MeshedBlock::stiffness() {
-  if (!system_.contact().is_nodal() || system_.has_counter())
-    throw std::domain_error("the stiffness of a contact needs contact at the "
-                            "nodes of one body");
+  if (system_.has_counter())
+    throw std::domain_error("the stiffness of a contact needs one body");
   if (system_.plasticity())
     throw std::domain_error(
         "the stiffness of a contact needs elastic material");
@@ -234,10 +210,6 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
   const bool is_wall =
       mechanics::block_solver_of(mechanics::traits_of(contact.law)) ==
       mechanics::BlockSolver::wall;
-  if (is_wall && !system_.contact().is_nodal())
-    throw std::domain_error(
-        "contact = hard with contact_at = gauss: hard contact is not available "
-        "at Gauss points; choose augmented");
   if (is_wall && system_.has_counter())
     throw std::domain_error(
         "contact = hard with two meshed bodies: hard contact is not available "
@@ -291,7 +263,7 @@ BlockSolution MeshedBlock::solve_contact(std::span<const double> heights,
                                          const BlockContact& contact) {
   require_arguments(heights, load, contact);
   BlockSolution answer;
-  newton_.solve(maps_.heights_at_points(heights),
+  newton_.solve(maps_.at_points(heights),
                 height_scale_of(heights, grid().spacing_x()), load, contact,
                 answer);
   heights_.assign(heights.begin(), heights.end());
@@ -357,8 +329,7 @@ std::unique_ptr<FullBlock> make_full_block(const Grid& grid, int degree,
                        .degree = degree,
                        .moduli = ModuliField(block),
                        .far_boundary = block.far_boundary,
-                       .linear_solver = linear_solver,
-                       .lattice = block};
+                       .linear_solver = linear_solver};
   return make_full_block(problem);
 }
 

@@ -64,27 +64,6 @@ template <std::size_t n, std::size_t m>
   }
 }
 
-/// Computes values = D^-1 values.
-template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void solve_diagonal(const SimdBatch* factor,
-                                                  SimdBatch* values) {
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t j = 0; j < m; ++j)
-      values[k * m + j] *= factor[in_triangle(n, k, k)];
-}
-
-/// Computes values = L^-T values.
-template <std::size_t n, std::size_t m>
-[[gnu::always_inline]] inline void solve_upper(const SimdBatch* factor,
-                                               SimdBatch* values) {
-  for (std::size_t k = n - 1; k-- > 0;) {
-    const SimdBatch* const column = factor + in_triangle(n, 0, k);
-    for (std::size_t i = k + 1; i < n; ++i)
-      for (std::size_t j = 0; j < m; ++j)
-        values[k * m + j] -= column[i] * values[i * m + j];
-  }
-}
-
 /// Computes a -= R^T D^-1 R on the lower triangle of the m x m matrix a, where
 /// R has n rows and m columns and D is that of the factor.
 template <std::size_t n, std::size_t m>

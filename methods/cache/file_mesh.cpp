@@ -1,23 +1,20 @@
 #include "methods/cache/file_mesh.hpp"
 
-#include "base/kept_signals.hpp"
 #include "cases/reader/resolved_keys.hpp"
+#include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/counter_body.hpp"
 #include "meshes/facets.hpp"
-#include "meshes/mesh_file.hpp"
 #include "meshes/mesh_quality.hpp"
 #include "meshes/valid_mesh.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <csignal>
 #include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 
 namespace asperity::methods {
@@ -44,8 +41,8 @@ void require_rectangle(const BlockMesh& mesh) {
     throw std::domain_error(fmt::format(
         "mesh: the contact surface covers {:.3g} % of the rectangle of {:.6g} "
         "by {:.6g} m around it, but the heights of [surface] cover all of it: "
-        "the physical surface contact must be a rectangle with its edges along "
-        "x and y; cut the block to one, or turn it",
+        "the group contact must be a rectangle with its edges along x and y; "
+        "cut the block to one, or turn it",
         100.0 * covered, mesh.length_x, mesh.length_y));
 }
 
@@ -74,11 +71,10 @@ void require_size(const BlockMesh& mesh, const MeshSpec& spec,
 void require_use(const BlockMesh& mesh, const mechanics::FemSettings& fem,
                  const cases::Case& contact_case, const Grid& grid) {
   if (mesh.shape == meshes::CellShape::tetrahedron) {
-    if (fem.block.element == mechanics::Element::q2 &&
-        fem.full.contact_at == mechanics::ContactPoints::nodes)
+    if (fem.block.element == mechanics::Element::q2)
       throw std::domain_error(
           "mesh: the cells are tetrahedra, whose vertices have no area with "
-          "element = \"Q2\": contact_at must be \"gauss\", or element \"Q1\"");
+          "element = \"Q2\"; element must be \"Q1\"");
     if (fem.full.bodies == 2 && contact_case.mesh.counter)
       throw std::domain_error("mesh: the cells are tetrahedra, but those of "
                               "mesh.counter and of its block are hexahedra");
@@ -102,41 +98,23 @@ void require_use(const BlockMesh& mesh, const mechanics::FemSettings& fem,
                     mistake->key, mistake->value, mistake->rule));
 }
 
-/// While gmsh is at work there is no load step that an interrupt would let the
-/// program finish: the first one ends it, and gmsh with it.
-class EndsAtOnce {
-public:
-  EndsAtOnce() {
-    for (const int number : {SIGINT, SIGTERM})
-      if (std::signal(number, SIG_DFL) == SIG_IGN)
-        std::signal(number, SIG_IGN);
-  }
-
-private:
-  KeptSignals kept_; ///< as they were before
-};
-
-meshes::FileMesh made_of(const MeshSpec& spec) {
-  const EndsAtOnce at_interrupts;
-  return meshes::read_mesh_file(
-      {spec.file, spec.file_unit, spec.allow_commands});
-}
-
 /// The mesh of a file, and as blocks use it.
 struct MadeMesh {
-  meshes::FileMesh file;
+  fem::FileMesh file;
   std::map<mechanics::BlockSides, BlockMesh> with_sides = {};
 };
 
 /// Returns the mesh that this process has made of the file. The caller holds
 /// the lock.
 MadeMesh& made_mesh(const cases::Case& contact_case) {
-  static std::map<std::tuple<std::string, double, bool>, MadeMesh> made;
+  static std::map<std::pair<std::string, double>, MadeMesh> made;
   const MeshSpec& spec = contact_case.mesh;
-  const std::tuple asked(spec.file, spec.file_unit, spec.allow_commands);
+  const std::pair asked(spec.file, spec.file_unit);
   auto found = made.find(asked);
   if (found == made.end())
-    found = made.emplace(asked, MadeMesh{made_of(spec)}).first;
+    found = made.emplace(asked, MadeMesh{fem::load_fem_module().mesh_file(
+                                    spec.file, spec.file_unit)})
+                .first;
   return found->second;
 }
 

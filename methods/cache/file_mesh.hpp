@@ -13,8 +13,8 @@
 
 namespace asperity::methods {
 
-/// Lets gmsh read or mesh the file of [mesh] and returns the hash of the bytes
-/// of the mesh. Later calls return the same, whatever has become of the file.
+/// Reads the file of [mesh] and returns the hash of the bytes of the mesh.
+/// Later calls return the same, whatever has become of the file.
 /// @param contact_case  with mesh.file
 /// @throws input::InputError  read_mesh_file refuses it; the message begins
 ///                            with the line of mesh.file

@@ -54,8 +54,6 @@ double memory_per_unknown(const fem::BlockTraits& block) {
     return 9000.0;
   case BlockSolverKind::algebraic:
     return 5000.0;
-  case BlockSolverKind::fourier:
-    return 2000.0;
   case BlockSolverKind::lattice:
   case BlockSolverKind::halved:
     return 1200.0;
@@ -148,8 +146,8 @@ MethodNeeds needs_of(const cases::Case& contact_case,
                      int ranks) {
   MethodNeeds needs = std::visit(
       [&](const auto& settings) {
-        return needs_of_settings(
-            settings, NeedsInput{contact_case, method, grid, ranks});
+        return needs_of_settings(settings,
+                                 NeedsInput{contact_case, method, grid, ranks});
       },
       method.settings);
   if (!method.has_fields())

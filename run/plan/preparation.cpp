@@ -12,10 +12,10 @@
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
 #include "meshes/layers/halvable_layers.hpp"
-#include "methods/cache/file_mesh.hpp"
 #include "methods/chosen.hpp"
 #include "methods/continuum_block.hpp"
 #include "methods/surfaces_of_case.hpp"
+#include "run/plan/needs.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +58,8 @@ constexpr std::array argument_keys{
     ArgumentKey{"interfaces", "material", "layers"},
     ArgumentKey{"interface between layers", "material", "layers"},
     ArgumentKey{"depth of an interface", "material", "layers"},
+    ArgumentKey{"unknowns of a full block with a Poisson's ratio above 0.49",
+                "", "solver"},
     ArgumentKey{"inclusion_radius", "material.inclusion", "radius"},
     ArgumentKey{"inclusion_depth", "material.inclusion", "depth"},
     ArgumentKey{"size_at_contact", "mesh", "size_at_contact"},
@@ -109,6 +111,16 @@ public:
       mistakes_.add(nearest_node("surface").place,
                     std::string("surface: ") + error.what());
     }
+  }
+
+  /// Whether a linear solver serves a block of so many unknowns. Reads the mesh
+  /// of a file.
+  void examine_linear_solver(const MethodSpec& method) {
+    method_ = &method;
+    const Grid pressed = methods::pressed_grid(case_, method, grid_);
+    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    if (fem != nullptr && fem->solver == mechanics::FemSolver::full)
+      attempt([&] { fem::solver_of(block_of(case_, method, pressed, 1)); });
   }
 
   void throw_mistakes() const { mistakes_.throw_if_any(); }
@@ -228,7 +240,7 @@ private:
     } else if (kind == MeshKind::gmsh) {
       if (mesh.geometry != mechanics::MeshGeometry::file)
         meshes::require_gmsh_block(meshes::gmsh_parameters(
-            mesh, case_.material, fem.full.sides, depth, pressed_, scales_));
+            mesh, case_.material, depth, pressed_, scales_));
     } else {
       fem::require_cells(pressed_, degree);
       if (kind == MeshKind::hanging)
@@ -353,9 +365,9 @@ void require_computable(const cases::Case& contact_case,
   for (const MethodSpec& method : methods)
     preparation.examine(method);
   preparation.throw_mistakes();
-  for (const MethodSpec& method : methods) // nothing without a mesh file
-    methods::file_mesh(contact_case, method,
-                       methods::pressed_grid(contact_case, method, grid));
+  for (const MethodSpec& method : methods)
+    preparation.examine_linear_solver(method);
+  preparation.throw_mistakes();
 }
 
 void require_surface(const cases::Case& contact_case,

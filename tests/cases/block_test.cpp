@@ -147,54 +147,26 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Refused{"", "fem.sides=free", "needs solver = \"full\""},
         Refused{"", "fem.bodies=2", "needs solver = \"full\""},
-        Refused{"", "fem.linear_solver=fourier", "needs solver = \"full\""},
+        Refused{"", "fem.linear_solver=direct", "needs solver = \"full\""},
+        Refused{"", "fem.linear_solver=fourier", "auto | direct | multigrid"},
         Refused{"", "fem.stiffness=true", "needs solver = \"full\""},
         Refused{"[fem.whole]\nsolver = \"full\"\nstiffness = true\n",
                 "fem.whole.top=sliding",
                 "cannot be combined with this far boundary (top); it needs top "
                 "= \"clamped\""},
         Refused{"[fem.whole]\nsolver = \"full\"\nstiffness = true\n",
-                "fem.whole.contact_at=gauss",
-                "it needs contact_at = \"nodes\""},
-        Refused{"[fem.whole]\nsolver = \"full\"\nstiffness = true\n",
                 "fem.whole.bodies=2", "it needs bodies = 1"},
-        Refused{"", "fem.height_interpolation=bilinear",
-                "needs solver = \"full\""},
-        Refused{"", "fem.height_interpolation=linear",
-                "must be bicubic | band-limited | bilinear"},
         Refused{"", "fem.mesh=case", "the table [mesh] is missing"},
-        Refused{"[fem.whole]\nsolver = \"full\"\ncontact = \"hard\"\n"
-                "contact_at = \"gauss\"\n",
-                "fem.growth=1.2", "contact = \"augmented\""},
         Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\n",
                 "fem.growth=1.2", "[material.counter] is missing"},
         Refused{"[fem.whole]\nsolver = \"full\"\nbodies = 2\ncontact = "
                 "\"hard\"\n[material.counter]\nyoungs_modulus = \"7 GPa\"\n"
                 "poisson_ratio = 0.3\n",
                 "fem.growth=1.2", "cannot be combined with hard"},
-        Refused{"[fem.whole]\nsolver = \"full\"\nsides = \"free\"\n"
-                "linear_solver = \"fourier\"\n",
-                "fem.growth=1.2", "needs one periodic block"},
         Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"layered\"\n",
                 "fem.growth=1.2", "material.layers is missing"},
         Refused{"[mesh]\nkind = \"gmsh\"\ngeometry = \"file\"\n",
                 "fem.growth=1.2", "mesh.file is missing"}));
-
-TEST(Block, InterpolatesHeightsAsTheCaseStates) {
-  using mechanics::HeightInterpolation;
-  const auto chosen = [](const std::string& line) {
-    const Case read = block("[fem.whole]\nsolver = \"full\"\n" + line);
-    const auto& fem =
-        std::get<mechanics::FemSettings>(read.methods.back().settings);
-    return fem.full.height_interpolation;
-  };
-
-  EXPECT_EQ(chosen(""), HeightInterpolation::bicubic);
-  EXPECT_EQ(chosen("height_interpolation = \"band-limited\"\n"),
-            HeightInterpolation::band_limited);
-  EXPECT_EQ(chosen("height_interpolation = \"bilinear\"\n"),
-            HeightInterpolation::bilinear);
-}
 
 const std::string gmsh = "[mesh]\nkind = \"gmsh\"\ngeometry = ";
 
@@ -206,7 +178,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"", "material.layers=[3]", "must be a table of thickness"},
         Refused{"", "material.inclusion=3",
                 "must be a table: [material.inclusion]"},
-        Refused{"", "fem.contact_at=gauss", "needs solver = \"full\""},
         Refused{gmsh + "\"indentation\"\n", "fem.mesh=case",
                 "needs solver = \"full\""},
         Refused{"[material.variation]\nkind = \"random\"\nspread = "
@@ -220,15 +191,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[material.variation]\nkind = \"function\"\nfactor = "
                 "\"1 + depth\"\n[fem.whole]\nsolver = \"full\"\n",
                 "fem.growth=1.2", "\"depth\" found at position 4. (column 5)"},
-        Refused{"[fem.whole]\nsolver = \"full\"\nlinear_solver = "
-                "\"fourier\"\n" +
-                    gmsh + "\"indentation\"\n",
-                "fem.growth=1.2", "needs one periodic block"},
-        Refused{"[fem.whole]\nsolver = \"full\"\nlinear_solver = "
-                "\"fourier\"\nbodies = 2\ncontact = \"penalty\"\npenalty = "
-                "\"10 E*/h\"\n[material.counter]\nyoungs_modulus = \"7 "
-                "GPa\"\npoisson_ratio = 0.3\n",
-                "fem.growth=1.2", "needs one periodic block"},
         Refused{gmsh + "\"inclusion\"\n", "fem.growth=1.2",
                 "[material.inclusion] is missing"}));
 
@@ -284,16 +246,6 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[mesh]\nkind = \"layers\"\n[mesh.counter]\nshape = "
                 "\"cuboid\"\nradius = \"0.2 length\"\n",
                 "fem.growth=1.2", "no method has solver = \"full\""}));
-
-// The vertices of a tetrahedron of second order have no area.
-INSTANTIATE_TEST_SUITE_P(Tetrahedra, RefusedBlock,
-                         testing::Values(Refused{
-                             "[fem.tets]\nsolver = \"full\"\nelement = \"Q2\"\n"
-                             "[mesh]\nkind = \"gmsh\"\n"
-                             "cells = \"tetrahedra\"\n",
-                             "fem.growth=1.2",
-                             "fem.tets.contact_at = \"nodes\" cannot be "
-                             "combined with mesh.cells = \"tetrahedra\""}));
 
 TEST(BlockMesh, HasACounterBodyOfItsOwnMesh) {
   const Case read = block(pair + "shape = \"cylinder\"\nradius = \"0.2 "

@@ -6,8 +6,9 @@
 #include "exchange/pressure_file.hpp"
 #include "exchange/problem.hpp"
 #include "exchange/problem_folder.hpp"
+#include "fem/plugin.hpp"
 #include "input/input_error.hpp"
-#include "meshes/mesh_file.hpp"
+#include "meshes/valid_mesh.hpp"
 #include "tests/message_of.hpp"
 
 #include <fmt/format.h>
@@ -89,9 +90,9 @@ TEST_F(ProblemFolder, HasTheMeshOfItsBlock) {
   EXPECT_EQ(json.at("materials")[0].at("youngs_modulus [Pa]"), 5e9);
   EXPECT_NEAR(json.at("materials")[1].at("youngs_modulus [Pa]").get<double>(),
               0.91e9, 1.0);
-  // What gmsh reads is the same mesh, with the same surfaces.
+  // What is read back is the same mesh, with the same surfaces.
   meshes::BlockMesh read =
-      meshes::read_mesh_file({(folder / "mesh.msh").string()}).mesh;
+      fem::load_fem_module().mesh_file(folder / "mesh.msh", 1.0).mesh;
   meshes::fit_sides(read, mechanics::BlockSides::periodic);
   EXPECT_EQ(read.vertices.size(), block.mesh.vertices.size());
   EXPECT_EQ(read.cells.size(), block.mesh.cells.size());

@@ -175,9 +175,6 @@ TEST(AdaptiveBlock, TakesOtherElementsAndBoundaries) {
   };
   compare("first order", ContactLaw::hard, 1, [](BlockProblem&) {});
   compare("penalty", ContactLaw::penalty, 2, [](BlockProblem&) {});
-  compare("Gauss points", ContactLaw::augmented, 2, [](BlockProblem& problem) {
-    problem.contact_at = mechanics::ContactPoints::gauss;
-  });
   compare("free sides", ContactLaw::hard, 2, [](BlockProblem& problem) {
     problem.sides = mechanics::BlockSides::free;
   });

@@ -1,7 +1,7 @@
 #pragma once
 
 // A block of two materials under a prescribed displacement, whose stress is
-// known everywhere: on boxes, with hanging nodes, on tetrahedra.
+// known everywhere: on boxes, with hanging nodes.
 
 #include "fem/solution/block_stress.hpp"
 #include "meshes/layered_mesh.hpp"
@@ -39,7 +39,6 @@ inline dealii::TrilinosWrappers::MPI::Vector vertical_displacement(
 
 struct Bent {
   const char* name;
-  meshes::CellShape shape;
   bool hangs;
 };
 
@@ -68,10 +67,6 @@ protected:
     problem.moduli.add_layer(interface_, near_);
     if (GetParam().hangs)
       problem.mesh.refine_below = {depth_ / 4.0};
-    if (GetParam().shape == meshes::CellShape::tetrahedron) {
-      problem.contact_at = mechanics::ContactPoints::gauss;
-      problem.mesh = tetrahedra_of(problem.mesh);
-    }
     return problem;
   }
 
@@ -88,10 +83,7 @@ protected:
 };
 
 inline auto all_bent_blocks() {
-  return ::testing::Values(
-      Bent{"boxes", meshes::CellShape::hexahedron, false},
-      Bent{"hanging", meshes::CellShape::hexahedron, true},
-      Bent{"tetrahedra", meshes::CellShape::tetrahedron, false});
+  return ::testing::Values(Bent{"boxes", false}, Bent{"hanging", true});
 }
 
 inline std::string name_of_bent(const ::testing::TestParamInfo<Bent>& tested) {

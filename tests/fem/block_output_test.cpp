@@ -142,20 +142,6 @@ TEST_F(BlockFiles, HoldTheSqueezedBlock) {
   }
 }
 
-// Verifies that tetrahedra of second order are written with their ten nodes.
-TEST_F(BlockFiles, HoldTetrahedra) {
-  BlockProblem block = problem(2);
-  block.contact_at = mechanics::ContactPoints::gauss;
-  block.mesh = tetrahedra_of(block.mesh);
-  const std::size_t n_cells = block.mesh.cells.size();
-  const auto full = make_full_block(block);
-  press(*full, 2e6);
-
-  full->write(stem());
-
-  expect_squeezed(0, 2e6, n_cells * 10, n_cells);
-}
-
 // Verifies that load steps are listed by pressure while it increases and by
 // number after it has decreased, and that every listed file exists.
 TEST_F(BlockFiles, AreListedStepByStep) {

@@ -2,7 +2,6 @@
 // grading ratio 1.2, depth = length) on N^2 nodes.
 #include "fem/waves/condensed_q1.hpp"
 #include "fem/waves/condensed_q2.hpp"
-#include "fem/waves/lattice_factors.hpp"
 #include "meshes/layers/graded_layers.hpp"
 
 #include <benchmark/benchmark.h>
@@ -39,20 +38,5 @@ void q2_setup(benchmark::State& state) {
 
 BENCHMARK(q2_setup)->Arg(128)->Arg(256)->Arg(512)->Unit(
     benchmark::kMillisecond);
-
-// Factors of the same layers by LayerElimination<2>, without the symmetry of
-// the layers and for the quarter of the wavevectors of which a square grid
-// needs one half.
-void q2_factors(benchmark::State& state) {
-  const int points = static_cast<int>(state.range(0));
-  const Grid grid{points, points, 1e-5, 1e-5};
-  const fem::LayeredBlock block = block_for(grid, 2);
-  const fem::NodeClassSpectra spectra(grid, 2);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(
-        fem::make_lattice_factors(spectra, 2, block, {0, spectra.rows()}, 1));
-}
-
-BENCHMARK(q2_factors)->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond);
 
 } // namespace

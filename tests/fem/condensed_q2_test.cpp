@@ -3,7 +3,6 @@
 // elastic layer.
 #include "fem/block/full_block.hpp"
 #include "fem/waves/condensed_q2.hpp"
-#include "fem/waves/lattice_factors.hpp"
 #include "fem/waves/q2_operator.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/layer_solution.hpp"
@@ -66,49 +65,6 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Grid{8, 8, 1e-6, 1e-6},
                                          Grid{12, 8, 1e-6, 0.7e-6},
                                          Grid{14, 6, 1e-6, 0.5e-6}),
-                       ::testing::Values(FarBoundary::clamped,
-                                         FarBoundary::sliding,
-                                         FarBoundary::pressure)));
-
-class Q2AgainstUnsplitLayers
-    : public ::testing::TestWithParam<std::tuple<bool, FarBoundary>> {};
-
-// Verifies that split layers with shared symbols equal complete layers with
-// their own cell matrices, for many layers of one or several materials.
-// Tolerance: long waves are small differences of the terms of a thick layer,
-// whose roundoff grows with the square of the thickest layer in cells (here
-// below 10): some 1e-13.
-TEST_P(Q2AgainstUnsplitLayers, GivesTheSameBlocks) {
-  const auto [is_layered, far_boundary] = GetParam();
-  const Grid grid{64, 48, 1e-6, 0.8e-6};
-  LayeredBlock block =
-      layered_block(2.0 * grid.spacing_x(), 0.8 * grid.length_x, far_boundary);
-  if (!is_layered)
-    for (ElasticLayer& layer : block.layers)
-      layer = {layer.thickness, block.layers[0].lame_modulus,
-               block.layers[0].shear_modulus};
-  const NodeClassSpectra spectra(grid, 2);
-  const auto factors =
-      make_lattice_factors(spectra, 2, block, {0, spectra.rows()}, 1);
-
-  const Q2Compliance found = condensed_compliance_q2(grid, block);
-
-  std::array<SimdBatch, 16> expected;
-  for (std::size_t row = 0; row < spectra.rows(); ++row)
-    for (std::size_t column = 0; column < 17; ++column) {
-      const WaveBatch batch = spectra.batch(row, column / lanes);
-      factors->face_compliance(batch, expected.data());
-      const NodeClassBlock& symbol = found.blocks[row * 17 + column];
-      for (std::size_t i = 0; i < 16; ++i)
-        ASSERT_NEAR(symbol[i], grid.cell_area() * expected[i][column % lanes],
-                    1e-12 * largest_magnitude(symbol))
-            << row << ", " << column << ", " << i;
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    MaterialsAndTops, Q2AgainstUnsplitLayers,
-    ::testing::Combine(::testing::Bool(),
                        ::testing::Values(FarBoundary::clamped,
                                          FarBoundary::sliding,
                                          FarBoundary::pressure)));

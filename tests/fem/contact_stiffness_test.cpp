@@ -127,7 +127,7 @@ TEST(ContactStiffness, IsTheSlopeOfTheLoad) {
 }
 
 // All linear solvers find the same stiffness of the same block: on layers the
-// direct one, the lattice and the Fourier preconditioner, and on a mesh with
+// direct one and the lattice, and on a mesh with
 // hanging nodes the direct one and multigrid for hexahedra. Tolerance: that of
 // the linear solves.
 TEST(ContactStiffness, IsThatOfAllLinearSolvers) {
@@ -135,14 +135,11 @@ TEST(ContactStiffness, IsThatOfAllLinearSolvers) {
   for (const int degree : {1, 2}) {
     const ContactStiffness direct = stiffness_of(
         *block_of(16, degree, body, 2.0, LinearSolver::direct), body);
-    for (const LinearSolver solver :
-         {LinearSolver::multigrid, LinearSolver::fourier}) {
-      const ContactStiffness found =
-          stiffness_of(*block_of(16, degree, body, 2.0, solver), body);
+    const ContactStiffness found = stiffness_of(
+        *block_of(16, degree, body, 2.0, LinearSolver::multigrid), body);
 
-      EXPECT_NEAR(found.normal / direct.normal, 1.0, 1e-7);
-      EXPECT_NEAR(found.tangential / direct.tangential, 1.0, 1e-7);
-    }
+    EXPECT_NEAR(found.normal / direct.normal, 1.0, 1e-7);
+    EXPECT_NEAR(found.tangential / direct.tangential, 1.0, 1e-7);
   }
 }
 
@@ -190,13 +187,10 @@ TEST(ContactStiffness, IsZeroBeforeContact) {
   EXPECT_EQ(block->stiffness().tangential, 0.0);
 }
 
-TEST(ContactStiffness, NeedsAClampedFarBoundaryAndNodes) {
+TEST(ContactStiffness, NeedsAClampedFarBoundary) {
   const Grid grid{16, 16, length, length};
   BlockProblem problem = boxes_problem(grid, 1, {soft_modulus, 0.3}, length);
   problem.far_boundary = mechanics::FarBoundary::sliding;
-  EXPECT_THROW(make_full_block(problem)->stiffness(), std::domain_error);
-  problem.far_boundary = mechanics::FarBoundary::clamped;
-  problem.contact_at = mechanics::ContactPoints::gauss;
   EXPECT_THROW(make_full_block(problem)->stiffness(), std::domain_error);
 }
 

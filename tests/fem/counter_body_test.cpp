@@ -51,7 +51,6 @@ BlockContact contact_of(ContactLaw law) {
 
 struct Stack {
   int degree;
-  mechanics::ContactPoints at;
   double ratio; ///< of the cell sizes of counter-body and block
 };
 
@@ -64,7 +63,6 @@ Uniformity pressed(const Stack& stack) {
   constexpr int points = 8;
   BlockProblem problem = stacked(points, stack.degree,
                                  stack.degree * length / points * stack.ratio);
-  problem.contact_at = stack.at;
   const auto block = make_full_block(problem);
   const double load = 1e-3 * soft_modulus;
   const BlockSolution solution = block->solve(
@@ -94,27 +92,17 @@ TEST_P(StackedBodies, AreUniformlyStressedOnNestedMeshes) {
   EXPECT_NEAR(found.von_mises, 1.0, 1e-7);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Nested, StackedBodies,
-    ::testing::Values(Stack{1, mechanics::ContactPoints::nodes, 1.0},
-                      Stack{1, mechanics::ContactPoints::nodes, 2.0},
-                      Stack{1, mechanics::ContactPoints::gauss, 2.0},
-                      Stack{2, mechanics::ContactPoints::nodes, 1.0},
-                      Stack{2, mechanics::ContactPoints::nodes, 2.0},
-                      Stack{2, mechanics::ContactPoints::gauss, 1.0}));
+INSTANTIATE_TEST_SUITE_P(Nested, StackedBodies,
+                         ::testing::Values(Stack{1, 1.0}, Stack{1, 2.0},
+                                           Stack{2, 1.0}, Stack{2, 2.0}));
 
 // On other meshes one-pass contact does not pass the patch test. Measured with
 // cells 1.4 times as large as those of the block: pressures between 0.923 and
-// 1.041 times the load (first order, nodes), 0.996 and 1.002 (Gauss points),
-// 0.977 and 1.016 (second order, nodes), 0.960 and 1.019 (Gauss points); the
+// 1.041 times the load in first order, 0.977 and 1.016 in second order; the
 // bound allows a fifth more.
 TEST(StackedMeshes, ThatDoNotMatchDisturbThePressure) {
-  using mechanics::ContactPoints;
   for (const auto& [stack, bound] :
-       {std::pair{Stack{1, ContactPoints::nodes, 1.4}, 0.093},
-        std::pair{Stack{1, ContactPoints::gauss, 1.4}, 0.0045},
-        std::pair{Stack{2, ContactPoints::nodes, 1.4}, 0.028},
-        std::pair{Stack{2, ContactPoints::gauss, 1.4}, 0.048}}) {
+       {std::pair{Stack{1, 1.4}, 0.093}, std::pair{Stack{2, 1.4}, 0.028}}) {
     const Uniformity found = pressed(stack);
 
     EXPECT_GT(found.lowest, 1.0 - bound);
@@ -148,7 +136,6 @@ TEST(CounterFaces, FollowLinearMotions) {
   for (const int degree : {1, 2}) {
     BlockProblem problem = on_column(degree, 0.3 * length);
     problem.sides = BlockSides::free;
-    problem.contact_at = mechanics::ContactPoints::gauss;
     const BlockSystem system(problem);
     std::vector<dealii::Point<3>> places(system.n_unknowns());
     dealii::DoFTools::map_dofs_to_support_points(
@@ -165,7 +152,7 @@ TEST(CounterFaces, FollowLinearMotions) {
         ++n_opposed;
         EXPECT_NEAR(gaps[i], 0.0, 1e-12);
       }
-    EXPECT_GT(n_opposed, 50U);
+    EXPECT_GT(n_opposed, 30U);
     EXPECT_LT(n_opposed, gaps.size());
   }
 }

@@ -85,18 +85,12 @@ TEST(FullRequest, RefusesRandomModuliOfAdaptiveCells) {
   EXPECT_EQ(refusal(request), "accepted");
 }
 
-// The settings of the contact surface reach the problem.
-TEST(FullRequest, PassesTheContactSurfaceOn) {
+TEST(FullRequest, PassesTheSidesOn) {
   FullRequest request = adaptive_request(16, 1);
-  request.full.contact_at = mechanics::ContactPoints::gauss;
-  request.full.height_interpolation = mechanics::HeightInterpolation::bilinear;
   request.full.sides = mechanics::BlockSides::free;
 
   const BlockProblem problem = problem_of(request);
 
-  EXPECT_EQ(problem.contact_at, mechanics::ContactPoints::gauss);
-  EXPECT_EQ(problem.height_interpolation,
-            mechanics::HeightInterpolation::bilinear);
   EXPECT_EQ(problem.sides, mechanics::BlockSides::free);
 }
 

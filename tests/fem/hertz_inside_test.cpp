@@ -57,7 +57,7 @@ Pressed pressed_block(const Grid& grid) {
       grid, 1,
       homogeneous_block(meshes::graded_layers(grid.spacing_x(), growth, length),
                         soft_modulus, poisson, mechanics::FarBoundary::clamped),
-      LinearSolver::fourier);
+      LinearSolver::multigrid);
   const std::vector<double> heights =
       around_middle(grid, [](double r) { return -0.5 * r * r / sphere; });
   BlockSolution solution = block->solve(

@@ -147,18 +147,6 @@ std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
 INSTANTIATE_TEST_SUITE_P(All, LatticeCases, ::testing::ValuesIn(all_cases()),
                          name_of);
 
-// Verifies springs at Gauss points, which couple nodes, against the direct
-// solver.
-TEST(LatticeBlockSprings, AreAllowedAtGaussPoints) {
-  for (const int degree : {1, 2}) {
-    BlockProblem problem = problem_of(
-        {degree, FarBoundary::clamped, BlockSides::periodic, Material::layers});
-    problem.contact_at = mechanics::ContactPoints::gauss;
-
-    expect_direct_solution(problem, {0.3 * soft_modulus * length, false});
-  }
-}
-
 // Verifies that a mesh that is not a grid of boxes is not treated as one.
 TEST(BoxLatticeOfAMesh, IsNoneForOtherMeshes) {
   BlockProblem problem = problem_of(

@@ -98,32 +98,6 @@ TEST(ModuliByPlace, OfDepthAloneAreLayers) {
             1e-12 * largest_magnitude(by_layers));
 }
 
-// The contact laws at Gauss points and at nodes converge to one law: the
-// difference of the mean gaps under one load decreases as h^2 or faster when h
-// is halved. Measured ratios are asserted with a margin of a quarter of an
-// order.
-TEST(GaussPoints, ConvergeToTheNodesUnderRefinement) {
-  std::vector<double> differences;
-  for (const int points : {8, 16, 32}) {
-    const Grid grid{points, 4, length, 4 * length / points};
-    BlockProblem problem = boxes_problem(grid, 1, body, length);
-    const std::vector<double> heights = wave_heights(grid, 1e-8);
-    const BlockContact contact{ContactLaw::augmented,
-                               1e3 * soft_modulus / length, 1e-9, 200};
-
-    const BlockSolution nodes = pressed(problem, heights, 2e7, contact);
-    problem.contact_at = mechanics::ContactPoints::gauss;
-    const BlockSolution gauss = pressed(problem, heights, 2e7, contact);
-
-    ASSERT_TRUE(nodes.converged && gauss.converged) << nodes.note << gauss.note;
-    EXPECT_NEAR(gauss.nominal_pressure / 2e7, 1.0, 1e-9);
-    EXPECT_NEAR(gauss.area_by_points, nodes.area_by_points, 4.0 / points);
-    differences.push_back(std::abs(gauss.mean_gap - nodes.mean_gap));
-  }
-  EXPECT_LT(differences[1], differences[0] / 3.4);
-  EXPECT_LT(differences[2], differences[1] / 3.4);
-}
-
 // Verifies that the active set and the augmentation converge to the same hard
 // contact, for first and second order and both controls. Tolerance: the
 // required 1e-7.
@@ -156,28 +130,14 @@ TEST(ActiveSet, AgreesWithAugmentation) {
   }
 }
 
-TEST(ActiveSet, RefusesGaussPoints) {
-  BlockProblem problem = boxes_problem({4, 4, length, length}, 1, body, length);
-  problem.contact_at = mechanics::ContactPoints::gauss;
-  try {
-    pressed(problem, std::vector<double>(16, 0.0), 1e6,
-            {ContactLaw::hard, 1e15, 1e-8, 50});
-    FAIL();
-  } catch (const std::domain_error& error) {
-    EXPECT_NE(std::string(error.what()).find("augmented"), std::string::npos);
-  }
-}
-
 /// A flat block pressed on a wave, or with a meshed second body.
 BlockSolution on_a_wave(const mechanics::BodyModuli& first,
                         const std::optional<mechanics::BodyModuli>& second,
-                        FarBoundary far_boundary,
-                        mechanics::ContactPoints contact_at) {
+                        FarBoundary far_boundary) {
   const Grid grid{16, 4, length, length / 4};
   BlockProblem problem = boxes_problem(grid, 1, first, length);
   problem.counter = second;
   problem.far_boundary = far_boundary;
-  problem.contact_at = contact_at;
   return pressed(problem, wave_heights(grid, 1e-8), 1e7,
                  {ContactLaw::penalty, 1e17, 1e-9, 200});
 }
@@ -187,24 +147,22 @@ BlockSolution on_a_wave(const mechanics::BodyModuli& first,
 // compliance is proportional to 1/E. Tolerance: 1e-9 of the largest value, the
 // residual of the solves times a condition number of 1e3.
 TEST(TwoBodies, OfOnePoissonRatioAreOneOfTheSummedCompliance) {
-  for (const auto points :
-       {mechanics::ContactPoints::nodes, mechanics::ContactPoints::gauss})
-    for (const FarBoundary far_boundary :
-         {FarBoundary::clamped, FarBoundary::pressure})
-      for (const double factor : {1.0, 3.0}) {
-        const mechanics::BodyModuli other{factor * soft_modulus, 0.3};
-        const mechanics::BodyModuli both{soft_modulus * factor / (1.0 + factor),
-                                         0.3};
+  for (const FarBoundary far_boundary :
+       {FarBoundary::clamped, FarBoundary::pressure})
+    for (const double factor : {1.0, 3.0}) {
+      const mechanics::BodyModuli other{factor * soft_modulus, 0.3};
+      const mechanics::BodyModuli both{soft_modulus * factor / (1.0 + factor),
+                                       0.3};
 
-        const BlockSolution two = on_a_wave(body, other, far_boundary, points);
-        const BlockSolution one = on_a_wave(both, {}, far_boundary, points);
+      const BlockSolution two = on_a_wave(body, other, far_boundary);
+      const BlockSolution one = on_a_wave(both, {}, far_boundary);
 
-        ASSERT_TRUE(two.converged && one.converged) << two.note << one.note;
-        EXPECT_LT(largest_difference(two.pressure, one.pressure),
-                  1e-9 * largest_magnitude(one.pressure));
-        EXPECT_NEAR(two.mean_gap, one.mean_gap, 1e-9 * 1e-8);
-        EXPECT_LT(one.area_by_points, 0.9);
-      }
+      ASSERT_TRUE(two.converged && one.converged) << two.note << one.note;
+      EXPECT_LT(largest_difference(two.pressure, one.pressure),
+                1e-9 * largest_magnitude(one.pressure));
+      EXPECT_NEAR(two.mean_gap, one.mean_gap, 1e-9 * 1e-8);
+      EXPECT_LT(one.area_by_points, 0.9);
+    }
 }
 
 // With unequal ratios and sliding far boundaries the compliance of a layer
@@ -219,10 +177,8 @@ TEST(TwoBodies, ReduceToTheCombinedModulus) {
   const mechanics::BodyModuli both{
       (1.0 - 0.3 * 0.3) / (compliance(body) + compliance(other)), 0.3};
 
-  const BlockSolution two = on_a_wave(body, other, FarBoundary::sliding,
-                                      mechanics::ContactPoints::nodes);
-  const BlockSolution one = on_a_wave(both, {}, FarBoundary::sliding,
-                                      mechanics::ContactPoints::nodes);
+  const BlockSolution two = on_a_wave(body, other, FarBoundary::sliding);
+  const BlockSolution one = on_a_wave(both, {}, FarBoundary::sliding);
 
   ASSERT_TRUE(two.converged && one.converged) << two.note << one.note;
   EXPECT_LT(largest_difference(two.pressure, one.pressure),

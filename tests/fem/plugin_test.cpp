@@ -34,27 +34,6 @@ std::vector<double> longest_wave(const Grid& grid) {
   return wave;
 }
 
-class LoadedModule : public ::testing::TestWithParam<mechanics::Element> {};
-
-// Verifies that the condensed and the full model of the loaded module agree.
-// Tolerance: the roundoff of both, as in their own tests.
-TEST_P(LoadedModule, GivesOneCondensedAndFullBlock) {
-  const BlockRequest block = request(GetParam(), 8);
-  const std::vector<double> wave = longest_wave(block.grid);
-  std::vector<double> condensed(wave.size());
-
-  load_fem_module().condensed(block)->displacement(wave, condensed);
-  const std::vector<double> full =
-      load_fem_module().uncondensed(block)->displacement(wave);
-
-  for (std::size_t i = 0; i < wave.size(); ++i)
-    EXPECT_NEAR(condensed[i] / condensed[0], full[i] / condensed[0], 1e-12);
-}
-
-INSTANTIATE_TEST_SUITE_P(Elements, LoadedModule,
-                         ::testing::Values(mechanics::Element::q1,
-                                           mechanics::Element::q2));
-
 // Verifies that the program and the module plan their transforms under one
 // lock. With a lock each, the single planner of FFTW is corrupted and the
 // process crashes.

@@ -1,6 +1,5 @@
 // Contact curves of small blocks of every type, printed by the first rank:
 // ranks_test.py runs this program alone and under mpirun. With the argument
-// "waves", only the blocks that the Fourier solver preconditions; with
 // "lattice", only those whose ranks share the rows of a lattice of boxes; with
 // "hexahedra", only those of second-order hexahedra without a matrix and of
 // adaptive meshes.
@@ -48,22 +47,6 @@ void print_curve(const char* name, const BlockProblem& problem,
     std::printf("# %s", report.c_str());
 }
 
-/// Cells of random moduli, preconditioned by the Fourier solver of the
-/// homogeneous block.
-BlockProblem by_waves(int degree, mechanics::FarBoundary far_boundary) {
-  BlockProblem problem = boxes_problem(grid, degree, body, 1e-6);
-  problem.far_boundary = far_boundary;
-  problem.linear_solver = LinearSolver::fourier;
-  problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
-  LayeredBlock& uniform = problem.lattice.emplace();
-  uniform.far_boundary = far_boundary;
-  for (const double thickness :
-       meshes::graded_layers(degree * grid.spacing_x(), 1.4, 1e-6))
-    uniform.layers.push_back(
-        elastic_layer(thickness, body.youngs_modulus, body.poisson_ratio));
-  return problem;
-}
-
 /// A block on a column with a mesh of its own, which overlaps no face of the
 /// block exactly.
 BlockProblem on_column(int degree) {
@@ -90,9 +73,8 @@ void print_meshes() {
   print_curve("multigrid", problem, mechanics::ContactLaw::penalty);
   print_curve("hard", problem, mechanics::ContactLaw::hard);
   problem.far_boundary = mechanics::FarBoundary::pressure;
-  problem.contact_at = mechanics::ContactPoints::gauss;
   problem.moduli.set_factor(random_factor(0.5, 1, grid.spacing_x()));
-  print_curve("gauss", problem, mechanics::ContactLaw::augmented);
+  print_curve("pressed", problem, mechanics::ContactLaw::augmented);
   problem = boxes;
   problem.counter = mechanics::BodyModuli{2.0 * soft_modulus, 0.2};
   print_curve("counter", problem, mechanics::ContactLaw::penalty);
@@ -137,19 +119,8 @@ void print_lattices() {
         boxes_problem({points, points, 1e-6, 1e-6}, degree, body, 1e-6);
     problem.linear_solver = LinearSolver::multigrid;
     problem.far_boundary = mechanics::FarBoundary::pressure;
-    problem.contact_at = mechanics::ContactPoints::gauss;
-    print_curve("pressed_gauss", problem, ContactLaw::augmented);
+    print_curve("pressed", problem, ContactLaw::augmented);
   }
-}
-
-void print_waves() {
-  print_curve("waves", by_waves(1, mechanics::FarBoundary::clamped),
-              mechanics::ContactLaw::penalty);
-  BlockProblem problem = by_waves(1, mechanics::FarBoundary::sliding);
-  problem.contact_at = mechanics::ContactPoints::gauss;
-  print_curve("sliding", problem, mechanics::ContactLaw::augmented);
-  print_curve("pressed", by_waves(2, mechanics::FarBoundary::pressure),
-              mechanics::ContactLaw::hard);
 }
 
 /// Second-order cells of two sizes, distorted if the sides are free.
@@ -209,16 +180,15 @@ void print_adaptive(const char* name, int degree, mechanics::BlockSides sides) {
   }
 }
 
-/// Gauss points of boxes with hanging nodes, in both orders.
-void print_gauss_points() {
+/// Boxes with hanging nodes, in both orders.
+void print_halved() {
   for (const int degree : {1, 2}) {
     BlockProblem problem =
         boxes_problem({16, 16, 1e-6, 1e-6}, degree, body, 1e-6);
     problem.mesh =
         meshes::hanging_mesh({16 / degree, 16 / degree, 1e-6, 1e-6}, 1e-6, 2);
-    problem.contact_at = mechanics::ContactPoints::gauss;
     problem.linear_solver = LinearSolver::multigrid;
-    print_curve(degree == 1 ? "halved_gauss" : "halved_gauss2", problem,
+    print_curve(degree == 1 ? "halved" : "halved2", problem,
                 mechanics::ContactLaw::augmented);
   }
 }
@@ -228,8 +198,6 @@ void print_pairs() {
   BlockProblem problem = on_column(2);
   problem.linear_solver = LinearSolver::multigrid;
   print_curve("pair", problem, mechanics::ContactLaw::penalty);
-  problem.contact_at = mechanics::ContactPoints::gauss;
-  print_curve("pair_gauss", problem, mechanics::ContactLaw::augmented);
 }
 
 void print_matrix_free() {
@@ -239,7 +207,6 @@ void print_matrix_free() {
               mechanics::ContactLaw::penalty);
   BlockProblem problem = hexahedra(mechanics::BlockSides::periodic);
   problem.far_boundary = mechanics::FarBoundary::pressure;
-  problem.contact_at = mechanics::ContactPoints::gauss;
   print_curve("loaded", problem, mechanics::ContactLaw::augmented);
   problem = hexahedra(mechanics::BlockSides::free);
   problem.plasticity = Plasticity{3e6, 0.1 * soft_modulus};
@@ -247,7 +214,7 @@ void print_matrix_free() {
   print_stiffness(hexahedra(mechanics::BlockSides::free));
   print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
   print_adaptive("first-order", 1, mechanics::BlockSides::free);
-  print_gauss_points();
+  print_halved();
   print_pairs();
 }
 
@@ -263,8 +230,6 @@ int main(int n_arguments, char** arguments) {
     print_meshes();
   if (is_asked("lattice"))
     print_lattices();
-  if (is_asked("waves"))
-    print_waves();
   if (is_asked("hexahedra"))
     print_matrix_free();
 }

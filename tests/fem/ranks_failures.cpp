@@ -6,10 +6,11 @@
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
 #include "cases/reader/read_case.hpp"
+#include "fem/block/mesh_file.hpp"
 #include "fem/full_request.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "input/input_error.hpp"
-#include "meshes/mesh_file.hpp"
+#include "meshes/valid_mesh.hpp"
 
 #include <cstdio>
 #include <fstream>
@@ -103,9 +104,7 @@ bool solve(const std::string& path, const Injection& injection) {
                       {2e9, 1e-6, 1.25e-7, 1e-9}};
   if (const auto& mesh = contact_case.mesh;
       !mesh.file.empty() && own_rank() == 0) {
-    request.file_mesh =
-        meshes::read_mesh_file({mesh.file, mesh.file_unit, mesh.allow_commands})
-            .mesh;
+    request.file_mesh = read_mesh_file(mesh.file, mesh.file_unit).mesh;
     meshes::fit_sides(*request.file_mesh, settings.full.sides);
   }
   injection.at("build", "before");

@@ -45,14 +45,13 @@ def main(program, mpirun):
     assert not list(differences(sample, sample)), "cannot pass"
 
     one, notes_of_one = curves([program])
-    assert len(one) == 69, f"{len(one)} rows"
+    assert len(one) == 61, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
-    # Three ranks divide no lattice of the Fourier solver evenly, but share the
-    # rows of those of multigrid. Five ranks have too few of them.
+    # Three ranks share the rows of a lattice. Five ranks have too few of them.
     for ranks, which, expected in (("2", [], one), ("3", ["lattice"], one[20:40]),
-                                   ("5", ["lattice"], one[20:40]), ("3", ["waves"], one[40:46]),
-                                   ("3", ["hexahedra"], one[46:])):
+                                   ("5", ["lattice"], one[20:40]),
+                                   ("3", ["hexahedra"], one[40:])):
         several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
         assert all(f"{ranks} ranks" in note for note in notes), notes
         for name, x, y in differences(expected, several):

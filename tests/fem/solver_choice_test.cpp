@@ -1,6 +1,7 @@
 // Tests of fem/linear/solver_choice.hpp, the rules of
 // docs/numerics/full-block.md: which linear solver is used, without a block.
 #include "fem/linear/solver_choice.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,11 +23,6 @@ BlockTraits requested(LinearSolver solver, BlockTraits of) {
   return of;
 }
 
-BlockTraits periodic(BlockTraits of) {
-  of.has_fourier = true;
-  return of;
-}
-
 constexpr double small = most_direct_unknowns;
 constexpr double least = small + 1.0;
 
@@ -41,26 +37,26 @@ TEST(SolverChoice, IsDirectForSmallBlocksButNotForALatticeOnRanks) {
   EXPECT_EQ(solver_of(block(MeshStructure::lattice, small)), direct);
   EXPECT_EQ(solver_of(block(MeshStructure::other, small, 2)), direct);
   EXPECT_EQ(solver_of(block(MeshStructure::lattice, small, 2)), lattice);
-  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, small)))),
-            direct);
-  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, small, 2)))),
-            fourier);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, small, 2))), direct);
 }
 
 TEST(SolverChoice, AvoidsMultigridOfNearlyIncompressibleBlocks) {
   const double most = most_direct_stiff_unknowns;
   const double most_on_ranks = most_direct_stiff_unknowns_on_ranks;
+  const auto refusal = [](const BlockTraits& of) {
+    return tests::message_of<std::domain_error>([&] { solver_of(stiff(of)); });
+  };
 
-  EXPECT_EQ(solver_of(periodic(stiff(block(MeshStructure::lattice, least)))),
-            fourier);
   EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, most))), direct);
-  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, most + 1.0))),
-            algebraic);
   EXPECT_EQ(solver_of(stiff(block(MeshStructure::halved, most_on_ranks, 2))),
             direct);
-  EXPECT_EQ(
-      solver_of(stiff(block(MeshStructure::halved, most_on_ranks + 1.0, 2))),
-      algebraic);
+  const std::string words = refusal(block(MeshStructure::lattice, most + 1.0));
+  EXPECT_NE(words.find("at most 12000"), std::string::npos) << words;
+  EXPECT_NE(words.find("\"condensed\""), std::string::npos) << words;
+  EXPECT_NE(words.find("poisson_ratio = 0.49"), std::string::npos) << words;
+  EXPECT_NE(refusal(block(MeshStructure::halved, most_on_ranks + 1.0, 2))
+                .find("at most 2000"),
+            std::string::npos);
 }
 
 TEST(SolverChoice, ARequestedSolverServesBlocksOfAnySize) {
@@ -73,10 +69,7 @@ TEST(SolverChoice, ARequestedSolverServesBlocksOfAnySize) {
             direct);
   EXPECT_EQ(solver_of(requested(multigrid, tiny)), halved);
   EXPECT_EQ(solver_of(requested(multigrid, stiff(tiny))), algebraic);
-  EXPECT_EQ(solver_of(requested(multigrid, stiff(periodic(of_boxes)))),
-            lattice);
-  EXPECT_EQ(solver_of(requested(LinearSolver::fourier, periodic(of_boxes))),
-            fourier);
+  EXPECT_EQ(solver_of(requested(multigrid, stiff(of_boxes))), lattice);
 }
 
 // The border is Poisson's ratio 0.49, where lambda = 49 mu.

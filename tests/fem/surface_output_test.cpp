@@ -147,8 +147,8 @@ protected:
 };
 
 // Verifies all kinds of blocks: the files have the gap and the pressure of the
-// solution, on periodic and free sides, at nodes and at Gauss points, on boxes
-// and tetrahedra, of one body and of two.
+// solution, on periodic and free sides, on boxes and tetrahedra, of one body
+// and of two.
 TEST_F(SurfaceFiles, HoldTheSolution) {
   const auto compare = [&](const char* name, const BlockProblem& problem,
                            ContactLaw law, std::size_t n_cells) {
@@ -167,8 +167,6 @@ TEST_F(SurfaceFiles, HoldTheSolution) {
   problem.sides = mechanics::BlockSides::free;
   compare("free sides", problem, ContactLaw::penalty, 64);
   problem = boxes;
-  problem.contact_at = mechanics::ContactPoints::gauss;
-  compare("Gauss points", problem, ContactLaw::augmented, 64);
   problem.mesh = tetrahedra_of(problem.mesh);
   compare("tetrahedra", problem, ContactLaw::penalty, 128);
   problem = boxes;
@@ -188,22 +186,6 @@ TEST_F(SurfaceFiles, SatisfyHardContact) {
     EXPECT_GE(surface.gap[i], -1e-17);
     EXPECT_EQ(surface.contact[i], surface.gap[i] < 1e-17 ? 1.0 : 0.0);
   }
-}
-
-// Verifies that the face of a second-order tetrahedron is written with its six
-// nodes.
-TEST_F(SurfaceFiles, HoldTrianglesOfSixNodes) {
-  BlockProblem problem = boxes_problem(small_grid, 2, body, length);
-  problem.contact_at = mechanics::ContactPoints::gauss;
-  problem.mesh = tetrahedra_of(problem.mesh);
-  const BlockSolution found =
-      write_step(*make_full_block(problem), ContactLaw::penalty);
-
-  const Surface surface = read_surface(stem(), 0);
-
-  EXPECT_EQ(surface.n_cells, 32U);
-  EXPECT_EQ(surface.size(), 6U * 32U);
-  expect_fields(surface, found, "six nodes");
 }
 
 // Verifies that nothing is defined before the first solution.

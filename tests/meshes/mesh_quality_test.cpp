@@ -58,12 +58,15 @@ TEST(CellShapeOf, TetrahedraIsTheirMeanRatio) {
 }
 
 // Counts are those after the cuts, and edges those of the finest cells at the
-// contact surface and of the coarsest overall, with levels as in CutMesh.
+// contact surface and of the coarsest overall, by levels of (M.6): two layers
+// of 16 x 16 cells, three of 8 x 8 and two of 4 x 4, with vertices of the finer
+// cells between two levels.
 TEST(MeshQualityOf, AHangingMeshCountsItsCuts) {
   const MeshQuality quality =
       mesh_quality(hanging_mesh({16, 16, 16e-9, 16e-9}, 16e-9, 2));
 
   EXPECT_EQ(quality.n_cells, 16u * 16 * 2 + 8 * 8 * 3 + 4 * 4 * 2);
+  EXPECT_EQ(quality.n_vertices, 17u * 17 * 3 + 9 * 9 * 3 + 5 * 5 * 2);
   EXPECT_EQ(quality.n_contact_faces, 256u);
   EXPECT_NEAR(quality.contact_edges.smallest, 1e-9, 1e-22);
   EXPECT_NEAR(quality.contact_edges.largest, 1e-9, 1e-22);

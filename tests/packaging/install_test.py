@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-FILES = ["bin/asperity", "lib/asperity/asperity_fem.so", "lib/asperity/asperity_mesh",
+FILES = ["bin/asperity", "lib/asperity/asperity_fem.so",
          "lib/python3/dist-packages/asperity.py", "share/asperity/cases/hertz/case.toml",
          "share/asperity/cases/hertz/quick.set", "share/asperity/cases/paper/collection.toml",
          "share/doc/asperity/index.md", "share/doc/asperity/copyright",

@@ -42,8 +42,6 @@ const char* name_of(BlockSolverKind kind) {
     return "direct";
   case BlockSolverKind::algebraic:
     return "multigrid (Trilinos ML)";
-  case BlockSolverKind::fourier:
-    return "Fourier solver";
   case BlockSolverKind::lattice:
     return "multigrid on the lattice";
   case BlockSolverKind::halved:
@@ -120,8 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Overrides{}, q2, with_layers, with(with_layers, q2),
                       hanging, with(hanging, q2), stiff,
                       with(small, {R"(fem.depth="1 h")"}),
-                      with(with(small, stiff), {R"(fem.sides="free")"}),
-                      Overrides{R"(fem.linear_solver="fourier")"}));
+                      with(with(small, stiff), {R"(fem.sides="free")"})));
 
 INSTANTIATE_TEST_SUITE_P(ByGmsh, ExpectedBlock,
                          ::testing::Values(gmsh, with(gmsh, indented),
@@ -129,14 +126,6 @@ INSTANTIATE_TEST_SUITE_P(ByGmsh, ExpectedBlock,
                                            with(with(gmsh, with_layers),
                                                 {R"(mesh.geometry="layered")"}),
                                            with(gmsh, with_inclusion)));
-
-// For gmsh's tetrahedra, whose positions gmsh chooses itself, the unknowns are
-// known within a factor of two.
-TEST(ExpectedBlockOfTetrahedra, HasUnknownsWithinAFactorOfTwo) {
-  for (const Overrides& shape : {Overrides{}, indented})
-    expect_as_built(with(with(gmsh, {R"(mesh.cells="tetrahedra")"}), shape),
-                    2.0);
-}
 
 class ExpectedBlockOfCase : public ::testing::TestWithParam<const char*> {};
 
