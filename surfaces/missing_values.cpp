@@ -1,7 +1,6 @@
 #include "surfaces/missing_values.hpp"
 
 #include "input/input_error.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <fmt/format.h>
 
@@ -25,22 +24,21 @@ struct RangeEnd {
   }
 };
 
-RangeEnd range_end(const SharedRows& rows, std::span<const double> heights,
-                   double sign) {
+RangeEnd range_end(std::span<const double> heights, double sign) {
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto largest_of = [&](double factor, double below) {
     double largest = none;
     for (const double height : heights)
       if (std::isfinite(height) && factor * height < below)
         largest = std::max(largest, factor * height);
-    return rank_max(rows.ranks(), largest);
+    return largest;
   };
   RangeEnd end;
   end.outer = largest_of(sign, std::numeric_limits<double>::infinity());
   end.inner = largest_of(sign, end.outer);
   end.range = end.inner + largest_of(-sign, -none);
-  end.points = rank_sum(rows.ranks(), static_cast<double>(std::ranges::count(
-                                          heights, sign * end.outer)));
+  end.points =
+      static_cast<double>(std::ranges::count(heights, sign * end.outer));
   return end;
 }
 
@@ -61,11 +59,11 @@ bool is_usual_mark(double number) {
 
 } // namespace
 
-void refuse_marks(const SharedRows& rows, std::span<const double> heights,
-                  const FileNumbers& numbers, const std::string& name) {
+void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
+                  const std::string& name) {
   constexpr double least_impossible = 1e20;
   for (const double sign : {-1.0, 1.0}) {
-    const RangeEnd end = range_end(rows, heights, sign);
+    const RangeEnd end = range_end(heights, sign);
     const double number = sign * end.outer / numbers.unit;
     const bool is_impossible = std::abs(number) >= least_impossible;
     const bool is_known = is_usual_mark(number) && end.is_apart(0.125);

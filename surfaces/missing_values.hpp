@@ -4,7 +4,6 @@
 // that a reader of a format without missing points takes for heights.
 
 #include "surfaces/formats/scan.hpp"
-#include "surfaces/maps/height_map.hpp"
 
 #include <span>
 #include <string>
@@ -16,13 +15,12 @@ namespace asperity::surfaces {
 /// -32768, 65535, ...), also after a conversion between units of length, and
 /// farther from the other numbers than 1/8 of their range; or, in a file that
 /// another program has converted, several points have it and it is farther from
-/// the other numbers than these are from each other. Collective.
-/// @param heights  of the rows of this process [m], not finite at missing
-///                 points
+/// the other numbers than these are from each other.
+/// @param heights  [m], not finite at missing points
 /// @param name     of the file, for messages
-/// @throws input::InputError  on every rank; names the number, how many points
-///                            have it, and the key surface.missing_value
-void refuse_marks(const SharedRows& rows, std::span<const double> heights,
-                  const FileNumbers& numbers, const std::string& name);
+/// @throws input::InputError  names the number, how many points have it, and
+///                            the key surface.missing_value
+void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
+                  const std::string& name);
 
 } // namespace asperity::surfaces
