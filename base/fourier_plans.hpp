@@ -1,7 +1,7 @@
 #pragma once
 
-// Common names for FFTW in single and double precision. Only the sources of
-// this module include it.
+// Common names for FFTW in single and double precision, for sources that plan
+// transforms.
 
 #include <fftw3.h>
 

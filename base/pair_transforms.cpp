@@ -69,13 +69,11 @@ struct PairTransforms<Real>::Plans {
 };
 
 template <class Real>
-PairTransforms<Real>::PairTransforms(const Grid& grid, int rows, int width,
-                                     bool is_dense)
+PairTransforms<Real>::PairTransforms(const Grid& grid, int rows, int width)
     : width_(static_cast<std::size_t>(grid.points_x)),
       held_rows_(static_cast<std::size_t>(rows)),
       held_width_(static_cast<std::size_t>(width)),
-      is_dense_(is_dense),
-      pair_stride_(is_dense ? width_ : rounded_up(width_ + 1)),
+      pair_stride_(rounded_up(width_ + 1)),
       n_columns_(rounded_up(grid.half_spectrum_columns())),
       column_stride_(rounded_up(static_cast<std::size_t>(grid.points_y))),
       plans_(std::make_unique<Plans>(grid, pair_stride_, column_stride_)) {}
@@ -128,8 +126,7 @@ void PairTransforms<Real>::forward(std::span<const Real> field, int threads,
         std::fill(both + held_width_, both + width_, Complex{});
         Plans::Library::columns(plans_->pair, as_fftw(both), as_fftw(modes));
         // Z(-k) is then at width - k for every k.
-        if (!is_dense_)
-          modes[width_] = modes[0];
+        modes[width_] = modes[0];
       });
 }
 
@@ -169,7 +166,7 @@ void PairTransforms<Real>::separate(const Complex* spectrum, std::size_t first,
     Complex* column = columns + jy;
     for (std::size_t k = 0; k < n; ++k, column += stride) {
       const Complex z = plus[k];
-      const Complex mirror = is_dense_ && first + k == 0 ? z : *(minus - k);
+      const Complex mirror = *(minus - k);
       column[0] = {half * (z.real() + mirror.real()),
                    half * (z.imag() - mirror.imag())};
       column[1] = {half * (z.imag() + mirror.imag()),
@@ -189,8 +186,7 @@ void PairTransforms<Real>::join(const Complex* columns, std::size_t first,
     const Complex* column = columns + jy;
     for (std::size_t k = 0; k < n; ++k, column += stride) {
       const Complex a = column[0], b = column[1];
-      if (!is_dense_ || first + k > 0)
-        *(minus - k) = {a.real() + b.imag(), b.real() - a.imag()};
+      *(minus - k) = {a.real() + b.imag(), b.real() - a.imag()};
       plus[k] = {a.real() - b.imag(), b.real() + a.imag()};
     }
   }

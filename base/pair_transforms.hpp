@@ -32,12 +32,9 @@ class PairTransforms {
 public:
   using Complex = std::complex<Real>;
 
-  /// @param rows      number of rows that are held, >= 1
-  /// @param width     number of their values that are not always 0
-  /// @param is_dense  a pair then has points_x complex values, so that the
-  ///                  spectrum of an even number of rows fits into their
-  ///                  memory; otherwise pairs are padded, which is faster
-  PairTransforms(const Grid& grid, int rows, int width, bool is_dense = false);
+  /// @param rows   number of rows that are held, >= 1
+  /// @param width  number of their values that are not always 0
+  PairTransforms(const Grid& grid, int rows, int width);
   ~PairTransforms();
   PairTransforms(const PairTransforms&) = delete;
   PairTransforms& operator=(const PairTransforms&) = delete;
@@ -95,7 +92,6 @@ private:
 
   std::size_t width_; ///< points_x of the grid
   std::size_t held_rows_, held_width_;
-  bool is_dense_; ///< without Z(-0) at the end of a pair
   std::size_t pair_stride_, n_columns_, column_stride_;
   std::unique_ptr<Plans> plans_;
 };

@@ -143,10 +143,10 @@ public:
                  : std::string());
   }
 
-  SavedState state() const override { return saved_state(atoms_->state()); }
+  std::vector<double> state() const override { return atoms_->state(); }
 
-  bool restore(const StateReader& state) override {
-    atoms_->restore(state.all());
+  bool restore(const std::vector<double>& state) override {
+    atoms_->restore(state);
     return true;
   }
 

@@ -36,12 +36,12 @@ void observe_adhesion(results::CurvePoint& row,
       solution.is_detached
           ? 0.0
           : weighted_sum(
-                observation.nodal_weights, nodes, observation.workers,
+                observation.nodal_weights, nodes, observation.threads,
                 [&](std::size_t i) { return law.energy(solution.gap[i]); }) /
-                static_cast<double>(observation.workers.all_nodes(nodes));
+                static_cast<double>(nodes);
   observe_tension(row, solution.pressure,
                   {observation.criterion, solution.pressure, solution.gap}, law,
-                  observation.nodal_weights, observation.workers);
+                  observation.nodal_weights, observation.threads);
   row.jump_pressure = solution.jump_pressure;
   row.jump_gap = solution.jump_gap;
   if (std::isfinite(solution.smallest_stiffness)) // not without an open node
@@ -60,21 +60,20 @@ void observe_hardness(results::CurvePoint& row,
   const double* const p = solution.pressure.data();
   row.plastic_area =
       weighted_sum(observation.nodal_weights, solution.pressure.size(),
-                   observation.workers,
+                   observation.threads,
                    [=, hardness = observation.hardness](std::size_t i) {
                      return p[i] >= hardness ? 1.0 : 0.0;
                    }) /
-      static_cast<double>(
-          observation.workers.all_nodes(solution.pressure.size()));
+      static_cast<double>(solution.pressure.size());
   row.plastic_work = observation.hardness * solution.mean_imprint;
 }
 
-/// Of the nodes of all ranks [m].
+/// [m]
 double mean_displacement(const contact::ContactSolution& solution,
                          const Observation& observation) {
   const std::vector<double>& field = solution.displacement;
-  return weighted_sum(observation.nodal_weights, field, observation.workers) /
-         static_cast<double>(observation.workers.all_nodes(field.size()));
+  return weighted_sum(observation.nodal_weights, field, observation.threads) /
+         static_cast<double>(field.size());
 }
 
 results::CurvePoint row_of(const contact::ContactSolution& solution,
@@ -82,7 +81,7 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                            const SurfaceOfCase& surface) {
   const Grid& grid = surface.record.grid;
   const std::span<const double> weights = observation.nodal_weights;
-  const Workers& workers = observation.workers;
+  const int threads = observation.threads;
   const std::vector<double>& pressure = solution.pressure;
   results::CurvePoint row;
   row.nominal_pressure = solution.nominal_pressure;
@@ -98,10 +97,10 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   const mechanics::ContactNodes nodes(observation.criterion, pressure,
                                       solution.gap);
   observe("area_fraction", [&] {
-    return results::counted_area_fraction(nodes, weights, workers);
+    return results::counted_area_fraction(nodes, weights, threads);
   });
   observe("contact_perimeter", [&] {
-    return results::contact_perimeter(grid, nodes, observation.border, workers);
+    return results::contact_perimeter(grid, nodes, observation.border, threads);
   });
   row.area_fraction_corrected = results::Observed::none;
   if (std::isfinite(observation.hardness))
@@ -114,27 +113,27 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                               {observation.contact_modulus,
                                                observation.area_coefficients,
                                                observation.border},
-                                              workers);
+                                              threads);
     });
   if (observation.border == results::Border::free)
     row.mean_displacement = mean_displacement(solution, observation);
   if (observation.has_middle) {
     const results::PressureCentre centre =
-        results::pressure_centre(grid, pressure, weights, workers);
+        results::pressure_centre(grid, pressure, weights, threads);
     row.pressure_centre_x = centre.x;
     row.pressure_centre_y = centre.y;
   }
   if (is_adhesive)
     observe_adhesion(row, solution, observation);
   else if (!has_yielded)
-    observe_pressure_fits(observe, pressure, weights, workers);
+    observe_pressure_fits(observe, pressure, weights, threads);
   observe("elastic_energy", [&] {
     return results::elastic_energy(pressure, solution.displacement, weights,
-                                   workers);
+                                   threads);
   });
   observe("contact_energy", [&] {
     return results::contact_energy(pressure, observation.local_compliance,
-                                   weights, workers);
+                                   weights, threads);
   });
   return row;
 }
@@ -145,8 +144,7 @@ void distrust_non_finite(StepAnswer& answer) {
   results::CurvePoint& row = answer.row;
   const bool has_load =
       std::isfinite(row.nominal_pressure) && std::isfinite(row.mean_gap);
-  const bool has_maps = answer.has_finite_fields &&
-                        all_finite(answer.pressure) && all_finite(answer.gap);
+  const bool has_maps = all_finite(answer.pressure) && all_finite(answer.gap);
   if (has_load && has_maps)
     return;
   row.status = results::StepStatus::not_converged;
@@ -155,21 +153,19 @@ void distrust_non_finite(StepAnswer& answer) {
   if (!has_maps) {
     add_note(row, "the fields are not finite and were not saved");
     free_memory(answer.pressure, answer.gap);
-    answer.rows = {};
   }
 }
 
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
-                           std::span<const double> weights,
-                           const Workers& workers) {
+                           std::span<const double> weights, int threads) {
   const auto area_of = [](const results::PressureFit& fit) {
     return results::Observed{fit.area_fraction, fit.reason};
   };
   std::optional<results::PressureFits> found;
   const auto fits = [&]() -> const results::PressureFits& {
     if (!found)
-      found = results::pressure_fits(pressure, weights, workers);
+      found = results::pressure_fits(pressure, weights, threads);
     return *found;
   };
   observe("area_fraction_fit", [&] { return area_of(fits().by_histogram); });
@@ -179,11 +175,11 @@ void observe_pressure_fits(results::RowObserver& observe,
 void observe_tension(results::CurvePoint& row, std::span<const double> pressure,
                      const mechanics::ContactNodes& nodes,
                      const mechanics::ContactInterface& law,
-                     std::span<const double> weights, const Workers& workers) {
+                     std::span<const double> weights, int threads) {
   const double* const p = pressure.data();
   const auto mean_of = [&](const auto& value) {
-    return weighted_sum(weights, nodes.size(), workers, value) /
-           static_cast<double>(workers.all_nodes(nodes.size()));
+    return weighted_sum(weights, nodes.size(), threads, value) /
+           static_cast<double>(nodes.size());
   };
   const double pulled = least_tension * law.pressure_bounds().smallest;
   row.repulsive_area = mean_of([&](std::size_t i) {

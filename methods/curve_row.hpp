@@ -30,9 +30,7 @@ struct Observation {
   /// Whether the surface has a middle and thus the load a lever: a single
   /// shape.
   bool has_middle = false;
-  /// Who adds the sums. If ranks share the rows of the fields, the evaluation
-  /// is collective and every rank gets the row of one process.
-  Workers workers = 1;
+  int threads = 1;
   /// The contact law, if it has adhesion, and its grid_number().
   std::optional<mechanics::ContactInterface> adhesion = std::nullopt;
   double grid_number = 0.0;
@@ -47,7 +45,7 @@ struct Observation {
 void observe_pressure_fits(results::RowObserver& observe,
                            std::span<const double> pressure,
                            std::span<const double> weights = {},
-                           const Workers& workers = 1);
+                           int threads = 1);
 
 /// Evaluates the areas of repulsion and of tension and the attractive load of a
 /// row with adhesion. Elastic and atomistic methods share this function.
@@ -57,8 +55,7 @@ void observe_pressure_fits(results::RowObserver& observe,
 void observe_tension(results::CurvePoint& row, std::span<const double> pressure,
                      const mechanics::ContactNodes& nodes,
                      const mechanics::ContactInterface& law,
-                     std::span<const double> weights = {},
-                     const Workers& workers = 1);
+                     std::span<const double> weights = {}, int threads = 1);
 
 /// Evaluates a solution. Its fields are moved into the answer. An observable
 /// that cannot be evaluated does not end the run: it is NaN, and the note of

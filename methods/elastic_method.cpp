@@ -8,7 +8,6 @@
 #include "methods/curve_row.hpp"
 #include "methods/load_steps.hpp"
 #include "methods/sharing.hpp"
-#include "methods/surface_rows.hpp"
 #include "results/observables/area_estimate.hpp"
 
 #include <fmt/format.h>
@@ -50,13 +49,6 @@ namespace {
 using mechanics::ContactSettings;
 using mechanics::FemSettings;
 using mechanics::HalfspaceSettings;
-
-/// The heights of this rank.
-std::vector<double> own_heights(const SurfaceOfCase& surface,
-                                const SharedRows& rows) {
-  return surface.rows ? surface.rows->taken()
-                      : rows.scattered(surface.record.heights);
-}
 
 } // namespace
 
@@ -106,9 +98,9 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
       is_shared_by_ranks(method, grid, workforce.ranks->size())) {
     setting.threads = workforce.threads_a_rank;
     auto elasticity = operator_on_ranks(method, surface, workforce);
-    std::vector<double> heights =
-        own_heights(surface, *elasticity->shared_rows());
-    return make_load_steps(std::move(elasticity), std::move(heights), setting);
+    const auto own = elasticity->rows().own(surface.record.heights);
+    return make_load_steps(std::move(elasticity), {own.begin(), own.end()},
+                           setting);
   }
   Face face = shared_operator(method, surface, workforce.threads);
   setting.saved_setup_time = face.saved_setup_time;
@@ -125,9 +117,6 @@ SolverFactory::operator_on_ranks(const cases::MethodSpec& method,
   if (const auto* block = std::get_if<FemSettings>(&method.settings))
     return fem::load_fem_module().condensed_on_ranks(
         request(*block, surface, threads));
-  if (method.border() == mechanics::Border::free)
-    return std::make_unique<contact::FreeHalfspace>(
-        grid, *workforce.ranks, material_.contact_modulus, threads);
   return std::make_unique<contact::FourierOperator>(
       grid, *workforce.ranks,
       contact::compliance_column(

@@ -133,10 +133,10 @@ public:
            ".pvd";
   }
 
-  SavedState state() const override { return saved_state(block_->memory()); }
+  std::vector<double> state() const override { return block_->memory(); }
 
-  bool restore(const StateReader& state) override {
-    return block_->recall(state.next ? state.all() : std::vector<double>());
+  bool restore(const std::vector<double>& state) override {
+    return block_->recall(state);
   }
 
 private:

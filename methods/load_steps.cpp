@@ -7,7 +7,6 @@
 #include "methods/timed_operator.hpp"
 #include "ranks/node_sums.hpp"
 #include "ranks/rank_sums.hpp"
-#include "ranks/rows_from_rank_0.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,44 +16,21 @@
 namespace asperity::methods {
 namespace {
 
-/// Passes the memory of all ranks to rank 0, with whole fields: a number, then
-/// a number and a field for the imprint, if there is one, and for each step.
-void pass_memory(const SharedRows& rows, std::span<const double> own,
-                 const results::TakeValues& take) {
-  const bool takes = rows.ranks()->rank() == 0;
-  if (takes)
-    take(own.first(1));
-  for (std::size_t at = 1; at < own.size(); at += 1 + rows.size()) {
-    if (takes)
-      take(own.subspan(at, 1));
-    rows.pass_to_rank_0(own.subspan(at + 1, rows.size()), take);
+/// Replaces the fields of a memory, which is a number, then a number and a
+/// field for the imprint, if there is one, and for each step.
+/// @param nodes  of a field
+template <class Change>
+std::vector<double> of_each_field(const std::vector<double>& memory,
+                                  std::size_t nodes, const Change& change) {
+  if (memory.size() % (nodes + 1) != 1)
+    return memory; // empty, or of another grid
+  std::vector<double> changed{memory.front()};
+  for (std::size_t at = 1; at < memory.size(); at += 1 + nodes) {
+    changed.push_back(memory[at]);
+    const auto field = change(std::span(memory).subspan(at + 1, nodes));
+    changed.insert(changed.end(), field.begin(), field.end());
   }
-}
-
-/// Divides a memory that rank 0 reads among the ranks.
-std::vector<double> own_memory(const SharedRows& rows,
-                               const StateReader& memory) {
-  const std::size_t nodes = rows.grid().size();
-  const std::size_t steps =
-      memory.count == 0 ? 0 : (memory.count - 1) / (nodes + 1);
-  if (memory.count != 0 &&
-      (steps < 1 || steps > 3 || memory.count != 1 + steps * (nodes + 1)))
-    throw std::domain_error("a saved state has another number of nodes");
-  std::vector<double> own(memory.count == 0 ? 0
-                                            : 1 + steps * (rows.size() + 1));
-  const auto take_number = [&](double& number) {
-    if (rows.ranks()->rank() == 0)
-      memory.next(std::span(&number, 1));
-    number = of_ranks(rows.ranks(), number).front();
-  };
-  if (!own.empty())
-    take_number(own.front());
-  for (std::size_t at = 1; at < own.size(); at += 1 + rows.size()) {
-    take_number(own[at]);
-    std::ranges::copy(rows_from_rank_0(rows, memory.next),
-                      own.begin() + static_cast<std::ptrdiff_t>(at + 1));
-  }
-  return own;
+  return changed;
 }
 
 /// Of the mean of many numbers, relative to the largest.
@@ -87,74 +63,71 @@ public:
     const contact::SurfaceOperator& c = sequence_.elasticity();
     surface_.record.grid = c.grid();
     surface_.scales.rms_height = setting.rms_height;
-    observation_.nodal_weights = c.nodal_weights();
-    observation_.workers = {setting.threads, c.grid(), c.shared_rows()};
+    rows_ = c.rows();
+    if (rows_.ranks() != nullptr)
+      weights_ = rows_.gathered(c.nodal_weights());
+    observation_.nodal_weights =
+        rows_.ranks() != nullptr ? weights_ : c.nodal_weights();
+    observation_.threads = setting.threads;
   }
 
   StepAnswer find(const StepTarget& target) override {
-    free_memory(pressure_, gap_);
     tally_->cpu_time = 0.0;
     contact::ContactSolution solution = sequence_.solve(target.load);
     const int transforms = solution.transforms;
     const double transform_time = tally_->cpu_time;
     const CpuClock clock(threads_);
+    gather(solution);
     const Reached reached = reached_by(solution);
     StepAnswer answer = observe(std::move(solution), observation_, surface_);
     answer.reached = reached;
-    if (observation_.workers.rows != nullptr) {
-      const bool is_finite =
-          all_finite(answer.pressure) && all_finite(answer.gap);
-      answer.has_finite_fields =
-          total_count(observation_.workers, is_finite ? 0 : 1) == 0;
-      if (!target.needs_maps)
-        free_memory(answer.gap);
-    }
     certify(answer);
     answer.row.observation_time = clock.seconds();
     answer.row.transforms = transforms;
     answer.row.transform_time = transform_time;
-    if (observation_.workers.rows != nullptr)
-      keep_rows(target, answer);
     return answer;
   }
 
-  SavedState state() const override {
-    const SharedRows* const rows = observation_.workers.rows;
-    std::vector<double> memory = sequence_.memory();
-    if (rows == nullptr || memory.empty())
-      return saved_state(std::move(memory));
-    const std::size_t steps = (memory.size() - 1) / (rows->size() + 1);
-    return {1 + steps * (rows->grid().size() + 1),
-            [this, rows](const results::TakeValues& take) {
-              pass_memory(*rows, sequence_.memory(), take);
-            }};
+  std::vector<double> state() const override {
+    return of_each_field(
+        sequence_.memory(), rows_.size(),
+        [this](std::span<const double> own) { return rows_.gathered(own); });
   }
 
-  bool restore(const StateReader& state) override {
-    const SharedRows* const rows = observation_.workers.rows;
-    sequence_.recall(rows == nullptr ? state.all() : own_memory(*rows, state));
+  bool restore(const std::vector<double>& state) override {
+    sequence_.recall(of_each_field(
+        values_of_ranks<double>(rows_.ranks(), state), rows_.grid().size(),
+        [this](std::span<const double> whole) { return rows_.own(whole); }));
     return true;
   }
 
   double saved_setup_time() const override { return saved_setup_time_; }
 
 private:
-  /// Collective.
+  /// Lets every rank have the whole fields. Collective.
+  void gather(contact::ContactSolution& solution) const {
+    if (rows_.ranks() == nullptr)
+      return;
+    for (std::vector<double>* field :
+         {&solution.pressure, &solution.gap, &solution.displacement})
+      *field = rows_.gathered(*field);
+  }
+
   Reached reached_by(const contact::ContactSolution& solution) {
-    const Workers& workers = observation_.workers;
+    const int threads = observation_.threads;
     const std::span<const double> heights = sequence_.heights();
     const double* const p = solution.pressure.data();
     const double* const g = solution.gap.data();
     const auto mean_of = [&](const auto& value) {
-      return weighted_sum(observation_.nodal_weights, heights.size(), workers,
-                          value) /
-             static_cast<double>(workers.all_nodes(heights.size()));
+      return weighted_sum(observation_.nodal_weights, solution.pressure.size(),
+                          threads, value) /
+             static_cast<double>(solution.pressure.size());
     };
     const double borne = mean_of([=](std::size_t i) { return std::abs(p[i]); });
-    const double height = largest_of(heights, workers);
+    const double height = largest_of(heights, sequence_.elasticity().workers());
     const double depth = std::max(std::abs(solution.mean_gap),
                                   observation_.local_compliance *
-                                      largest_of(solution.pressure, workers));
+                                      largest_of(solution.pressure, threads));
     Reached reached;
     reached.nominal_pressure = solution.nominal_pressure;
     reached.mean_gap = solution.mean_gap;
@@ -175,21 +148,6 @@ private:
     return reached;
   }
 
-  /// Keeps the rows of this rank until the next call, if they are needed.
-  void keep_rows(const StepTarget& target, StepAnswer& answer) {
-    if (target.needs_maps) {
-      pressure_ = std::move(answer.pressure);
-      gap_ = std::move(answer.gap);
-      const auto passed = [this](const std::vector<double>& own) {
-        return [this, &own](const results::TakeValues& take) {
-          observation_.workers.rows->pass_to_rank_0(own, take);
-        };
-      };
-      answer.rows = {passed(pressure_), passed(gap_)};
-    }
-    free_memory(answer.pressure, answer.gap);
-  }
-
   /// Bounds the error of the mean gap by one more application of the operator,
   /// which the solver has no part in.
   void certify(StepAnswer& answer) {
@@ -202,7 +160,7 @@ private:
       return contact::check_field(
                  sequence_.elasticity(),
                  {sequence_.heights(), observation_.local_compliance,
-                  answer.row.nominal_pressure, answer.pressure,
+                  answer.row.nominal_pressure, rows_.own(answer.pressure),
                   answer.row.mean_gap + sequence_.mean_imprint(),
                   observation_.hardness})
           .mean_gap_error;
@@ -217,8 +175,8 @@ private:
   std::shared_ptr<TimedOperator::Tally> tally_ =
       std::make_shared<TimedOperator::Tally>();
   contact::LoadSequence sequence_;
-  /// The rows of this rank of the last maps, if they are needed.
-  std::vector<double> pressure_ = {}, gap_ = {};
+  SharedRows rows_{Grid{}};          ///< of this rank
+  std::vector<double> weights_ = {}; ///< of all nodes, on ranks
 };
 
 } // namespace

@@ -14,8 +14,9 @@ namespace asperity::methods {
 inline constexpr std::size_t least_shared_nodes = std::size_t{512} * 512;
 
 /// Returns whether the ranks share the rows of a method on this grid: it is a
-/// half-space or slab or a condensed block without adhesion, with at least
-/// least_shared_nodes nodes, and the rows can be divided among so many ranks.
+/// periodic half-space or slab or a condensed block without adhesion, with at
+/// least least_shared_nodes nodes, and the rows can be divided among so many
+/// ranks.
 bool is_shared_by_ranks(const cases::MethodSpec& method, const Grid& grid,
                         int n_ranks);
 
@@ -30,11 +31,5 @@ std::string obstacle_to_sharing(const cases::MethodSpec& method,
 bool is_run_by_ranks(const cases::Case& contact_case,
                      const std::vector<cases::MethodSpec>& methods,
                      const Grid& grid, int n_ranks);
-
-/// Returns whether no rank needs to keep a whole surface: every method that
-/// presses it is one whose rows so many ranks share (is_shared_by_ranks).
-bool has_surfaces_by_rows(const cases::Case& contact_case,
-                          const std::vector<cases::MethodSpec>& methods,
-                          int n_ranks);
 
 } // namespace asperity::methods

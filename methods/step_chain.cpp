@@ -40,35 +40,30 @@ StepChain::read(std::size_t step, bool needs_maps, bool needs_section) {
 }
 
 void StepChain::keep(std::size_t step, const results::Change& change,
-                     const SavedState& state) {
+                     std::span<const double> state) {
   if (!cache_.is_on())
     return;
   keep_change(cache_, keys_.at(step), entry_kind::step, change);
-  if (state.count == 0)
+  if (state.empty())
     return;
-  cache_.write(keys_[step], entry_kind::state, state.count * sizeof(double),
-               [&state](const TakeBytes& take) {
-                 state.numbers([&](std::span<const double> numbers) {
-                   take({reinterpret_cast<const char*>(numbers.data()),
-                         numbers.size_bytes()});
-                 });
-               });
+  cache_.write(
+      keys_[step], entry_kind::state, state.size_bytes(),
+      [&state](const TakeBytes& take) {
+        take({reinterpret_cast<const char*>(state.data()), state.size_bytes()});
+      });
   if (step > 0)
     cache_.remove(keys_[step - 1], entry_kind::state);
 }
 
-std::optional<StateReader> StepChain::state_after(std::size_t step) {
+std::optional<std::vector<double>> StepChain::state_after(std::size_t step) {
   const std::optional<FileBytes> entry =
       cache_.open(keys_.at(step), entry_kind::state);
   if (!entry || entry->size() % sizeof(double) != 0)
     return std::nullopt;
-  return StateReader{entry->size() / sizeof(double),
-                     [entry = *entry, place = std::uintmax_t{0}](
-                         std::span<double> next) mutable {
-                       entry.read(place, {reinterpret_cast<char*>(next.data()),
-                                          next.size_bytes()});
-                       place += next.size_bytes();
-                     }};
+  std::vector<double> state(entry->size() / sizeof(double));
+  entry->read(0, {reinterpret_cast<char*>(state.data()),
+                  state.size() * sizeof(double)});
+  return state;
 }
 
 } // namespace asperity::methods

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,8 +21,7 @@ namespace asperity::methods {
 std::optional<results::Change> kept_change(Cache& cache, const std::string& key,
                                            const std::string& kind);
 
-/// Caches a change. Maps that ranks hold pass through rank 0 by rows, unless
-/// the cache has no room for them.
+/// Caches a change, unless the cache has no room for it.
 void keep_change(Cache& cache, const std::string& key, const std::string& kind,
                  const results::Change& change);
 
@@ -49,10 +49,10 @@ public:
   ///               previous step is removed, because a run continues only from
   ///               the last one.
   void keep(std::size_t step, const results::Change& change,
-            const SavedState& state = {});
+            std::span<const double> state = {});
 
   /// Returns the solver state after a step; nothing if there is none.
-  std::optional<StateReader> state_after(std::size_t step);
+  std::optional<std::vector<double>> state_after(std::size_t step);
 
 private:
   Cache& cache_;

@@ -4,16 +4,11 @@
 // a row of the curve, the fields behind it and a description of the method.
 
 #include "cases/types/case.hpp"
-#include "results/types/map_rows.hpp"
 #include "results/types/result.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace asperity::methods {
@@ -52,54 +47,10 @@ struct StepAnswer {
   Grid grid;                    ///< grid of the fields
   std::vector<double> pressure; ///< [Pa]
   std::vector<double> gap;      ///< [m]
-  /// The same fields by rows, if ranks hold them and the vectors are empty.
-  /// Valid until the solver is called again.
-  std::optional<results::FieldRows> rows = {};
-  /// Whether the fields are finite, also those that the answer is without.
-  bool has_finite_fields = true;
   /// Stress section computed by the method itself, only at step_with_section().
   std::optional<results::Table> section = {};
   Reached reached = {};
 };
-
-/// The state of a solver, as numbers that are passed on piece by piece, because
-/// ranks may hold them. Valid until the solver is called again.
-struct SavedState {
-  std::size_t count = 0;    ///< of numbers; 0: there is no state
-  results::MapRows numbers; ///< passes all of them, in their order
-};
-
-/// Numbers that every rank has, of which rank 0 alone takes them.
-inline SavedState saved_state(std::vector<double> numbers) {
-  const std::size_t count = numbers.size();
-  return {count, [kept = std::move(numbers)](const results::TakeValues& take) {
-            if (take)
-              take(kept);
-          }};
-}
-
-/// The same numbers, which are read in their order.
-struct StateReader {
-  std::size_t count = 0;
-  /// Fills a span with the next numbers.
-  std::function<void(std::span<double>)> next;
-
-  std::vector<double> all() const {
-    std::vector<double> numbers(count);
-    next(numbers);
-    return numbers;
-  }
-};
-
-/// Reads numbers in memory, which must outlive the result.
-inline StateReader saved_reader(std::span<const double> numbers) {
-  return {numbers.size(),
-          [numbers, at = std::size_t{0}](std::span<double> next) mutable {
-            std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(at),
-                        next.size(), next.begin());
-            at += next.size();
-          }};
-}
 
 /// Solves the load steps of one method on one realisation.
 class StepSolver {
@@ -118,12 +69,15 @@ public:
   /// Returns the state from which the next step starts, so that another process
   /// can continue with identical results. It is empty for a method that cannot
   /// be continued.
-  virtual SavedState state() const { return {}; }
+  virtual std::vector<double> state() const { return {}; }
 
   /// Restores the state of an equal solver.
+  /// @param state  read on rank 0 only
   /// @return  false if it cannot, because the state is that of other ranks;
   ///          nothing has then changed
-  virtual bool restore(const StateReader& state) { return state.count == 0; }
+  virtual bool restore(const std::vector<double>& state) {
+    return state.empty();
+  }
 
   /// Returns the additional CPU time that set-up would have taken without the
   /// cached parts of an earlier run [s].

@@ -1,8 +1,5 @@
 #include "methods/stress_section.hpp"
 
-#include "ranks/rows_from_rank_0.hpp"
-#include "ranks/workers.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -99,17 +96,7 @@ std::vector<double> in_metres(const std::vector<int>& offsets, double spacing) {
 
 contact::StressInside
 StressUnderMaps::inside(const results::Fields& map) const {
-  if (ranks_ == nullptr)
-    return {map.grid, block_, map.pressure_map().whole(), threads_};
-  SharedRows rows(map.grid, *ranks_, row_bounds(map.grid, ranks_->size()));
-  std::vector<double> read;
-  const std::vector<double> pressure = rows_from_rank_0(
-      rows, [&, at = std::size_t{0}](std::span<double> values) mutable {
-        std::ranges::copy(map.pressure_map().values(at, values.size(), read),
-                          values.begin());
-        at += values.size();
-      });
-  return {std::move(rows), block_, pressure, threads_};
+  return {map.grid, block_, map.pressure_map().whole(), threads_};
 }
 
 StressPoint StressUnderMaps::strongest(const results::Fields& map) const {

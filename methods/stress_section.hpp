@@ -22,19 +22,13 @@ struct StressPoint {
   double largest_shear = 0.0;
 };
 
-/// Finds the stress inside a block under pressure maps, in this process or on
-/// all ranks of mpirun, with the same bits.
+/// Finds the stress inside a block under pressure maps.
 class StressUnderMaps {
 public:
   /// @param block    of the maps, as in contact::StressInside
-  /// @param threads  >= 1, of each process
-  /// @param ranks    null: this process alone. Otherwise all calls are
-  ///                 collective; rank 0 reads the pressure of a map by pieces,
-  ///                 of which the others read only the grid, so that no rank
-  ///                 holds a whole map. If it cannot be read, all ranks throw.
-  explicit StressUnderMaps(mechanics::ElasticBlock block, int threads = 1,
-                           RankGroup* ranks = nullptr)
-      : block_(std::move(block)), threads_(threads), ranks_(ranks) {}
+  /// @param threads  >= 1
+  explicit StressUnderMaps(mechanics::ElasticBlock block, int threads = 1)
+      : block_(std::move(block)), threads_(threads) {}
 
   const mechanics::ElasticBlock& block() const { return block_; }
 
@@ -51,7 +45,6 @@ private:
 
   mechanics::ElasticBlock block_;
   int threads_;
-  RankGroup* ranks_;
 };
 
 /// The sample points of a section. It extends from the contact surface to four

@@ -56,7 +56,6 @@ SurfaceOfCase single_map(const cases::Case& contact_case, SurfaceOfCase surface,
   SurfaceOfCase built = build({alone, 0});
   surface.record.grid = built.record.grid;
   surface.record.heights = std::move(built.record.heights);
-  surface.rows = built.rows;
   surface.scales.length = surface.record.grid.length_x;
   surface.has_middle = true;
   return surface;
@@ -92,11 +91,12 @@ Grid grid_without_images(const cases::Case& contact_case, const Grid& grid) {
           grid.length_y / 2.0};
 }
 
-SurfaceOfCase described_surface(const Grid& grid,
-                                const surfaces::Statistics& numbers,
-                                std::vector<surfaces::Shell> shells,
-                                double contact_modulus) {
+SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
+                             double contact_modulus) {
+  const Grid& grid = map.grid;
+  const surfaces::Statistics numbers = surfaces::statistics(map);
   SurfaceOfCase surface;
+  surface.shells = surfaces::spectral_shells(map);
   results::SurfaceRecord& record = surface.record;
   record.grid = grid;
   record.rms_height = numbers.rms_height;
@@ -105,42 +105,48 @@ SurfaceOfCase described_surface(const Grid& grid,
   record.skewness = numbers.skewness;
   record.kurtosis = numbers.kurtosis;
   record.highest = numbers.highest;
-  for (const surfaces::Shell& shell : shells)
+  for (const surfaces::Shell& shell : surface.shells)
     record.spectrum.push_back(
         {shell.wavevector, surfaces::shell_density(shell, grid)});
   surface.scales = {contact_modulus, grid.length_x, grid.spacing_x(),
                     record.rms_height, record.rms_slope};
-  surface.shells = std::move(shells);
+  record.heights = map.heights;
   return surface;
-}
-
-SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
-                             double contact_modulus) {
-  SurfaceOfCase surface =
-      described_surface(map.grid, surfaces::statistics(map),
-                        surfaces::spectral_shells(map), contact_modulus);
-  surface.record.heights = map.heights;
-  return surface;
-}
-
-surfaces::HeightMap built_map(const SurfaceSource& source,
-                              surfaces::MapFacts* facts) {
-  return source.highest_wavevector
-             ? surfaces::build_surface_on(source.surface, source.realization,
-                                          source.grid,
-                                          source.highest_wavevector)
-             : surfaces::build_surface(source.surface, source.realization,
-                                       facts);
 }
 
 SurfaceOfCase whole_surface(const SurfaceSource& source,
                             double contact_modulus) {
-  surfaces::MapFacts facts;
-  SurfaceOfCase surface =
-      surface_of_map(built_map(source, &facts), contact_modulus);
+  surfaces::MeasuredMap facts;
+  SurfaceOfCase surface = surface_of_map(
+      source.highest_wavevector
+          ? surfaces::build_surface_on(source.surface, source.realization,
+                                       source.grid, source.highest_wavevector)
+          : surfaces::build_surface(source.surface, source.realization, &facts),
+      contact_modulus);
   if (source.surface.kind == mechanics::SurfaceKind::measured)
     surface.map_facts = facts;
   return surface;
+}
+
+BuildSurface surfaces_of_rank_0(RootWork& root, double contact_modulus) {
+  struct Numbers {
+    Grid grid;
+    mechanics::Scales scales;
+  };
+
+  return [&root, contact_modulus](const SurfaceSource& source) {
+    SurfaceOfCase surface;
+    root.act([&] { surface = whole_surface(source, contact_modulus); });
+    const auto [grid, scales] = root.value([&] {
+      return Numbers{surface.record.grid, surface.scales};
+    });
+    surface.record.grid = grid;
+    surface.record.rms_height = scales.rms_height;
+    surface.scales = scales;
+    surface.record.heights =
+        root.value([&] { return std::move(surface.record.heights); });
+    return surface;
+  };
 }
 
 bool needs_surfaces(const std::vector<cases::MethodSpec>& methods) {
@@ -200,7 +206,7 @@ const std::vector<SurfaceOfCase>& CaseSurfaces::whole() const {
   return whole_;
 }
 
-std::optional<surfaces::MapFacts> CaseSurfaces::map_facts() const {
+std::optional<surfaces::MeasuredMap> CaseSurfaces::map_facts() const {
   return whole_.empty() ? std::nullopt : whole_.front().map_facts;
 }
 

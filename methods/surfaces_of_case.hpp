@@ -4,16 +4,15 @@
 // input of the theory. Decides whether surfaces are needed at all.
 
 #include "cases/types/case.hpp"
+#include "ranks/root_work.hpp"
 #include "results/types/result.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/shells.hpp"
-#include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
 #include "theory/persson/height_spectrum.hpp"
 
 #include <functional>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,8 +28,6 @@ struct SurfaceSource {
   Grid grid = {};                                ///< then needed
 };
 
-class SurfaceRows;
-
 /// The surface of one realisation as a method uses it.
 struct SurfaceOfCase {
   results::SurfaceRecord record; ///< heights, statistics, C(q)
@@ -39,29 +36,14 @@ struct SurfaceOfCase {
   /// sphere, a punch, roughness on a sphere, or a map without continuation.
   bool has_middle = false;
   std::vector<surfaces::Shell> shells = {};
-  /// Set if ranks build the rows of the surface when they need them; the record
-  /// then has no heights.
-  std::shared_ptr<const SurfaceRows> rows = {};
   /// What was found while a measured map was read.
-  std::optional<surfaces::MapFacts> map_facts = {};
+  std::optional<surfaces::MeasuredMap> map_facts = {};
 };
-
-/// Returns the surface of these numbers without heights.
-/// @param contact_modulus  E* [Pa]
-SurfaceOfCase described_surface(const Grid& grid,
-                                const surfaces::Statistics& numbers,
-                                std::vector<surfaces::Shell> shells,
-                                double contact_modulus);
 
 /// Returns the surface of a map with its statistics.
 /// @param contact_modulus  E* [Pa]
 SurfaceOfCase surface_of_map(const surfaces::HeightMap& map,
                              double contact_modulus);
-
-/// Builds the heights of a surface.
-/// @param facts  receives what was found of a measured map
-surfaces::HeightMap built_map(const SurfaceSource& source,
-                              surfaces::MapFacts* facts = nullptr);
 
 /// Builds a surface in this process.
 /// @param contact_modulus  E* [Pa]
@@ -94,6 +76,11 @@ Grid grid_without_images(const cases::Case& contact_case, const Grid& grid);
 
 using BuildSurface = std::function<SurfaceOfCase(const SurfaceSource& source)>;
 
+/// Lets rank 0 build the surfaces and give grid, scales and heights to the
+/// others, each of which holds the whole surface.
+/// @param contact_modulus  E* [Pa]
+BuildSurface surfaces_of_rank_0(RootWork& root, double contact_modulus);
+
 /// The surfaces of a case: one per realisation, one more per realisation for
 /// each magnification that a method uses, and the measured map itself if a
 /// half-space has free boundaries and another method presses its mirror images.
@@ -104,8 +91,7 @@ public:
   ///
   /// @param only  builds the surfaces of these realisations only, and those of
   ///              the others have no points; empty: all
-  /// @param build  builds a surface, see surface_rows.hpp; empty: in this
-  ///               process
+  /// @param build  builds a surface; empty: in this process
   /// @throws input::InputError, std::domain_error  the surfaces module rejects
   ///           the surface
   CaseSurfaces(const cases::Case& contact_case,
@@ -117,7 +103,7 @@ public:
   const std::vector<SurfaceOfCase>& whole() const;
 
   /// Returns what was found while a measured map was read.
-  std::optional<surfaces::MapFacts> map_facts() const;
+  std::optional<surfaces::MeasuredMap> map_facts() const;
 
   /// Returns true if the surface of the method is none of whole(): roughness
   /// above a magnification is left out, or a measured map is pressed without

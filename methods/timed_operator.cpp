@@ -65,10 +65,6 @@ const Grid& TimedOperator::wide_grid() const {
   return measured_->wide_grid();
 }
 
-const SharedRows* TimedOperator::wide_shared_rows() const {
-  return measured_->wide_shared_rows();
-}
-
 void TimedOperator::wide_pressure_estimate(std::span<const float> gap,
                                            double local_compliance,
                                            std::span<float> pressure) {

@@ -38,7 +38,6 @@ public:
   void pressure_of(std::span<const double> displacement,
                    std::span<double> pressure) override;
   const Grid& wide_grid() const override;
-  const SharedRows* wide_shared_rows() const override;
   void wide_pressure_estimate(std::span<const float> gap,
                               double local_compliance,
                               std::span<float> pressure) override;

@@ -1,7 +1,6 @@
 #pragma once
 
-// Computes weighted sums over all nodes of a field, bitwise the same on any
-// number of threads and ranks.
+// Computes weighted sums over all nodes of a field.
 
 #include "ranks/chunked_sum.hpp"
 #include "ranks/node_weights.hpp"

@@ -4,7 +4,11 @@
 // no library of message passing: the program implements it by MPI, the tests by
 // threads.
 
+#include "base/grid.hpp"
+#include "ranks/slab_transforms.hpp"
+
 #include <cstddef>
+#include <memory>
 #include <span>
 
 namespace asperity {
@@ -48,6 +52,15 @@ public:
     std::span<const std::byte> first, last; ///< sent to the rank before, after
     std::span<std::byte> before, after;     ///< received from these ranks
   };
+
+  /// Makes transforms of a field of which each rank holds the same number of
+  /// rows, and the last ones fewer.
+  virtual void
+  make_transforms(const Grid& grid, int rows,
+                  std::shared_ptr<SlabTransforms<float>>& made) = 0;
+  virtual void
+  make_transforms(const Grid& grid, int rows,
+                  std::shared_ptr<SlabTransforms<double>>& made) = 0;
 
   /// Exchanges rows with the ranks before and after this one.
   void swap_edges(const Edges& edges) {

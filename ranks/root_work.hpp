@@ -20,10 +20,6 @@ public:
   /// Gives the bytes of rank 0 to every rank; the others wait for them without
   /// using a core. Collective.
   virtual void from_rank_0(std::span<std::byte> bytes) = 0;
-
-  /// Calls share() on every rank. If it fails on all of them, all throw; if it
-  /// fails on some, the program ends on all. Collective.
-  virtual void together(const std::function<void()>& share) = 0;
 };
 
 /// Lets rank 0 act while the other ranks wait without using a core. If rank 0
@@ -61,27 +57,8 @@ public:
     return found;
   }
 
-  /// See ProgramRanks.
-  void together(const std::function<void()>& share) {
-    if (ranks_ != nullptr)
-      ranks_->together(share);
-    else
-      share();
-  }
-
-  using Take = std::function<void(std::span<const double>)>;
-  using Rows = std::function<void(const Take& take)>;
-
-  /// A function that rank 0 may call during the next act(), which passes it the
-  /// values that all ranks hold.
-  /// @param rows  collective; calls `take` on rank 0 only
-  Rows shared(Rows rows);
-
 private:
-  void tell(int word);
-
   ProgramRanks* ranks_;
-  std::vector<Rows> shared_; ///< for the next act()
 };
 
 } // namespace asperity

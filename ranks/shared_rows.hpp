@@ -4,11 +4,14 @@
 // beside them, which other processes may hold.
 
 #include "base/grid.hpp"
-#include "ranks/rank_group.hpp"
+#include "base/require.hpp"
+#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace asperity {
@@ -19,13 +22,25 @@ namespace asperity {
 class SharedRows {
 public:
   /// This process holds all rows.
-  explicit SharedRows(const Grid& grid);
+  explicit SharedRows(const Grid& grid)
+      : grid_(grid), bounds_{0, grid.points_y} {}
 
   /// @param ranks   must outlive this object
   /// @param bounds  rank r holds the rows bounds[r]..bounds[r+1]-1, at least
   ///                one; ranks.size() + 1 values from 0 to grid.points_y
   /// @throws std::domain_error  the bounds are not of this kind
-  SharedRows(const Grid& grid, RankGroup& ranks, std::vector<int> bounds);
+  SharedRows(const Grid& grid, RankGroup& ranks, std::vector<int> bounds)
+      : grid_(grid),
+        ranks_(&ranks),
+        bounds_(std::move(bounds)),
+        own_(static_cast<std::size_t>(ranks.rank())) {
+    if (bounds_.size() != static_cast<std::size_t>(ranks.size()) + 1 ||
+        bounds_.front() != 0 || bounds_.back() != grid.points_y ||
+        std::ranges::adjacent_find(bounds_, std::greater_equal<>()) !=
+            bounds_.end())
+      refuse_argument("the last of bounds", bounds_.back(),
+                      "points_y, after increasing values from 0 for each rank");
+  }
 
   const Grid& grid() const { return grid_; }
 
@@ -56,10 +71,8 @@ public:
     const std::span<Value> before = rows.first(n);
     const std::span<Value> after = rows.last(n);
     if (ranks_ == nullptr) {
-      for (std::size_t i = 0; i < n; ++i) {
-        before[i] = last[i];
-        after[i] = first[i];
-      }
+      std::ranges::copy(last, before.begin());
+      std::ranges::copy(first, after.begin());
     } else {
       ranks_->swap_edges({std::as_bytes(first), std::as_bytes(last),
                           std::as_writable_bytes(before),
@@ -67,68 +80,51 @@ public:
     }
   }
 
-  /// The row after those of this process, on the periodic continuation of the
-  /// grid. Collective.
-  /// @param own  size() values
-  std::vector<double> row_after(std::span<const double> own) const;
+  /// The rows of this process of a whole field.
+  template <class Value>
+  std::span<const Value> own(std::span<const Value> whole) const {
+    return whole.subspan(grid_.index(0, first()), size());
+  }
 
-  /// The rows before and after those of this process.
-  struct RowsBeside {
-    std::vector<double> before, after;
-  };
-
-  /// The same on the periodic continuation of the grid. Collective.
-  /// @param own  size() values
-  RowsBeside rows_beside(std::span<const double> own) const;
-
-  /// Some rows of a field, which other ranks may hold. Collective; each rank
-  /// asks for its own rows.
-  /// @param own    size() values
-  /// @param first  of the rows
-  /// @param count  of the rows, >= 0, inside the grid
-  std::vector<double> rows_at(std::span<const double> own, int first,
-                              int count) const;
+  std::span<const double> own(const std::vector<double>& whole) const {
+    return own(std::span<const double>(whole));
+  }
 
   /// All rows of a field, on every rank. Collective.
-  /// @param own  size() values
-  std::vector<double> gathered(std::span<const double> own) const;
-
-  /// Passes all values of a field to a function of rank 0, from the first row
-  /// to the last, in pieces of at most 4 MB or one row. Collective.
-  /// @param own   size() values
-  /// @param take  not called on the other ranks
-  void pass_to_rank_0(
-      std::span<const double> own,
-      const std::function<void(std::span<const double>)>& take) const;
-
-  /// The rows of this process. Collective.
-  /// @param all  grid().size() values on rank 0; not read on the others
-  std::vector<double> scattered(std::span<const double> all) const;
-
-  /// Rows of this process that the ranks of another division hold: row i of
-  /// this grid is row i of the other.
-  /// @param other  of the same ranks; its grid may have fewer or more rows
-  /// @return       number of rows for each rank
-  std::vector<std::size_t> rows_on(const SharedRows& other) const;
+  /// @param own_rows  size() values, or none
+  std::vector<double> gathered(std::span<const double> own_rows) const {
+    return values_of_ranks<double>(ranks_, own_rows);
+  }
 
 private:
-  /// Place of the first node of a rank, and number of its nodes.
-  std::size_t first_of(std::size_t rank) const {
-    return static_cast<std::size_t>(bounds_[rank]) * width();
-  }
-
-  std::size_t size_of(std::size_t rank) const {
-    return first_of(rank + 1) - first_of(rank);
-  }
-
-  std::vector<std::size_t> bytes_of_ranks() const;
-  /// Sizes of which only that of rank 0 is not 0.
-  std::vector<std::size_t> bytes_of_rank_0(std::size_t bytes) const;
-
   Grid grid_;
   RankGroup* ranks_ = nullptr;
   std::vector<int> bounds_;
   std::size_t own_ = 0; ///< number of this rank
 };
+
+/// Largest number of rows of which those of each rank but the last are a
+/// multiple: the side of the largest cells of contact::BoundaryExtension whose
+/// rows are shared on any grid.
+inline constexpr int rows_in_cell = 8;
+
+/// Rows of each rank but the last.
+inline int rows_of_rank(const Grid& grid, int n_ranks) {
+  const int cells = (grid.points_y + rows_in_cell - 1) / rows_in_cell;
+  return (cells + n_ranks - 1) / n_ranks * rows_in_cell;
+}
+
+/// Whether so many ranks can share the rows of a grid: each has some.
+inline bool can_share(const Grid& grid, int n_ranks) {
+  return (n_ranks - 1) * rows_of_rank(grid, n_ranks) < grid.points_y;
+}
+
+/// Bounds of the rows of each rank, see SharedRows.
+inline std::vector<int> row_bounds(const Grid& grid, int n_ranks) {
+  std::vector<int> bounds;
+  for (int r = 0; r <= n_ranks; ++r)
+    bounds.push_back(std::min(grid.points_y, r * rows_of_rank(grid, n_ranks)));
+  return bounds;
+}
 
 } // namespace asperity

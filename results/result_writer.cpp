@@ -119,12 +119,12 @@ FieldsChange change_of(const Grid& grid, const Fields& fields) {
           fields.map};
 }
 
-/// @param heights  empty: those of the surface, which must outlive the result
-SurfaceChange change_of(const SurfaceRecord& surface, const MapRows& heights) {
-  SurfaceChange change{surface, {heights}};
+/// @param surface  must outlive the result
+SurfaceChange change_of(const SurfaceRecord& surface) {
+  SurfaceChange change{surface, {}};
   change.record.heights.clear();
   const MapView own = surface.height_map();
-  if (heights || own.empty())
+  if (own.empty())
     return change;
   require_size("surface.heights", own.size(), surface.grid.size());
   change.heights.rows = rows_of_map(own);
@@ -221,11 +221,11 @@ void ResultWriter::record_provenance(const Provenance& facts) {
   record({.provenance = facts});
 }
 
-void ResultWriter::record_surface(int realization, const SurfaceRecord& surface,
-                                  const MapRows& heights) {
+void ResultWriter::record_surface(int realization,
+                                  const SurfaceRecord& surface) {
   require_index("realization", realization);
   const std::lock_guard lock(mutex_);
-  record({.surfaces = {{realization, change_of(surface, heights)}}});
+  record({.surfaces = {{realization, change_of(surface)}}});
 }
 
 void ResultWriter::begin_method(const std::string& name,
@@ -255,13 +255,12 @@ void ResultWriter::record_setup_time(const std::string& method, int realization,
 
 void ResultWriter::record_own_surface(const std::string& method,
                                       int realization,
-                                      const SurfaceRecord& surface,
-                                      const MapRows& heights) {
+                                      const SurfaceRecord& surface) {
   const std::lock_guard lock(mutex_);
   require_begun(method, realization);
   record({.methods = {{.name = method,
                        .realization = realization,
-                       .own_surface = change_of(surface, heights)}}});
+                       .own_surface = change_of(surface)}}});
 }
 
 void ResultWriter::append(const Change& change) {

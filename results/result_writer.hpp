@@ -70,10 +70,7 @@ public:
 
   /// Replaces the surface of a realisation; writes no empty map or spectrum.
   /// @param realization  >= 0
-  /// @param heights      of a surface whose heights are not in its record;
-  ///                     they are never held in memory
-  void record_surface(int realization, const SurfaceRecord& surface,
-                      const MapRows& heights = {});
+  void record_surface(int realization, const SurfaceRecord& surface);
 
   /// Adds a method. It is called once before the steps of the method; when
   /// called again after a resume, it replaces kind, description and contact.
@@ -90,8 +87,7 @@ public:
   /// As record_surface(), for a method with a surface other than the case's.
   /// @throws std::domain_error  begin_method() was not called for this method
   void record_own_surface(const std::string& method, int realization,
-                          const SurfaceRecord& surface,
-                          const MapRows& heights = {});
+                          const SurfaceRecord& surface);
 
   /// Adds finished steps: their rows, maps and tables in one change. Maps pass
   /// by rows and are never held in memory.

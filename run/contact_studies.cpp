@@ -24,14 +24,6 @@ namespace {
 
 using results::Border;
 
-std::vector<double> map_of(const results::MapRows& rows) {
-  std::vector<double> map;
-  rows([&](std::span<const double> values) {
-    map.insert(map.end(), values.begin(), values.end());
-  });
-  return map;
-}
-
 results::Observed observed(double stiffness, bool has_converged) {
   if (!has_converged)
     return {results::Observed::none, "the linear solver did not converge"};
@@ -143,14 +135,6 @@ void add_spots(const StudiedMethod& studied, const Grid& grid,
 bool needs_all_maps(const cases::Case& contact_case) {
   return contact_case.flow_study || contact_case.spots_study ||
          contact_case.conductance_study || contact_case.friction_study;
-}
-
-void hold_maps(methods::StepAnswer& answer) {
-  if (!answer.rows)
-    return;
-  answer.pressure = map_of(answer.rows->pressure);
-  answer.gap = map_of(answer.rows->gap);
-  answer.rows = {};
 }
 
 void add_contact_studies(const StudiedMethod& studied,

@@ -13,9 +13,6 @@ namespace asperity::run {
 /// Whether a study of a case reads the maps of every load step.
 bool needs_all_maps(const cases::Case& contact_case);
 
-/// Brings maps that ranks hold into the answer. On rank 0.
-void hold_maps(methods::StepAnswer& answer);
-
 /// A method on a surface, of which a case asks for studies.
 struct StudiedMethod {
   const cases::Case& contact_case;

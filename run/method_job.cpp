@@ -178,15 +178,12 @@ results::Change MethodJob::change_of(const methods::StepAnswer& answer) const {
   const results::SurfaceRecord& pressed =
       context_.surfaces.of(method_, realization_).record;
   results::MethodChange method{.points = {row}};
-  if (answer.rows || !answer.pressure.empty()) {
-    const results::FieldRows maps = answer.rows.value_or(
-        results::FieldRows{results::rows_of_map(answer.pressure),
-                           results::rows_of_map(answer.gap)});
+  if (!answer.pressure.empty()) {
     method.fields = {{row.step,
                       row.nominal_pressure,
                       answer.grid,
-                      {maps.pressure},
-                      {maps.gap},
+                      {results::rows_of_map(answer.pressure)},
+                      {results::rows_of_map(answer.gap)},
                       context_.contact_case.report.has_double_maps,
                       pressed.map.on(pressed.grid, answer.grid)}};
   }
@@ -312,7 +309,7 @@ std::string MethodJob::activity_text(const std::string& part) const {
 /// @return  false if the run is to end
 bool MethodJob::go_to(methods::StepSolver& solver, std::size_t next,
                       std::size_t step) {
-  methods::StateReader state;
+  std::vector<double> state;
   const std::size_t found = root_.value([&] {
     for (std::size_t known = step; known > next; --known)
       if (auto kept = chain_.state_after(known - 1)) {
@@ -321,11 +318,8 @@ bool MethodJob::go_to(methods::StepSolver& solver, std::size_t next,
       }
     return next;
   });
-  if (found > next) {
-    state.count = root_.value([&] { return state.count; });
-    if (solver.restore(state))
-      next = found;
-  }
+  if (found > next && solver.restore(state))
+    next = found;
   if (next < step)
     fmt::print("{}, realization {}: steps {} to {} are computed again, because "
                "the state after them was not saved\n",
@@ -373,34 +367,25 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
   return true;
 }
 
-/// Rank 0 writes a step to the cache and to the result, with the maps and the
-/// state that all ranks hold.
+/// Rank 0 writes a step to the cache and to the result.
 void MethodJob::keep_and_record(methods::StepSolver& solver,
                                 methods::StepAnswer& answer,
                                 double setup_time) {
-  methods::SavedState state;
-  if (root_.value([&] { return chain_.is_on(); })) {
+  std::vector<double> state;
+  if (root_.value([&] { return chain_.is_on(); }))
     state = solver.state();
-    state.numbers = root_.shared(std::move(state.numbers));
-  }
-  if (answer.rows) {
-    answer.rows->pressure = root_.shared(answer.rows->pressure);
-    answer.rows->gap = root_.shared(answer.rows->gap);
-  }
   root_.act([&] {
     study(answer);
     const results::SurfaceRecord& pressed =
         context_.surfaces.of(method_, realization_).record;
     results::state_of_map(answer.row, pressed.map.share(pressed.grid));
-    if (!needs_maps(static_cast<std::size_t>(answer.row.step))) {
+    if (!needs_maps(static_cast<std::size_t>(answer.row.step)))
       free_memory(answer.pressure, answer.gap);
-      answer.rows = {};
-    }
     results::Change change = change_of(answer);
     change.methods.front().setup_cpu_time = setup_time;
     change.methods.front().description = solver.found_at_setup();
     chain_.keep(static_cast<std::size_t>(answer.row.step), change, state);
-    state = {}; // its memory
+    free_memory(state);
     record(std::move(change));
   });
 }
@@ -410,7 +395,6 @@ void MethodJob::study(methods::StepAnswer& answer) {
   const cases::Case& contact_case = context_.contact_case;
   if (!needs_all_maps(contact_case))
     return;
-  hold_maps(answer);
   const methods::SurfaceOfCase& surface =
       context_.surfaces.of(method_, realization_);
   const StudiedMethod studied{contact_case, method_, surface, context_.solvers,

@@ -1,7 +1,7 @@
 #include "run/provenance_of_run.hpp"
 
 #include "fem/plugin.hpp"
-#include "surfaces/measured_rows.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
 
@@ -31,24 +31,11 @@ std::string words_of_cut_off(double asked, const surfaces::MeasuredMap& map) {
                      asked > 0.0 ? "" : ", those in the noise floor");
 }
 
-surfaces::MeasuredMap
-description(const mechanics::SurfaceSpec& surface,
-            const std::optional<surfaces::MapFacts>& found) {
-  if (!found || surface.cut_off) // the removal of waves is not among the facts
-    return surfaces::described_map(surface);
-  mechanics::SurfaceSpec without_spikes = surface;
-  without_spikes.spikes.reset(); // they were counted
-  surfaces::MeasuredMap map = surfaces::described_map(without_spikes);
-  map.missing = found->missing;
-  map.spikes = found->spikes;
-  return map;
-}
-
 } // namespace
 
 results::Provenance
 provenance_at_start(const cases::Case& contact_case, int threads,
-                    const std::optional<surfaces::MapFacts>& found) {
+                    const std::optional<surfaces::MeasuredMap>& found) {
   const mechanics::SurfaceSpec& surface = contact_case.surface;
   results::Provenance facts = results::program_facts();
   facts.emplace_back("threads", std::to_string(threads));
@@ -57,7 +44,8 @@ provenance_at_start(const cases::Case& contact_case, int threads,
   facts.emplace_back("started", results::utc_now());
   if (surface.kind != mechanics::SurfaceKind::measured)
     return facts;
-  const surfaces::MeasuredMap map = description(surface, found);
+  const surfaces::MeasuredMap map =
+      found ? *found : surfaces::measured_map(surface);
   facts.emplace_back("map", surfaces::description_of(map));
   if (found)
     if (const std::vector<std::string> warnings =
@@ -68,10 +56,7 @@ provenance_at_start(const cases::Case& contact_case, int threads,
   if (surface.cut_off)
     facts.emplace_back("cut-off", words_of_cut_off(*surface.cut_off, map));
   if (surface.edges == mechanics::Edges::window)
-    facts.emplace_back("window",
-                       words_of(found && found->effect
-                                    ? *found->effect
-                                    : surfaces::edge_effect(surface)));
+    facts.emplace_back("window", words_of(surfaces::edge_effect(surface)));
   return facts;
 }
 

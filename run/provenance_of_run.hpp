@@ -16,7 +16,7 @@ using results::RunClock;
 ///               this process reads the map
 results::Provenance
 provenance_at_start(const cases::Case& contact_case, int threads,
-                    const std::optional<surfaces::MapFacts>& found = {});
+                    const std::optional<surfaces::MeasuredMap>& found = {});
 
 /// Returns the versions of the finite-element libraries. The call loads them,
 /// so it is made only if they were used.

@@ -12,7 +12,6 @@
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
 #include "methods/sharing.hpp"
-#include "methods/surface_rows.hpp"
 #include "ranks/rank_sums.hpp"
 #include "results/provenance.hpp"
 #include "run/flow_maps.hpp"
@@ -59,7 +58,9 @@ public:
         only_(options.realizations),
         pool_(options.threads),
         root_(root),
-        surfaces_(case_, methods_, only_, surface_builder()),
+        surfaces_(
+            case_, methods_, only_,
+            methods::surfaces_of_rank_0(root_, case_.material.contact_modulus)),
         writer_(open_result(options)),
         cache_(options.cache != nullptr ? *options.cache : no_cache_),
         keys_(root.is_root()
@@ -91,11 +92,9 @@ private:
     return std::max(1, pool_.threads() / n_ranks_on_machine());
   }
 
-  methods::BuildSurface surface_builder();
   std::unique_ptr<results::ResultWriter> open_result(const RunOptions& options);
   RemainingWork work_to_do();
   int n_steps(const MethodSpec& method) const; ///< that remain to be done
-  results::MapRows shared_heights(const methods::SurfaceOfCase& surface);
   void record_surface(int realization);
   void record_own_surface(const MethodSpec& method, int realization);
   void warn() const;
@@ -162,44 +161,16 @@ RemainingWork Run::work_to_do() {
   return RemainingWork(steps);
 }
 
-/// Returns who builds the surfaces: each rank its rows, if no rank needs a
-/// whole one.
-methods::BuildSurface Run::surface_builder() {
-  const double modulus = case_.material.contact_modulus;
-  if (root_.ranks() != nullptr && root_.value([&] {
-        return methods::has_surfaces_by_rows(case_, methods_,
-                                             root_.ranks()->size());
-      }))
-    return methods::surfaces_by_rows(root_, modulus, threads_a_rank());
-  return methods::surfaces_of_rank_0(
-      root_, modulus, std::ranges::any_of(methods_, methods::is_full_block));
-}
-
-/// The heights that ranks hold, for the next act of rank 0; nothing otherwise.
-results::MapRows Run::shared_heights(const methods::SurfaceOfCase& surface) {
-  if (!surface.rows)
-    return {};
-  return root_.shared([rows = surface.rows](const results::TakeValues& take) {
-    rows->pass(take);
-  });
-}
-
 void Run::record_surface(int realization) {
   const methods::SurfaceOfCase& surface =
       surfaces_.whole()[static_cast<std::size_t>(realization)];
-  const results::MapRows heights = shared_heights(surface);
-  root_.act(
-      [&] { writer_->record_surface(realization, surface.record, heights); });
+  root_.act([&] { writer_->record_surface(realization, surface.record); });
 }
 
 void Run::record_own_surface(const MethodSpec& method, int realization) {
-  results::MapRows heights;
-  if (method.needs_surface())
-    heights = shared_heights(surfaces_.of(method, realization));
   root_.act([&] {
     writer_->record_own_surface(method.name, realization,
-                                surfaces_.record_of(method, realization),
-                                heights);
+                                surfaces_.record_of(method, realization));
   });
 }
 
@@ -218,12 +189,6 @@ void Run::warn() const {
   if (const auto found = surfaces_.map_facts())
     for (const std::string& warning : surfaces::warnings_of(found->faults))
       fmt::print(stderr, "warning: {}: {}\n", case_.name, warning);
-  const auto by_rows = std::ranges::find_if(
-      surfaces_.whole(), [](const methods::SurfaceOfCase& surface) {
-        return surface.rows != nullptr;
-      });
-  if (by_rows != surfaces_.whole().end())
-    fmt::print("{}\n", by_rows->rows->sentence());
 }
 
 void Run::begin() {
@@ -369,7 +334,10 @@ RunOutcome Run::execute() {
   const bool was_interrupted = root_.value(is_interrupted);
   if (!was_interrupted && !surfaces_.whole().empty() && has_realization(0)) {
     const Progress::Activity stress(progress_, "subsurface stress");
-    record_stress_inside(context_, methods_, surfaces_.whole().front().scales);
+    root_.act([&] {
+      record_stress_inside(context_, methods_,
+                           surfaces_.whole().front().scales);
+    });
   }
   if (!was_interrupted && has_realization(0))
     record_flow_maps(context_, methods_);

@@ -2,7 +2,6 @@
 
 #include "methods/chosen.hpp"
 #include "methods/continuum_block.hpp"
-#include "methods/sharing.hpp"
 #include "results/result_reader.hpp"
 
 #include <algorithm>
@@ -67,42 +66,14 @@ results::Curve* curve_of(const cases::MethodSpec& method,
   return nullptr;
 }
 
-/// What all ranks need to know of a map.
-struct MapHead {
-  int step;
-  double nominal_pressure; ///< [Pa]
-  Grid grid;
-  results::MapInCell map;
-};
-
-/// The maps of a method for all ranks, whose pressures rank 0 alone can read.
-std::vector<results::Fields> maps_for_ranks(RootWork& root,
-                                            std::vector<results::Fields> maps) {
-  const std::vector<MapHead> heads = root.value([&] {
-    std::vector<MapHead> own;
-    own.reserve(maps.size());
-    for (const results::Fields& map : maps)
-      own.push_back({map.step, map.nominal_pressure, map.grid, map.map});
-    return own;
-  });
-  maps.resize(heads.size());
-  for (std::size_t k = 0; k < heads.size(); ++k) {
-    maps[k].step = heads[k].step;
-    maps[k].nominal_pressure = heads[k].nominal_pressure;
-    maps[k].grid = heads[k].grid;
-    maps[k].map = heads[k].map;
-  }
-  return maps;
-}
-
 /// The tables of one method.
 class MethodStress {
 public:
   MethodStress(const RunContext& run, const cases::MethodSpec& method,
-               const methods::StressUnderMaps& stress, RootWork& root)
-      : run_(run), method_(method), stress_(stress), root_(root) {}
+               const methods::StressUnderMaps& stress)
+      : run_(run), method_(method), stress_(stress) {}
 
-  /// @param points   rows of the curve of the maps, on rank 0
+  /// @param points   rows of the curve of the maps
   /// @param has_own  whether the result has a section of the method's own
   void record(std::span<const results::Fields> maps,
               std::span<const CurvePoint> points, bool has_own) const {
@@ -133,22 +104,17 @@ private:
   template <class Make>
   std::optional<results::Table> attempt(const char* what,
                                         const Make& make) const {
-    return run_.tally.attempt(what + method_.name, [&] {
-      results::Table table;
-      root_.together([&] { table = make(); });
-      return table;
-    });
+    return run_.tally.attempt(what + method_.name, make);
   }
 
   void record(const std::optional<results::Table>& table) const {
     if (table)
-      root_.act([&] { run_.writer->record_table(*table); });
+      run_.writer->record_table(*table);
   }
 
   const RunContext& run_;
   const cases::MethodSpec& method_;
   const methods::StressUnderMaps& stress_;
-  RootWork& root_;
 };
 
 } // namespace
@@ -205,42 +171,23 @@ void record_stress_inside(const RunContext& run,
                           const mechanics::Scales& scales) {
   if (!run.contact_case.report.stress_inside)
     return;
-  results::Result result;
-  run.root.act([&] {
-    result =
-        results::read_result(run.writer->path(), results::MapsInFile::large);
-  });
+  results::Result result =
+      results::read_result(run.writer->path(), results::MapsInFile::large);
   for (const cases::MethodSpec& method : methods) {
-    results::Curve none;
-    results::Curve* const found = curve_of(method, result);
-    results::Curve& curve = found != nullptr ? *found : none;
-    std::erase_if(curve.fields, [](const auto& map) { return !has_maps(map); });
-    const std::vector<results::Fields> maps =
-        maps_for_ranks(run.root, std::move(curve.fields));
-    if (maps.empty())
+    results::Curve* const curve = curve_of(method, result);
+    if (curve == nullptr)
       continue;
-    const mechanics::ElasticBlock block =
-        methods::continuum_of(method, run.contact_case.material, scales);
-    const bool is_shared = run.root.ranks() != nullptr &&
-                           std::ranges::all_of(maps, [&](const auto& map) {
-                             return methods::is_shared_by_ranks(
-                                 method, map.grid, run.root.ranks()->size());
-                           });
-    if (is_shared) {
-      const methods::StressUnderMaps stress(block, run.threads_a_rank,
-                                            run.root.ranks());
-      MethodStress(run, method, stress, run.root)
-          .record(maps, curve.points, false);
+    std::erase_if(curve->fields,
+                  [](const auto& map) { return !has_maps(map); });
+    if (curve->fields.empty())
       continue;
-    }
-    run.root.act([&] {
-      RootWork alone;
-      MethodStress(run, method,
-                   methods::StressUnderMaps(block, run.pool.threads()), alone)
-          .record(maps, curve.points,
-                  methods::is_full_block(method) &&
-                      result.table("stress-section-" + method.name) != nullptr);
-    });
+    const methods::StressUnderMaps stress(
+        methods::continuum_of(method, run.contact_case.material, scales),
+        run.pool.threads());
+    MethodStress(run, method, stress)
+        .record(curve->fields, curve->points,
+                methods::is_full_block(method) &&
+                    result.table("stress-section-" + method.name) != nullptr);
   }
 }
 

@@ -37,7 +37,7 @@ results::Table own_stress_table(const results::Table& of_pressure,
 /// and its own section was written to the file when its step was solved. What
 /// cannot be computed is recorded in the tally and does not end the run.
 ///
-/// @param run     on all ranks that solve the case together
+/// @param run     on rank 0
 /// @param scales  of the surface of the case
 void record_stress_inside(const RunContext& run,
                           std::span<const cases::MethodSpec> methods,

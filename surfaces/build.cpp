@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "input/input_error.hpp"
-#include "ranks/one_rank.hpp"
 #include "surfaces/formats/tabulated_spectrum.hpp"
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/exact_shapes.hpp"
@@ -10,14 +9,12 @@
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "surfaces/measured_map.hpp"
-#include "surfaces/measured_rows.hpp"
 #include "surfaces/realization.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -129,15 +126,13 @@ IsotropicSpectrum own_spectrum(const SurfaceSpec& surface) {
   return spectrum;
 }
 
-std::vector<double> random_rows(const SurfaceSpec& surface, int realization,
-                                const SharedRows& rows, int threads) {
+HeightMap random_surface(const SurfaceSpec& surface, int realization) {
   const IsotropicSpectrum spectrum = own_spectrum(surface);
-  std::vector<double> heights = realize_rows(
-      spectrum, rows, {surface.seed, realization}, surface.amplitudes, threads);
+  HeightMap map = realize(spectrum, square_grid(surface),
+                          {surface.seed, realization}, surface.amplitudes);
   if (surface.rescale)
-    multiply(heights,
-             rescaling(statistics(rows, heights, threads), surface, spectrum));
-  return heights;
+    multiply(map.heights, rescaling(statistics(map), surface, spectrum));
+  return map;
 }
 
 /// The spectrum up to a wavevector within its band; its moments remain those of
@@ -151,22 +146,10 @@ IsotropicSpectrum cut(IsotropicSpectrum spectrum, double highest) {
   return spectrum;
 }
 
-/// Rows of the coarsest grid that resolves a spectrum, divided among the same
-/// ranks.
-SharedRows enough_rows(const IsotropicSpectrum& spectrum,
-                       const SharedRows& rows) {
-  const double length_x = rows.grid().length_x;
-  const double length_y = rows.grid().length_y;
-  const int points = points_needed(spectrum.wavevector_high(), length_x);
-  const Grid enough{points, points, length_x, length_y};
-  const int n_ranks = rows.ranks()->size();
-  if (points < 2 * n_ranks)
-    return rows_of_one(enough);
-  std::vector<int> bounds;
-  for (int r = 0; r <= n_ranks; ++r)
-    bounds.push_back(
-        static_cast<int>(std::int64_t{points / 2} * r / n_ranks * 2));
-  return {enough, *rows.ranks(), std::move(bounds)};
+/// The coarsest grid that resolves a spectrum.
+Grid enough_grid(const IsotropicSpectrum& spectrum, const Grid& grid) {
+  const int points = points_needed(spectrum.wavevector_high(), grid.length_x);
+  return {points, points, grid.length_x, grid.length_y};
 }
 
 /// The spectrum of a random surface up to highest, if it is given.
@@ -186,32 +169,29 @@ IsotropicSpectrum kept_spectrum(const SurfaceSpec& surface, const Grid& grid,
   return kept;
 }
 
-std::vector<double> random_rows_on(const SurfaceSpec& surface, int realization,
-                                   const SharedRows& rows,
-                                   const std::optional<double>& highest,
-                                   int threads) {
+HeightMap random_surface_on(const SurfaceSpec& surface, int realization,
+                            const Grid& grid,
+                            const std::optional<double>& highest) {
   const RandomKey key{surface.seed, realization};
   const IsotropicSpectrum whole = formula_spectrum(surface);
-  std::vector<double> heights =
-      realize_rows(kept_spectrum(surface, rows.grid(), whole, highest), rows,
-                   key, surface.amplitudes, threads);
+  HeightMap map = realize(kept_spectrum(surface, grid, whole, highest), grid,
+                          key, surface.amplitudes);
   if (surface.rescale) {
     // The factor depends on the modes only, so any grid that resolves them can
     // be used.
-    const SharedRows enough = enough_rows(whole, rows);
-    const std::vector<double> all =
-        realize_rows(whole, enough, key, surface.amplitudes, threads);
-    multiply(heights,
-             rescaling(statistics(enough, all, threads), surface, whole));
+    const HeightMap all =
+        realize(whole, enough_grid(whole, grid), key, surface.amplitudes);
+    multiply(map.heights, rescaling(statistics(all), surface, whole));
   }
-  return heights;
+  return map;
 }
 
-HeightMap measured_surface(const SurfaceSpec& surface, MapFacts* facts) {
+HeightMap measured_surface(const SurfaceSpec& surface, MeasuredMap* facts) {
   MeasuredMap measured = measured_map(surface);
+  HeightMap map{measured.map.grid, std::move(measured.map.heights)};
   if (facts != nullptr)
-    *facts = {measured.missing, measured.spikes, measured.faults};
-  return with_edges(std::move(measured.map), continuation_of(surface));
+    *facts = std::move(measured);
+  return with_edges(std::move(map), continuation_of(surface));
 }
 
 HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
@@ -232,36 +212,29 @@ HeightMap measured_surface_on(const SurfaceSpec& surface, const Grid& grid,
 }
 
 /// Lays a rough surface on its form.
-std::vector<double> on_form(std::vector<double> heights, const SharedRows& rows,
-                            const SurfaceSpec& surface) {
-  if (!surface.form_radius)
-    return heights;
-  const std::vector<double> form = paraboloid_rows(rows, *surface.form_radius);
-  for (std::size_t i = 0; i < heights.size(); ++i)
-    heights[i] += form[i];
-  return heights;
-}
-
 HeightMap on_form(HeightMap map, const SurfaceSpec& surface) {
-  return {map.grid,
-          on_form(std::move(map.heights), SharedRows(map.grid), surface)};
+  if (!surface.form_radius)
+    return map;
+  const HeightMap form = paraboloid(map.grid, *surface.form_radius);
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
+    map.heights[i] += form.heights[i];
+  return map;
 }
 
-std::vector<double> shape_rows(const SurfaceSpec& surface,
-                               const SharedRows& rows) {
+HeightMap shape_of(const SurfaceSpec& surface, const Grid& grid) {
   switch (surface.kind) {
   case SurfaceKind::sphere:
-    return paraboloid_rows(rows, surface.radius);
+    return paraboloid(grid, surface.radius);
   case SurfaceKind::punch:
-    return flat_punch_rows(rows, surface.radius, surface.recess, surface.tilt);
+    return flat_punch(grid, surface.radius, surface.recess, surface.tilt);
   case SurfaceKind::cone:
-    return cone_rows(rows, surface.slope);
+    return cone(grid, surface.slope);
   case SurfaceKind::rounded_punch:
-    return rounded_punch_rows(rows, surface.radius, surface.edge_radius);
+    return rounded_punch(grid, surface.radius, surface.edge_radius);
   case SurfaceKind::wave_1d:
-    return wave_1d_rows(rows, surface.amplitude, surface.wavelength);
+    return wave_1d(grid, surface.amplitude, surface.wavelength);
   case SurfaceKind::wave_2d:
-    return wave_2d_rows(rows, surface.amplitude, surface.wavelength);
+    return wave_2d(grid, surface.amplitude, surface.wavelength);
   default:
     throw std::domain_error("unknown surface.kind");
   }
@@ -291,15 +264,12 @@ IsotropicSpectrum formula_spectrum(const SurfaceSpec& surface) {
 }
 
 HeightMap build_surface(const SurfaceSpec& surface, int realization,
-                        MapFacts* facts) {
+                        MeasuredMap* measured) {
   if (is_random(surface.kind))
-    return {
-        square_grid(surface),
-        build_rows(surface, realization, rows_of_one(square_grid(surface)))};
+    return on_form(random_surface(surface, realization), surface);
   if (surface.kind == SurfaceKind::measured)
-    return on_form(measured_surface(surface, facts), surface);
-  const Grid grid = square_grid(surface);
-  return {grid, shape_rows(surface, SharedRows(grid))};
+    return on_form(measured_surface(surface, measured), surface);
+  return shape_of(surface, square_grid(surface));
 }
 
 HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
@@ -311,54 +281,21 @@ HeightMap build_surface_on(const SurfaceSpec& surface, int realization,
     return on_form(measured_surface_on(surface, grid, highest_wavevector),
                    surface);
   require_length(surface, grid);
-  if (is_random(surface.kind)) {
-    const SharedRows rows = rows_of_one(grid);
-    return {grid, on_form(random_rows_on(surface, realization, rows,
-                                         highest_wavevector, 1),
-                          rows, surface)};
-  }
-  const HeightMap shape{grid, shape_rows(surface, SharedRows(grid))};
+  if (is_random(surface.kind))
+    return on_form(
+        random_surface_on(surface, realization, grid, highest_wavevector),
+        surface);
+  HeightMap shape = shape_of(surface, grid);
   return highest_wavevector ? low_passed(shape, *highest_wavevector) : shape;
+}
+
+void require_resolved(const SurfaceSpec& surface) {
+  static_cast<void>(own_spectrum(surface));
 }
 
 Grid surface_grid(const SurfaceSpec& surface) {
   return surface.kind == SurfaceKind::measured ? measured_grid(surface)
                                                : square_grid(surface);
-}
-
-std::string reason_for_whole(const SurfaceSpec& surface,
-                             std::optional<double> highest_wavevector) {
-  if (is_random(surface.kind)) {
-    if (highest_wavevector)
-      kept_spectrum(surface, square_grid(surface), formula_spectrum(surface),
-                    highest_wavevector);
-    else
-      own_spectrum(surface);
-    return "";
-  }
-  if (highest_wavevector)
-    return "short wavelengths are removed from it";
-  return surface.kind == SurfaceKind::measured ? reason_for_whole_map(surface)
-                                               : "";
-}
-
-std::vector<double> build_rows(const SurfaceSpec& surface, int realization,
-                               const SharedRows& rows,
-                               std::optional<double> highest_wavevector,
-                               int threads, MapFacts* facts) {
-  if (rows.grid() != surface_grid(surface) ||
-      (highest_wavevector && !is_random(surface.kind)))
-    throw std::domain_error("rows are built on the grid of a surface, and with "
-                            "a highest_wavevector of a random one");
-  if (surface.kind == SurfaceKind::measured)
-    return on_form(measured_rows(surface, rows, facts), rows, surface);
-  if (!is_random(surface.kind))
-    return shape_rows(surface, rows);
-  return on_form(highest_wavevector
-                     ? random_rows_on(surface, realization, rows,
-                                      highest_wavevector, threads)
-                     : random_rows(surface, realization, rows, threads),
-                 rows, surface);
 }
 
 } // namespace asperity::surfaces

@@ -31,12 +31,13 @@ IsotropicSpectrum formula_spectrum(const mechanics::SurfaceSpec& surface);
 /// table without either: to the rms height of the table). Kinds that are not
 /// random have only realisation 0 and are rebuilt for any other number; the
 /// caller should build them once.
-/// @param facts  receives what was found of a measured map
+/// @param measured  receives what was found of a measured map, which is without
+///                  its heights there
 /// @throws input::InputError   a missing key, a file that cannot be read, or
 ///                             too few points for the shortest wavelength
 /// @throws std::domain_error  values that no case can have
 HeightMap build_surface(const mechanics::SurfaceSpec& surface, int realization,
-                        MapFacts* facts = nullptr);
+                        MeasuredMap* measured = nullptr);
 
 /// The same surface at the nodes of another grid, optionally without its
 /// shorter wavelengths.
@@ -57,27 +58,13 @@ HeightMap build_surface_on(const mechanics::SurfaceSpec& surface,
                            int realization, const Grid& grid,
                            std::optional<double> highest_wavevector = {});
 
+/// Checks that the grid of a random surface resolves its spectrum.
+/// @throws  as build_surface()
+void require_resolved(const mechanics::SurfaceSpec& surface);
+
 /// The grid of the surface, without its heights if possible
-/// (measured_rows.hpp).
+/// (measured_grid()).
 /// @throws  as build_surface()
 Grid surface_grid(const mechanics::SurfaceSpec& surface);
-
-/// Why one process must build the whole surface of build_surface(), or with a
-/// highest_wavevector of build_surface_on() on the grid of the surface, as the
-/// beginning of a sentence; empty if build_rows() can build its rows.
-/// @throws  as these functions, apart from a map that turns out to be flat
-std::string reason_for_whole(const mechanics::SurfaceSpec& surface,
-                             std::optional<double> highest_wavevector = {});
-
-/// The rows of this process of that surface; the bits are those of the whole
-/// one on any number of ranks. Collective.
-/// @param rows   of a group of ranks, with even bounds, on surface_grid()
-/// @param facts  receives what was found of a measured map
-/// @throws  as these functions; std::domain_error also if reason_for_whole()
-///          is not empty
-std::vector<double> build_rows(const mechanics::SurfaceSpec& surface,
-                               int realization, const SharedRows& rows,
-                               std::optional<double> highest_wavevector = {},
-                               int threads = 1, MapFacts* facts = nullptr);
 
 } // namespace asperity::surfaces

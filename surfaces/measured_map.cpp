@@ -3,9 +3,6 @@
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/limits.hpp"
-#include "ranks/chunked_sum.hpp"
-#include "ranks/rank_sums.hpp"
-#include "ranks/row_sums.hpp"
 #include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/maps/corrections.hpp"
@@ -45,22 +42,21 @@ struct RangeEnd {
   }
 };
 
-RangeEnd range_end(const SharedRows& rows, std::span<const double> heights,
-                   double sign) {
+RangeEnd range_end(std::span<const double> heights, double sign) {
   constexpr double none = -std::numeric_limits<double>::infinity();
   const auto largest_of = [&](double factor, double below) {
     double largest = none;
     for (const double height : heights)
       if (std::isfinite(height) && factor * height < below)
         largest = std::max(largest, factor * height);
-    return rank_max(rows.ranks(), largest);
+    return largest;
   };
   RangeEnd end;
   end.outer = largest_of(sign, std::numeric_limits<double>::infinity());
   end.inner = largest_of(sign, end.outer);
   end.range = end.inner + largest_of(-sign, -none);
-  end.points = rank_sum(rows.ranks(), static_cast<double>(std::ranges::count(
-                                          heights, sign * end.outer)));
+  end.points =
+      static_cast<double>(std::ranges::count(heights, sign * end.outer));
   return end;
 }
 
@@ -79,24 +75,21 @@ bool is_usual_mark(double number) {
   });
 }
 
-} // namespace
-
 /// Refuses a map whose least or largest number marks missing points. That is:
 /// its magnitude is 1e20 or more; or it is one of the usual marks (-9999,
 /// -32768, 65535, ...), also after a conversion between units of length, and
 /// farther from the other numbers than 1/8 of their range; or, in a file that
 /// another program has converted, several points have it and it is farther from
-/// the other numbers than these are from each other. Collective.
-/// @param heights  of the rows of this process [m], not finite at missing
-///                 points
+/// the other numbers than these are from each other.
+/// @param heights  [m], not finite at missing points
 /// @param name     of the file, for messages
-/// @throws input::InputError  on every rank; names the number, how many points
-///                            have it, and the key surface.missing_value
-void refuse_marks(const SharedRows& rows, std::span<const double> heights,
-                  const FileNumbers& numbers, const std::string& name) {
+/// @throws input::InputError  names the number, how many points have it, and
+///                            the key surface.missing_value
+void refuse_marks(std::span<const double> heights, const FileNumbers& numbers,
+                  const std::string& name) {
   constexpr double least_impossible = 1e20;
   for (const double sign : {-1.0, 1.0}) {
-    const RangeEnd end = range_end(rows, heights, sign);
+    const RangeEnd end = range_end(heights, sign);
     const double number = sign * end.outer / numbers.unit;
     const bool is_impossible = std::abs(number) >= least_impossible;
     const bool is_known = is_usual_mark(number) && end.is_apart(0.125);
@@ -114,50 +107,41 @@ void refuse_marks(const SharedRows& rows, std::span<const double> heights,
   }
 }
 
-namespace {
-
 using mechanics::SurfaceSpec;
 
-double largest_magnitude(const SharedRows& rows,
-                         std::span<const double> heights) {
+double largest_magnitude(const HeightMap& map) {
   double largest = 0.0;
-  for (const double height : heights)
+  for (const double height : map.heights)
     largest = std::max(largest, std::abs(height));
-  return rank_max(rows.ranks(), largest);
+  return largest;
 }
 
-/// Mean square slope along y, between the rows of the map.
-double mean_square_along_y(const SharedRows& rows,
-                           std::span<const double> heights) {
-  const Grid& grid = rows.grid();
-  const std::vector<double> after = rows.row_after(heights);
-  const Sum sum = sum_over_rows<Sum>(rows, [&](int row) {
-    Sum of_row;
-    const std::size_t first = grid.index(0, row);
-    if (rows.first() + row + 1 < grid.points_y)
-      for (std::size_t x = 0; x < rows.width(); ++x) {
-        const std::size_t i = first + x + rows.width();
-        of_row.value += std::pow(((i < heights.size() ? heights[i] : after[x]) -
-                                  heights[first + x]) /
-                                     grid.spacing_y(),
-                                 2);
-      }
-    return of_row;
-  });
-  return sum.value / (static_cast<double>(grid.points_x) * (grid.points_y - 1));
+/// Mean square slopes between neighbours inside the map, added row by row.
+double mean_square_along_y(const HeightMap& map) {
+  const Grid& grid = map.grid;
+  const auto width = static_cast<std::size_t>(grid.points_x);
+  double sum = 0.0;
+  for (int row = 0; row + 1 < grid.points_y; ++row) {
+    double of_row = 0.0;
+    const double* const line = &map.heights[grid.index(0, row)];
+    for (std::size_t x = 0; x < width; ++x)
+      of_row += std::pow((line[x + width] - line[x]) / grid.spacing_y(), 2);
+    sum += of_row;
+  }
+  return sum / (static_cast<double>(grid.points_x) * (grid.points_y - 1));
 }
 
-double mean_square_along_x(const SharedRows& rows,
-                           std::span<const double> heights) {
-  const Grid& grid = rows.grid();
-  const Sum sum = sum_over_rows<Sum>(rows, [&](int row) {
-    Sum of_row;
-    const auto line = heights.subspan(grid.index(0, row), rows.width());
-    for (std::size_t x = 0; x + 1 < line.size(); ++x)
-      of_row.value += std::pow((line[x + 1] - line[x]) / grid.spacing_x(), 2);
-    return of_row;
-  });
-  return sum.value / (static_cast<double>(grid.points_x - 1) * grid.points_y);
+double mean_square_along_x(const HeightMap& map) {
+  const Grid& grid = map.grid;
+  double sum = 0.0;
+  for (int row = 0; row < grid.points_y; ++row) {
+    double of_row = 0.0;
+    const double* const line = &map.heights[grid.index(0, row)];
+    for (int x = 0; x + 1 < grid.points_x; ++x)
+      of_row += std::pow((line[x + 1] - line[x]) / grid.spacing_x(), 2);
+    sum += of_row;
+  }
+  return sum / (static_cast<double>(grid.points_x - 1) * grid.points_y);
 }
 
 /// Refuses sides and heights outside the limits of lengths.
@@ -195,32 +179,98 @@ void require_relief(const SurfaceSpec& surface, double before, double left) {
         mechanics::largest_length));
 }
 
-void level_form(const SurfaceSpec& surface, const SharedRows& rows,
-                std::span<double> heights) {
-  const double before = largest_magnitude(rows, heights);
-  require_lengths(surface, rows.grid(), before);
+void level_form(const SurfaceSpec& surface, HeightMap& map) {
+  const double before = largest_magnitude(map);
+  require_lengths(surface, map.grid, before);
   try {
-    remove_trend(rows, heights, surface.level);
+    remove_trend(map, surface.level);
   } catch (const std::domain_error& error) {
     throw input::InputError(
         fmt::format("{}: surface.level: {}", surface.file, error.what()));
   }
-  require_relief(surface, before, largest_magnitude(rows, heights));
+  require_relief(surface, before, largest_magnitude(map));
 }
 
 /// Adds form and spikes of the levelled map to the faults.
-void find_faults(const SurfaceSpec& surface, const SharedRows& rows,
-                 std::span<const double> heights, MapFaults& faults) {
-  std::vector<double> left(heights.begin(), heights.end());
-  remove_trend(rows, left, mechanics::Levelling::plane);
-  const double with_form = rms_height(rows, left);
-  remove_trend(rows, left, mechanics::Levelling::bow);
-  const double roughness = rms_height(rows, left);
+void find_faults(const SurfaceSpec& surface, const HeightMap& map,
+                 MapFaults& faults) {
+  HeightMap left = map;
+  remove_trend(left, mechanics::Levelling::plane);
+  const double with_form = rms_height(left);
+  remove_trend(left, mechanics::Levelling::bow);
+  const double roughness = rms_height(left);
   const bool has_form = surface.level == mechanics::Levelling::none ||
                         surface.level == mechanics::Levelling::plane;
   if (has_form && with_form > 0.0)
     faults.form_share = 1.0 - std::pow(roughness / with_form, 2);
-  faults.spikes = find_spikes(rows, left, spike_threshold, roughness);
+  faults.spikes = find_spikes(left, spike_threshold, roughness);
+}
+
+/// What a case says about its map file.
+ScanRequest request_of_map(const SurfaceSpec& surface) {
+  return {surface.format,
+          surface.channel,
+          {surface.length, surface.height_unit, surface.length_y,
+           surface.length_unit},
+          surface.missing_value};
+}
+
+/// The pixels of the map that a case uses.
+/// @param grid  of the whole map
+PixelWindow window_of_map(const SurfaceSpec& surface, const Grid& grid) {
+  if (!surface.crop)
+    return {0, 0, grid};
+  mechanics::MapWindow window = *surface.crop;
+  if (window.length_x == 0.0) // reaches to the end of the map
+    window.length_x = grid.length_x - window.x;
+  if (window.length_y == 0.0)
+    window.length_y = grid.length_y - window.y;
+  try {
+    return pixels_of(grid, window);
+  } catch (const std::domain_error& error) {
+    throw input::InputError(fmt::format("{}: {}", surface.file, error.what()));
+  }
+}
+
+/// Refuses a map with too many missing points to be filled.
+void require_few_missing(const SurfaceSpec& surface, std::size_t count,
+                         std::size_t size) {
+  const auto missing = static_cast<double>(count);
+  const double fraction = missing / static_cast<double>(size);
+  if (missing > 0.0 && surface.fill == mechanics::Filling::none)
+    throw input::InputError(fmt::format(
+        "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
+        "= \"none\" none must be",
+        surface.file, missing, size, 100.0 * fraction));
+  if (fraction > surface.max_missing || fraction == 1.0)
+    throw input::InputError(fmt::format(
+        "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
+        "surface.max_missing = {:.4g} may be filled; crop the map or raise "
+        "that limit",
+        surface.file, missing, size, fraction, surface.max_missing));
+}
+
+/// Prepares a cropped map.
+/// @param numbers  of the file
+void prepare(const SurfaceSpec& surface, const FileNumbers& numbers,
+             MeasuredMap& measured) {
+  HeightMap& map = measured.map;
+  const std::size_t size = map.grid.size();
+  measured.missing = count_missing(map);
+  if (measured.missing == size)
+    require_few_missing(surface, size, size);
+  if (!surface.missing_value && !numbers.has_own_marks)
+    refuse_marks(map.heights, numbers, surface.file);
+  if (surface.align_lines == mechanics::LineAlignment::median)
+    align_lines(map);
+  if (surface.spikes)
+    measured.spikes = mark_spikes(map, *surface.spikes);
+  require_few_missing(surface, measured.missing + measured.spikes, size);
+  measured.faults.points = size;
+  measured.faults.missing = measured.missing;
+  fill_missing(map);
+  level_form(surface, map);
+  find_faults(surface, map, measured.faults);
 }
 
 /// The wavelength at which a map sinks into its noise floor [m]; 0 if it has
@@ -261,68 +311,6 @@ mechanics::Edges continuation_of(const SurfaceSpec& surface) {
   return surface.has_images ? surface.edges : mechanics::Edges::periodic;
 }
 
-ScanRequest request_of_map(const SurfaceSpec& surface) {
-  return {surface.format,
-          surface.channel,
-          {surface.length, surface.height_unit, surface.length_y,
-           surface.length_unit},
-          surface.missing_value};
-}
-
-PixelWindow window_of_map(const SurfaceSpec& surface, const Grid& grid) {
-  if (!surface.crop)
-    return {0, 0, grid};
-  mechanics::MapWindow window = *surface.crop;
-  if (window.length_x == 0.0) // reaches to the end of the map
-    window.length_x = grid.length_x - window.x;
-  if (window.length_y == 0.0)
-    window.length_y = grid.length_y - window.y;
-  try {
-    return pixels_of(grid, window);
-  } catch (const std::domain_error& error) {
-    throw input::InputError(fmt::format("{}: {}", surface.file, error.what()));
-  }
-}
-
-void require_few_missing(const SurfaceSpec& surface, std::size_t count,
-                         std::size_t size) {
-  const auto missing = static_cast<double>(count);
-  const double fraction = missing / static_cast<double>(size);
-  if (missing > 0.0 && surface.fill == mechanics::Filling::none)
-    throw input::InputError(fmt::format(
-        "{}: {} of {} points are missing ({:.3g} %), but with surface.fill "
-        "= \"none\" none must be",
-        surface.file, missing, size, 100.0 * fraction));
-  if (fraction > surface.max_missing || fraction == 1.0)
-    throw input::InputError(fmt::format(
-        "{}: {} of {} points are missing, a fraction of {:.4g}, but at most "
-        "surface.max_missing = {:.4g} may be filled; crop the map or raise "
-        "that limit",
-        surface.file, missing, size, fraction, surface.max_missing));
-}
-
-MapFacts prepare_rows(const SurfaceSpec& surface, const SharedRows& rows,
-                      std::span<double> heights, const FileNumbers& numbers) {
-  MapFacts facts;
-  facts.missing = count_missing(rows, heights);
-  if (facts.missing == rows.grid().size())
-    require_few_missing(surface, facts.missing, rows.grid().size());
-  if (!surface.missing_value && !numbers.has_own_marks)
-    refuse_marks(rows, heights, numbers, surface.file);
-  if (surface.align_lines == mechanics::LineAlignment::median)
-    align_lines(rows, heights);
-  if (surface.spikes)
-    facts.spikes = mark_spikes(rows, heights, *surface.spikes);
-  require_few_missing(surface, facts.missing + facts.spikes,
-                      rows.grid().size());
-  facts.faults.points = rows.grid().size();
-  facts.faults.missing = facts.missing;
-  fill_missing(rows, heights);
-  level_form(surface, rows, heights);
-  find_faults(surface, rows, heights, facts.faults);
-  return facts;
-}
-
 std::vector<std::string> warnings_of(const MapFaults& faults) {
   std::vector<std::string> warnings;
   if (faults.spikes.count > 0)
@@ -347,23 +335,26 @@ std::vector<std::string> warnings_of(const MapFaults& faults) {
   return warnings;
 }
 
+Grid measured_grid(const SurfaceSpec& surface) {
+  const Grid file = open_map(surface.file, request_of_map(surface)).grid;
+  return grid_with_edges(window_of_map(surface, file).grid,
+                         continuation_of(surface));
+}
+
 MeasuredMap measured_map(const SurfaceSpec& surface) {
   Scan scan = read_scan(surface.file, request_of_map(surface));
   if (surface.crop)
     crop(scan.map, window_of_map(surface, scan.map.grid));
-  const MapFacts facts = prepare_rows(surface, SharedRows(scan.map.grid),
-                                      scan.map.heights, scan.numbers);
-  const double cut_off =
-      surface.cut_off ? remove_short_waves(surface, scan.map) : 0.0;
-  return {std::move(scan.map), scan.channel, scan.reader, facts.missing,
-          facts.spikes,        cut_off,      facts.faults};
+  MeasuredMap measured{std::move(scan.map), scan.channel, scan.reader};
+  prepare(surface, scan.numbers, measured);
+  if (surface.cut_off)
+    measured.cut_off = remove_short_waves(surface, measured.map);
+  return measured;
 }
 
-MapRoughness roughness_of(const SharedRows& rows,
-                          std::span<const double> heights) {
-  return {rms_height(rows, heights),
-          std::sqrt(mean_square_along_x(rows, heights) +
-                    mean_square_along_y(rows, heights))};
+MapRoughness roughness_of(const HeightMap& map) {
+  return {rms_height(map),
+          std::sqrt(mean_square_along_x(map) + mean_square_along_y(map))};
 }
 
 std::string description_of(const MeasuredMap& measured) {
@@ -388,8 +379,7 @@ HeightMap levelled_map(const SurfaceSpec& surface) {
 EdgeEffect edge_effect(const SurfaceSpec& surface) {
   const HeightMap before = levelled_map(surface);
   const HeightMap after = with_edges(before, continuation_of(surface));
-  return {roughness_of(SharedRows(before.grid), before.heights),
-          roughness_of(SharedRows(after.grid), after.heights)};
+  return {roughness_of(before), roughness_of(after)};
 }
 
 } // namespace asperity::surfaces

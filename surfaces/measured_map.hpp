@@ -9,7 +9,6 @@
 #include "surfaces/maps/height_map.hpp"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -78,43 +77,11 @@ struct EdgeEffect {
   MapRoughness pressed;  ///< map used in the contact problem, after it
 };
 
-/// Computes the roughness of a map of which this process has some rows.
-/// Collective.
-MapRoughness roughness_of(const SharedRows& rows,
-                          std::span<const double> heights);
+MapRoughness roughness_of(const HeightMap& map);
 
-/// What was found while the rows of a map were prepared.
-struct MapFacts {
-  std::size_t missing = 0; ///< points without a height in the file
-  std::size_t spikes = 0;  ///< points that were removed as spikes
-  MapFaults faults = {};
-  std::optional<EdgeEffect> effect = {}; ///< of the edge treatment, if asked
-};
-
-/// Prepares the rows of this process of a cropped map, as measured_map() does,
-/// with the bits of one process. Collective.
-/// @param numbers  of the file
-/// @param heights  rows.size() values [m], not finite at missing points
-/// @return  what was found
-/// @throws input::InputError  on every rank, as measured_map()
-MapFacts prepare_rows(const mechanics::SurfaceSpec& surface,
-                      const SharedRows& rows, std::span<double> heights,
-                      const FileNumbers& numbers);
-
-/// What a case says about its map file.
-ScanRequest request_of_map(const mechanics::SurfaceSpec& surface);
-
-/// The pixels of the map that a case uses.
-/// @param grid  of the whole map
-/// @throws input::InputError  they are not inside the map
-PixelWindow window_of_map(const mechanics::SurfaceSpec& surface,
-                          const Grid& grid);
-
-/// Refuses a map with too many missing points to be filled.
-/// @throws input::InputError  there are more than surface.max_missing, or any
-///                            although surface.fill is none
-void require_few_missing(const mechanics::SurfaceSpec& surface,
-                         std::size_t count, std::size_t size);
+/// The grid of the surface after its edge treatment, without its heights.
+/// @throws input::InputError  as measured_map
+Grid measured_grid(const mechanics::SurfaceSpec& surface);
 
 /// Describes how a map was obtained: "channel "Height", own reader of X3P; 12
 /// missing point(s) (0.04 %) filled".

@@ -2,12 +2,9 @@
 
 #include "base/require.hpp"
 #include "ranks/convolution.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -86,35 +83,26 @@ int points_needed(double wavevector_high, double length) {
 
 HeightMap realize(const IsotropicSpectrum& spectrum, const Grid& grid,
                   const RandomKey& key, mechanics::Amplitudes amplitudes) {
-  return {grid, realize_rows(spectrum, rows_of_one(grid), key, amplitudes)};
-}
-
-std::vector<double> realize_rows(const IsotropicSpectrum& spectrum,
-                                 const SharedRows& rows, const RandomKey& key,
-                                 mechanics::Amplitudes amplitudes,
-                                 int threads) {
-  const Grid& grid = rows.grid();
   const double wavevector_high = spectrum.wavevector_high();
   require_points("points_x", grid.points_x, wavevector_high, grid.length_x);
   require_points("points_y", grid.points_y, wavevector_high, grid.length_y);
   require_not_negative("realization", key.realization, "1");
 
-  std::vector<double> heights(rows.size());
-  std::atomic<bool> has_modes = false;
-  Convolution<double>(rows, threads)
-      .synthesise(
-          [&](int jx, std::span<std::complex<double>> column) {
-            if (draw_column(spectrum, grid, key, amplitudes, jx, column))
-              has_modes = true;
-          },
-          heights);
-  if (rank_max(rows.ranks(), has_modes ? 1.0 : 0.0) == 0.0)
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  bool has_modes = false;
+  Convolution<double>(grid).synthesise(
+      [&](int jx, std::span<std::complex<double>> column) {
+        if (draw_column(spectrum, grid, key, amplitudes, jx, column))
+          has_modes = true;
+      },
+      map.heights);
+  if (!has_modes)
     throw std::domain_error(fmt::format(
         "the band from {:.6g} to {:.6g} rad/m contains no wavevector that fits "
         "the periodic cell of {:.6g} m by {:.6g} m",
         spectrum.wavevector_low(), wavevector_high, grid.length_x,
         grid.length_y));
-  return heights;
+  return map;
 }
 
 } // namespace asperity::surfaces

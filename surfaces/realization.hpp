@@ -39,16 +39,6 @@ realize(const IsotropicSpectrum& spectrum, const Grid& grid,
         const RandomKey& key,
         mechanics::Amplitudes amplitudes = mechanics::Amplitudes::spectrum);
 
-/// The rows of this process of the same surface; the bits are those of
-/// realize() on any number of ranks. Each rank draws the modes of some columns,
-/// so that none holds the whole surface or its spectrum. Collective.
-/// @param rows  of a group of ranks, with even bounds
-std::vector<double>
-realize_rows(const IsotropicSpectrum& spectrum, const SharedRows& rows,
-             const RandomKey& key,
-             mechanics::Amplitudes amplitudes = mechanics::Amplitudes::spectrum,
-             int threads = 1);
-
 /// The smallest even number of points along a side of this length for which
 /// every mode up to wavevector_high lies strictly below the Nyquist row.
 int points_needed(double wavevector_high, double length);

@@ -177,7 +177,7 @@ double BenchRunner::transform_pair(const Grid& grid) {
       transform_pairs_.try_emplace({grid.points_x, grid.points_y}, 0.0);
   if (!is_new)
     return known->second;
-  Convolution<float> convolution{SharedRows(grid)};
+  Convolution<float> convolution(grid);
   const Convolution<float>::Symbol symbol =
       convolution.arranged([](int /*jx*/, std::span<double> of_jy) {
         std::ranges::fill(of_jy, 1.0);

@@ -69,9 +69,8 @@ struct SeparationBounds {
 
 /// @param elasticity  C of the half-space, slab, layers or condensed block on
 ///                    the grid of the answer; its scratch is used. If ranks
-///                    share its rows, check_field() is collective, the fields
-///                    have the own rows, and every rank gets the bits of one
-///                    process.
+///                    share its rows, check_field() is collective and the
+///                    fields have the own rows.
 /// @throws std::domain_error  sizes differ, a number is not finite or outside
 ///                            its range, no node has a pressure > 0, or none
 ///                            has one between 0 and the hardness

@@ -1,11 +1,9 @@
 #pragma once
 
-// The symbol of a convolution that is even in both directions, divided among
-// ranks by columns.
+// The symbol of a convolution that is even in both directions.
 
 #include "base/grid.hpp"
 #include "ranks/convolution.hpp"
-#include "ranks/rank_group.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -16,46 +14,38 @@ namespace asperity::contact {
 
 /// Some columns of a symbol that is real and even in q_x and q_y, as the
 /// transform of a real and even kernel is: the values of jx = 0..points_x/2 and
-/// jy = 0..points_y/2 are all. Each rank has the columns that it multiplies. It
-/// is immutable.
+/// jy = 0..points_y/2 are all. It is immutable.
 class EvenSymbol {
 public:
   /// The kernel at iy and ix = 0..points_x/2. Threads call it at the same time.
   using KernelRow = std::function<void(int iy, std::span<double> of_ix)>;
 
-  /// Transforms a kernel: each rank computes and transforms some rows, and then
-  /// its columns. Collective; the result is bitwise the same on any number of
-  /// ranks and threads.
+  /// Transforms a kernel; the result does not depend on the number of threads.
   /// @param grid   of the periodic convolution
-  /// @param own    columns of this rank; those of all ranks are adjacent, in
-  ///               their order, and all that there are
   /// @par Accuracy  roundoff of two one-dimensional transforms
-  EvenSymbol(const Grid& grid, RankGroup& ranks, const KernelRow& kernel,
-             SpectrumColumns own, int threads);
+  EvenSymbol(const Grid& grid, const KernelRow& kernel, int threads);
 
   /// A symbol whose columns are known.
   /// @param own  columns of this process
   EvenSymbol(const Grid& grid, const EvenColumn& columns, SpectrumColumns own,
              int threads);
 
-  /// The part that a grid of half the points resolves. Collective.
-  /// @param coarse  half the points of grid(), which are even
-  /// @param own     columns of this rank, which others may have as well
-  EvenSymbol coarsened(const Grid& coarse, RankGroup& ranks,
-                       SpectrumColumns own) const;
+  /// The part that a coarser grid resolves, if all columns are there.
+  EvenSymbol coarsened(const Grid& coarse) const;
 
   const Grid& grid() const { return grid_; }
 
   /// The values for jy = 0..points_y/2.
-  /// @param jx  of a column of this rank
+  /// @param jx  of a column of this process
   std::span<const double> column(int jx) const {
     return std::span(values_).subspan(
         (static_cast<std::size_t>(jx) - own_.first) * height(), height());
   }
 
-  /// The value (jx, 0) or (0, jy) on every rank. Collective.
-  /// @param ranks  null for this process alone
-  double value_on_all(int jx, int jy, RankGroup* ranks) const;
+  bool has_column(int jx) const {
+    const auto at = static_cast<std::size_t>(jx);
+    return at >= own_.first && at < own_.first + own_.count;
+  }
 
   /// The values of all columns of this process, one after the other.
   std::span<const double> values() const { return values_; }
@@ -67,12 +57,6 @@ private:
   std::size_t height() const {
     return static_cast<std::size_t>(grid_.points_y) / 2 + 1;
   }
-
-  /// The transforms of the rows of this rank, column by column.
-  std::vector<double> transformed_rows(const KernelRow& kernel, int first,
-                                       int count, int threads) const;
-  void transform_columns(std::span<const double> by_ranks,
-                         std::span<const int> bounds, int threads);
 
   Grid grid_;
   SpectrumColumns own_;

@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "contact/operators/tile_operator.hpp"
-#include "ranks/one_rank.hpp"
 #include "ranks/rank_sums.hpp"
 
 #include <algorithm>
@@ -77,32 +76,27 @@ struct FourierOperator::Shared {
   }
 
   /// C(q) of the waves of a window of 128^2 nodes, all of which are waves of
-  /// the grid. Collective.
+  /// the grid.
   std::vector<double> of_window() const {
     constexpr std::size_t half = tile_side;
     const Grid& grid = rows.grid();
     const std::size_t along_x = (grid.half_spectrum_columns() - 1) / half;
     const std::size_t along_y =
         static_cast<std::size_t>(grid.points_y) / (2 * half);
-    const SpectrumColumns own = convolution.columns();
     std::vector<double> picked;
-    for (std::size_t jx = own.first; jx < own.first + own.count; ++jx) {
-      if (jx % along_x != 0)
-        continue;
-      const auto column = compliance.column(static_cast<int>(jx));
+    for (std::size_t jx = 0; jx <= half; ++jx) {
+      const auto column = compliance.column(static_cast<int>(jx * along_x));
       for (std::size_t k = 0; k <= half; ++k)
         picked.push_back(column[k * along_y]);
     }
-    return values_of_ranks<double>(rows.ranks(), picked);
+    return picked;
   }
 
-  /// Collective.
   std::shared_ptr<const TileOperator::Symbols> of_tiles() const {
     const Grid& fine = rows.grid();
     const Grid grid{fine.points_x / 4, fine.points_y / 4, fine.length_x,
                     fine.length_y};
-    const EvenSymbol kept =
-        compliance.coarsened(grid, group_of(rows), all_columns(grid));
+    const EvenSymbol kept = compliance.coarsened(grid);
     return TileOperator::symbols(
         fine,
         [&](int jx, std::span<double> of_jy) {
@@ -116,10 +110,13 @@ struct FourierOperator::Shared {
     const Grid& grid = rows.grid();
     const bool is_along_x = grid.points_x >= 4;
     const int quarter = (is_along_x ? grid.points_x : grid.points_y) / 4;
-    return quarter == 0 ? softest
-                        : compliance.value_on_all(is_along_x ? quarter : 0,
-                                                  is_along_x ? 0 : quarter,
-                                                  rows.ranks());
+    if (quarter == 0)
+      return softest;
+    const int jx = is_along_x ? quarter : 0;
+    const std::size_t jy = is_along_x ? 0 : static_cast<std::size_t>(quarter);
+    return rank_max(rows.ranks(), compliance.has_column(jx)
+                                      ? compliance.column(jx)[jy]
+                                      : 0.0);
   }
 };
 
@@ -167,14 +164,12 @@ double FourierOperator::short_wave_compliance() const {
 
 std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
   const std::optional<Grid> coarse = coarse_grid(grid());
-  if (!coarse)
+  if (!coarse || shared_rows() != nullptr)
     return nullptr;
   std::call_once(shared_->coarse_is_made, [&] {
     shared_->coarse = std::make_shared<const Shared>(
-        coarse_rows(shared_->rows, *coarse), threads(),
-        [&](SpectrumColumns own) {
-          return shared_->compliance.coarsened(*coarse, group_of(shared_->rows),
-                                               own);
+        SharedRows(*coarse), threads(), [&](SpectrumColumns) {
+          return shared_->compliance.coarsened(*coarse);
         });
   });
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_->coarse));
@@ -182,7 +177,7 @@ std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
 
 std::unique_ptr<SurfaceOperator>
 FourierOperator::on_tiles(const Tiles& tiles) const {
-  if (!has_tiles(grid()))
+  if (!has_tiles(grid()) || shared_rows() != nullptr)
     return nullptr;
   std::call_once(shared_->tiles_are_made,
                  [&] { shared_->tiles = shared_->of_tiles(); });
@@ -191,13 +186,7 @@ FourierOperator::on_tiles(const Tiles& tiles) const {
 
 void FourierOperator::displacement(std::span<const double> pressure,
                                    std::span<double> displacement) {
-  // A step needs it two or three times: ranks, which share what one of them
-  // cannot hold, keep nothing for it, nor for the other convolution meanwhile.
-  if (shared_rows() != nullptr)
-    convolution_.free_scratch();
   exact_.apply(pressure, shared_->columns(), displacement);
-  if (shared_rows() != nullptr)
-    exact_.free_scratch();
 }
 
 void FourierOperator::pressure_of(std::span<const double> displacement,

@@ -18,9 +18,9 @@ namespace asperity::contact {
 /// q_x and q_y.
 ///
 /// If ranks share the rows, each holds its rows of the fields and C(q) of its
-/// columns of the spectrum, and the numbers have the bits of one process. All
-/// calls but grid(), shared_rows(), short_wave_compliance() and threads() are
-/// then collective, also the construction.
+/// columns of the spectrum. All calls but grid(), shared_rows(),
+/// short_wave_compliance() and threads() are then collective, also the
+/// construction; there are no operators on coarser grids or tiles.
 class FourierOperator final : public SurfaceOperator {
 public:
   /// All rows in this process.
@@ -45,14 +45,8 @@ public:
   /// @param ranks    share the rows by row_bounds(); must outlive the operator
   ///                 and its clones
   /// @param threads  number used by each rank, >= 1
-  /// @throws std::domain_error  also if the grid has more ranks than
-  /// most_ranks()
   FourierOperator(const Grid& grid, RankGroup& ranks,
                   const EvenColumn& compliance, int threads = 1);
-
-  /// The same for rows that hold whole groups of chunks (ranks/workers.hpp), or
-  /// all rows.
-  FourierOperator(SharedRows rows, const EvenColumn& compliance, int threads);
 
   std::unique_ptr<SurfaceOperator> clone() const override;
 
@@ -79,10 +73,8 @@ public:
   int threads() const override { return convolution_.threads(); }
 
   /// The operator on half the points per side, which keeps C(q) of the
-  /// wavevectors that the coarse grid resolves. It is shared if the ranks then
-  /// hold whole groups of chunks; otherwise each rank has that of all rows.
-  /// Null if the number of points is odd or the coarse grid would have fewer
-  /// than 32 points per side.
+  /// wavevectors that the coarse grid resolves. Null if the number of points is
+  /// odd or the coarse grid would have fewer than 32 points per side.
   std::unique_ptr<SurfaceOperator> coarsened() const override;
 
   /// See tile_operator.hpp. Null if the grid has no tiles.
@@ -90,6 +82,7 @@ public:
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
+  FourierOperator(SharedRows rows, const EvenColumn& compliance, int threads);
   explicit FourierOperator(std::shared_ptr<const Shared> shared);
 
   std::shared_ptr<const Shared> shared_;

@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
-#include "ranks/one_rank.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,29 +25,6 @@ int with_margin(int n) {
   while (n % (2 * halvings) == 0 && n / (2 * halvings) >= least_coarse_points)
     halvings *= 2;
   return n + (n / halvings + 3) / 4 * halvings;
-}
-
-/// Bounds of the rows of a wide grid: nearly equal shares that begin at
-/// multiples of a power of two, so that the ranks also share rows of cells of
-/// BoundaryExtension.
-std::vector<int> wide_bounds(const Grid& wide, int n_ranks) {
-  constexpr int least_steps = 16; // of a rank
-  int step = 2;
-  while (2 * step * least_steps * n_ranks <= wide.points_y)
-    step *= 2;
-  const int steps = (wide.points_y + step - 1) / step;
-  std::vector<int> bounds(static_cast<std::size_t>(n_ranks) + 1, wide.points_y);
-  for (int r = 0; r < n_ranks; ++r)
-    bounds[static_cast<std::size_t>(r)] = steps * r / n_ranks * step;
-  return bounds;
-}
-
-/// Rows of the wide grid of the ranks that share `rows`.
-SharedRows wide_rows(const SharedRows& rows) {
-  const Grid wide = grid_with_margin(rows.grid());
-  if (rows.ranks() == nullptr)
-    return SharedRows(wide);
-  return {wide, *rows.ranks(), wide_bounds(wide, rows.ranks()->size())};
 }
 
 /// Distance of the centre of a rectangle, in its longer sides, from which its
@@ -133,7 +109,7 @@ EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
 }
 
 struct FreeHalfspace::Shared {
-  SharedRows rows, wide;
+  Grid grid, wide;
   Convolution<double> exact;
   Convolution<float> convolution, wide_convolution;
   EvenSymbol compliance;      ///< symbol on the padded grid [m/Pa] > 0
@@ -143,21 +119,19 @@ struct FreeHalfspace::Shared {
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
   mutable std::shared_ptr<const Shared> coarse = nullptr;
 
-  /// @param make  finds the symbols of some columns of the padded grid and of
-  /// the
-  ///              wide grid
+  /// @param make  make(grid, is_wide) finds the symbol on the padded grid or on
+  ///              the wide grid
   template <class Make>
-  Shared(SharedRows rows_, int threads, const Make& make)
-      : rows(std::move(rows_)),
-        wide(wide_rows(rows)),
-        exact(rows, padded_grid(rows.grid()), threads),
-        convolution(rows, padded_grid(rows.grid()), threads),
+  Shared(const Grid& grid_, int threads, const Make& make)
+      : grid(grid_),
+        wide(grid_with_margin(grid)),
+        exact(grid, padded_grid(grid), threads),
+        convolution(grid, padded_grid(grid), threads),
         wide_convolution(wide, threads),
-        compliance(make(convolution, false)),
-        wide_compliance(make(wide_convolution, true)),
+        compliance(make(padded_grid(grid), false)),
+        wide_compliance(make(wide, true)),
         // A quarter of the points of the padded grid.
-        short_wave(
-            compliance.value_on_all(rows.grid().points_x / 2, 0, rows.ranks())),
+        short_wave(compliance.column(grid.points_x / 2)[0]),
         symbol(convolution.arranged(columns(compliance))) {}
 
   static EvenColumn columns(const EvenSymbol& of) {
@@ -169,22 +143,10 @@ struct FreeHalfspace::Shared {
 
 FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
                              int threads)
-    : FreeHalfspace(SharedRows(grid), contact_modulus, threads) {}
-
-FreeHalfspace::FreeHalfspace(const Grid& grid, RankGroup& ranks,
-                             double contact_modulus, int threads)
-    : FreeHalfspace(SharedRows(grid, ranks, row_bounds(grid, ranks.size())),
-                    contact_modulus, threads) {}
-
-FreeHalfspace::FreeHalfspace(const SharedRows& rows, double contact_modulus,
-                             int threads)
     : FreeHalfspace(std::make_shared<const Shared>(
-          rows, threads,
-          [&](const Convolution<float>& convolution, bool /*is_wide*/) {
-            const Grid& grid = convolution.grid();
-            return EvenSymbol(grid, group_of(rows),
-                              rectangle_kernel(grid, contact_modulus),
-                              convolution.columns(), threads);
+          grid, threads, [&](const Grid& wide, bool /*is_wide*/) {
+            return EvenSymbol(wide, rectangle_kernel(wide, contact_modulus),
+                              threads);
           })) {}
 
 FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
@@ -198,19 +160,11 @@ std::unique_ptr<SurfaceOperator> FreeHalfspace::clone() const {
 }
 
 const Grid& FreeHalfspace::grid() const {
-  return shared_->rows.grid();
+  return shared_->grid;
 }
 
 const Grid& FreeHalfspace::wide_grid() const {
-  return shared_->wide.grid();
-}
-
-const SharedRows* FreeHalfspace::shared_rows() const {
-  return shared_->rows.ranks() != nullptr ? &shared_->rows : nullptr;
-}
-
-const SharedRows* FreeHalfspace::wide_shared_rows() const {
-  return shared_->rows.ranks() != nullptr ? &shared_->wide : nullptr;
+  return shared_->wide;
 }
 
 double FreeHalfspace::short_wave_compliance() const {
@@ -223,20 +177,15 @@ std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
     return nullptr;
   std::call_once(shared_->coarse_is_made, [&] {
     shared_->coarse = std::make_shared<const Shared>(
-        coarse_rows(shared_->rows, *coarse), threads(),
-        [&](const Convolution<float>& convolution, bool is_wide) {
-          const EvenSymbol& fine =
-              is_wide ? shared_->wide_compliance : shared_->compliance;
-          return fine.coarsened(convolution.grid(), group_of(shared_->rows),
-                                convolution.columns());
+        *coarse, threads(), [&](const Grid& grid, bool is_wide) {
+          return (is_wide ? shared_->wide_compliance : shared_->compliance)
+              .coarsened(grid);
         });
   });
   return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
 }
 
 std::unique_ptr<SurfaceOperator> FreeHalfspace::periodic_extension() const {
-  if (shared_->rows.ranks() != nullptr)
-    return nullptr;
   return std::make_unique<FourierOperator>(
       padded_grid(grid()), Shared::columns(shared_->compliance), threads());
 }

@@ -41,13 +41,6 @@ EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
 /// at infinity, is the sum of rectangle_displacement() over the nodes, without
 /// approximation: the convolution is periodic on a grid of twice as many points
 /// in both directions, whose added nodes have no pressure.
-///
-/// If ranks share the rows, each holds its rows of the fields, its rows of the
-/// wide grid, and the columns of both symbols that it multiplies, and the
-/// numbers have the bits of one process. The rows of zeros around the grid are
-/// neither held nor sent. All calls but grid(), wide_grid(), shared_rows(),
-/// wide_shared_rows(), short_wave_compliance() and threads() are then
-/// collective, also the construction.
 /// @see  R. W. Hockney, Methods Comput. Phys. 9, 135 (1970); S. Liu, Q. Wang,
 ///       G. Liu, Wear 243, 101 (2000)
 class FreeHalfspace final : public SurfaceOperator {
@@ -57,19 +50,9 @@ public:
   /// @throws std::domain_error  an argument is outside its range
   FreeHalfspace(const Grid& grid, double contact_modulus, int threads = 1);
 
-  /// The rows of this rank.
-  /// @param ranks  share the rows by row_bounds(); must outlive the operator
-  /// and
-  ///               its clones
-  /// @throws std::domain_error  also if the grid has more ranks than
-  /// most_ranks()
-  FreeHalfspace(const Grid& grid, RankGroup& ranks, double contact_modulus,
-                int threads = 1);
-
   std::unique_ptr<SurfaceOperator> clone() const override;
 
   const Grid& grid() const override;
-  const SharedRows* shared_rows() const override;
 
   bool is_periodic() const override { return false; }
 
@@ -88,7 +71,6 @@ public:
   /// A quarter more points in both directions: the displacements of pressures
   /// at distances up to 5/8 of the lengths are those of grid().
   const Grid& wide_grid() const override;
-  const SharedRows* wide_shared_rows() const override;
   void wide_pressure_estimate(std::span<const float> gap,
                               double local_compliance,
                               std::span<float> pressure) override;
@@ -105,7 +87,6 @@ public:
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
   explicit FreeHalfspace(std::shared_ptr<const Shared> shared);
-  FreeHalfspace(const SharedRows& rows, double contact_modulus, int threads);
 
   std::shared_ptr<const Shared> shared_;
   Convolution<double> exact_;

@@ -2,8 +2,6 @@
 
 #include "base/parallel_rows.hpp"
 #include "base/require.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <boost/math/tools/minima.hpp>
@@ -102,23 +100,16 @@ std::vector<double> largest_shear(const StressPlane& plane) {
 StressInside::StressInside(const Grid& grid,
                            const mechanics::ElasticBlock& block,
                            std::span<const double> pressure, int threads)
-    : StressInside(rows_of_one(grid), block, pressure, threads) {}
-
-StressInside::StressInside(SharedRows rows,
-                           const mechanics::ElasticBlock& block,
-                           std::span<const double> pressure, int threads)
-    : rows_(std::make_unique<const SharedRows>(std::move(rows))),
+    : grid_(grid),
       stack_(block),
-      fourier_(std::make_unique<Convolution<double>>(*rows_, threads)) {
-  if (pressure.size() != rows_->size())
+      fourier_(std::make_unique<Convolution<double>>(grid, threads)) {
+  if (pressure.size() != grid.size())
     refuse_argument("pressure.size()", static_cast<double>(pressure.size()),
                     "the number of grid nodes");
-  const Grid& grid = rows_->grid();
   const auto height = static_cast<std::size_t>(grid.points_y);
-  spectrum_.resize(fourier_->columns().count * height);
-  const std::size_t first = fourier_->columns().first;
+  spectrum_.resize(grid.half_spectrum_columns() * height);
   fourier_->analyse(pressure, [&](int jx, std::span<const Complex> column) {
-    const std::size_t at = (static_cast<std::size_t>(jx) - first) * height;
+    const std::size_t at = static_cast<std::size_t>(jx) * height;
     for (std::size_t jy = 0; jy < height; ++jy)
       spectrum_[at + jy] = column[jy] / static_cast<double>(grid.size());
   });
@@ -134,14 +125,11 @@ StressInside::StressInside(SharedRows rows,
 
 template <class Take>
 void StressInside::each_mode(const Take& take) const {
-  const auto [first, count] = fourier_->columns();
-  const int first_column = static_cast<int>(first);
-  const int height = rows_->grid().points_y;
-  parallel_rows(static_cast<int>(count), fourier_->threads(), [&](int column) {
-    const int jx = first_column + column;
-    for (int jy = jx == 0 ? 1 : 0; jy < height; ++jy)
+  const auto height = static_cast<std::size_t>(grid_.points_y);
+  parallel_rows(grid_.points_x / 2 + 1, fourier_->threads(), [&](int jx) {
+    for (int jy = jx == 0 ? 1 : 0; jy < grid_.points_y; ++jy)
       take(jx, jy,
-           static_cast<std::size_t>(column) * static_cast<std::size_t>(height) +
+           static_cast<std::size_t>(jx) * height +
                static_cast<std::size_t>(jy));
   });
 }
@@ -154,13 +142,10 @@ StressInside::waves_of(std::size_t mode) const {
 }
 
 StressPlane StressInside::stress_in(const Plane& place) const {
-  const Grid& grid = rows_->grid();
+  const Grid& grid = grid_;
   std::vector<Components> stresses(spectrum_.size());
-  const SpectrumColumns own = fourier_->columns();
-  if (own.first == 0 && own.count > 0) { // the mean
-    const double lateral = stack_.layer(place.layer).lateral_ratio;
-    stresses[0] = {-lateral, -lateral, -1.0, 0.0, 0.0, 0.0};
-  }
+  const double lateral = stack_.layer(place.layer).lateral_ratio;
+  stresses[0] = {-lateral, -lateral, -1.0, 0.0, 0.0, 0.0}; // the mean
   each_mode([&](int jx, int jy, std::size_t mode) {
     const Direction n = direction_of(grid, jx, jy);
     if (n.length * place.depth <= decayed)
@@ -174,11 +159,10 @@ StressPlane StressInside::stress_in(const Plane& place) const {
       &plane.xx, &plane.yy, &plane.zz, &plane.xy, &plane.yz, &plane.zx};
   for (std::size_t k = 0; k < maps.size(); ++k) {
     const bool is_shear = maps[k] == &plane.yz || maps[k] == &plane.zx;
-    maps[k]->resize(rows_->size());
+    maps[k]->resize(grid.size());
     fourier_->synthesise(
         [&](int jx, std::span<Complex> column) {
-          const std::size_t at =
-              (static_cast<std::size_t>(jx) - own.first) * column.size();
+          const std::size_t at = static_cast<std::size_t>(jx) * column.size();
           for (std::size_t jy = 0; jy < column.size(); ++jy) {
             const Complex stress = stresses[at + jy][k] * spectrum_[at + jy];
             column[jy] =
@@ -201,21 +185,18 @@ StressPlane StressInside::at_depth(double depth, InterfaceSide side) const {
 }
 
 std::vector<double> StressInside::von_mises_row(double depth, int row) const {
-  return rows_->rows_at(von_mises(at_depth(depth)), row, 1);
+  const std::vector<double> plane = von_mises(at_depth(depth));
+  const auto first =
+      plane.begin() + static_cast<std::ptrdiff_t>(grid_.index(0, row));
+  return {first, first + grid_.points_x};
 }
 
 double StressInside::shear_at(const StressPeak& peak) const {
-  const StressPlane plane = at_depth(peak.depth, peak.side);
-  const std::size_t first = rows_->grid().index(0, rows_->first());
-  const bool is_here = peak.node >= first && peak.node - first < rows_->size();
-  return rank_max(rows_->ranks(),
-                  is_here ? shear_in(tensor_at(plane, peak.node - first))
-                          : 0.0);
+  return shear_in(tensor_at(at_depth(peak.depth, peak.side), peak.node));
 }
 
 double StressInside::strength_in(const Plane& plane) const {
-  return rank_max(rows_->ranks(),
-                  std::ranges::max(von_mises(stress_in(plane))));
+  return std::ranges::max(von_mises(stress_in(plane)));
 }
 
 std::vector<StressInside::Plane>
@@ -237,7 +218,7 @@ StressInside::planes_to_search(double shallowest, double deepest) const {
 }
 
 StressPeak StressInside::strongest() const {
-  const Grid& grid = rows_->grid();
+  const Grid& grid = grid_;
   const double spacing = std::min(grid.spacing_x(), grid.spacing_y());
   const StackLayer& last = stack_.layer(stack_.size() - 1);
   const double deepest = std::min(last.top + last.thickness,
@@ -266,14 +247,8 @@ StressPeak StressInside::strongest() const {
   if (-lowest > strength)
     best.depth *= factor;
   const std::vector<double> map = von_mises(stress_in(best));
-  const auto own = std::ranges::max_element(map);
-  const double peak = rank_max(rows_->ranks(), *own);
-  // The first of the nodes with this stress.
-  const auto node = static_cast<double>(grid.index(0, rows_->first())) +
-                    static_cast<double>(own - map.begin());
-  const double first = -rank_max(
-      rows_->ranks(), *own == peak ? -node : -static_cast<double>(grid.size()));
-  return {peak, best.depth, static_cast<std::size_t>(first),
+  const auto peak = std::ranges::max_element(map);
+  return {*peak, best.depth, static_cast<std::size_t>(peak - map.begin()),
           best.layer > 0 && best.depth == layer.top ? InterfaceSide::lower
                                                     : InterfaceSide::upper};
 }

@@ -7,7 +7,6 @@
 #include "base/grid.hpp"
 #include "contact/operators/layered_compliance.hpp"
 #include "ranks/convolution.hpp"
-#include "ranks/shared_rows.hpp"
 
 #include <complex>
 #include <memory>
@@ -17,7 +16,7 @@
 namespace asperity::contact {
 
 /// Stress on one plane, tension positive, z pointing into the block; six fields
-/// of the rows of this process [Pa].
+/// [Pa].
 struct StressPlane {
   std::vector<double> xx, yy, zz, xy, yz, zx;
 };
@@ -52,11 +51,6 @@ struct StressPeak {
 ///
 /// The uniform pressure p_0 gives sigma_zz = -p_0 and sigma_xx = sigma_yy =
 /// -nu/(1-nu) p_0 with nu of each layer: the block has no lateral strain.
-///
-/// Ranks may share the rows of the surface. Construction and all member
-/// functions are then collective, and every number has the bits of one process.
-/// Each rank holds the modes of its columns of the spectrum and, during a call,
-/// the stress of its rows.
 class StressInside {
 public:
   /// @param block     poisson_ratio is read for every far boundary,
@@ -66,12 +60,6 @@ public:
   /// @throws std::domain_error  a size or a number is outside its range
   StressInside(const Grid& grid, const mechanics::ElasticBlock& block,
                std::span<const double> pressure, int threads = 1);
-
-  /// The same for rows that ranks share.
-  /// @param rows      of a group of ranks; all bounds but the last are even
-  /// @param pressure  rows.size() values
-  StressInside(SharedRows rows, const mechanics::ElasticBlock& block,
-               std::span<const double> pressure, int threads);
 
   /// Stress on one plane.
   /// @param depth  z [m], 0..thickness
@@ -84,7 +72,7 @@ public:
   StressPlane at_depth(double depth,
                        InterfaceSide side = InterfaceSide::upper) const;
 
-  /// Von Mises stress [Pa] in one row of nodes, on every rank.
+  /// Von Mises stress [Pa] in one row of nodes.
   /// @param row  0..points_y-1
   std::vector<double> von_mises_row(double depth, int row) const;
 
@@ -115,15 +103,15 @@ private:
   double strength_in(const Plane& plane) const;
   std::vector<Plane> planes_to_search(double shallowest, double deepest) const;
   std::span<const LayerStack::Wave> waves_of(std::size_t mode) const;
-  /// Calls take(jx, jy, mode) for the modes of the columns of this rank but the
-  /// mean; threads call it at the same time. `mode` is an index into spectrum_.
+  /// Calls take(jx, jy, mode) for the modes but the mean; threads call it at
+  /// the same time. `mode` is an index into spectrum_.
   template <class Take>
   void each_mode(const Take& take) const;
 
-  std::unique_ptr<const SharedRows> rows_; ///< referred to by fourier_
+  Grid grid_;
   LayerStack stack_;
   std::unique_ptr<Convolution<double>> fourier_;
-  /// Of the pressure, column by column of this rank [Pa].
+  /// Of the pressure, column by column [Pa].
   std::vector<Complex> spectrum_;
   /// Layer amplitudes of each mode, layers contiguous; empty for the
   /// half-space, where they are the same for all modes.

@@ -106,11 +106,6 @@ public:
   /// points, whose first columns and rows are the nodes of grid().
   virtual const Grid& wide_grid() const { return grid(); }
 
-  /// The rows of wide_grid() that this process holds, as shared_rows(). The
-  /// last ones of a rank may lie beyond those of grid(), and the others may be
-  /// on other ranks there.
-  virtual const SharedRows* wide_shared_rows() const { return shared_rows(); }
-
   /// As pressure_estimate(), on the surface of wide_grid(), whose C is about
   /// the same between the nodes of grid(). The two fields may be one.
   virtual void wide_pressure_estimate(std::span<const float> gap,
@@ -132,22 +127,23 @@ public:
   virtual int threads() const { return 1; }
 
   /// Threads and ranks, for sums over the nodes.
-  Workers workers() const { return {threads(), grid(), shared_rows()}; }
+  Workers workers() const { return {threads(), shared_rows()}; }
 
   /// If the surface is not periodic: a periodic one on twice as many points and
   /// lengths in both directions, which has an exact inverse. The first columns
   /// and rows are the nodes of grid(), where a pressure that is 0 elsewhere has
   /// the displacement of this operator up to a constant. Null if the surface is
-  /// periodic or ranks share its rows.
+  /// periodic.
   virtual std::unique_ptr<SurfaceOperator> periodic_extension() const {
     return nullptr;
   }
 
-  /// The operator of the same block on a coarse_grid(); null if there is none.
+  /// The operator of the same block on a coarse_grid(); null if there is none,
+  /// or if ranks share the rows.
   virtual std::unique_ptr<SurfaceOperator> coarsened() const { return nullptr; }
 
-  /// An approximation of the operator between the nodes of some tiles, which
-  /// this process holds all; null if there is none. Its grid has the tiles one
+  /// An approximation of the operator between the nodes of some tiles; null if
+  /// there is none, or if ranks share the rows. Its grid has the tiles one
   /// below the other. The displacement has another mean.
   virtual std::unique_ptr<SurfaceOperator>
   on_tiles(const Tiles& /*tiles*/) const {

@@ -150,8 +150,8 @@ struct TileOperator::Symbols {
         short_wave(short_wave_),
         threads(threads_),
         smooth(coarse, smooth_part(coarse, coarse_compliance), threads),
-        convolution(SharedRows(window)),
-        exact(SharedRows(window)),
+        convolution(window),
+        exact(window),
         sharp(convolution.arranged(sharp_part(window, compliance))),
         exact_sharp(exact.arranged(sharp_part(window, compliance))) {}
 };

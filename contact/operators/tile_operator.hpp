@@ -30,7 +30,7 @@ namespace asperity::contact {
 /// B-splines. Its C(q) is divided by their transforms (U. Essmann et al., J.
 /// Chem. Phys. 103, 8577 (1995)).
 ///
-/// The grid is that of the tiles one below the other; each process has all.
+/// The grid is that of the tiles one below the other.
 /// The mean of the displacement is arbitrary, so that only loads can be
 /// prescribed.
 ///

@@ -1,7 +1,6 @@
 #include "contact/solvers/active_set.hpp"
 
 #include "base/maximum.hpp"
-#include "contact/operators/gathered_operator.hpp"
 #include "contact/solvers/active_system.hpp"
 #include "contact/solvers/contact_state.hpp"
 #include "ranks/chunked_sum.hpp"
@@ -30,7 +29,7 @@ constexpr int tries_without_progress = 10;
 /// need very many.
 constexpr int most_iterations = 200;
 
-/// The largest size of a value on all ranks; NaN if any is NaN.
+/// The largest size of a value; NaN if any is NaN.
 double largest_size_of(std::span<const double> values, const Workers& workers) {
   return chunked_sum<Largest>(values.size(), workers,
                               [&](std::size_t begin, std::size_t end) {
@@ -45,14 +44,12 @@ double largest_size_of(std::span<const double> values, const Workers& workers) {
 /// C [m/Pa] of the longest wavelength along the longer side.
 double long_wave_compliance(SurfaceOperator& elasticity) {
   const Grid& grid = elasticity.grid();
-  const SharedRows* const rows = elasticity.shared_rows();
-  const int first = rows != nullptr ? rows->first() : 0;
   const bool along_x = grid.length_x >= grid.length_y;
   std::vector<double> wave(elasticity.n_nodes());
   std::vector<double> answer(wave.size());
   const auto width = static_cast<std::size_t>(grid.points_x);
   for (std::size_t i = 0; i < wave.size(); ++i) {
-    const int iy = first + static_cast<int>(i / width);
+    const int iy = static_cast<int>(i / width);
     wave[i] = std::cos(2.0 * std::numbers::pi *
                        (along_x ? static_cast<double>(i % width) / grid.points_x
                                 : static_cast<double>(iy) / grid.points_y));
@@ -170,40 +167,6 @@ double gap_rounding(const ContactState& state, double long_wave) {
               (long_wave + state.problem.local_compliance));
 }
 
-/// Why the ranks cannot solve the first system of a problem; empty if they can.
-std::string refusal_on_ranks(const ContactState& state) {
-  const auto own = static_cast<std::size_t>(std::ranges::count_if(
-      state.freedom, [](auto freedom) { return freedom > fixed; }));
-  return refusal_of_system(state.elasticity,
-                           total_count(state.elasticity.workers(), own),
-                           state.elasticity.grid().size());
-}
-
-/// Lets each rank solve the whole problem, and returns the own rows.
-ContactSolution on_each_rank(SurfaceOperator& elasticity,
-                             const ContactProblem& problem,
-                             const mechanics::LoadTarget& target,
-                             std::span<const double> initial_pressure) {
-  const SharedRows& rows = *elasticity.shared_rows();
-  GatheredOperator gathered(elasticity.clone());
-  const std::vector<double> heights = rows.gathered(problem.heights);
-  std::vector<double> pressure;
-  if (!initial_pressure.empty())
-    pressure = rows.gathered(initial_pressure);
-  ContactProblem whole = problem;
-  whole.heights = heights;
-  ContactSolution answer = active_set(gathered, whole, target, pressure);
-  for (std::vector<double>* field :
-       {&answer.pressure, &answer.gap, &answer.displacement}) {
-    const auto first =
-        field->begin() +
-        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(rows.first()) *
-                                    rows.width());
-    *field = {first, first + static_cast<std::ptrdiff_t>(rows.size())};
-  }
-  return answer;
-}
-
 } // namespace
 
 ContactSolution active_set(SurfaceOperator& elasticity,
@@ -225,12 +188,6 @@ ContactSolution active_set(SurfaceOperator& elasticity,
       state.problem.gap_tolerance = std::max(problem.gap_tolerance, rounding);
     if (state.is_at_end())
       break;
-    if (elasticity.shared_rows() != nullptr) {
-      reason = refusal_on_ranks(state);
-      if (reason.empty())
-        return on_each_rank(elasticity, problem, target, initial_pressure);
-      break;
-    }
     if (!nodes)
       nodes.emplace(state);
     reason = nodes->step();

@@ -11,28 +11,12 @@
 namespace asperity::contact {
 namespace {
 
-/// The rows of this process that a coarse grid keeps, also if the coarse
-/// operator holds all rows.
-SharedRows halved(const SharedRows& fine, const Grid& coarse) {
-  if (fine.ranks() == nullptr)
-    return SharedRows(coarse);
-  std::vector<int> bounds = fine.bounds();
-  for (int& bound : bounds)
-    bound /= 2;
-  return {coarse, *fine.ranks(), std::move(bounds)};
-}
-
-std::vector<double> every_second(const SharedRows& fine,
-                                 const SharedRows& coarse,
+std::vector<double> every_second(const Grid& fine, const Grid& coarse,
                                  std::span<const double> field) {
   std::vector<double> picked(coarse.size());
-  const std::size_t width = coarse.width();
-  for (int iy = 0; iy < coarse.count(); ++iy) {
-    const double* const from = &field[fine.grid().index(0, 2 * iy)];
-    double* const to = &picked[coarse.grid().index(0, iy)];
-    for (std::size_t ix = 0; ix < width; ++ix)
-      to[ix] = from[2 * ix];
-  }
+  for (int iy = 0; iy < coarse.points_y; ++iy)
+    for (int ix = 0; ix < coarse.points_x; ++ix)
+      picked[coarse.index(ix, iy)] = field[fine.index(2 * ix, 2 * iy)];
   return picked;
 }
 
@@ -81,24 +65,21 @@ void widen(std::span<const double> coarse, std::span<double> fine) {
   }
 }
 
-/// The rows of a field that this process holds and those beside them.
+/// The rows of a field and those beyond its ends.
 class RowsWithGhosts {
 public:
-  /// @param own  the rows of this process; must outlive this
-  RowsWithGhosts(const SharedRows& rows, std::span<const double> own,
+  /// @param own  must outlive this
+  RowsWithGhosts(const Grid& grid, std::span<const double> own,
                  bool is_periodic)
-      : count_(rows.count()),
-        width_(rows.width()),
+      : count_(grid.points_y),
+        width_(static_cast<std::size_t>(grid.points_x)),
         own_(own),
         ghosts_(n_ghosts * width_) {
-    if (rows.ranks() == nullptr)
-      set_from_own(is_periodic);
-    else
-      receive(rows, is_periodic);
+    set_ghost_rows(is_periodic);
   }
 
-  /// @param iy  from ghosts_before rows before the first of this process to
-  ///            ghosts_after rows after the last one
+  /// @param iy  from ghosts_before rows before the first to ghosts_after rows
+  ///            after the last one
   const double* row(int iy) const {
     if (iy < 0)
       return ghosts_.data();
@@ -109,7 +90,7 @@ public:
   }
 
 private:
-  void set_from_own(bool is_periodic) {
+  void set_ghost_rows(bool is_periodic) {
     const auto n = static_cast<std::size_t>(count_);
     std::vector<double> line(n + n_ghosts); // its inner values are not needed
     for (std::size_t ix = 0; ix < width_; ++ix) {
@@ -125,34 +106,6 @@ private:
     }
   }
 
-  /// Collective.
-  void receive(const SharedRows& rows, bool is_periodic) {
-    const bool begins = !is_periodic && rows.first() == 0;
-    const bool ends =
-        !is_periodic && rows.first() + count_ == rows.grid().points_y;
-    const SharedRows::RowsBeside beside = rows.rows_beside(own_);
-    std::ranges::copy(beside.before, ghost(0));
-    std::ranges::copy(beside.after, ghost(1));
-    if (begins)
-      extrapolate(row(0), row(1), 1.0, ghost(0));
-    if (ends)
-      extrapolate(row(count_ - 1), row(count_ - 2), 1.0, ghost(1));
-    // The second row of the next rank, or the row after its only one.
-    const std::span<const double> second(row(1), width_);
-    rows.ranks()->pass(RankGroup::Direction::backwards, std::as_bytes(second),
-                       std::as_writable_bytes(std::span(ghosts_).last(width_)));
-    if (ends)
-      extrapolate(row(count_ - 1), row(count_ - 2), 2.0, ghost(2));
-  }
-
-  void extrapolate(const double* end, const double* inner, double spacings,
-                   double* to) const {
-    for (std::size_t ix = 0; ix < width_; ++ix)
-      to[ix] = beyond(end[ix], inner[ix], spacings);
-  }
-
-  double* ghost(std::size_t i) { return &ghosts_[i * width_]; }
-
   int count_;
   std::size_t width_;
   std::span<const double> own_;
@@ -160,18 +113,18 @@ private:
 };
 
 /// The cubic interpolation of the coarse rows.
-std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
-                                 const SharedRows& fine_rows,
+std::vector<double> interpolated(const RowsWithGhosts& coarse,
                                  const SurfaceOperator& elasticity) {
-  const std::size_t width = fine_rows.width() / 2;
-  std::vector<double> result(fine_rows.size());
-  parallel_rows(n_rows, elasticity.threads(), [&](int iy) {
+  const Grid& fine_grid = elasticity.grid();
+  const auto width = static_cast<std::size_t>(fine_grid.points_x) / 2;
+  std::vector<double> result(fine_grid.size());
+  parallel_rows(fine_grid.points_y / 2, elasticity.threads(), [&](int iy) {
     const double *const before = coarse.row(iy - 1),
                         *const row = coarse.row(iy),
                         *const after = coarse.row(iy + 1),
                         *const next = coarse.row(iy + 2);
     const auto fine =
-        std::span(result).subspan(fine_rows.grid().index(0, 2 * iy), 4 * width);
+        std::span(result).subspan(fine_grid.index(0, 2 * iy), 4 * width);
     std::vector<double> line(width + n_ghosts);
     double* const own = line.data() + ghosts_before;
     const auto put = [&](std::span<double> to) {
@@ -186,13 +139,6 @@ std::vector<double> interpolated(const RowsWithGhosts& coarse, int n_rows,
     put(fine.last(2 * width));
   });
   return result;
-}
-
-/// The rows of this process in a field of these rows, or of all rows.
-std::span<double> own_rows(const SharedRows& rows, std::span<double> field) {
-  return field.size() == rows.size()
-             ? field
-             : field.subspan(rows.grid().index(0, rows.first()), rows.size());
 }
 
 /// The pressure where there is one, otherwise minus a pressure that would close
@@ -229,20 +175,18 @@ std::vector<double> punch_pressure(int n) {
   return line;
 }
 
-/// Multiplies own rows by the pressure of a punch at the borders of the grid,
-/// or divides it, so that what is interpolated is smooth there.
-void multiply_by_punch(const SharedRows& rows, bool divides, int threads,
+/// Multiplies a field by the pressure of a punch at the borders of the grid, or
+/// divides it, so that what is interpolated is smooth there.
+void multiply_by_punch(const Grid& grid, bool divides, int threads,
                        std::span<double> field) {
-  const Grid& grid = rows.grid();
   std::vector<double> along_x = punch_pressure(grid.points_x);
   std::vector<double> along_y = punch_pressure(grid.points_y);
   for (std::vector<double>* line : {&along_x, &along_y})
     for (double& value : *line)
       value = divides ? 1.0 / value : value;
-  const auto first = static_cast<std::size_t>(rows.first());
-  parallel_rows(rows.count(), threads, [&](int iy) {
+  parallel_rows(grid.points_y, threads, [&](int iy) {
     double* const row = &field[grid.index(0, iy)];
-    const double of_row = along_y[first + static_cast<std::size_t>(iy)];
+    const double of_row = along_y[static_cast<std::size_t>(iy)];
     for (std::size_t ix = 0; ix < along_x.size(); ++ix)
       row[ix] *= of_row * along_x[ix];
   });
@@ -281,12 +225,9 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   const std::unique_ptr<SurfaceOperator> coarse = elasticity.coarsened();
   if (!coarse)
     return {};
-  const SharedRows fine_rows = elasticity.rows();
-  const SharedRows coarse_rows = halved(fine_rows, coarse->grid());
-  std::vector<double> heights =
-      every_second(fine_rows, coarse_rows, problem.heights);
-  if (coarse->shared_rows() == nullptr)
-    heights = coarse_rows.gathered(heights);
+  const Grid& grid = coarse->grid();
+  const std::vector<double> heights =
+      every_second(elasticity.grid(), grid, problem.heights);
   ContactProblem coarse_problem = problem;
   coarse_problem.heights = heights;
   coarse_problem.gap_tolerance = coarse_tolerance;
@@ -299,24 +240,21 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
       std::move(solution),
       elasticity.short_wave_compliance() + problem.local_compliance,
       problem.hardness);
-  const std::span<double> own = own_rows(coarse_rows, field);
   const bool is_periodic = elasticity.is_periodic();
   const int threads = elasticity.threads();
-  const auto on_fine_rows = [&](std::span<const double> rows) {
-    return interpolated(RowsWithGhosts(coarse_rows, rows, is_periodic),
-                        coarse_rows.count(), fine_rows, elasticity);
+  const auto on_fine_grid = [&](std::span<const double> values) {
+    return interpolated(RowsWithGhosts(grid, values, is_periodic), elasticity);
   };
   if (!is_periodic)
-    multiply_by_punch(coarse_rows, true, threads, own);
-  std::vector<double> start = on_fine_rows(own);
+    multiply_by_punch(grid, true, threads, field);
+  std::vector<double> start = on_fine_grid(field);
   if (!is_periodic)
-    multiply_by_punch(fine_rows, false, threads, start);
+    multiply_by_punch(elasticity.grid(), false, threads, start);
   constexpr double tile_accuracy = 1e-3;
   if (start_on_tiles(elasticity, problem, target,
                      tile_accuracy * coarse_tolerance, start))
     return start;
-  add_short_waves(elasticity, problem,
-                  on_fine_rows(own_rows(coarse_rows, heights)), start);
+  add_short_waves(elasticity, problem, on_fine_grid(heights), start);
   press_to_load(elasticity, target, problem.hardness, start);
   return start;
 }

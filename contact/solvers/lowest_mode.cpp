@@ -39,12 +39,7 @@ class Basis {
 public:
   explicit Basis(AdhesiveState& state)
       : state_(state), images_{Image(nodes()), Image(nodes()), Image(nodes())} {
-    const SharedRows* const rows = state.elasticity.shared_rows();
-    const std::size_t first =
-        rows == nullptr
-            ? 0
-            : static_cast<std::size_t>(rows->first()) * rows->width();
-    state.each([&](std::size_t i) { x().vector[i] = noise(first + i); });
+    state.each([&](std::size_t i) { x().vector[i] = noise(i); });
     // Smooth: short waves are stiff.
     state.restrict_to_free(x().vector);
     state.precondition(x().vector, x().vector);

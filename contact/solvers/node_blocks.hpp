@@ -15,7 +15,8 @@
 namespace asperity::contact {
 
 /// Number of consecutive nodes in one block. Chunks consist of whole blocks.
-inline constexpr std::size_t block_nodes = chunk_alignment;
+inline constexpr std::size_t block_nodes = 64;
+static_assert(chunk_nodes % block_nodes == 0);
 
 /// One flag per block, 0 or 1.
 using BlockFlags = std::vector<std::uint8_t>;

@@ -48,22 +48,12 @@ private:
 
   bool is_wide() const { return !wide_.freedom.empty(); }
 
-  /// Columns of the grid, and rows of it among those that this process holds of
-  /// the wide grid.
-  Grid held_part() const;
-
   /// Copies a field of the grid into one of the wide grid, whose added nodes
-  /// keep their values. Collective.
-  /// @param scratch  as many values
+  /// keep their values.
   template <class Value>
-  void widen(std::span<const Value> field, std::span<Value> scratch,
-             std::span<Value> wide) const;
+  void widen(std::span<const Value> field, std::span<Value> wide) const;
 
-  /// Copies the nodes of the grid back.
-  void narrow(std::span<const float> wide, std::span<float> scratch,
-              std::span<float> field) const;
-
-  SharedRows rows_, wide_rows_;
+  Grid grid_, wide_grid_;
   int threads_;
   BoundaryExtension extension_;
   Wide wide_;

@@ -198,9 +198,10 @@ private:
   double before_ = 0.0;
 };
 
-/// The unpreconditioned method alone: the active set has no third kind of node.
-ContactSolution hand_over_with_hardness(ContactState&& state,
-                                        const std::string& stalled) {
+/// The unpreconditioned method alone: the active set has no third kind of node,
+/// and its system is not divided among ranks.
+ContactSolution hand_over_to_last(ContactState&& state,
+                                  const std::string& stalled) {
   ContactProblem rest = state.problem;
   rest.max_iterations = std::max(1, rest.max_iterations - state.iterations);
   ContactSolution answer =
@@ -215,8 +216,8 @@ ContactSolution hand_over_with_hardness(ContactState&& state,
 ContactSolution hand_over(ContactState&& state) {
   const std::string stalled =
       "stalled after " + std::to_string(state.iterations) + " iterations; ";
-  if (state.problem.has_hardness())
-    return hand_over_with_hardness(std::move(state), stalled);
+  if (state.problem.has_hardness() || state.workers.ranks() != nullptr)
+    return hand_over_to_last(std::move(state), stalled);
   ContactSolution answer =
       active_set(state.elasticity, state.problem, state.target, state.pressure);
   std::string note = stalled + "finished by the active-set method";

@@ -1,7 +1,6 @@
 #include "contact/solvers/tile_start.hpp"
 
 #include "contact/solvers/starting_pressure.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -22,31 +21,26 @@ constexpr double tile_accuracy = 1e-5, least_gain = 0.1;
 constexpr int most_tile_iterations = 100;
 
 /// The tiles with active nodes, or with some nearby; null if they cover too
-/// much. Collective.
-/// @param is_active  is_active(i) of the own node i
+/// much.
+/// @param is_active  is_active(i) of the node i
 template <class IsActive>
-std::optional<Tiles> few_tiles(const SharedRows& rows,
-                               const IsActive& is_active) {
+std::optional<Tiles> few_tiles(const Grid& grid, const IsActive& is_active) {
   constexpr int points = tile_points, near = points / 8;
-  const Grid& grid = rows.grid();
+  const auto width = static_cast<std::size_t>(grid.points_x);
   Tiles tiles{grid.points_x / points, grid.points_y / points, {}};
   const std::size_t n = static_cast<std::size_t>(tiles.per_row) *
                         static_cast<std::size_t>(tiles.per_column);
   std::vector<std::uint8_t> is_used(n);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+  for (std::size_t i = 0; i < grid.size(); ++i) {
     if (!is_active(i))
       continue;
-    const int x = static_cast<int>(i % rows.width()) + points;
-    const int y = static_cast<int>(i / rows.width()) + rows.first() + points;
+    const int x = static_cast<int>(i % width) + points;
+    const int y = static_cast<int>(i / width) + points;
     for (const int dx : {-near, near})
       for (const int dy : {-near, near})
         is_used[static_cast<std::size_t>(
             tiles.number((x + dx) / points - 1, (y + dy) / points - 1))] = 1;
   }
-  const std::vector<std::uint8_t> of_all =
-      values_of_ranks<std::uint8_t>(rows.ranks(), is_used);
-  for (std::size_t at = 0; at < of_all.size(); ++at)
-    is_used[at % n] |= of_all[at];
   for (std::size_t tile = 0; tile < n; ++tile)
     if (is_used[tile] != 0)
       tiles.numbers.push_back(static_cast<int>(tile));
@@ -57,64 +51,39 @@ std::optional<Tiles> few_tiles(const SharedRows& rows,
 }
 
 /// Calls do_row(first node on the grid, first node on the tiles) for each row
-/// of a tile between two rows of the grid.
+/// of a tile.
 template <class DoRow>
-void each_row(const Tiles& tiles, int first, int end, const DoRow& do_row) {
+void each_row(const Tiles& tiles, const DoRow& do_row) {
+  const std::size_t width = static_cast<std::size_t>(tiles.per_row) * tile_side;
   for (std::size_t slot = 0; slot < tiles.numbers.size(); ++slot) {
-    const int tx = tiles.numbers[slot] % tiles.per_row * tile_points;
-    const int ty = tiles.numbers[slot] / tiles.per_row * tile_points;
-    for (int y = std::max(first, ty); y < std::min(end, ty + tile_points); ++y)
-      do_row(static_cast<std::size_t>(y - first) * tiles.per_row * tile_side +
-                 static_cast<std::size_t>(tx),
-             (slot * tile_side + static_cast<std::size_t>(y - ty)) * tile_side);
+    const auto tx =
+        static_cast<std::size_t>(tiles.numbers[slot] % tiles.per_row);
+    const auto ty =
+        static_cast<std::size_t>(tiles.numbers[slot] / tiles.per_row);
+    for (std::size_t y = 0; y < tile_side; ++y)
+      do_row((ty * tile_side + y) * width + tx * tile_side,
+             (slot * tile_side + y) * tile_side);
   }
 }
 
-/// A field on the tiles.
-class TileFields {
-public:
-  TileFields(SharedRows rows, Tiles tiles)
-      : rows_(std::move(rows)), tiles_(std::move(tiles)) {}
+std::vector<double> packed(const Tiles& tiles, std::span<const double> field) {
+  std::vector<double> values(tiles.numbers.size() * tile_nodes);
+  each_row(tiles, [&](std::size_t from, std::size_t to) {
+    std::copy_n(&field[from], tile_side, &values[to]);
+  });
+  return values;
+}
 
-  std::size_t size() const { return tiles_.numbers.size() * tile_nodes; }
-
-  /// On every rank. Collective.
-  std::vector<double> packed(std::span<const double> field) const {
-    std::vector<double> own;
-    own.reserve(size());
-    each_row(tiles_, rows_.first(), rows_.first() + rows_.count(),
-             [&](std::size_t from, std::size_t) {
-               const auto row = field.subspan(from, tile_side);
-               own.insert(own.end(), row.begin(), row.end());
-             });
-    const std::vector<double> all = values_of_ranks<double>(rows_.ranks(), own);
-    std::vector<double> packed(size());
-    const std::vector<int>& bounds = rows_.bounds();
-    std::size_t at = 0;
-    for (std::size_t r = 0; r + 1 < bounds.size(); ++r)
-      each_row(tiles_, bounds[r], bounds[r + 1],
-               [&](std::size_t, std::size_t to) {
-                 std::copy_n(&all[at], tile_side, &packed[to]);
-                 at += tile_side;
-               });
-    return packed;
-  }
-
-  void unpack(std::span<const double> packed, std::span<double> field) const {
-    each_row(tiles_, rows_.first(), rows_.first() + rows_.count(),
-             [&](std::size_t to, std::size_t from) {
-               std::copy_n(&packed[from], tile_side, &field[to]);
-             });
-  }
-
-private:
-  SharedRows rows_;
-  Tiles tiles_;
-};
+void unpack(const Tiles& tiles, std::span<const double> values,
+            std::span<double> field) {
+  each_row(tiles, [&](std::size_t to, std::size_t from) {
+    std::copy_n(&values[from], tile_side, &field[to]);
+  });
+}
 
 /// The problem between the nodes of some tiles.
 struct TileProblem {
-  TileFields fields;
+  Tiles tiles;
   std::unique_ptr<SurfaceOperator> elasticity;
   ContactProblem problem;
   mechanics::LoadTarget target;
@@ -143,17 +112,17 @@ tile_problem(const SurfaceOperator& elasticity, const ContactProblem& problem,
   if (!has_tiles(elasticity.grid()) || problem.has_hardness() ||
       target.control != mechanics::Control::nominal_pressure)
     return std::nullopt;
-  const SharedRows rows = elasticity.rows();
-  const std::optional<Tiles> tiles = few_tiles(rows, is_active);
+  if (elasticity.shared_rows() != nullptr)
+    return std::nullopt;
+  const std::optional<Tiles> tiles = few_tiles(elasticity.grid(), is_active);
   std::unique_ptr<SurfaceOperator> on_tiles =
       tiles ? elasticity.on_tiles(*tiles) : nullptr;
   if (!on_tiles)
     return std::nullopt;
-  const TileFields fields(rows, *tiles);
-  const double nominal_pressure = target.amount *
-                                  static_cast<double>(rows.grid().size()) /
-                                  static_cast<double>(fields.size());
-  return TileProblem{fields,  std::move(on_tiles),
+  const double nominal_pressure =
+      target.amount * static_cast<double>(elasticity.grid().size()) /
+      static_cast<double>(on_tiles->grid().size());
+  return TileProblem{*tiles,  std::move(on_tiles),
                      problem, {target.control, nominal_pressure},
                      {},      {}};
 }
@@ -168,11 +137,11 @@ bool press_tiles(ContactState& state) {
                    [&](std::size_t i) { return state.freedom[i] != fixed; });
   if (!on_tiles)
     return false;
-  on_tiles->pressure = on_tiles->fields.packed(state.pressure);
+  on_tiles->pressure = packed(on_tiles->tiles, state.pressure);
   std::vector<double>& heights = on_tiles->heights;
-  heights.resize(on_tiles->fields.size());
+  heights.resize(on_tiles->pressure.size());
   on_tiles->elasticity->displacement(on_tiles->pressure, heights);
-  const std::vector<double> raw_gap = on_tiles->fields.packed(state.raw_gap);
+  const std::vector<double> raw_gap = packed(on_tiles->tiles, state.raw_gap);
   for (std::size_t i = 0; i < heights.size(); ++i)
     heights[i] -= raw_gap[i];
   const ContactSolution solution =
@@ -180,7 +149,7 @@ bool press_tiles(ContactState& state) {
   state.iterations += solution.iterations;
   if (!solution.converged)
     return false;
-  on_tiles->fields.unpack(on_tiles->pressure, state.pressure);
+  unpack(on_tiles->tiles, on_tiles->pressure, state.pressure);
   state.set_pressure(std::move(state.pressure));
   return true;
 }
@@ -196,14 +165,14 @@ bool start_on_tiles(const SurfaceOperator& elasticity,
                    [&](std::size_t i) { return start[i] > 0.0; });
   if (!on_tiles)
     return false;
-  on_tiles->heights = on_tiles->fields.packed(problem.heights);
-  on_tiles->pressure = on_tiles->fields.packed(start);
+  on_tiles->heights = packed(on_tiles->tiles, problem.heights);
+  on_tiles->pressure = packed(on_tiles->tiles, start);
   press_to_load(*on_tiles->elasticity, on_tiles->target, problem.hardness,
                 on_tiles->pressure);
   if (!on_tiles->solve(gap_tolerance).converged)
     return false;
   std::ranges::fill(start, 0.0);
-  on_tiles->fields.unpack(on_tiles->pressure, start);
+  unpack(on_tiles->tiles, on_tiles->pressure, start);
   return true;
 }
 

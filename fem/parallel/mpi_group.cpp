@@ -2,9 +2,12 @@
 
 #include "base/array_memory.hpp"
 #include "fem/parallel/ranks.hpp"
+#include "fem/parallel/slab_fftw.hpp"
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace asperity::fem {
@@ -42,6 +45,16 @@ public:
   void gather_to_all(std::span<const std::byte> own,
                      std::span<const std::size_t> counts,
                      std::span<std::byte> all) override {
+    constexpr std::size_t most = std::numeric_limits<int>::max();
+    if (all.size() > most) {
+      for (std::size_t r = 0, at = 0; r < counts.size(); at += counts[r++]) {
+        const std::span<std::byte> part = all.subspan(at, counts[r]);
+        if (static_cast<int>(r) == rank_)
+          std::ranges::copy(own, part.begin());
+        broadcast(part, static_cast<int>(r));
+      }
+      return;
+    }
     const MessageParts parts(counts);
     MPI_Allgatherv(own.data(), mpi_count(own.size(), "bytes of a message"),
                    MPI_BYTE, all.data(), parts.counts.data(),
@@ -70,12 +83,18 @@ public:
                  is_forwards ? before : after, tag, ranks_, MPI_STATUS_IGNORE);
   }
 
-  void from_rank_0(std::span<std::byte> bytes) override {
-    broadcast_from_rank_0(bytes);
+  void make_transforms(const Grid& grid, int rows,
+                       std::shared_ptr<SlabTransforms<float>>& made) override {
+    made = slab_transforms<float>(grid, rows, ranks_);
   }
 
-  void together(const std::function<void()>& share) override {
-    do_share(share);
+  void make_transforms(const Grid& grid, int rows,
+                       std::shared_ptr<SlabTransforms<double>>& made) override {
+    made = slab_transforms<double>(grid, rows, ranks_);
+  }
+
+  void from_rank_0(std::span<std::byte> bytes) override {
+    broadcast_from_rank_0(bytes);
   }
 
 private:

@@ -99,10 +99,10 @@ public:
     HYPRE_BoomerAMGCreate(&multigrid_);
     HYPRE_BoomerAMGSetMaxIter(multigrid_, 1);
     HYPRE_BoomerAMGSetTol(multigrid_, 0.0);
-    HYPRE_BoomerAMGSetCoarsenType(multigrid_, 3);  // Ruge-Stueben
-    HYPRE_BoomerAMGSetInterpType(multigrid_, 0);   // classical
-    HYPRE_BoomerAMGSetPMaxElmts(multigrid_, 4);    // of a row
-    HYPRE_BoomerAMGSetRelaxType(multigrid_, 8);    // symmetric Gauss-Seidel
+    HYPRE_BoomerAMGSetCoarsenType(multigrid_, 3); // Ruge-Stueben
+    HYPRE_BoomerAMGSetInterpType(multigrid_, 0);  // classical
+    HYPRE_BoomerAMGSetPMaxElmts(multigrid_, 4);   // of a row
+    HYPRE_BoomerAMGSetRelaxType(multigrid_, 8);   // symmetric Gauss-Seidel
     HYPRE_BoomerAMGSetStrongThreshold(multigrid_, 0.25); // for two dimensions
     HYPRE_ParCSRPCGCreate(MPI_COMM_SELF, &gradients_);
     HYPRE_PCGSetMaxIter(gradients_, 200);

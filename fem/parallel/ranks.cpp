@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -152,14 +153,21 @@ void do_share(const std::function<void()>& share) {
   end_all_ranks(failure);
 }
 
+void broadcast(std::span<std::byte> bytes, int from) {
+  constexpr std::size_t most = std::size_t{1} << 30;
+  for (std::size_t at = 0; at < bytes.size(); at += most)
+    MPI_Bcast(bytes.data() + at,
+              static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE,
+              from, MPI_COMM_WORLD);
+}
+
 void broadcast_from_rank_0(std::span<std::byte> bytes) {
-  const int size = mpi_count(bytes.size(), "bytes of a message");
   agreement();
   char is_here = 0;
   MPI_Request request = MPI_REQUEST_NULL;
   MPI_Ibcast(&is_here, 1, MPI_CHAR, leader, MPI_COMM_WORLD, &request);
   is_done_by(request, Clock::time_point::max());
-  MPI_Bcast(bytes.data(), size, MPI_BYTE, leader, MPI_COMM_WORLD);
+  broadcast(bytes, leader);
 }
 
 void do_on_all_ranks(const std::string& text,

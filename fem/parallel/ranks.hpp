@@ -49,4 +49,7 @@ void do_share(const std::function<void()>& share);
 ///                            what is counted and the count
 int mpi_count(std::size_t count, const char* what);
 
+/// MPI_Bcast of any number of bytes.
+void broadcast(std::span<std::byte> bytes, int from);
+
 } // namespace asperity::fem

@@ -78,14 +78,6 @@ void Q2Convolution<Real>::apply(std::span<const Block> blocks,
 }
 
 template <class Real>
-void Q2Convolution<Real>::free_scratch() {
-  transforms_.free_scratch();
-  values_ = std::vector<Real>();
-  for (std::vector<Complex>& spectrum : spectra_)
-    spectrum = std::vector<Complex>();
-}
-
-template <class Real>
 void Q2Convolution<Real>::take_class(std::size_t node_class,
                                      std::span<const Real> field) {
   const std::size_t width = cells_.width();

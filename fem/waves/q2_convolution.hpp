@@ -20,15 +20,14 @@ namespace asperity::fem {
 ///
 /// where x are the actual places of the nodes of class k, u_k is that of
 /// (Q2.1). Each class has one value per cell and is transformed on the grid of
-/// the cells, so that the answer has the same bits on any number of threads and
-/// ranks.
+/// the cells.
 template <class Real>
 class Q2Convolution {
 public:
   using Block = std::array<Real, node_classes * node_classes>;
 
   /// @param nodes  rows of nodes; their bounds but the last are multiples of 4
-  /// @param cells  rows of cells, of half the bounds, of a group of ranks
+  /// @param cells  rows of cells, of half the bounds
   /// Both must outlive this object.
   Q2Convolution(const SharedRows& nodes, const SharedRows& cells, int threads);
 
@@ -41,9 +40,6 @@ public:
   /// @param answer  likewise, overwritten; may be `field`
   void apply(std::span<const Block> blocks, std::span<const Real> field,
              std::span<Real> answer);
-
-  /// Frees the scratch memory, which the next apply() allocates again.
-  void free_scratch();
 
 private:
   using Complex = std::complex<Real>;

@@ -4,7 +4,6 @@
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/waves/cell_stiffness.hpp"
-#include "ranks/one_rank.hpp"
 #include "ranks/rank_sums.hpp"
 
 #include <Eigen/Cholesky>
@@ -103,7 +102,6 @@ struct Q2Operator::Shared {
 
   void find_blocks();
   void find_long_waves();
-  void take_long_waves(int jx, std::span<double> of_jy) const;
   std::vector<double> all_long_waves() const;
 };
 
@@ -144,45 +142,15 @@ void Q2Operator::Shared::find_long_waves() {
   shortest = rank_max(nodes.ranks(), last);
 }
 
-/// C of the operator on the vertices: that of a column of this rank, or
-/// computed.
-void Q2Operator::Shared::take_long_waves(int jx,
-                                         std::span<double> of_jy) const {
-  const auto k = static_cast<std::size_t>(jx);
-  std::vector<NodeClassBlock> computed;
-  const NodeClassBlock* from = nullptr;
-  if (k >= first_column && k < first_column + blocks.size() / height()) {
-    from = &blocks[(k - first_column) * height()];
-  } else {
-    computed.resize(of_jy.size());
-    column(jx, computed);
-    from = computed.data();
-  }
-  for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
-    of_jy[jy] = long_wave(from[jy], class_weights);
-}
-
-/// The same for the half spectrum of the cells.
+/// C of the operator on the vertices, for the half spectrum of the cells.
 std::vector<double> Q2Operator::Shared::all_long_waves() const {
-  const Grid& grid = cells.grid();
   const auto width = static_cast<std::size_t>(columns());
-  const auto rows = static_cast<std::size_t>(grid.points_y);
-  std::vector<double> own;
-  for (const NodeClassBlock& block : blocks)
-    own.push_back(long_wave(block, class_weights));
-  std::vector<std::size_t> bytes;
-  for (const double n :
-       of_ranks(cells.ranks(), static_cast<double>(own.size())))
-    bytes.push_back(static_cast<std::size_t>(n) * sizeof(double));
-  std::vector<double> columns_of_all(width * height());
-  group_of(cells).gather_to_all(
-      std::as_bytes(std::span(own)), bytes,
-      std::as_writable_bytes(std::span(columns_of_all)));
+  const auto rows = static_cast<std::size_t>(cells.grid().points_y);
   std::vector<double> symbol(width * rows);
   for (std::size_t jy = 0; jy < rows; ++jy)
     for (std::size_t jx = 0; jx < width; ++jx)
-      symbol[jy * width + jx] =
-          columns_of_all[jx * height() + std::min(jy, rows - jy)];
+      symbol[jy * width + jx] = long_wave(
+          blocks[jx * height() + std::min(jy, rows - jy)], class_weights);
   return symbol;
 }
 
@@ -209,7 +177,7 @@ Q2Operator::Q2Operator(const Q2Compliance& compliance, int threads)
             Shared{SharedRows(grid), SharedRows(grid_of_cells(grid)), threads,
                    column_of(compliance)});
         shared->find_blocks();
-        shared->column = nullptr; // all columns are stored
+        shared->column = nullptr; // refers to the argument
         return std::shared_ptr<const Shared>(std::move(shared));
       }()) {}
 
@@ -249,10 +217,7 @@ std::span<const double> Q2Operator::nodal_weights() const {
 
 void Q2Operator::displacement(std::span<const double> pressure,
                               std::span<double> displacement) {
-  // As in contact::FourierOperator, ranks keep no memory for it.
-  convolution_.free_scratch();
   exact_.apply(shared_->blocks, pressure, displacement);
-  exact_.free_scratch();
 }
 
 void Q2Operator::displacement_change(std::span<const float> pressure_change,
@@ -289,18 +254,10 @@ double Q2Operator::short_wave_compliance() const {
 
 std::unique_ptr<contact::SurfaceOperator> Q2Operator::coarsened() const {
   const Grid& coarse = shared_->cells.grid();
-  if (coarse.points_x < 32 || coarse.points_y < 32)
+  if (coarse.points_x < 32 || coarse.points_y < 32 || shared_rows() != nullptr)
     return nullptr;
-  const SharedRows& cells = shared_->cells;
-  if (cells.ranks() == nullptr || !holds_whole_groups(coarse, cells.bounds()))
-    return std::make_unique<contact::FourierOperator>(
-        coarse, shared_->all_long_waves(), threads());
   return std::make_unique<contact::FourierOperator>(
-      cells,
-      [shared = shared_](int jx, std::span<double> of_jy) {
-        shared->take_long_waves(jx, of_jy);
-      },
-      threads());
+      coarse, shared_->all_long_waves(), threads());
 }
 
 } // namespace asperity::fem

@@ -12,9 +12,8 @@
 namespace asperity::fem {
 
 /// Computes displacement = C pressure on all nodes of a Q2 surface by
-/// Q2Convolution, with bitwise the same numbers on any number of threads and
-/// ranks. If ranks share its rows, each holds its rows of the fields and the
-/// blocks of its columns of cell wavevectors, and all calls but grid(),
+/// Q2Convolution. If ranks share its rows, each holds its rows of the fields
+/// and the blocks of its columns of cell wavevectors, and all calls but grid(),
 /// shared_rows(), nodal_weights(), short_wave_compliance() and threads() are
 /// collective, also the construction.
 class Q2Operator final : public contact::SurfaceOperator {
@@ -28,7 +27,6 @@ public:
   ///                 and its clones
   /// @param blocks   of the grid of all nodes (condensed_column_q2)
   /// @param threads  used by each rank, >= 1
-  /// @throws std::domain_error  the grid has more ranks than most_ranks()
   Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
              int threads = 1);
 
@@ -51,9 +49,8 @@ public:
   int threads() const override;
 
   /// The operator on the vertices of the cells only, accurate for waves longer
-  /// than a cell; null below 64 points per side or if the cells cannot be
-  /// halved. It is shared if the ranks then hold whole groups of chunks
-  /// (ranks/workers.hpp); otherwise each rank has the operator of all rows.
+  /// than a cell; null below 64 points per side, if the cells cannot be halved,
+  /// or if ranks share the rows.
   std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
 
 private:

@@ -2,7 +2,6 @@
 
 #include "base/require.hpp"
 #include "ranks/chunked_sum.hpp"
-#include "ranks/rank_sums.hpp"
 #include "results/types/map_size.hpp"
 
 #include <fmt/format.h>
@@ -11,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace asperity::results {
@@ -51,22 +49,19 @@ long twist(int in_contact) {
   return (in_contact == 1) - (in_contact == 3);
 }
 
-/// The nodes of this process, and the row above them.
+/// The nodes in contact of a map.
 class Contact {
 public:
   Contact(const Grid& grid, std::span<const double> pressure, Border border,
-          const Workers& workers)
+          int threads)
       : grid_(grid),
         width_(static_cast<std::size_t>(grid.points_x)),
         pressure_(pressure),
         border_(border),
-        workers_(workers) {
-    require_size("pressure", pressure.size(),
-                 workers.rows != nullptr ? workers.rows->size() : grid.size());
-    pressure_above_ = row_above(pressure);
+        threads_(threads) {
+    require_size("pressure", pressure.size(), grid.size());
   }
 
-  /// Number of nodes on all ranks.
   double n_nodes() const { return static_cast<double>(grid_.size()); }
 
   /// The sums without t.
@@ -74,17 +69,15 @@ public:
     return summed([](std::size_t, std::size_t, double, ContactSums&) {});
   }
 
-  /// All sums. Collective.
-  /// @throws std::domain_error  on all ranks, if t of a pair is not defined
+  /// All sums.
+  /// @throws std::domain_error  t of a pair is not defined
   ContactSums measured(std::span<const double> gap,
                        double contact_modulus) const {
     require_positive("contact_modulus", contact_modulus, "Pa");
-    const std::vector<double> gap_above = row_above(gap);
     const auto share = [&](std::size_t inside, std::size_t outside,
                            double spacing, ContactSums& sums) {
-      const double p = value(pressure_, pressure_above_, inside);
-      const double g = value(gap, gap_above, outside);
-      // A failure is passed on with the sums, so that all ranks learn of it.
+      const double p = pressure_[inside];
+      const double g = gap[outside];
       if (std::isfinite(p) && std::isfinite(g))
         sums.excess += boundary_share(p, g, spacing, contact_modulus) - 0.5;
       else if (!sums.is_refused)
@@ -99,12 +92,11 @@ public:
 
 private:
   /// Calls add_share(node inside, node outside, spacing, sums) for each pair of
-  /// neighbours of which one is in contact. The nodes of the row above those of
-  /// this process follow its own.
+  /// neighbours of which one is in contact.
   template <class AddShare>
   ContactSums summed(const AddShare& add_share) const {
     ContactSums all = chunked_sum<ContactSums>(
-        pressure_.size(), workers_, [&](std::size_t begin, std::size_t end) {
+        pressure_.size(), threads_, [&](std::size_t begin, std::size_t end) {
           ContactSums sums;
           for (std::size_t i = begin; i < end;) {
             const std::size_t row = i / width_ * width_;
@@ -125,11 +117,11 @@ private:
   void add_row(std::size_t row, std::size_t first, std::size_t last,
                const AddShare& add_share, ContactSums& sums) const {
     const bool is_free = border_ == Border::free;
-    const bool has_above =
-        !is_free || row + width_ < pressure_.size() || !ends_at_border();
+    const bool is_last = row + width_ == pressure_.size();
+    const bool has_above = !is_free || !is_last;
+    const std::size_t row_above = is_last ? 0 : row + width_;
     const double* const own = pressure_.data() + row;
-    const double* const above =
-        row + width_ < pressure_.size() ? own + width_ : pressure_above_.data();
+    const double* const above = pressure_.data() + row_above;
     const auto add_pair = [&](std::size_t node, std::size_t other,
                               bool is_inside, double spacing) {
       ++sums.pairs;
@@ -149,60 +141,30 @@ private:
       if (has_right && here != beside)
         add_pair(row + ix, row + right, here, grid_.spacing_x());
       if (has_above && here != up)
-        add_pair(row + ix, row + ix + width_, here, grid_.spacing_y());
+        add_pair(row + ix, row_above + ix, here, grid_.spacing_y());
     }
-  }
-
-  /// Whether the last row of this process is that of the grid.
-  bool ends_at_border() const {
-    const SharedRows* const rows = workers_.rows;
-    return rows == nullptr || rows->first() + rows->count() == grid_.points_y;
   }
 
   /// n_1 - n_3 of the squares before the first nodes of the rows and columns,
-  /// whose other nodes lie beyond a free border. Collective.
+  /// whose other nodes lie beyond a free border.
   long free_twists() const {
-    const int rows = static_cast<int>(pressure_.size() / width_);
     const auto holds = [&](int ix, int iy) {
-      return ix >= 0 && ix < grid_.points_x &&
+      return ix >= 0 && ix < grid_.points_x && iy < grid_.points_y &&
              under_pressure(pressure_[grid_.index(ix, iy)]);
     };
     long twists = 0;
-    if (workers_.rows == nullptr || workers_.rows->first() == 0)
-      for (int ix = -1; ix < grid_.points_x; ++ix)
-        twists += twist(holds(ix, 0) + holds(ix + 1, 0));
-    for (int iy = 0; iy < rows; ++iy) {
-      const bool above =
-          iy + 1 < rows
-              ? holds(0, iy + 1)
-              : !ends_at_border() && under_pressure(pressure_above_.front());
-      twists += twist(holds(0, iy) + above);
-    }
-    RankGroup* const ranks =
-        workers_.rows != nullptr ? workers_.rows->ranks() : nullptr;
-    const std::vector<long> all =
-        values_of_ranks<long>(ranks, std::span<const long>(&twists, 1));
-    return std::accumulate(all.begin(), all.end(), 0L);
-  }
-
-  std::vector<double> row_above(std::span<const double> own) const {
-    if (workers_.rows != nullptr)
-      return workers_.rows->row_after(own);
-    const std::span<const double> first = own.first(width_);
-    return {first.begin(), first.end()};
-  }
-
-  static double value(std::span<const double> own,
-                      std::span<const double> above, std::size_t node) {
-    return node < own.size() ? own[node] : above[node - own.size()];
+    for (int ix = -1; ix < grid_.points_x; ++ix)
+      twists += twist(holds(ix, 0) + holds(ix + 1, 0));
+    for (int iy = 0; iy < grid_.points_y; ++iy)
+      twists += twist(holds(0, iy) + holds(0, iy + 1));
+    return twists;
   }
 
   const Grid& grid_;
   std::size_t width_;
   std::span<const double> pressure_;
   Border border_;
-  Workers workers_;
-  std::vector<double> pressure_above_;
+  int threads_;
 };
 
 /// Returns A_l/A_0 of (A.3), which may be slightly outside 0..1.
@@ -264,10 +226,9 @@ AreaCoefficients q1_area_coefficients(double surface_cell_depth) {
 Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
-                                 const AreaOperator& elasticity,
-                                 const Workers& workers) {
+                                 const AreaOperator& elasticity, int threads) {
   const auto& [contact_modulus, coefficients, border] = elasticity;
-  const Contact contact(grid, pressure, border, workers);
+  const Contact contact(grid, pressure, border, threads);
   require_size("gap", gap.size(), pressure.size());
   const ContactSums sums = contact.measured(gap, contact_modulus);
   const double n = contact.n_nodes();

@@ -134,8 +134,7 @@ constexpr double least_corrected_share = 0.25;
 /// The coarsest grids of the calibration, with two nodes in the shortest
 /// wavelength, have a ratio of 0.45 (docs/numerics/area-measurements.md).
 ///
-/// @param gap      [m], used at open nodes
-/// @param workers  as explained in observables.hpp
+/// @param gap  [m], used at open nodes
 /// @return     [1] 0..1, not below that fraction of the counted area; NaN with
 ///             the reason if it is not determined
 /// @par Accuracy  docs/numerics/area.md: within 1 % of the limit with eight
@@ -144,6 +143,6 @@ Observed corrected_area_fraction(const Grid& grid,
                                  std::span<const double> pressure,
                                  std::span<const double> gap,
                                  const AreaOperator& elasticity,
-                                 const Workers& workers = 1);
+                                 int threads = 1);
 
 } // namespace asperity::results

@@ -5,7 +5,6 @@
 
 #include "base/grid.hpp"
 #include "mechanics/contact_nodes.hpp"
-#include "ranks/workers.hpp"
 
 #include <limits>
 #include <span>
@@ -34,15 +33,12 @@ using mechanics::ContactNodes;
 /// contact::SurfaceOperator::nodal_weights); empty if all are equal.
 ///
 /// Sums are those of ranks/chunked_sum.hpp: bitwise the same on any number of
-/// threads and ranks. If ranks share the rows, the maps have the nodes of this
-/// process only, the call is collective, the border is periodic, and a number
-/// that cannot be computed on one rank fails on all.
+/// threads.
 
 /// Returns <f> = sum_i weight_i f_i / n, in the unit of the field.
 /// @throws std::domain_error  the sizes differ or the field is empty
 double weighted_mean(std::span<const double> field,
-                     std::span<const double> weights = {},
-                     const Workers& workers = 1);
+                     std::span<const double> weights = {}, int threads = 1);
 
 /// Returns A/A_0, the fraction of the nominal area that belongs to nodes in
 /// contact.
@@ -52,7 +48,7 @@ double weighted_mean(std::span<const double> field,
 ///                  results/observables/area_estimate.hpp for the correction
 double counted_area_fraction(const ContactNodes& nodes,
                              std::span<const double> weights = {},
-                             const Workers& workers = 1);
+                             int threads = 1);
 
 /// Returns the perimeter of the contact per nominal area on the grid:
 ///
@@ -72,8 +68,7 @@ double counted_area_fraction(const ContactNodes& nodes,
 /// @see  V. A. Yastrebov, G. Anciaux, J.-F. Molinari, Tribol. Int. 114, 161
 ///       (2017)
 double contact_perimeter(const Grid& grid, const ContactNodes& nodes,
-                         Border border = Border::periodic,
-                         const Workers& workers = 1);
+                         Border border = Border::periodic, int threads = 1);
 
 /// The place (x, y) of the resultant force of a pressure.
 struct PressureCentre {
@@ -90,7 +85,7 @@ struct PressureCentre {
 PressureCentre pressure_centre(const Grid& grid,
                                std::span<const double> pressure,
                                std::span<const double> weights = {},
-                               const Workers& workers = 1);
+                               int threads = 1);
 
 /// Returns U/A_0 = <p w>/2, the elastic energy of the block due to the contact
 /// pressure.
@@ -102,8 +97,7 @@ PressureCentre pressure_centre(const Grid& grid,
 /// @throws std::domain_error  the sizes differ or the maps are empty
 double elastic_energy(std::span<const double> pressure,
                       std::span<const double> displacement,
-                      std::span<const double> weights = {},
-                      const Workers& workers = 1);
+                      std::span<const double> weights = {}, int threads = 1);
 
 /// Returns <p^2> local_compliance / 2, the energy of the penalty springs.
 /// @param local_compliance  1/k [m/Pa] >= 0, 0 for hard (unilateral) contact
@@ -111,7 +105,6 @@ double elastic_energy(std::span<const double> pressure,
 /// @throws std::domain_error  the sizes differ, the map is empty, or
 ///                            local_compliance is negative
 double contact_energy(std::span<const double> pressure, double local_compliance,
-                      std::span<const double> weights = {},
-                      const Workers& workers = 1);
+                      std::span<const double> weights = {}, int threads = 1);
 
 } // namespace asperity::results

@@ -43,7 +43,7 @@ constexpr int search_bits = 26; // half of the bits, the attainable accuracy of
 struct ReducedMap {
   MapView pressure;
   std::span<const double> weights;
-  Workers workers;
+  int threads;
   double mean = 0.0;               ///< p [Pa]
   double mean_square_excess = 0.0; ///< <sigma^2>/p^2 - 1 of sigma > 0
   long nodes_in_contact = 0;
@@ -52,8 +52,7 @@ struct ReducedMap {
     return weights.empty() ? 1.0 : weights[node];
   }
 
-  /// Number of nodes on all ranks.
-  std::size_t size() const { return workers.all_nodes(pressure.size()); }
+  std::size_t size() const { return pressure.size(); }
 };
 
 struct SpreadSums {
@@ -69,17 +68,17 @@ struct SpreadSums {
 };
 
 double weighted_mean_of(const MapView& map, std::span<const double> weights,
-                        const Workers& workers) {
+                        int threads) {
   if (map.is_stored())
-    return mean_of(map, workers);
+    return mean_of(map, threads);
   std::vector<double> none;
-  return weighted_mean(map.values(0, map.size(), none), weights, workers);
+  return weighted_mean(map.values(0, map.size(), none), weights, threads);
 }
 
 ReducedMap reduced(const MapView& pressure, std::span<const double> weights,
-                   const Workers& workers) {
-  ReducedMap map{pressure, weights, workers};
-  map.mean = weighted_mean_of(pressure, weights, workers);
+                   int threads) {
+  ReducedMap map{pressure, weights, threads};
+  map.mean = weighted_mean_of(pressure, weights, threads);
   if (!std::isfinite(map.mean))
     refuse_argument("pressure", map.mean, "finite");
   // Computes <s^2>/p^2 - 1, where s is the positive part of the pressure,
@@ -87,7 +86,7 @@ ReducedMap reduced(const MapView& pressure, std::span<const double> weights,
   // because the square of a pressure may exceed the range of double.
   const auto all = with_weights(weights, [&](const auto weight) {
     return sum_over<SpreadSums>(
-        pressure, workers,
+        pressure, threads,
         [&](std::size_t first, std::span<const double> values) {
           SpreadSums sums;
           for (std::size_t i = 0; i < values.size(); ++i) {
@@ -151,7 +150,7 @@ Bins histogram(const ReducedMap& map, double variance) {
       std::ceil((1.0 + reach * spread - bins.start) / bins.width));
   assert(n <= most_bins);
   const auto sums = sum_over<SeveralSums<most_bins>>(
-      map.pressure, map.workers,
+      map.pressure, map.threads,
       [&](std::size_t first, std::span<const double> values) {
         SeveralSums<most_bins> chunk;
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -266,20 +265,19 @@ PressureFit fit_moment(const ReducedMap& map) {
 
 PressureFit fit_pressure_distribution(const MapView& pressure,
                                       std::span<const double> weights,
-                                      const Workers& workers) {
-  return fit_histogram(reduced(pressure, weights, workers));
+                                      int threads) {
+  return fit_histogram(reduced(pressure, weights, threads));
 }
 
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
                                    std::span<const double> weights,
-                                   const Workers& workers) {
-  return fit_moment(reduced(pressure, weights, workers));
+                                   int threads) {
+  return fit_moment(reduced(pressure, weights, threads));
 }
 
 PressureFits pressure_fits(std::span<const double> pressure,
-                           std::span<const double> weights,
-                           const Workers& workers) {
-  const ReducedMap map = reduced(pressure, weights, workers);
+                           std::span<const double> weights, int threads) {
+  const ReducedMap map = reduced(pressure, weights, threads);
   return {fit_histogram(map), fit_moment(map)};
 }
 

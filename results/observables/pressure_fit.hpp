@@ -5,7 +5,6 @@
 // needs no criterion for the onset of contact. It is therefore also defined for
 // atoms, whose pressure never vanishes exactly.
 
-#include "ranks/workers.hpp"
 #include "results/types/map_view.hpp"
 
 #include <limits>
@@ -63,7 +62,7 @@ struct PressureFit {
 ///                property of the model.
 PressureFit fit_pressure_distribution(const MapView& pressure,
                                       std::span<const double> weights = {},
-                                      const Workers& workers = 1);
+                                      int threads = 1);
 
 /// Computes G from the second moment. The mean square of the positive pressures
 /// over the nominal area is
@@ -75,7 +74,7 @@ PressureFit fit_pressure_distribution(const MapView& pressure,
 /// @throws std::domain_error  as fit_pressure_distribution
 PressureFit pressure_fit_by_moment(std::span<const double> pressure,
                                    std::span<const double> weights = {},
-                                   const Workers& workers = 1);
+                                   int threads = 1);
 
 /// Both fits, which share the moments of the map.
 struct PressureFits {
@@ -85,6 +84,6 @@ struct PressureFits {
 /// @throws std::domain_error  as fit_pressure_distribution
 PressureFits pressure_fits(std::span<const double> pressure,
                            std::span<const double> weights = {},
-                           const Workers& workers = 1);
+                           int threads = 1);
 
 } // namespace asperity::results

@@ -21,10 +21,4 @@ inline MapRows rows_of_map(const MapView& map) {
   return [map](const TakeValues& take) { each_piece(map, take); };
 }
 
-/// The maps of one load step.
-struct FieldRows {
-  MapRows pressure; ///< [Pa] >= 0 without adhesion
-  MapRows gap;      ///< [m]
-};
-
 } // namespace asperity::results

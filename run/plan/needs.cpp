@@ -19,10 +19,12 @@ constexpr double fem_memory = 110.0 * bytes_per_mebibyte;
 constexpr double full_block_memory = 51.0 * bytes_per_mebibyte; ///< further
 
 constexpr double arrays_per_job = 19.0; ///< of doubles, on the grid
-/// Likewise, of a rank on its nodes: 60 to 70 bytes of the solver and the
-/// states of two steps, once for the next step and once on their way to the
-/// cache; docs/numerics/shared-rows.md.
+/// Likewise, of a rank on its nodes: 70 to 80 bytes of the solver and the
+/// transforms, and the states of two steps; docs/numerics/shared-rows.md.
 constexpr double arrays_per_rank = 13.0;
+/// Of a rank on all nodes: heights, the gathered pressure, gap and displacement
+/// of a step, and the states on their way to the cache.
+constexpr double whole_arrays = 7.0;
 /// Further ones of a half-space with free boundaries: spectra of rows of twice
 /// the points, symbols, and fields of the wide grid.
 constexpr double more_arrays_of_free = 7.0;
@@ -170,15 +172,11 @@ MethodNeeds needs_of(const cases::Case& contact_case,
 
 double memory_of_rank(const cases::MethodSpec& method, const Grid& grid,
                       int ranks) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
   const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
   double arrays = arrays_per_rank;
-  if (half != nullptr && half->has_free_boundaries)
-    arrays += more_arrays_of_free;
   if (block != nullptr && block->block.element == Element::q2)
     arrays += more_arrays_of_q2;
-  return arrays * sizeof(double) * nodes(grid) / ranks;
+  return (whole_arrays + arrays / ranks) * sizeof(double) * nodes(grid);
 }
 
 double base_memory(bool uses_fem, bool has_full_block) {

@@ -89,14 +89,9 @@ double predicted_peak(const Plan& plan, const Grid& grid, double n_surfaces,
   return program + surfaces + std::max(beside, alone);
 }
 
-/// Number of whole surfaces that rank 0 holds, for the run or until it has sent
-/// their rows.
+/// Number of surfaces that are held in memory.
 double held_surfaces(const cases::Case& contact_case,
-                     const std::vector<MethodSpec>& methods,
                      const RunOptions& options) {
-  if (methods::has_surfaces_by_rows(contact_case, methods, options.ranks) &&
-      surfaces::reason_for_whole(contact_case.surface).empty())
-    return 0.0;
   return options.realizations.empty()
              ? contact_case.surface.realizations
              : static_cast<double>(options.realizations.size());
@@ -134,20 +129,6 @@ double memory_of_stresses(const cases::Case& contact_case, double nodes) {
   return (sizeof(double) * (2.0 + 6.0 * 2.0 + 1.0) + 16.0 * layers) * nodes;
 }
 
-/// The part of the memory of all ranks that those on this machine have, if the
-/// ranks share the rows of every block whose stress is computed.
-double part_of_ranks(const std::vector<MethodSpec>& methods, const Grid& grid,
-                     const RunOptions& options) {
-  const bool is_shared =
-      std::ranges::all_of(methods, [&](const MethodSpec& method) {
-        return !method.is_continuum() ||
-               methods::is_shared_by_ranks(method, grid, options.ranks);
-      });
-  return is_shared ? static_cast<double>(options.ranks_on_machine) /
-                         static_cast<double>(options.ranks)
-                   : 1.0;
-}
-
 /// Memory of a result that is read after the jobs, when the fields of the
 /// solvers are free [B]. Maps below results::large_map are read as a whole, in
 /// double precision: heights, and those of the saved steps of realisation 0.
@@ -159,10 +140,8 @@ double memory_of_result(const cases::Case& contact_case,
       (!options.has_report && !has_stresses))
     return 0.0;
   const auto nodes = static_cast<double>(grid.size());
-  const double stresses = has_stresses
-                              ? memory_of_stresses(contact_case, nodes) *
-                                    part_of_ranks(methods, grid, options)
-                              : 0.0;
+  const double stresses =
+      has_stresses ? memory_of_stresses(contact_case, nodes) : 0.0;
   if (grid.size() >= results::large_map)
     return std::max(stresses, memory_of_pieces(nodes));
   const auto n_methods = static_cast<double>(
@@ -238,8 +217,7 @@ Plan make_plan(const cases::Case& contact_case, const RunOptions& options) {
                         ? grid
                         : methods::grid_without_images(contact_case, grid);
   plan.memory = std::max(
-      predicted_peak(plan, grid, held_surfaces(contact_case, methods, options),
-                     program),
+      predicted_peak(plan, grid, held_surfaces(contact_case, options), program),
       program + memory_of_result(contact_case, methods, kept, options));
   plan.disk = result_bytes(contact_case, methods, kept);
   plan.skipped = skipped_by_case({contact_case, methods, grid});

@@ -101,7 +101,7 @@ public:
   void examine_spectrum() {
     try {
       if (surfaces::is_random(case_.surface.kind))
-        surfaces::reason_for_whole(case_.surface);
+        surfaces::require_resolved(case_.surface);
     } catch (const input::InputError& error) {
       const std::string what = error.what();
       if (!what.starts_with("surface."))

@@ -1,10 +1,6 @@
 #include "surfaces/maps/corrections.hpp"
 
 #include "base/require.hpp"
-#include "ranks/in_order.hpp"
-#include "ranks/rank_sums.hpp"
-#include "ranks/selection.hpp"
-#include "ranks/workers.hpp"
 
 #include <fmt/format.h>
 
@@ -13,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -62,37 +59,21 @@ PixelRange pixels_within(double begin, double length, double spacing,
   return {first, count};
 }
 
-/// The rows of this process, and the rows beside them that are inside the map.
-class RowsInMap {
-public:
-  RowsInMap(const SharedRows& rows, std::span<const double> heights)
-      : rows_(rows), heights_(heights), beside_(rows.rows_beside(heights)) {}
-
-  /// A row, numbered from the first of this process; empty outside the map.
-  std::span<const double> operator[](int row) const {
-    const int in_map = rows_.first() + row;
-    if (in_map < 0 || in_map >= rows_.grid().points_y)
-      return {};
-    if (row < 0)
-      return beside_.before;
-    if (row == rows_.count())
-      return beside_.after;
-    return heights_.subspan(static_cast<std::size_t>(row) * rows_.width(),
-                            rows_.width());
-  }
-
-private:
-  const SharedRows& rows_;
-  std::span<const double> heights_;
-  SharedRows::RowsBeside beside_;
-};
+/// A row; empty outside the map.
+std::span<const double> row_of(const HeightMap& map, int row) {
+  if (row < 0 || row >= map.grid.points_y)
+    return {};
+  return std::span(map.heights)
+      .subspan(map.grid.index(0, row),
+               static_cast<std::size_t>(map.grid.points_x));
+}
 
 /// The measured heights among the up to 8 neighbours.
-void take_neighbours(const RowsInMap& map, int row, std::size_t x,
+void take_neighbours(const HeightMap& map, int row, std::size_t x,
                      std::vector<double>& neighbours) {
   neighbours.clear();
   for (int y = row - 1; y <= row + 1; ++y) {
-    const std::span<const double> heights = map[y];
+    const std::span<const double> heights = row_of(map, y);
     const std::size_t end = std::min(x + 2, heights.size());
     for (std::size_t at = x - std::min<std::size_t>(x, 1); at < end; ++at)
       if ((at != x || y != row) && std::isfinite(heights[at]))
@@ -102,15 +83,14 @@ void take_neighbours(const RowsInMap& map, int row, std::size_t x,
 
 /// |h - m| of each point; 0 where there is nothing to compare, and NaN at
 /// missing points.
-std::vector<double> deviations_of(const SharedRows& rows,
-                                  std::span<const double> heights) {
-  const RowsInMap map(rows, heights);
+std::vector<double> deviations_of(const HeightMap& map) {
   std::vector<double> deviations;
-  deviations.reserve(heights.size());
+  deviations.reserve(map.heights.size());
   std::vector<double> neighbours;
-  for (int row = 0; row < rows.count(); ++row)
-    for (std::size_t x = 0; x < rows.width(); ++x) {
-      const double height = map[row][x];
+  const auto width = static_cast<std::size_t>(map.grid.points_x);
+  for (int row = 0; row < map.grid.points_y; ++row)
+    for (std::size_t x = 0; x < width; ++x) {
+      const double height = row_of(map, row)[x];
       take_neighbours(map, row, x, neighbours);
       if (std::isfinite(height) && neighbours.empty())
         deviations.push_back(0.0);
@@ -122,42 +102,27 @@ std::vector<double> deviations_of(const SharedRows& rows,
   return deviations;
 }
 
-/// The deviations of measured points, their sum and number.
-struct DeviationSum {
-  double sum = 0.0;
-  std::size_t count = 0;
-};
-
-/// Robust standard deviation of the measured points of all ranks.
-double robust_scale(const SharedRows& rows,
-                    const std::vector<double>& deviations) {
+/// Robust standard deviation of the measured points.
+double robust_scale(const std::vector<double>& deviations) {
   std::vector<double> measured;
   std::ranges::copy_if(deviations, std::back_inserter(measured),
                        [](double deviation) { return !std::isnan(deviation); });
   constexpr double gaussian = 1.4826; // of the median absolute deviation
-  const double median = asperity::median(rows.ranks(), measured);
-  if (median > 0.0)
-    return gaussian * median;
-  const DeviationSum all =
-      in_order(&rows, DeviationSum{}, [&](DeviationSum& state) {
-        for (const double deviation : measured)
-          state.sum += deviation;
-        state.count += measured.size();
-      });
-  return std::sqrt(std::numbers::pi / 2.0) * all.sum /
-         static_cast<double>(all.count);
+  const double sum = std::accumulate(measured.begin(), measured.end(), 0.0);
+  const auto count = static_cast<double>(measured.size());
+  const double median = median_of(measured);
+  return median > 0.0 ? gaussian * median
+                      : std::sqrt(std::numbers::pi / 2.0) * sum / count;
 }
 
-/// Median difference of each row of this process from the row before it; NaN if
-/// they have no point in common or if there is none.
-std::vector<double> steps_of_lines(const SharedRows& rows,
-                                   std::span<const double> heights) {
-  const RowsInMap map(rows, heights);
+/// Median difference of each row from the row before it; NaN if they have no
+/// point in common or if there is none.
+std::vector<double> steps_of_lines(const HeightMap& map) {
   std::vector<double> steps;
   std::vector<double> differences;
-  for (int row = 0; row < rows.count(); ++row) {
-    const std::span<const double> before = map[row - 1];
-    const std::span<const double> line = map[row];
+  for (int row = 0; row < map.grid.points_y; ++row) {
+    const std::span<const double> before = row_of(map, row - 1);
+    const std::span<const double> line = row_of(map, row);
     differences.clear();
     for (std::size_t x = 0; x < before.size(); ++x)
       if (std::isfinite(before[x]) && std::isfinite(line[x]))
@@ -189,60 +154,51 @@ void crop(HeightMap& map, const PixelWindow& pixels) {
   map = std::move(kept);
 }
 
-void align_lines(const SharedRows& rows, std::span<double> heights) {
-  const std::vector<double> steps =
-      values_of_ranks<double>(rows.ranks(), steps_of_lines(rows, heights));
+void align_lines(HeightMap& map) {
+  const auto width = static_cast<std::size_t>(map.grid.points_x);
   double offset = 0.0;
-  for (int row = 0; row < rows.first() + rows.count(); ++row) {
-    const double step = steps[static_cast<std::size_t>(row)];
+  std::size_t first = 0;
+  for (const double step : steps_of_lines(map)) {
     if (!std::isnan(step))
       offset += step;
-    if (row >= rows.first())
-      for (double& height : heights.subspan(
-               static_cast<std::size_t>(row - rows.first()) * rows.width(),
-               rows.width()))
-        height -= offset;
+    for (std::size_t i = first; i < first + width; ++i)
+      map.heights[i] -= offset;
+    first += width;
   }
 }
 
-std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
-                        double threshold) {
+std::size_t mark_spikes(HeightMap& map, double threshold) {
   if (!(threshold >= 3.0))
     refuse_argument("threshold", threshold, ">= 3");
-  const std::vector<double> deviations = deviations_of(rows, heights);
-  const double limit = threshold * robust_scale(rows, deviations);
+  const std::vector<double> deviations = deviations_of(map);
+  const double limit = threshold * robust_scale(deviations);
   std::size_t count = 0;
-  for (std::size_t i = 0; i < heights.size(); ++i)
+  for (std::size_t i = 0; i < map.heights.size(); ++i)
     if (deviations[i] > limit) {
-      heights[i] = std::numeric_limits<double>::quiet_NaN();
+      map.heights[i] = std::numeric_limits<double>::quiet_NaN();
       ++count;
     }
-  return total_count({1, rows}, count);
+  return count;
 }
 
-FoundSpikes find_spikes(const SharedRows& rows, std::span<const double> heights,
-                        double threshold, double least) {
-  const std::vector<double> deviations = deviations_of(rows, heights);
-  const double limit =
-      std::max(least, threshold * robust_scale(rows, deviations));
-  const RowsInMap map(rows, heights);
+FoundSpikes find_spikes(const HeightMap& map, double threshold, double least) {
+  const std::vector<double> deviations = deviations_of(map);
+  const double limit = std::max(least, threshold * robust_scale(deviations));
+  const auto width = static_cast<std::size_t>(map.grid.points_x);
   FoundSpikes found;
   std::vector<double> neighbours;
-  for (std::size_t i = 0; i < heights.size(); ++i) {
+  for (std::size_t i = 0; i < map.heights.size(); ++i) {
     if (!(deviations[i] > limit))
       continue;
-    take_neighbours(map, static_cast<int>(i / rows.width()), i % rows.width(),
-                    neighbours);
+    take_neighbours(map, static_cast<int>(i / width), i % width, neighbours);
     const auto near = std::ranges::count_if(neighbours, [&](double neighbour) {
-      return std::abs(neighbour - heights[i]) < 0.5 * deviations[i];
+      return std::abs(neighbour - map.heights[i]) < 0.5 * deviations[i];
     });
     if (near > 1)
       continue;
     ++found.count;
     found.highest = std::max(found.highest, deviations[i]);
   }
-  found.count = total_count({1, rows}, found.count);
-  found.highest = rank_max(rows.ranks(), found.highest);
   return found;
 }
 

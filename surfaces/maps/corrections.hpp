@@ -36,11 +36,8 @@ void crop(HeightMap& map, const PixelWindow& pixels);
 ///
 /// over the points that are measured in both rows; without any, o_j = o_(j-1).
 /// This also removes the tilt in y, and form that depends on y only.
-///
-/// Each rank finds the medians of its rows, and adds up those of all ranks; the
-/// bits are those of one process. Collective.
-/// @param heights  of the rows of this process [m], NaN at missing points
-void align_lines(const SharedRows& rows, std::span<double> heights);
+/// @param map  NaN at missing points
+void align_lines(HeightMap& map);
 
 /// Marks spikes as missing by NaN. A spike deviates from the median m of its
 /// measured neighbours (up to 8) by more than `threshold` robust standard
@@ -48,15 +45,12 @@ void align_lines(const SharedRows& rows, std::span<double> heights);
 ///
 ///     |h - m| > threshold s,   s = 1.4826 median |h - m| over all points
 ///
-/// or s = sqrt(pi/2) <|h - m|> if that median is 0. The median is selected
-/// from the deviations of all ranks; the bits are those of one process.
-/// Collective.
-/// @param heights    of the rows of this process [m], NaN at missing points
+/// or s = sqrt(pi/2) <|h - m|> if that median is 0.
+/// @param map        NaN at missing points
 /// @param threshold  [1] >= 3
-/// @return  number of spikes in all rows
+/// @return  number of spikes
 /// @throws std::domain_error  a smaller threshold
-std::size_t mark_spikes(const SharedRows& rows, std::span<double> heights,
-                        double threshold);
+std::size_t mark_spikes(HeightMap& map, double threshold);
 
 /// Points that no surface around them explains.
 struct FoundSpikes {
@@ -65,11 +59,9 @@ struct FoundSpikes {
 };
 
 /// Finds the spikes of mark_spikes() that are single points or pairs: at most
-/// one neighbour is nearer to h than to m. Scratches and steps are none. The
-/// bits are those of one process. Collective.
+/// one neighbour is nearer to h than to m. Scratches and steps are none.
 /// @param threshold  [1] > 0
 /// @param least      smallest |h - m| of a spike [m]
-FoundSpikes find_spikes(const SharedRows& rows, std::span<const double> heights,
-                        double threshold, double least);
+FoundSpikes find_spikes(const HeightMap& map, double threshold, double least);
 
 } // namespace asperity::surfaces

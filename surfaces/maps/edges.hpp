@@ -23,15 +23,6 @@ namespace asperity::surfaces {
 ///               at the seam, and four copies of every asperity
 HeightMap with_edges(HeightMap map, mechanics::Edges edges);
 
-/// The same for the rows of this process, with the bits of one process.
-/// Collective.
-/// @param map_rows  of the map
-/// @param heights   map_rows.size() values [m]
-/// @param rows      of the result, on grid_with_edges(), of the same ranks
-std::vector<double> with_edges(const SharedRows& map_rows,
-                               std::vector<double> heights,
-                               mechanics::Edges edges, const SharedRows& rows);
-
 /// The grid of the result.
 Grid grid_with_edges(const Grid& grid, mechanics::Edges edges);
 

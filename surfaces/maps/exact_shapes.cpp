@@ -38,22 +38,20 @@ std::vector<double> cosine_along(const char* length_name, double length,
 }
 
 template <class Height>
-std::vector<double> rows_of(const SharedRows& rows, Height height) {
-  const Grid& grid = rows.grid();
-  std::vector<double> heights(rows.size());
-  for (int iy = 0; iy < rows.count(); ++iy)
+HeightMap map_of(const Grid& grid, Height height) {
+  HeightMap map{grid, std::vector<double>(grid.size())};
+  for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
-      heights[grid.index(ix, iy)] = height(ix, rows.first() + iy);
-  remove_mean(rows, heights);
-  return heights;
+      map.heights[grid.index(ix, iy)] = height(ix, iy);
+  remove_mean(map);
+  return map;
 }
 
-/// Rows of a height that depends on the offset (x, y) from the centre node.
+/// A height that depends on the offset (x, y) from the centre node.
 template <class Height>
-std::vector<double> rows_about_centre(const SharedRows& rows, Height height) {
-  const Grid& grid = rows.grid();
+HeightMap about_centre(const Grid& grid, Height height) {
   const int centre_x = grid.points_x / 2, centre_y = grid.points_y / 2;
-  return rows_of(rows, [&](int ix, int iy) {
+  return map_of(grid, [&](int ix, int iy) {
     return height((ix - centre_x) * grid.spacing_x(),
                   (iy - centre_y) * grid.spacing_y());
   });
@@ -68,87 +66,57 @@ void require_end_inside(double radius, const Grid& grid) {
 } // namespace
 
 HeightMap paraboloid(const Grid& grid, double radius) {
-  return {grid, paraboloid_rows(SharedRows(grid), radius)};
-}
-
-std::vector<double> paraboloid_rows(const SharedRows& rows, double radius) {
   require_positive("radius", radius, "m");
-  return rows_about_centre(rows, [&](double x, double y) {
+  return about_centre(grid, [&](double x, double y) {
     return -(x * x + y * y) / (2.0 * radius);
   });
 }
 
 HeightMap flat_punch(const Grid& grid, double radius, double recess,
                      double tilt) {
-  return {grid, flat_punch_rows(SharedRows(grid), radius, recess, tilt)};
-}
-
-std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
-                                    double recess, double tilt) {
-  require_end_inside(radius, rows.grid());
+  require_end_inside(radius, grid);
   require_positive("recess", recess, "m");
   if (!(std::abs(tilt) * radius < recess))
     refuse_argument("tilt", tilt, "less than recess over radius [1]");
   const double rounding = 1e-12 * radius * radius;
-  return rows_about_centre(rows, [&](double x, double y) {
+  return about_centre(grid, [&](double x, double y) {
     return x * x + y * y <= radius * radius + rounding ? tilt * x : -recess;
   });
 }
 
 HeightMap cone(const Grid& grid, double slope) {
-  return {grid, cone_rows(SharedRows(grid), slope)};
-}
-
-std::vector<double> cone_rows(const SharedRows& rows, double slope) {
   require_positive("slope", slope, "1");
-  return rows_about_centre(
-      rows, [&](double x, double y) { return -slope * std::hypot(x, y); });
+  return about_centre(
+      grid, [&](double x, double y) { return -slope * std::hypot(x, y); });
 }
 
 HeightMap rounded_punch(const Grid& grid, double radius, double edge_radius) {
-  return {grid, rounded_punch_rows(SharedRows(grid), radius, edge_radius)};
-}
-
-std::vector<double> rounded_punch_rows(const SharedRows& rows, double radius,
-                                       double edge_radius) {
-  require_end_inside(radius, rows.grid());
+  require_end_inside(radius, grid);
   require_positive("edge_radius", edge_radius, "m");
-  return rows_about_centre(rows, [&](double x, double y) {
+  return about_centre(grid, [&](double x, double y) {
     const double beyond = std::max(std::hypot(x, y) - radius, 0.0);
     return -beyond * beyond / (2.0 * edge_radius);
   });
 }
 
 HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength) {
-  return {grid, wave_1d_rows(SharedRows(grid), amplitude, wavelength)};
-}
-
-std::vector<double> wave_1d_rows(const SharedRows& rows, double amplitude,
-                                 double wavelength) {
-  const Grid& grid = rows.grid();
   require_positive("amplitude", amplitude, "m");
   require_positive("wavelength", wavelength, "m");
   const std::vector<double> along_x =
       cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
-  return rows_of(rows, [&](int ix, int) {
+  return map_of(grid, [&](int ix, int) {
     return amplitude * along_x[static_cast<std::size_t>(ix)];
   });
 }
 
 HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength) {
-  return {grid, wave_2d_rows(SharedRows(grid), amplitude, wavelength)};
-}
-
-std::vector<double> wave_2d_rows(const SharedRows& rows, double amplitude,
-                                 double wavelength) {
-  const Grid& grid = rows.grid();
   require_positive("amplitude", amplitude, "m");
   require_positive("wavelength", wavelength, "m");
   const std::vector<double> along_x =
       cosine_along("length_x", grid.length_x, grid.points_x, wavelength);
   const std::vector<double> along_y =
       cosine_along("length_y", grid.length_y, grid.points_y, wavelength);
-  return rows_of(rows, [&](int ix, int iy) {
+  return map_of(grid, [&](int ix, int iy) {
     return amplitude * along_x[static_cast<std::size_t>(ix)] *
            along_y[static_cast<std::size_t>(iy)];
   });

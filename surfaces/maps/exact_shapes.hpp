@@ -55,17 +55,4 @@ HeightMap wave_1d(const Grid& grid, double amplitude, double wavelength);
 /// @throws std::domain_error  an argument is outside its range
 HeightMap wave_2d(const Grid& grid, double amplitude, double wavelength);
 
-/// The rows of this process of the same shapes, with the bits of one process.
-/// Collective.
-std::vector<double> paraboloid_rows(const SharedRows& rows, double radius);
-std::vector<double> flat_punch_rows(const SharedRows& rows, double radius,
-                                    double recess, double tilt);
-std::vector<double> cone_rows(const SharedRows& rows, double slope);
-std::vector<double> rounded_punch_rows(const SharedRows& rows, double radius,
-                                       double edge_radius);
-std::vector<double> wave_1d_rows(const SharedRows& rows, double amplitude,
-                                 double wavelength);
-std::vector<double> wave_2d_rows(const SharedRows& rows, double amplitude,
-                                 double wavelength);
-
 } // namespace asperity::surfaces

@@ -4,7 +4,6 @@
 // grid and values.
 
 #include "base/grid.hpp"
-#include "ranks/shared_rows.hpp"
 
 #include <functional>
 #include <span>
@@ -26,11 +25,6 @@ using HeightRows = std::function<void(
 
 /// Mean height (1/N) sum_x h(x) [m].
 double mean_height(const HeightMap& map);
-
-/// The same of a map of which this process has some rows, rows.size() heights.
-/// Collective, as the call below; both have the bits of one process.
-double mean_height(const SharedRows& rows, std::span<const double> heights);
-void remove_mean(const SharedRows& rows, std::span<double> heights);
 
 /// Shifts the map to mean height 0.
 /// @par Accuracy  |mean| is at most a few eps of the remaining rms height,

@@ -1,6 +1,5 @@
 #include "surfaces/maps/levelling.hpp"
 
-#include "ranks/in_order.hpp"
 #include "surfaces/maps/round_form.hpp"
 
 #include <numeric>
@@ -47,8 +46,8 @@ double sum_of_squares(const std::vector<double>& side) {
 /// Projects the heights and subtracts the projections, one after another.
 class TrendRemoval {
 public:
-  TrendRemoval(const SharedRows& rows, std::span<double> heights)
-      : rows_(rows), heights_(heights), polynomials_(rows.grid()) {}
+  explicit TrendRemoval(HeightMap& map)
+      : heights_(map.heights), polynomials_(map.grid) {}
 
   void remove_product(int degree_x, int degree_y) {
     const std::vector<double>& along_x = of_degree(polynomials_.x, degree_x);
@@ -58,41 +57,33 @@ public:
     const double norm = sum_of_squares(along_x) * sum_of_squares(along_y);
     if (norm < 1e-20)
       return;
-    const auto first = static_cast<std::size_t>(rows_.first());
-    const double projection = in_order(&rows_, 0.0, [&](double& sum) {
-      for (std::size_t row = 0; row < heights_.size() / along_x.size(); ++row)
-        sum += along_y[first + row] *
-               std::inner_product(along_x.begin(), along_x.end(),
-                                  &heights_[row * along_x.size()], 0.0);
-    });
-    for (std::size_t row = 0; row < heights_.size() / along_x.size(); ++row)
+    double projection = 0.0;
+    for (std::size_t row = 0; row < along_y.size(); ++row)
+      projection += along_y[row] *
+                    std::inner_product(along_x.begin(), along_x.end(),
+                                       &heights_[row * along_x.size()], 0.0);
+    for (std::size_t row = 0; row < along_y.size(); ++row)
       for (std::size_t x = 0; x < along_x.size(); ++x)
         heights_[row * along_x.size() + x] -=
-            projection / norm * along_x[x] * along_y[first + row];
+            projection / norm * along_x[x] * along_y[row];
   }
 
 private:
-  const SharedRows& rows_;
-  std::span<double> heights_;
+  std::vector<double>& heights_;
   Polynomials polynomials_;
 };
 
 } // namespace
 
 void remove_trend(HeightMap& map, mechanics::Levelling levelling) {
-  remove_trend(SharedRows(map.grid), map.heights, levelling);
-}
-
-void remove_trend(const SharedRows& rows, std::span<double> heights,
-                  mechanics::Levelling levelling) {
-  remove_mean(rows, heights);
+  remove_mean(map);
   if (levelling == mechanics::Levelling::none)
     return;
   if (levelling == mechanics::Levelling::sphere)
-    return remove_sphere(rows, heights);
+    return remove_sphere(map);
   if (levelling == mechanics::Levelling::cylinder)
-    return remove_cylinder(rows, heights);
-  TrendRemoval trend(rows, heights);
+    return remove_cylinder(map);
+  TrendRemoval trend(map);
   trend.remove_product(1, 0);
   trend.remove_product(0, 1);
   if (levelling == mechanics::Levelling::bow) {
@@ -100,7 +91,7 @@ void remove_trend(const SharedRows& rows, std::span<double> heights,
     trend.remove_product(0, 2);
     trend.remove_product(1, 1);
   }
-  remove_mean(rows, heights); // roundoff that remains of a steep trend
+  remove_mean(map); // roundoff that remains of a steep trend
 }
 
 } // namespace asperity::surfaces

@@ -23,13 +23,7 @@ namespace asperity::surfaces {
 /// sides, which are orthogonal: each coefficient is one projection and no
 /// linear system is solved.
 /// @par Accuracy  a few eps of the largest height before levelling
-void remove_trend(HeightMap& map, mechanics::Levelling levelling);
-
-/// The same for the rows of this process, with the bits of one process: each
-/// projection is a sum over the rows in their order. Collective.
-/// @param heights  rows.size() values [m]
 /// @throws std::domain_error  as remove_sphere() (round_form.hpp)
-void remove_trend(const SharedRows& rows, std::span<double> heights,
-                  mechanics::Levelling levelling);
+void remove_trend(HeightMap& map, mechanics::Levelling levelling);
 
 } // namespace asperity::surfaces

@@ -5,7 +5,6 @@
 #include "surfaces/maps/height_map.hpp"
 
 #include <cstddef>
-#include <span>
 
 namespace asperity::surfaces {
 
@@ -19,17 +18,10 @@ namespace asperity::surfaces {
 /// prescribed but zero, and filled heights lie between the measured ones at the
 /// border of their hole. The equations are solved directly, by a sparse
 /// Cholesky factorisation.
-///
-/// Each rank solves the equations of all missing points, for which the ranks
-/// exchange their places and the heights beside them only. The bits are those
-/// of one process. Collective.
-/// @param heights  of the rows of this process [m], not finite at missing
-///                 points
+/// @param map  not finite at missing points
 /// @throws std::domain_error  no point is measured
-void fill_missing(const SharedRows& rows, std::span<double> heights);
+void fill_missing(HeightMap& map);
 
-/// Number of missing points in all rows. Collective.
-std::size_t count_missing(const SharedRows& rows,
-                          std::span<const double> heights);
+std::size_t count_missing(const HeightMap& map);
 
 } // namespace asperity::surfaces

@@ -76,12 +76,11 @@ std::vector<std::complex<double>> modes_of(const HeightMap& map) {
 }
 
 void each_column(
-    const SharedRows& rows, std::span<const double> heights, int threads,
+    const HeightMap& map,
     const std::function<void(int jx, std::span<const double> power)>& take) {
-  const Grid& grid = rows.grid();
-  Convolution<double>(rows, threads)
-      .analyse(heights, [&](int jx, std::span<const Complex> own) {
-        take(jx, power_of(grid, jx, own));
+  Convolution<double>(map.grid).analyse(
+      map.heights, [&](int jx, std::span<const Complex> own) {
+        take(jx, power_of(map.grid, jx, own));
       });
 }
 

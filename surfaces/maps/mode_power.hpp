@@ -3,7 +3,6 @@
 // Computes the power of the Fourier modes of a map. It defines the
 // normalisation on a grid and the treatment of Nyquist modes.
 
-#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 
 #include <cmath>
@@ -36,13 +35,9 @@ std::vector<std::complex<double>> modes_of(const HeightMap& map);
 
 /// Calls take(jx, power) for columns jx of the half spectrum of a map, with the
 /// power of its modes jy = 0..points_y-1, as for_each_mode() does, and 0 for
-/// q = 0. Each rank has some adjacent columns, which follow those of the ranks
-/// before. Threads call it at the same time. Collective; the bits are the same
-/// on any number of ranks.
-/// @param rows     of a group of ranks, with even bounds
-/// @param heights  rows.size() values
+/// q = 0.
 void each_column(
-    const SharedRows& rows, std::span<const double> heights, int threads,
+    const HeightMap& map,
     const std::function<void(int jx, std::span<const double> power)>& take);
 
 /// The same of a map that is passed on by pieces, with the same bits. Columns

@@ -1,8 +1,5 @@
 #include "surfaces/maps/round_form.hpp"
 
-#include "ranks/chunked_sum.hpp"
-#include "ranks/row_sums.hpp"
-
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -59,18 +56,17 @@ FormValue<5> cylinder_value(const Eigen::VectorXd& at, double x, double y) {
            along, at[3] * across - by_across * along}};
 }
 
-/// Heights and positions of the rows of this process, in units of the larger
-/// half side of the map. All sums are over the rows in their order.
+/// Heights and positions of a map, in units of its larger half side. All sums
+/// are over the rows in their order.
 template <int n>
 class RoundFit {
 public:
-  RoundFit(const SharedRows& rows, std::span<double> heights, RoundForm<n> form)
-      : rows_(rows),
-        heights_(heights),
+  RoundFit(HeightMap& map, RoundForm<n> form)
+      : map_(map),
         form_(form),
-        unit_(0.5 * std::max(rows.grid().length_x, rows.grid().length_y)) {
-    remove_mean(rows_, heights_);
-    for (double& height : heights_)
+        unit_(0.5 * std::max(map.grid.length_x, map.grid.length_y)) {
+    remove_mean(map_);
+    for (double& height : map_.heights)
       height /= unit_;
   }
 
@@ -110,35 +106,36 @@ public:
     if (!std::isfinite(deviation))
       throw std::domain_error(std::string("no ") + name +
                               " reaches over the whole map");
-    for (int row = 0; row < rows_.count(); ++row)
+    for (int row = 0; row < map_.grid.points_y; ++row)
       for_each(row, [&](double x, double y, double& height) {
         height = (height - form_(parameters, x, y).height) * unit_;
       });
-    remove_mean(rows_, heights_);
+    remove_mean(map_);
   }
 
 private:
-  /// Calls work(x, y, height) for the points of a row of this process.
+  /// Calls work(x, y, height) for the points of a row.
   template <class Work>
   void for_each(int row, Work work) const {
-    const Grid& grid = rows_.grid();
-    const double y = (rows_.first() + row - 0.5 * (grid.points_y - 1)) *
-                     grid.spacing_y() / unit_;
+    const Grid& grid = map_.grid;
+    const double y =
+        (row - 0.5 * (grid.points_y - 1)) * grid.spacing_y() / unit_;
     for (int ix = 0; ix < grid.points_x; ++ix)
       work((ix - 0.5 * (grid.points_x - 1)) * grid.spacing_x() / unit_, y,
-           heights_[grid.index(ix, row)]);
+           map_.heights[grid.index(ix, row)]);
   }
 
   double mean_square(const Eigen::VectorXd& parameters) const {
-    const Sum sum = sum_over_rows<Sum>(rows_, [&](int row) {
-      Sum of_row;
+    double sum = 0.0;
+    for (int row = 0; row < map_.grid.points_y; ++row) {
+      double of_row = 0.0;
       for_each(row, [&](double x, double y, double height) {
         const double left = height - form_(parameters, x, y).height;
-        of_row.value += left * left;
+        of_row += left * left;
       });
-      return of_row;
-    });
-    return sum.value / static_cast<double>(rows_.grid().size());
+      sum += of_row;
+    }
+    return sum / static_cast<double>(map_.grid.size());
   }
 
   Eigen::VectorXd gauss_newton_step(const Eigen::VectorXd& parameters) const {
@@ -152,28 +149,26 @@ private:
   /// @param at  at(x, y, height) returns the functions and what they fit
   template <int m, class At>
   Eigen::VectorXd least_squares(const At& at) const {
-    using Sums = SeveralSums<static_cast<std::size_t>(m) * (m + 1)>;
-    const Sums sums = sum_over_rows<Sums>(rows_, [&](int row) {
-      Sums of_row;
+    using Equations = Eigen::Matrix<double, m, m + 1, Eigen::RowMajor>;
+    Equations equations = Equations::Zero();
+    for (int row = 0; row < map_.grid.points_y; ++row) {
+      Equations of_row = Equations::Zero();
       for_each(row, [&](double x, double y, double height) {
         const auto [functions, fitted] = at(x, y, height);
-        auto sum = of_row.values.begin();
+        double* sum = of_row.data();
         for (const double function : functions) {
           for (const double other : functions)
             *sum++ += function * other;
           *sum++ += function * fitted;
         }
       });
-      return of_row;
-    });
-    using Equations = Eigen::Matrix<double, m, m + 1, Eigen::RowMajor>;
-    const Eigen::Map<const Equations> equations(sums.values.data());
+      equations += of_row;
+    }
     const Eigen::MatrixXd normal = equations.template leftCols<m>();
     return normal.completeOrthogonalDecomposition().solve(equations.col(m));
   }
 
-  const SharedRows& rows_;
-  std::span<double> heights_;
+  HeightMap& map_;
   RoundForm<n> form_;
   double unit_; ///< [m]
 };
@@ -181,23 +176,15 @@ private:
 } // namespace
 
 void remove_sphere(HeightMap& map) {
-  remove_sphere(SharedRows(map.grid), map.heights);
-}
-
-void remove_cylinder(HeightMap& map) {
-  remove_cylinder(SharedRows(map.grid), map.heights);
-}
-
-void remove_sphere(const SharedRows& rows, std::span<double> heights) {
-  RoundFit<4> fit(rows, heights, sphere_value);
+  RoundFit<4> fit(map, sphere_value);
   const Eigen::VectorXd start = fit.second_order();
   Eigen::VectorXd parameters(4);
   parameters << start[3] + start[5], -start[1], -start[2], start[0];
   fit.subtract(parameters, "sphere");
 }
 
-void remove_cylinder(const SharedRows& rows, std::span<double> heights) {
-  RoundFit<5> fit(rows, heights, cylinder_value);
+void remove_cylinder(HeightMap& map) {
+  RoundFit<5> fit(map, cylinder_value);
   const Eigen::VectorXd start = fit.second_order();
   // The axis is the direction of the smaller curvature.
   Eigen::Matrix2d curvature;

@@ -29,11 +29,4 @@ void remove_sphere(HeightMap& map);
 /// @throws std::domain_error  as remove_sphere
 void remove_cylinder(HeightMap& map);
 
-/// The same for the rows of this process, with the bits of one process: all
-/// sums are those of the rows, added in their order. Collective.
-/// @param heights  rows.size() values [m]
-/// @throws std::domain_error  on every rank, as above
-void remove_sphere(const SharedRows& rows, std::span<double> heights);
-void remove_cylinder(const SharedRows& rows, std::span<double> heights);
-
 } // namespace asperity::surfaces

@@ -1,9 +1,6 @@
 #include "surfaces/maps/shells.hpp"
 
 #include "base/require.hpp"
-#include "ranks/in_order.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rank_sums.hpp"
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
@@ -85,34 +82,6 @@ std::vector<ColumnShell> column_shells(const Grid& grid, int jx,
     sums.modes += modes_in_column(grid, jx) * (has_opposite ? 2 : 1);
   }
   return shells;
-}
-
-/// The numbers of the shells of all columns of all ranks, ascending.
-std::vector<std::int64_t>
-shells_of_ranks(const SharedRows& rows,
-                const std::vector<std::vector<ColumnShell>>& columns) {
-  const auto sorted = [](std::vector<std::int64_t> numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-    return numbers;
-  };
-  std::vector<std::int64_t> own;
-  for (const std::vector<ColumnShell>& column : columns) {
-    for (const ColumnShell& shell : column)
-      own.push_back(shell.number);
-    own = sorted(std::move(own));
-  }
-  std::vector<std::size_t> bytes;
-  double total = 0.0;
-  for (const double count :
-       of_ranks(rows.ranks(), static_cast<double>(own.size()))) {
-    bytes.push_back(static_cast<std::size_t>(count) * sizeof(std::int64_t));
-    total += count;
-  }
-  std::vector<std::int64_t> all(static_cast<std::size_t>(total));
-  rows.ranks()->gather_to_all(std::as_bytes(std::span(own)), bytes,
-                              std::as_writable_bytes(std::span(all)));
-  return sorted(std::move(all));
 }
 
 /// The numbers of the shells of a grid, ascending.
@@ -211,26 +180,17 @@ std::vector<Shell> ModeShells::of(const HeightMap& map) const {
 
 std::vector<Shell> spectral_shells(const HeightMap& map,
                                    double relative_width) {
-  return spectral_shells(rows_of_one(map.grid), map.heights, 1, relative_width);
-}
-
-std::vector<Shell> spectral_shells(const SharedRows& rows,
-                                   std::span<const double> heights, int threads,
-                                   double relative_width) {
   require_width(relative_width);
+  const std::vector<std::int64_t> numbers = shells_of(map.grid, relative_width);
   std::vector<std::vector<ColumnShell>> columns(
-      rows.grid().half_spectrum_columns());
-  each_column(rows, heights, threads,
-              [&](int jx, std::span<const double> power) {
-                columns[static_cast<std::size_t>(jx)] =
-                    column_shells(rows.grid(), jx, power, relative_width);
-              });
-  const std::vector<std::int64_t> numbers = shells_of_ranks(rows, columns);
-  std::vector<Sums> sums(numbers.size());
-  bytes_in_order(&rows, std::as_writable_bytes(std::span(sums)), [&] {
-    for (const std::vector<ColumnShell>& column : columns)
-      add_column(numbers, column, sums);
+      map.grid.half_spectrum_columns());
+  each_column(map, [&](int jx, std::span<const double> power) {
+    columns[static_cast<std::size_t>(jx)] =
+        column_shells(map.grid, jx, power, relative_width);
   });
+  std::vector<Sums> sums(numbers.size());
+  for (const std::vector<ColumnShell>& column : columns)
+    add_column(numbers, column, sums);
   return shells_with_power(sums, power_of_all(sums));
 }
 

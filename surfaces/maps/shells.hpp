@@ -3,7 +3,6 @@
 // Computes the isotropic spectrum of a given map, its power in shells of |q|.
 // Both the theory and the plotted C(q) use this grouping.
 
-#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 
@@ -53,15 +52,6 @@ private:
 
 /// The shells of ModeShells(map.grid, relative_width).of(map) to roundoff.
 std::vector<Shell> spectral_shells(const HeightMap& map,
-                                   double relative_width = 0.025);
-
-/// The same of a map of which this process has some rows; the bits are those of
-/// spectral_shells() on any number of ranks. Collective.
-/// @param rows     of a group of ranks, with even bounds
-/// @param heights  rows.size() values
-std::vector<Shell> spectral_shells(const SharedRows& rows,
-                                   std::span<const double> heights,
-                                   int threads = 1,
                                    double relative_width = 0.025);
 
 /// The same of a map that is passed on by pieces (mode_power.hpp), with the

@@ -3,10 +3,8 @@
 // The statistics of a height map: moments of the heights, spectral slope and
 // curvature, height distribution.
 
-#include "ranks/shared_rows.hpp"
 #include "surfaces/maps/height_map.hpp"
 
-#include <span>
 #include <vector>
 
 namespace asperity::surfaces {
@@ -32,15 +30,7 @@ struct Statistics {
 
 Statistics statistics(const HeightMap& map);
 
-/// The same of a map of which this process has some rows; the bits are those of
-/// statistics() on any number of ranks. Collective.
-/// @param rows     of a group of ranks, with even bounds
-/// @param heights  rows.size() values
-Statistics statistics(const SharedRows& rows, std::span<const double> heights,
-                      int threads = 1);
-
-/// sqrt <h^2> above the mean [m], with the bits of statistics(). Collective.
-/// @param rows  of any kind
-double rms_height(const SharedRows& rows, std::span<const double> heights);
+/// sqrt <h^2> above the mean [m], with the bits of statistics().
+double rms_height(const HeightMap& map);
 
 } // namespace asperity::surfaces

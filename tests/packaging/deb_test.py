@@ -12,7 +12,7 @@ FILES = ["./usr/bin/asperity", "./usr/lib/asperity/asperity_fem.so",
          "./usr/share/asperity/cases/polymer/case.toml", "./usr/share/man/man1/asperity.1",
          "./usr/share/doc/asperity/copyright", "./usr/lib/python3/dist-packages/asperity.py"]
 DEPENDS = ["libdeal.ii-9.4.1", "libgmsh4.8", "libhdf5-openmpi-103", "libfftw3-double3",
-           "gnuplot-nox | gnuplot"]
+           "libfftw3-mpi3", "gnuplot-nox | gnuplot"]
 
 
 def run(*words, cwd=None):

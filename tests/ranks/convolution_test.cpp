@@ -1,10 +1,9 @@
 // Tests of ranks/convolution.hpp and ranks/shared_rows.hpp: the convolution
 // equals the transform pair of RealFourier for any size, and any number of
-// ranks and threads gives the bits of one process.
+// threads gives the same bits. On ranks, tests/program/shared_halfspace_test.py
+// compares it with one process.
 #include "base/fourier.hpp"
 #include "ranks/convolution.hpp"
-#include "ranks/one_rank.hpp"
-#include "ranks/rows_from_rank_0.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numeric>
 #include <vector>
 
 namespace asperity::convolution_test {
@@ -35,7 +33,7 @@ EvenColumn symbol_of() {
 template <class Real>
 std::vector<Real> in_one_process(const Grid& grid, const Grid& held,
                                  int threads = 1) {
-  Convolution<Real> convolution(SharedRows(held), grid, threads);
+  Convolution<Real> convolution(held, grid, threads);
   const std::vector<double> field = uneven_field(held);
   std::vector<Real> answer(field.begin(), field.end());
   convolution.apply(answer, convolution.arranged(symbol_of()), answer);
@@ -94,7 +92,7 @@ TEST(Convolution, CopiesGiveTheSameBits) {
   const Grid grid{130, 66, 1.0, 1.0};
   const std::vector<double> field = uneven_field(grid);
   std::vector<double> by_copy(grid.size()), unstored(grid.size());
-  Convolution<double> convolution(SharedRows(grid), 2);
+  Convolution<double> convolution(grid, 2);
   const auto symbol = convolution.arranged(symbol_of());
   convolution.apply(field, symbol, unstored);
 
@@ -109,7 +107,7 @@ TEST(Convolution, CopiesGiveTheSameBits) {
 // upper 11 rows and to the rest add up to that of all.
 TEST(Convolution, OfRowsOfZerosIsTheRestOfTheOthers) {
   const Grid grid{130, 66, 1.0, 1.0};
-  Convolution<double> convolution(SharedRows(grid), 2);
+  Convolution<double> convolution(grid, 2);
   const auto symbol = convolution.arranged(symbol_of());
   const std::vector<double> field = uneven_field(grid);
   std::vector<double> all(grid.size()), of_upper(grid.size()),
@@ -126,76 +124,7 @@ TEST(Convolution, OfRowsOfZerosIsTheRestOfTheOthers) {
     ASSERT_NEAR(of_upper[i] + of_rest[i], all[i], 1e-14) << i;
 }
 
-/// Unequal shares with even bounds.
-std::vector<int> uneven_bounds(const Grid& grid, int n) {
-  std::vector<int> bounds(static_cast<std::size_t>(n) + 1);
-  for (int r = 1; r < n; ++r)
-    bounds[static_cast<std::size_t>(r)] = 2 * r * r;
-  bounds.back() = grid.points_y;
-  return bounds;
-}
-
-template <class Real>
-std::vector<Real> on_ranks(const Grid& grid, const Grid& held, int n,
-                           int threads) {
-  std::vector<Real> answer(held.size());
-  tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-    const SharedRows rows(held, ranks, uneven_bounds(held, n));
-    Convolution<Real> convolution(rows, grid, threads);
-    const std::vector<double> field = uneven_field(held);
-    const auto first = static_cast<std::ptrdiff_t>(held.index(0, rows.first()));
-    std::vector<Real> own(field.begin() + first,
-                          field.begin() + first +
-                              static_cast<std::ptrdiff_t>(rows.size()));
-    const auto symbol = convolution.arranged(symbol_of());
-    for (int twice = 0; twice < 2; ++twice) {
-      std::vector<Real> found(own.size());
-      convolution.apply(own, symbol, found);
-      std::ranges::copy(found, answer.begin() + first);
-    }
-  });
-  return answer;
-}
-
-const std::vector<Grid> shared_grids{{16, 64, 1.0, 1.0},
-                                     {17, 41, 1.0, 2.0},
-                                     {130, 66, 1.0, 1.0},
-                                     {300, 34, 1.0, 1.0},
-                                     {300, 41, 1.0, 1.0}};
-
-TEST(Convolution, HasTheBitsOfOneProcess) {
-  for (const Grid& grid : shared_grids)
-    for (int n = 1; n <= 4; ++n)
-      for (const int threads : {1, 3}) {
-        SCOPED_TRACE(testing::Message()
-                     << grid.points_x << " x " << grid.points_y << ", " << n
-                     << " ranks, " << threads << " threads");
-        EXPECT_EQ(on_ranks<float>(grid, grid, n, threads),
-                  in_one_process<float>(grid, grid));
-        EXPECT_EQ(on_ranks<double>(grid, grid, n, threads),
-                  in_one_process<double>(grid, grid));
-      }
-}
-
-// Claim: so has a field that occupies a part of the grid of the convolution.
-TEST(Convolution, HasTheBitsOfOneProcessForAPartOfTheGrid) {
-  for (const Grid& held : shared_grids)
-    for (const Grid& grid :
-         {Grid{2 * held.points_x, 2 * held.points_y, 1.0, 1.0},
-          Grid{held.points_x, held.points_y + 3, 1.0, 1.0}})
-      for (int n = 1; n <= 4; ++n) {
-        SCOPED_TRACE(testing::Message()
-                     << held.points_x << " x " << held.points_y << " of "
-                     << grid.points_x << " x " << grid.points_y << ", " << n
-                     << " ranks");
-        EXPECT_EQ(on_ranks<float>(grid, held, n, 2),
-                  in_one_process<float>(grid, held));
-        EXPECT_EQ(on_ranks<double>(grid, held, n, 1),
-                  in_one_process<double>(grid, held));
-      }
-}
-
-/// Analyses a field on n ranks and synthesises it from its columns.
+/// Analyses a field and synthesises it from its columns.
 struct ThereAndBack {
   std::vector<std::complex<double>> spectrum; ///< column by column
   std::vector<double> field;
@@ -203,44 +132,34 @@ struct ThereAndBack {
   friend bool operator==(const ThereAndBack&, const ThereAndBack&) = default;
 };
 
-ThereAndBack there_and_back(const Grid& grid, int n, int threads) {
+ThereAndBack there_and_back(const Grid& grid, int threads) {
   ThereAndBack found{
       std::vector<std::complex<double>>(grid.half_spectrum_size()),
       std::vector<double>(grid.size())};
-  const auto act = [&](const SharedRows& rows) {
-    Convolution<double> transform(rows, threads);
-    const std::vector<double> field = uneven_field(grid);
-    const std::size_t first = grid.index(0, rows.first());
-    const auto height = static_cast<std::size_t>(grid.points_y);
-    const auto column = [&](int jx) {
-      return std::span(found.spectrum)
-          .subspan(static_cast<std::size_t>(jx) * height, height);
-    };
-    transform.analyse(std::span(field).subspan(first, rows.size()),
-                      [&](int jx, std::span<const std::complex<double>> own) {
-                        std::ranges::copy(own, column(jx).begin());
-                      });
-    transform.synthesise(
-        [&](int jx, std::span<std::complex<double>> own) {
-          ASSERT_EQ(own.front(), 0.0);
-          std::ranges::copy(column(jx), own.begin());
-        },
-        std::span(found.field).subspan(first, rows.size()));
+  Convolution<double> transform(grid, threads);
+  const auto height = static_cast<std::size_t>(grid.points_y);
+  const auto column = [&](int jx) {
+    return std::span(found.spectrum)
+        .subspan(static_cast<std::size_t>(jx) * height, height);
   };
-  if (n == 0)
-    act(rows_of_one(grid));
-  else
-    tests::on_thread_ranks(n, [&](RankGroup& ranks) {
-      act(SharedRows(grid, ranks, uneven_bounds(grid, n)));
-    });
+  transform.analyse(uneven_field(grid),
+                    [&](int jx, std::span<const std::complex<double>> own) {
+                      std::ranges::copy(own, column(jx).begin());
+                    });
+  transform.synthesise(
+      [&](int jx, std::span<std::complex<double>> own) {
+        ASSERT_EQ(own.front(), 0.0);
+        std::ranges::copy(column(jx), own.begin());
+      },
+      found.field);
   return found;
 }
 
 // Expected: the transforms of FFTW in two dimensions. Tolerance: roundoff, some
 // eps log2 N times the largest value.
 TEST(Convolution, TransformsThereAndBackWithTheSameBits) {
-  for (const Grid& grid : shared_grids) {
-    const ThereAndBack alone = there_and_back(grid, 0, 1);
+  for (const Grid& grid : grids) {
+    const ThereAndBack alone = there_and_back(grid, 1);
     const std::vector<double> field = uneven_field(grid);
     std::vector<std::complex<double>> spectrum(grid.half_spectrum_size());
     RealFourier(grid).forward(field, spectrum);
@@ -254,19 +173,9 @@ TEST(Convolution, TransformsThereAndBackWithTheSameBits) {
                   1e-14 * count);
     for (std::size_t i = 0; i < field.size(); ++i)
       EXPECT_NEAR(alone.field[i] / count, field[i], 1e-14);
-    for (int n = 1; n <= 4; ++n)
-      for (const int threads : {1, 3})
-        EXPECT_TRUE(there_and_back(grid, n, threads) == alone)
-            << grid.points_x << " x " << grid.points_y << ", " << n
-            << " ranks, " << threads << " threads";
+    EXPECT_TRUE(there_and_back(grid, 3) == alone)
+        << grid.points_x << " x " << grid.points_y;
   }
-}
-
-TEST(Convolution, RefusesOddBounds) {
-  tests::on_thread_ranks(2, [](RankGroup& ranks) {
-    const SharedRows rows({8, 8, 1.0, 1.0}, ranks, {0, 3, 8});
-    EXPECT_THROW(Convolution<float>(rows, 1), std::domain_error);
-  });
 }
 
 TEST(SharedRows, RefusesBoundsThatAreNone) {
@@ -276,30 +185,6 @@ TEST(SharedRows, RefusesBoundsThatAreNone) {
          {std::vector{0, 8}, {0, 4, 7}, {1, 4, 8}, {0, 0, 8}})
       EXPECT_THROW(SharedRows(grid, ranks, bounds), std::domain_error);
   });
-}
-
-std::vector<double> from_rank_0(const SharedRows& rows,
-                                const std::vector<double>& all) {
-  std::size_t at = 0;
-  std::vector<double> own = rows_from_rank_0(rows, [&](std::span<double> next) {
-    EXPECT_EQ(rows.first(), 0); // of rank 0
-    EXPECT_LE(next.size(), std::max<std::size_t>(rows.width(), 1 << 19));
-    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(at), next.size(),
-                next.begin());
-    at += next.size();
-  });
-  EXPECT_EQ(at, rows.first() == 0 ? all.size() : 0);
-  return own;
-}
-
-std::vector<double> passed_to_rank_0(const SharedRows& rows,
-                                     std::span<const double> own) {
-  std::vector<double> passed;
-  rows.pass_to_rank_0(own, [&](std::span<const double> values) {
-    EXPECT_EQ(values.size() % rows.width(), 0U);
-    passed.insert(passed.end(), values.begin(), values.end());
-  });
-  return passed;
 }
 
 // The number of a row is the value of its nodes.
@@ -320,11 +205,7 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
     ASSERT_EQ(all.size(), grid.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       EXPECT_EQ(all[i], static_cast<double>(i / 3));
-    const bool is_first = rows.first() == 0;
-    const std::vector<double> nothing;
-    EXPECT_EQ(rows.scattered(is_first ? all : nothing), own);
-    EXPECT_EQ(passed_to_rank_0(rows, own), is_first ? all : nothing);
-    EXPECT_EQ(from_rank_0(rows, all), own);
+    EXPECT_TRUE(std::ranges::equal(rows.own(all), own));
   };
   check(SharedRows(grid));
   tests::on_thread_ranks(1, [&](RankGroup& one) {
@@ -335,22 +216,12 @@ TEST(SharedRows, KnowsTheRowsBesideItsOwnAndAllRows) {
   });
 }
 
-// A row is longer than the pieces in which rank 0 exchanges a field.
-TEST(SharedRows, GathersAndScattersALargeFieldInPieces) {
-  const Grid grid{1 << 18, 9, 1.0, 1.0};
-  std::vector<double> all(grid.size());
-  std::iota(all.begin(), all.end(), 0.0);
-  const std::vector<double> nothing;
-  tests::on_thread_ranks(3, [&](RankGroup& three) {
-    const SharedRows rows(grid, three, {0, 1, 5, 9});
-    const bool is_first = rows.first() == 0;
-    const std::vector<double> own = rows.scattered(is_first ? all : nothing);
-    ASSERT_EQ(own.size(), rows.size());
-    EXPECT_EQ(own.front(), static_cast<double>(grid.index(0, rows.first())));
-    EXPECT_EQ(own.back(), own.front() + static_cast<double>(own.size() - 1));
-    EXPECT_TRUE(passed_to_rank_0(rows, own) == (is_first ? all : nothing));
-    EXPECT_TRUE(from_rank_0(rows, all) == own);
-  });
+TEST(SharedRows, AreDividedByWholeCells) {
+  const Grid grid{8, 518, 1.0, 1.0};
+  EXPECT_EQ(row_bounds(grid, 3), (std::vector{0, 176, 352, 518}));
+  EXPECT_TRUE(can_share(grid, 3));
+  EXPECT_TRUE(can_share({8, 16, 1.0, 1.0}, 2));
+  EXPECT_FALSE(can_share({8, 16, 1.0, 1.0}, 3));
 }
 
 } // namespace asperity::convolution_test

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -116,7 +117,15 @@ public:
     place_.wait();
   }
 
-  void together(const std::function<void()>& share) override { share(); }
+  void make_transforms(const Grid&, int,
+                       std::shared_ptr<SlabTransforms<float>>&) override {
+    throw std::logic_error("threads have no transforms on slabs");
+  }
+
+  void make_transforms(const Grid&, int,
+                       std::shared_ptr<SlabTransforms<double>>&) override {
+    throw std::logic_error("threads have no transforms on slabs");
+  }
 
 private:
   void show(std::vector<std::span<const std::byte>> data) {

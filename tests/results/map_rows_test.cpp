@@ -76,43 +76,30 @@ TEST_F(MapRowsTest, RefusesAnotherNumberOfValues) {
                  Hdf5Error);
 }
 
-// The surface, the fields and the row are those of a record with whole maps,
-// also after the surface has been replaced.
+// The fields and the row are those of a record with whole maps.
 TEST_F(MapRowsTest, AreReadBackAsWholeMaps) {
   const Grid grid{8, 6, 1e-6, 1e-6};
   const std::vector<double> pressure = uneven_map({6, 8});
   std::vector<double> gap = pressure;
   std::ranges::reverse(gap);
-  SurfaceRecord surface = sample_surface(8, 6);
-  const std::vector<double> heights = surface.heights;
   const double load = sample_point(4).nominal_pressure;
   for (const bool by_rows : {false, true}) {
-    surface.heights = by_rows ? std::vector<double>() : heights;
     ResultWriter writer(folder_ / (by_rows ? "rows" : "whole"), sample_case());
     writer.begin_method("md", "md", "");
     if (by_rows) {
-      writer.record_surface(0, surface, in_pieces(heights, 8));
-      writer.record_surface(0, surface, in_pieces(heights, 16));
-      writer.record_own_surface("md", 0, surface, in_pieces(heights, 3));
       const Change step = finished_step(
           {4, load, grid, {in_pieces(pressure, 8)}, {in_pieces(gap, 8)}});
       writer.append(step);
       EXPECT_THROW(writer.append(step), std::domain_error); // it exists
     } else {
-      writer.record_surface(0, surface);
-      writer.record_own_surface("md", 0, surface);
       writer.append_step_with_fields("md", 0, sample_point(4), grid,
                                      Fields{4, load, pressure, gap});
     }
   }
   const Result whole = read_result(folder_ / "whole");
   const Result rows = read_result(folder_ / "rows");
-  ASSERT_EQ(rows.surfaces.size(), 1U);
-  EXPECT_EQ(rows.surfaces[0].heights, heights);
-  EXPECT_EQ(rows.surfaces[0].rms_height, whole.surfaces[0].rms_height);
   const Curve& found = rows.methods.at(0).realizations.at(0);
   const Curve& expected = whole.methods.at(0).realizations.at(0);
-  EXPECT_EQ(found.own_surface.value().heights, heights);
   ASSERT_EQ(found.fields.size(), 1U);
   EXPECT_EQ(found.fields[0].pressure, expected.fields.at(0).pressure);
   EXPECT_EQ(found.fields[0].gap, expected.fields[0].gap);

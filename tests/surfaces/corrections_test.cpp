@@ -59,7 +59,7 @@ TEST(AlignLines, RemovesOffsetsOfRows) {
     return relief(ix, iy) + 8.0 * ((iy * 5) % 3) + (is_particle ? 64.0 : 0.0);
   });
   map.heights[10] = missing;
-  align_lines(SharedRows(map.grid), map.heights);
+  align_lines(map);
   for (int iy = 1; iy < 6; ++iy)
     for (int ix = 0; ix < 9; ++ix) {
       const std::size_t index = map.grid.index(ix, iy);
@@ -79,11 +79,10 @@ TEST(MarkSpikes, FindsThemAndNothingElse) {
       map_of({40, 30, 1.0, 1.0}, [&](int, int) { return noise(random); });
   for (const std::size_t at : {0U, 555U, 1199U})
     map.heights[at] += 30.0;
-  EXPECT_EQ(mark_spikes(SharedRows(map.grid), map.heights, 8.0), 3U);
+  EXPECT_EQ(mark_spikes(map, 8.0), 3U);
   for (std::size_t i = 0; i < 1200; ++i)
     EXPECT_EQ(std::isnan(map.heights[i]), i == 0 || i == 555 || i == 1199) << i;
-  EXPECT_THROW(mark_spikes(SharedRows(map.grid), map.heights, 2.9),
-               std::domain_error);
+  EXPECT_THROW(mark_spikes(map, 2.9), std::domain_error);
 }
 
 // A spike of 10 standard deviations is not marked at a threshold of 20.
@@ -94,7 +93,7 @@ TEST(MarkSpikes, ComparesWithTheThreshold) {
       map_of({40, 30, 1.0, 1.0}, [&](int, int) { return noise(random); });
   map.heights[300] += 10.0;
   map.heights[700] += 40.0;
-  EXPECT_EQ(mark_spikes(SharedRows(map.grid), map.heights, 20.0), 1U);
+  EXPECT_EQ(mark_spikes(map, 20.0), 1U);
   EXPECT_FALSE(std::isnan(map.heights[300]));
   EXPECT_TRUE(std::isnan(map.heights[700]));
 }
@@ -103,7 +102,7 @@ TEST(MarkSpikes, FindsTheOnlyStepOfAFlatMap) {
   HeightMap map = map_of({20, 20, 1.0, 1.0}, [](int ix, int iy) {
     return ix == 7 && iy == 8 ? 5.0 : 1.0;
   });
-  EXPECT_EQ(mark_spikes(SharedRows(map.grid), map.heights, 6.0), 1U);
+  EXPECT_EQ(mark_spikes(map, 6.0), 1U);
   EXPECT_TRUE(std::isnan(map.heights[map.grid.index(7, 8)]));
 }
 
@@ -120,7 +119,7 @@ TEST(FillMissing, RestoresHarmonicHeights) {
   for (int iy = 2; iy < 8; ++iy)
     for (int ix = 3; ix < 10; ++ix)
       map.heights[grid.index(ix, iy)] = missing;
-  fill_missing(SharedRows(map.grid), map.heights);
+  fill_missing(map);
   for (int iy = 0; iy < grid.points_y; ++iy)
     for (int ix = 0; ix < grid.points_x; ++ix)
       EXPECT_NEAR(map.heights[grid.index(ix, iy)], height(ix, iy), 1e-12)
@@ -135,19 +134,18 @@ TEST(FillMissing, FillsHolesAtTheBorder) {
       map_of({5, 4, 1.0, 1.0}, [](int, int iy) { return iy == 0 ? 9.0 : 2.0; });
   for (std::size_t i = 0; i < 5; ++i)
     map.heights[i] = missing;
-  fill_missing(SharedRows(map.grid), map.heights);
+  fill_missing(map);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(map.heights[i], 2.0, 1e-14);
 }
 
 TEST(FillMissing, NeedsAMeasuredPoint) {
   HeightMap map = map_of({2, 2, 1.0, 1.0}, [](int, int) { return 1.0; });
-  const SharedRows rows(map.grid);
-  fill_missing(rows, map.heights);
+  fill_missing(map);
   EXPECT_EQ(map.heights, (std::vector<double>(4, 1.0)));
   map.heights.assign(4, missing);
-  EXPECT_EQ(count_missing(rows, map.heights), 4U);
-  EXPECT_THROW(fill_missing(rows, map.heights), std::domain_error);
+  EXPECT_EQ(count_missing(map), 4U);
+  EXPECT_THROW(fill_missing(map), std::domain_error);
 }
 
 } // namespace asperity::surfaces::corrections_test
