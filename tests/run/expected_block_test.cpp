@@ -116,7 +116,7 @@ const Overrides small{"surface.points=8", "fem.growth=3"};
 INSTANTIATE_TEST_SUITE_P(
     Structured, ExpectedBlock,
     ::testing::Values(Overrides{}, q2, with_layers, with(with_layers, q2),
-                      hanging, with(hanging, q2), stiff,
+                      hanging, with(hanging, q2), with(small, stiff),
                       with(small, {R"(fem.depth="1 h")"}),
                       with(with(small, stiff), {R"(fem.sides="free")"})));
 

@@ -1,7 +1,9 @@
 // Tests of plans of full blocks: their memory.
 // tests/run/expected_block_test.cpp compares the unknowns and the linear solver
 // with those of blocks.
-#include "run/plan/plan.hpp"
+#include "input/input_error.hpp"
+#include "run/plan/memory_check.hpp"
+#include "tests/message_of.hpp"
 #include "tests/run/planned_run.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +77,23 @@ TEST_F(PlannedBlock, CountsWhatIsTooLargeToMesh) {
     EXPECT_GT(large.methods.at(0).unknowns, 3e9);
     EXPECT_FALSE(refusal_of(large).empty());
   }
+}
+
+// No linear solver serves a nearly incompressible block of so many unknowns.
+TEST_F(PlannedBlock, RefusesLargeNearlyIncompressibleBlocks) {
+  const auto answer = [&](const std::string& points) {
+    return tests::message_of<input::InputError>([&] {
+      plan({points, R"(fem.solver="full")", "material.poisson_ratio=0.499"},
+           {"fem"});
+    });
+  };
+
+  EXPECT_EQ(answer("surface.points=8"), "accepted");
+  const std::string words = answer("surface.points=32");
+  EXPECT_NE(words.find("fem.solver = \"full\": unknowns of a full block"),
+            std::string::npos)
+      << words;
+  EXPECT_NE(words.find("\"condensed\""), std::string::npos) << words;
 }
 
 // .4 kB per node of the block, whose unknowns are three times as many.
