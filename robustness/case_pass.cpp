@@ -456,7 +456,6 @@ bool has_nodal_fields(const MethodOfCase& what) {
   const auto& fem = std::get<FemSettings>(what.method.settings);
   const MeshKind kind = what.contact_case.mesh.kind;
   return !fem.has_free_sides() && fem.full.bodies == 1 &&
-         fem.full.contact_at == mechanics::ContactPoints::nodes &&
          (!fem.full.uses_case_mesh || kind == MeshKind::layers ||
           kind == MeshKind::hanging);
 }

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
+#include <utility>
 
 namespace asperity::robustness::slice_test {
 
@@ -38,31 +40,37 @@ TEST(Slice, HasNoOtherOutcome) {
 }
 
 // Small blocks with every unknown, equal to the direct solver: the first one of
-// each mesh and element, and of each counter-body.
+// each mesh and counter-body, of alternating order.
 TEST(Slice, SolvesFullBlocks) {
-  for (const char* const kind : {"layers", "hanging", "adaptive", "gmsh",
-                                 "sphere", "cylinder", "cuboid"})
-    for (const char* const element : {"Q1", "Q2"}) {
-      int index = 0;
-      Instance instance;
-      for (bool is_found = false; !is_found; ++index) {
-        instance = draw_instance(12, index);
-        is_found = InstanceFilter(kind).takes(instance) &&
-                   instance.label("family") == "full-block" &&
-                   instance.label("element") == element &&
-                   instance.label("shortest-wave") != "2" &&
-                   instance.label("path") == "library";
-      }
-      const InstanceReport report = run_instance(instance);
-      expect_good(report, instance);
-      EXPECT_TRUE(report.has_pair || report.outcome == Outcome::refused);
+  int index = 0;
+  for (const auto& [kind, element] : {std::pair{"layers", "Q1"},
+                                      {"hanging", "Q2"},
+                                      {"adaptive", "Q1"},
+                                      {"gmsh", "Q2"},
+                                      {"sphere", "Q1"},
+                                      {"cylinder", "Q2"},
+                                      {"cuboid", "Q1"}}) {
+    Instance instance;
+    for (bool is_found = false; !is_found; ++index) {
+      instance = draw_instance(12, index);
+      is_found = InstanceFilter(kind).takes(instance) &&
+                 instance.label("family") == "full-block" &&
+                 instance.label("element") == element &&
+                 instance.label("points") == "8" &&
+                 instance.label("shortest-wave") != "2" &&
+                 instance.label("path") == "library";
     }
+    const InstanceReport report = run_instance(instance);
+    expect_good(report, instance);
+    EXPECT_TRUE(report.has_pair || report.outcome == Outcome::refused);
+  }
 }
 
 /// A problem that is kept as a case.
 Instance kept(const std::string& name) {
   Instance instance;
-  instance.file = std::string(ASPERITY_PROBLEMS) + "/" + name + "/case.toml";
+  instance.file =
+      (std::filesystem::path(ASPERITY_PROBLEMS) / name / "case.toml").string();
   instance.text = read_file(instance.file, 1U << 20U);
   const bool is_full =
       instance.text.find("solver = \"full\"") != std::string::npos;
@@ -81,10 +89,11 @@ TEST_P(KeptProblem, IsVerified) {
       << report.check << ": " << report.reason;
   EXPECT_TRUE(report.has_pair);
   // Linear systems solved to 1e-3 took 129 Newton steps on the cylinder.
-  if (std::string(GetParam()) == "soft-cylinder")
-    EXPECT_LT(report.iterations, 80);
-  if (std::string(GetParam()) == "stiff-coating")
-    EXPECT_LT(report.iterations, 100);
+  const std::string name = GetParam();
+  const int most = name == "soft-cylinder"   ? 80
+                   : name == "stiff-coating" ? 100
+                                             : 10000;
+  EXPECT_LT(report.iterations, most);
 }
 
 INSTANTIATE_TEST_SUITE_P(
