@@ -143,11 +143,9 @@ void run_pair(const Instance& instance, const Pass& first,
       is_threads
           ? instance
           : draw_instance(instance.seed, instance.index, nullptr, units));
-  const Pass second =
-      run_pass(again.what(), {is_threads ? instance.threads : 1}, report);
-  if (second.steps.empty())
-    report.reason = "second run of the pair: " + report.reason;
-  else
+  const Pass second = second_pass(
+      again.what(), {is_threads ? instance.threads : 1}, "pair", report);
+  if (!second.steps.empty())
     compare(first, second, units, relation != "decimal-units", report);
 }
 

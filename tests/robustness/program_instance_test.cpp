@@ -18,7 +18,9 @@ Instance drawn(const std::string& filter, const std::string& path) {
         !InstanceFilter(filter).takes(instance))
       continue;
     instance.labels["path"] = path;
-    instance.labels["metamorphic pair"] = "none";
+    // The second run of a pair is not what the program is compared with.
+    instance.labels["metamorphic pair"] =
+        instance.label("family") == "full-block" ? "none" : "decimal-units";
     instance.threads = 2;
     return instance;
   }
