@@ -2,7 +2,7 @@
 // tests/run/expected_block_test.cpp compares the unknowns and the linear solver
 // with those of blocks.
 #include "input/input_error.hpp"
-#include "run/plan/memory_check.hpp"
+#include "run/plan/plan.hpp"
 #include "tests/message_of.hpp"
 #include "tests/run/planned_run.hpp"
 
