@@ -71,8 +71,8 @@ public:
     const std::span<Value> before = rows.first(n);
     const std::span<Value> after = rows.last(n);
     if (ranks_ == nullptr) {
-      std::ranges::copy(last, before.begin());
-      std::ranges::copy(first, after.begin());
+      std::copy_n(last.data(), n, before.data());
+      std::copy_n(first.data(), n, after.data());
     } else {
       ranks_->swap_edges({std::as_bytes(first), std::as_bytes(last),
                           std::as_writable_bytes(before),

@@ -107,11 +107,12 @@ bool is_complete(const fs::path& place) {
 /// where it is missing, only its report was still to be moved.
 void move_files(const fs::path& from, const fs::path& to) {
   const bool is_whole = has_main_file(from);
-  for (const char* name : main_files)
+  for (const char* name : main_files) {
     if (fs::exists(from / name))
       fs::rename(from / name, to / name);
     else if (is_whole)
       fs::remove(to / name);
+  }
   std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(from))
     if (!entry.is_directory())
