@@ -19,7 +19,7 @@ using Rings = std::span<const SpectrumRing>;
 
 constexpr double least_noise = -30.0; // ln N below that of the smallest C
 constexpr double most_blur = 30.0;    // of s^2 q^2 at the last ring
-constexpr int most_steps = 80;
+constexpr int most_fit_steps = 80;
 // Rings of one group are wider than the correlation of windowed modes.
 constexpr double groups_per_decade = 15.0;
 
@@ -120,7 +120,7 @@ double descend(Rings rings, const Box& box, bool has_corner,
   at = box.inside(at);
   Expansion here = expand(rings, at, has_corner);
   double damping = 1e-3;
-  for (int step = 0; step < most_steps && damping < 1e10; ++step) {
+  for (int step = 0; step < most_fit_steps && damping < 1e10; ++step) {
     if (at[blur_at] == 0.0 && here.gradient(blur_at) > 0.0)
       hold(here, blur_at); // it would become negative
     Vector change = solve_scaled(here.information, here.gradient, damping);
