@@ -69,7 +69,7 @@ std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method) {
 }
 
 /// "2.3 MPa": three digits with the prefix that suits them.
-std::string pressure_text(double value) {
+std::string pressure_in_pascal(double value) {
   return quantity_text(value, "Pa", 3);
 }
 
@@ -110,7 +110,7 @@ std::string adhesive_sentence(const ReportEntry& entry,
                   1e3 * law->work_of_adhesion, 1e9 * law->adhesion_range);
   if (tension != summary->quantities.end() && tension->second.has_value())
     words += fmt::format(": the largest tension of the path is {}",
-                         pressure_text(tension->second.value * modulus));
+                         pressure_in_pascal(tension->second.value * modulus));
   const double criterion = stickiness(
       *law, modulus, judged_roughness(contact_case, method, *surface));
   if (std::isfinite(criterion) && criterion > 0.0)
@@ -150,7 +150,8 @@ std::string physical_sentence(const ReportEntry& entry) {
   if (loads.empty())
     return adhesive_sentence(entry, *method);
   const auto at = [&](std::size_t i, const char* format) {
-    return fmt::format(fmt::runtime(format), pressure_text(loads[i].pressure),
+    return fmt::format(fmt::runtime(format),
+                       pressure_in_pascal(loads[i].pressure),
                        100.0 * loads[i].area.value, 1e9 * loads[i].gap.value);
   };
   std::string words = at(0, "At {}, {:.3g} % of the nominal area is in contact "
