@@ -190,10 +190,10 @@ BlockSymbol::BlockSymbol(const Grid& grid, int degree,
   }
 }
 
-std::vector<SimdBatch> BlockSymbol::at(const SimdBatch& theta_x,
-                                       const SimdBatch& theta_y) const {
+SimdBatches BlockSymbol::at(const SimdBatch& theta_x,
+                            const SimdBatch& theta_y) const {
   const WaveProducts products(theta_x, theta_y);
-  std::vector<SimdBatch> materials(symbols_.size() * packs_);
+  SimdBatches materials(symbols_.size() * packs_);
   for (std::size_t i = 0; i < symbols_.size(); ++i)
     symbols_[i].evaluate(products, &materials[i * packs_]);
   return materials;

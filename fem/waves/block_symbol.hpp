@@ -93,8 +93,7 @@ public:
 
   /// The symbols of the materials at four wavevectors.
   /// @param theta_x, theta_y  q times the node spacing, one wavevector per lane
-  std::vector<SimdBatch> at(const SimdBatch& theta_x,
-                            const SimdBatch& theta_y) const;
+  SimdBatches at(const SimdBatch& theta_x, const SimdBatch& theta_y) const;
 
   /// Evaluates a layer. Inlined so that it is compiled for the same processor
   /// as its caller.

@@ -27,7 +27,7 @@ void take_compliance(const BlockSymbol& layers,
     theta_x[lane] = 2.0 * std::numbers::pi * modes.x[lane] / grid.points_x;
     theta_y[lane] = 2.0 * std::numbers::pi * modes.y[lane] / grid.points_y;
   }
-  const std::vector<SimdBatch> materials = layers.at(theta_x, theta_y);
+  const SimdBatches materials = layers.at(theta_x, theta_y);
   std::array<SimdBatch, Elimination::packs> symbol;
   std::array<SimdBatch, triangle(Elimination::plane)> stiffness{};
   for (std::size_t l = layers.layers(); l-- > 0;) {

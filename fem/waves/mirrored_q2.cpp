@@ -182,7 +182,7 @@ void MirroredQ2::face_compliance(const SimdBatch& theta_x,
                                  const SimdBatch& spring,
                                  SimdBatch* block) const {
   static const auto eliminate_waves = eliminate_here();
-  const std::vector<SimdBatch> materials = layers_.at(theta_x, theta_y);
+  const SimdBatches materials = layers_.at(theta_x, theta_y);
   eliminate_waves({far_boundary_, layers_, materials.data(), spring}, block);
 }
 

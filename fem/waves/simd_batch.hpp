@@ -6,8 +6,11 @@
 
 #include "base/simd_pack.hpp"
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace asperity::fem {
 
@@ -17,6 +20,12 @@ constexpr std::size_t lanes = 4;
 /// A SIMD batch that holds one number for each wavevector; + - * / act on every
 /// lane.
 using SimdBatch = SimdPack<double, lanes * sizeof(double)>::Type;
+
+/// Many of them. The alignment of the type, as std::allocator knows it, is that
+/// of the processor for which the program is compiled, and may be smaller than
+/// that of the processor for which a loop is.
+using SimdBatches = std::vector<SimdBatch, boost::alignment::aligned_allocator<
+                                               SimdBatch, sizeof(SimdBatch)>>;
 
 /// Number of entries in the lower triangle of a symmetric n x n matrix.
 constexpr std::size_t triangle(std::size_t n) {
