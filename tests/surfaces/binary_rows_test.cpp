@@ -19,6 +19,7 @@
 namespace asperity::surfaces::binary_rows_test {
 
 using namespace tests_of_formats;
+using namespace tests_of_rows;
 
 // A file that becomes shorter after it was opened is refused when its rows are
 // read.
