@@ -9,12 +9,14 @@ namespace asperity::robustness::program_instance_test {
 
 const std::filesystem::path program = ASPERITY_PROGRAM;
 
-/// The first problem of a seed with these labels, on a path.
+/// The first problem of a seed with these labels whose heights a map may have,
+/// on a path.
 Instance drawn(const std::string& filter, const std::string& path) {
   for (int index = 0;; ++index) {
     Instance instance = draw_instance(5, index);
     if (instance.label("points") != "16" ||
         instance.label("shortest-wave") == "2" ||
+        instance.label("length") == "1e-12..1e-09" ||
         !InstanceFilter(filter).takes(instance))
       continue;
     instance.labels["path"] = path;
