@@ -197,29 +197,27 @@ void write_collection_report(const run::FoundCases& collection,
   fmt::print("report on all parts: {}\n", (folder / "report.html").string());
 }
 
+/// A sweep, or what the ranks of mpirun share.
+run::ExitCode run_apart(const run::NamedCases& named, const RunCommand& command,
+                        run::JsonAnswer& answer) {
+  const std::string& name =
+      named.sweep ? named.sweep->sweep.name : named.cases.front().found.name;
+  const fs::path folder =
+      named.sweep && !named.sweep->text.empty() // of several maps
+          ? named.sweep->found.file.parent_path()
+          : folder_of(name, command.out, command.cases.size());
+  const run::ExitCode ended =
+      is_for_ranks(named, command)
+          ? run_over_ranks(named, command, folder)
+          : run_named_sweep(*named.sweep, command, folder);
+  add_answer(answer, name, run::latest_output(folder), ended);
+  return ended;
+}
+
 run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
                         methods::Cache& cache, run::JsonAnswer& answer) {
-  if (named.sweep) {
-    const fs::path folder =
-        named.sweep->text.empty()
-            ? folder_of(named.sweep->sweep.name, command.out,
-                        command.cases.size())
-            : named.sweep->found.file.parent_path(); // of several maps
-    const run::ExitCode ended =
-        is_for_ranks(named, command)
-            ? run_over_ranks(named, command, folder)
-            : run_named_sweep(*named.sweep, command, folder);
-    add_answer(answer, named.sweep->sweep.name, run::latest_output(folder),
-               ended);
-    return ended;
-  }
-  if (is_for_ranks(named, command)) {
-    const std::string& name = named.cases.front().found.name;
-    const fs::path folder = folder_of(name, command.out, command.cases.size());
-    const run::ExitCode ended = run_over_ranks(named, command, folder);
-    add_answer(answer, name, run::latest_output(folder), ended);
-    return ended;
-  }
+  if (named.sweep || is_for_ranks(named, command))
+    return run_apart(named, command, answer);
   const bool is_collection = !named.found.collection.empty();
   const std::size_t n_targets = command.cases.size();
   run::ExitCode end = run::exit_good;

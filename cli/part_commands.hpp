@@ -15,7 +15,7 @@ namespace asperity::cli {
 /// this part has computed is kept.
 /// @throws input::InputError  a collection or several cases, or a part that the
 ///                            case does not have
-run::ExitCode run_part(const std::vector<run::NamedCases>& named,
+run::ExitCode run_part(const std::vector<run::NamedCases>& all,
                        const RunCommand& command, methods::Cache& cache);
 
 /// Returns whether the members of a case or a sweep are distributed over the

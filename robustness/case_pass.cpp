@@ -59,12 +59,13 @@ double smallest_factor(const fem::ModuliField& moduli, const Grid& grid,
   constexpr int places = 16; // along each axis
   double smallest = 1.0;
   if (moduli.has_factor())
-    for (int i = 0; i < places * places * places; ++i)
+    for (int i = 0; i < places * places * places; ++i) {
+      const int row = i / places % places, layer = i / (places * places);
       smallest = std::min(
-          smallest,
-          moduli.factor({(i % places + 0.5) / places * grid.length_x,
-                         (i / places % places + 0.5) / places * grid.length_y,
-                         (i / places / places + 0.5) / places * depth}));
+          smallest, moduli.factor({(i % places + 0.5) / places * grid.length_x,
+                                   (row + 0.5) / places * grid.length_y,
+                                   (layer + 0.5) / places * depth}));
+    }
   return smallest;
 }
 

@@ -16,6 +16,6 @@ bool needs_elements(const std::string& flaw);
 bool needs_block(const std::string& flaw);
 
 /// Writes the mistake into the case of an instance.
-void spoil(const std::string& flaw, const Draft& draft, Instance& instance);
+void spoil(const std::string& name, const Draft& draft, Instance& instance);
 
 } // namespace asperity::robustness

@@ -174,7 +174,7 @@ void run_library(const Instance& instance, const InstanceCase& read,
     compare_with_direct(read.what(), found, std::move(expected), report);
 }
 
-void run_by_path(const Instance& instance, fs::path program,
+void run_by_path(const Instance& instance, const fs::path& program,
                  InstanceReport& report) {
   const std::string path = instance.label("path");
   const bool is_flawed = !instance.label("flaw").empty();
