@@ -24,8 +24,6 @@ struct MapReader {
   /// @param bytes  of the file, all or the first 64 kB
   bool (*recognises)(std::string_view bytes);
   OpenMap (*open)(const MapBytes& bytes, const ScanRequest& request);
-  /// Whether files of this format are read by rows, or some of them.
-  bool can_seek = false;
   /// Empty: there is one channel, in metres.
   std::vector<ChannelInfo> (*channels)(const MapBytes& bytes) = nullptr;
 };

@@ -63,10 +63,6 @@ OpenMap open_map(const std::string& path, const ScanRequest& request) {
   return opened(MapBytes::of_file(path), request);
 }
 
-bool may_read_rows(const std::string& path, mechanics::MapFormat format) {
-  return reader_of_map(MapBytes::of_file(path), format).can_seek;
-}
-
 Scan read_scan_bytes(std::string_view bytes, const std::string& name,
                      const ScanRequest& request) {
   return scan_of_map(opened({bytes, name}, request), name);

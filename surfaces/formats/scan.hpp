@@ -75,9 +75,6 @@ struct OpenMap {
   /// infinite.
   std::function<std::vector<double>(int first, int count)> rows;
   FileNumbers numbers = {};
-  /// Whether these rows alone are read from the file; else the whole map is in
-  /// memory.
-  bool reads_rows = true;
 };
 
 /// Number of missing points.
@@ -87,11 +84,6 @@ std::size_t count_missing(const Scan& scan);
 /// @throws input::InputError  as read_scan(), unless all points are missing or
 ///                            rows() cannot read the numbers
 OpenMap open_map(const std::string& path, const ScanRequest& request);
-
-/// Whether the format of a file permits to read its rows alone: without opening
-/// it, which may take long if false.
-/// @throws input::InputError  the file is not a regular file, or too large
-bool may_read_rows(const std::string& path, mechanics::MapFormat format);
 
 /// Reads a channel of a file: all rows of open_map().
 /// @throws input::InputError  the file is not a regular file, too large, of an

@@ -100,40 +100,40 @@ bool is_never(std::string_view) {
 constexpr MapReader map_readers[] = {
     {MapFormat::gwy,
      [](std::string_view bytes) { return bytes.starts_with("GWYP"); }, open_gwy,
-     false, gwy_channels},
+     gwy_channels},
     {MapFormat::npy,
      [](std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); },
-     open_npy, true, npy_channels},
+     open_npy, npy_channels},
     {MapFormat::hdf5,
      [](std::string_view bytes) {
        return bytes.starts_with("\x89HDF\r\n\x1A\n");
      },
-     open_hdf5, true, hdf5_channels},
+     open_hdf5, hdf5_channels},
     {MapFormat::sdf,
      [](std::string_view bytes) {
        return begins_with(bytes,
                           {"aISO-1.0", "bISO-1.0", "aBCR-1.0", "bBCR-1.0"});
      },
-     open_sdf, true},
+     open_sdf},
     {MapFormat::sur,
      [](std::string_view bytes) {
        return begins_with(bytes, {"DIGITAL SURF", "DSCOMPRESSED"});
      },
-     open_sur, true},
+     open_sur},
     {MapFormat::wsxm,
      [](std::string_view bytes) { return bytes.starts_with("WSxM file"); },
-     open_wsxm, true},
+     open_wsxm},
     {MapFormat::x3p, is_x3p, open_x3p},
     {MapFormat::automatic,
      [](std::string_view bytes) {
        return looks_like_text(bytes) && !is_foreign_text(bytes);
      },
-     open_text, false, text_channels},
+     open_text, text_channels},
     {MapFormat::plain, is_never, open_text},
     {MapFormat::gwyddion, is_never, open_text},
     {MapFormat::xyz, is_never, open_text},
     {MapFormat::convert, [](std::string_view) { return true; }, open_converted,
-     false, converted_channels}};
+     converted_channels}};
 
 const MapReader& recognised_reader(std::string_view bytes) {
   return *std::ranges::find_if(map_readers, [&](const MapReader& reader) {

@@ -30,7 +30,7 @@ OpenMap map_in_memory(const Grid& grid, std::vector<double> values,
     value *= numbers.unit;
   const auto heights =
       std::make_shared<const std::vector<double>>(std::move(values));
-  OpenMap map{grid, "", reader, {}, numbers, false};
+  OpenMap map{grid, "", reader, {}, numbers};
   map.rows = [heights, grid](int first, int count) {
     const auto begin =
         heights->begin() + static_cast<std::ptrdiff_t>(grid.index(0, first));

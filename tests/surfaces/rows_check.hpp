@@ -46,12 +46,10 @@ inline void expect_rows(const OpenMap& file, const Scan& whole, int first,
 }
 
 /// The rows have the bits of the file as a whole, in any order of calls.
-/// @param reads_rows  whether they are read from the file when asked for
-inline void expect_rows_of(const std::string& path, const ScanRequest& request,
-                           bool reads_rows = true) {
+inline void expect_rows_of(const std::string& path,
+                           const ScanRequest& request) {
   const Scan whole = read_scan(path, request);
   const OpenMap file = open_map(path, request);
-  EXPECT_EQ(file.reads_rows, reads_rows);
   EXPECT_EQ(file.grid, whole.map.grid);
   const int n = file.grid.points_y;
   for (const int first : {0, n / 2, n / 3, n - 1, 0})

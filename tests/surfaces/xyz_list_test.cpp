@@ -175,7 +175,7 @@ TEST(XyzList, MayBeAMatrixOfThreeColumns) {
       numbers.insert(numbers.end(), {0.1 * x, 0.2 * y, std::sin(x + 5.0 * y)});
   numbers[5] = std::numeric_limits<double>::quiet_NaN();
   const std::string path = written("list.npy", npy_bytes(numbers, 12, 3));
-  expect_rows_of(path, automatic, false);
+  expect_rows_of(path, automatic);
   const Scan scan = read_scan(path, automatic);
   EXPECT_EQ(scan.map.grid.points_x, 4);
   EXPECT_EQ(scan.reader, "own reader of .npy");
@@ -217,7 +217,7 @@ TEST(XyzList, HasNumbersThatMarkMissingPoints) {
     for (const std::string& line : lines)
       text += line;
     const std::string path = written("marked.txt", text);
-    expect_rows_of(path, request, false);
+    expect_rows_of(path, request);
     EXPECT_EQ(count_missing(read_scan(path, request)), 2U);
   }
   const std::string grid =
