@@ -405,7 +405,7 @@ std::string bytes_by_child(const std::string& path, double unit) {
     _exit(answer_in_child(ends[1], path, unit));
   }
   close(ends[1]);
-  const std::string answer = child > 0 ? all_of(ends[0]) : "";
+  std::string answer = child > 0 ? all_of(ends[0]) : "";
   close(ends[0]);
   int status = 0;
   while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)

@@ -13,7 +13,7 @@ namespace asperity::reports {
 
 /// Returns what the page shows of one result beside its summary.json.
 nlohmann::ordered_json entry_page(const ReportEntry& entry,
-                                  nlohmann::ordered_json summary,
+                                  nlohmann::ordered_json page,
                                   std::span<const Series> series);
 
 /// Returns "All 6 expectations are met.", and how many are undecided.

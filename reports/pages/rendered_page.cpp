@@ -100,7 +100,7 @@ Data data_of(Json& value, const Formats& formats) {
     kainjow::mustache::list list;
     for (Json& item : value)
       list.push_back(data_of(item, formats));
-    return Data(std::move(list));
+    return Data(list);
   }
   if (value.is_object()) {
     Data object(Data::type::object);
@@ -120,7 +120,7 @@ Data data_of(Json& value, const Formats& formats) {
   if (is_missing(value) || value == "")
     return Data(false);
   if (value.is_string())
-    return Data(std::move(value.get_ref<std::string&>()));
+    return Data(value.get_ref<const std::string&>());
   return Data(text_of_json(value, -1));
 }
 
