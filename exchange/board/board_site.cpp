@@ -239,7 +239,8 @@ std::string html_of(Json page,
 std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
   std::vector<reports::DrawnFigure> drawn;
   /// Draws figures and adds them to a table.
-  const auto add = [&](std::vector<reports::Figure> figures, Json& table) {
+  const auto add = [&](const std::vector<reports::Figure>& figures,
+                       Json& table) {
     reports::DrawnGroup group;
     for (const reports::Figure& figure : figures) {
       drawn.push_back(reports::draw(figure, folder));
