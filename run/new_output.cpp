@@ -79,6 +79,21 @@ std::vector<fs::path> folders_of_methods(const fs::path& folder) {
   return folders;
 }
 
+/// The folders of the points of a sweep. Others beside them are the user's.
+std::vector<fs::path> folders_of_points(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  try {
+    if (!fs::exists(folder / reports::sweep_file))
+      return folders;
+    const std::size_t n = reports::read_sweep_record(folder).points.size();
+    for (std::size_t i = 0; i < n; ++i)
+      folders.push_back(folder / reports::point_folder(i));
+  } catch (const input::InputError& error) {
+    fmt::print("the previous sweep cannot be read: {}\n", error.what());
+  }
+  return folders;
+}
+
 /// Removes what belongs to the result or the sweep in a folder, and leaves
 /// that.
 void remove_report(const fs::path& folder) {
@@ -89,11 +104,10 @@ void remove_report(const fs::path& folder) {
   for (const fs::path& file : report_files(folder))
     fs::remove(file);
   remove_empty_folders(folder / "figures");
-  std::error_code none; // no sweep
-  for (const auto& point : fs::directory_iterator(folder / "points", none)) {
+  for (const fs::path& point : folders_of_points(folder)) {
+    remove_report(point); // reads the result
     for (const char* name : {result_name, "result.journal", "log.txt"})
-      fs::remove(point.path() / name);
-    remove_report(point.path());
+      fs::remove(point / name);
   }
   remove_empty_folders(folder / "points");
 }

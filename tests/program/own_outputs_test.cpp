@@ -184,6 +184,17 @@ TEST_F(OwnOutputs, PicturesOfTheUserStayAmongOurs) {
   EXPECT_FALSE(fs::exists(folder / "a/figures/cost.csv"));
 }
 
+// A folder "points" of the user is not that of a sweep.
+TEST_F(OwnOutputs, ResultsThatTheUserPutsBesideOursStay) {
+  ASSERT_EQ(run("run small.toml --no-report --out f").exit_code, 0);
+  fs::create_directories(folder / "f/points/mine");
+  for (const char* name : {"result.h5", "curves.csv"})
+    fs::copy(folder / "f/result.h5", folder / "f/points/mine" / name);
+  ASSERT_EQ(run("run small.toml --no-report --out f").exit_code, 0);
+  for (const char* name : {"result.h5", "curves.csv"})
+    EXPECT_TRUE(fs::exists(folder / "f/points/mine" / name)) << name;
+}
+
 TEST_F(OwnOutputs, ALockFileOfOthersIsNotOverwritten) {
   fs::create_directory(folder / "a");
   write("a/.lock", foreign);
