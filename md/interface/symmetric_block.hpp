@@ -15,4 +15,15 @@ struct SymmetricBlock {
   double yz = 0.0;
 };
 
+/// The symmetric part of a 3 x 3 matrix of Eigen.
+template <class Matrix>
+SymmetricBlock symmetric_part(const Matrix& matrix) {
+  return {matrix(0, 0),
+          matrix(1, 1),
+          matrix(2, 2),
+          0.5 * (matrix(0, 1) + matrix(1, 0)),
+          0.5 * (matrix(0, 2) + matrix(2, 0)),
+          0.5 * (matrix(1, 2) + matrix(2, 1))};
+}
+
 } // namespace asperity::md

@@ -31,15 +31,6 @@ inline WaveBlock full(const std::array<double, 9>& block) {
   return Eigen::Map<const WaveBlock>(block.data());
 }
 
-inline SymmetricBlock packed(const WaveBlock& matrix) {
-  return {matrix(0, 0),
-          matrix(1, 1),
-          matrix(2, 2),
-          0.5 * (matrix(0, 1) + matrix(1, 0)),
-          0.5 * (matrix(0, 2) + matrix(2, 0)),
-          0.5 * (matrix(1, 2) + matrix(2, 1))};
-}
-
 /// Adds the block, or the block of the mode -q, to the sum.
 inline void add(SymmetricBlock& sum, const SymmetricBlock& block,
                 bool is_conjugate) {
@@ -183,7 +174,7 @@ BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
                         .inverse()
                         .eval();
         level.inverse[static_cast<std::size_t>(layer) * modes + mode] =
-            packed(inverse);
+            symmetric_part(inverse);
       }
       // The last level is attached to the plate directly, without
       // interpolation.
@@ -191,9 +182,10 @@ BlockSolver::factor_level(int at, const std::vector<SymmetricBlock>& below) {
       const double share = is_last ? 1.0 : interpolated_share(x, y);
       level.share[mode] = share;
       Eigen::Map<WaveBlock>(level.upwards[mode].data()) = upwards;
-      above[mode] = packed(share * share *
-                           (stiffness(slab.within_upper) -
-                            upwards.transpose() * inverse * upwards));
+      above[mode] =
+          symmetric_part(WaveBlock(share * share *
+                                   (stiffness(slab.within_upper) -
+                                    upwards.transpose() * inverse * upwards)));
     }
   });
   return above;

@@ -49,15 +49,6 @@ bool is_deep(const Slab& slab) {
          1e-18 * slab.alike.cwiseAbs().maxCoeff();
 }
 
-SymmetricBlock block_of(const Matrix& matrix) {
-  return {matrix(0, 0),
-          matrix(1, 1),
-          matrix(2, 2),
-          0.5 * (matrix(0, 1) + matrix(1, 0)),
-          0.5 * (matrix(0, 2) + matrix(2, 0)),
-          0.5 * (matrix(1, 2) + matrix(2, 1))};
-}
-
 /// Returns whether the entry (row, column) couples a lateral axis to z. Such
 /// entries are imaginary and odd in the wavevector; all others are real and
 /// even.
@@ -137,14 +128,14 @@ SymmetricBlock SlabSymbol::clamped(double angle_x, double angle_y,
   bool is_begun = false;
   for (int rest = cells;; power = stacked(power, power)) {
     if (is_deep(power))
-      return block_of(power.alike);
+      return symmetric_part(power.alike);
     if (rest & 1) {
       whole = is_begun ? stacked(power, whole) : power;
       is_begun = true;
     }
     rest >>= 1;
     if (rest == 0)
-      return block_of(whole.alike - whole.across);
+      return symmetric_part(whole.alike - whole.across);
   }
 }
 
