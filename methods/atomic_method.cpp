@@ -3,6 +3,8 @@
 #include "input/input_error.hpp"
 #include "md/engines.hpp"
 #include "methods/curve_row.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>
@@ -73,7 +75,7 @@ void observe_repulsion(results::CurvePoint& row, const md::AtomStep& step) {
   // Weak pressures in the soft tail contribute least to the second moment: on
   // the surface of the paper it is within 4 % of the area of hard contact,
   // while the least-squares fit is 20 % above it (docs/numerics/md.md).
-  row.area_fraction_corrected = row.area_fraction_moment;
+  row.area_fraction_corrected = row[columns::area_fraction_moment];
 }
 
 /// The same with attraction, as for a contact law without a wall.
@@ -83,7 +85,7 @@ void observe_attraction(results::CurvePoint& row, const md::AtomStep& step,
   const mechanics::ContactNodes nodes(criterion, step.pressure, step.gap);
   row.area_fraction = results::counted_area_fraction(nodes);
   row.area_fraction_corrected = results::Observed::none;
-  row.adhesive_energy = step.interface_energy;
+  row[columns::adhesive_energy] = step.interface_energy;
   observe_tension(row, step.pressure, nodes, law);
 }
 

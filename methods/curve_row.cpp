@@ -6,6 +6,8 @@
 #include "results/observables/observables.hpp"
 #include "results/observables/pressure_fit.hpp"
 #include "results/observables/row_observer.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -32,7 +34,7 @@ void observe_adhesion(results::CurvePoint& row,
                       const Observation& observation) {
   const mechanics::ContactInterface& law = *observation.adhesion;
   const std::size_t nodes = solution.gap.size();
-  row.adhesive_energy =
+  row[columns::adhesive_energy] =
       solution.is_detached
           ? 0.0
           : weighted_sum(
@@ -42,10 +44,10 @@ void observe_adhesion(results::CurvePoint& row,
   observe_tension(row, solution.pressure,
                   {observation.criterion, solution.pressure, solution.gap}, law,
                   observation.nodal_weights, observation.threads);
-  row.jump_pressure = solution.jump_pressure;
-  row.jump_gap = solution.jump_gap;
+  row[columns::jump_pressure] = solution.jump_pressure;
+  row[columns::jump_gap] = solution.jump_gap;
   if (std::isfinite(solution.smallest_stiffness)) // not without an open node
-    row.smallest_stiffness = solution.smallest_stiffness;
+    row[columns::smallest_stiffness] = solution.smallest_stiffness;
   if (observation.grid_number > mechanics::accurate_grid_number * (1.0 + 1e-9))
     add_note(row, fmt::format("the grid resolves the range of the adhesion "
                               "coarsely: s^2 h/(w E*) = {:.2g} is above {:g}",
@@ -58,14 +60,14 @@ void observe_hardness(results::CurvePoint& row,
                       const contact::ContactSolution& solution,
                       const Observation& observation) {
   const double* const p = solution.pressure.data();
-  row.plastic_area =
+  row[columns::plastic_area] =
       weighted_sum(observation.nodal_weights, solution.pressure.size(),
                    observation.threads,
                    [=, hardness = observation.hardness](std::size_t i) {
                      return p[i] >= hardness ? 1.0 : 0.0;
                    }) /
       static_cast<double>(solution.pressure.size());
-  row.plastic_work = observation.hardness * solution.mean_imprint;
+  row[columns::plastic_work] = observation.hardness * solution.mean_imprint;
 }
 
 /// [m]
@@ -106,7 +108,8 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
   if (std::isfinite(observation.hardness))
     observe_hardness(row, solution, observation);
   // Neither the edge of the contact nor the distribution are elastic.
-  const bool has_yielded = row.plastic_work > 0.0 || row.plastic_area > 0.0;
+  const bool has_yielded =
+      row[columns::plastic_work] > 0.0 || row[columns::plastic_area] > 0.0;
   if (observation.resolves_boundary && !is_adhesive && !has_yielded)
     observe("area_fraction_corrected", [&] {
       return results::corrected_area_fraction(grid, pressure, solution.gap,
@@ -116,12 +119,12 @@ results::CurvePoint row_of(const contact::ContactSolution& solution,
                                               threads);
     });
   if (observation.border == results::Border::free)
-    row.mean_displacement = mean_displacement(solution, observation);
+    row[columns::mean_displacement] = mean_displacement(solution, observation);
   if (observation.has_middle) {
     const results::PressureCentre centre =
         results::pressure_centre(grid, pressure, weights, threads);
-    row.pressure_centre_x = centre.x;
-    row.pressure_centre_y = centre.y;
+    row[columns::pressure_centre_x] = centre.x;
+    row[columns::pressure_centre_y] = centre.y;
   }
   if (is_adhesive)
     observe_adhesion(row, solution, observation);
@@ -182,12 +185,12 @@ void observe_tension(results::CurvePoint& row, std::span<const double> pressure,
            static_cast<double>(nodes.size());
   };
   const double pulled = least_tension * law.pressure_bounds().smallest;
-  row.repulsive_area = mean_of([&](std::size_t i) {
+  row[columns::repulsive_area] = mean_of([&](std::size_t i) {
     return nodes.in_contact(i) && p[i] > 0.0 ? 1.0 : 0.0;
   });
-  row.attractive_load =
+  row[columns::attractive_load] =
       mean_of([=](std::size_t i) { return std::max(0.0, -p[i]); });
-  row.tensile_area =
+  row[columns::tensile_area] =
       mean_of([=](std::size_t i) { return p[i] <= pulled ? 1.0 : 0.0; });
 }
 

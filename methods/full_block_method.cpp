@@ -8,6 +8,8 @@
 #include "methods/stress_section.hpp"
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +84,9 @@ public:
     const double area = solution.area_by_points;
     const bool resolves_boundary = solution.is_contact_on_grid;
     results::CurvePoint costs;
-    costs.linear_iterations = solution.linear_iterations;
-    costs.preconditioner_setups = solution.preconditioner_setups;
-    costs.memory = solution.memory;
+    costs[columns::linear_iterations] = solution.linear_iterations;
+    costs[columns::preconditioner_setups] = solution.preconditioner_setups;
+    costs[columns::memory] = solution.memory;
     const double estimated_gap_error = solution.estimated_gap_error;
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
@@ -100,22 +102,23 @@ public:
                 surface_);
     answer.reached = reached;
     answer.row.area_fraction = area;
-    answer.row.estimated_gap_error = estimated_gap_error;
+    answer.row[columns::estimated_gap_error] = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
     answer.row.contact_energy = contact_energy;
-    answer.row.plastic_work = plastic_work;
-    answer.row.plastic_strain = plastic_strain;
+    answer.row[columns::plastic_work] = plastic_work;
+    answer.row[columns::plastic_strain] = plastic_strain;
     if (surface_.has_middle) {
-      answer.row.pressure_centre_x = centre_x;
-      answer.row.pressure_centre_y = centre_y;
+      answer.row[columns::pressure_centre_x] = centre_x;
+      answer.row[columns::pressure_centre_y] = centre_y;
     }
     if (!resolves_boundary) // quadrature points between the nodes do not
                             // resolve the contact boundary
       answer.row.area_fraction_corrected = area;
-    answer.row.linear_iterations = costs.linear_iterations;
-    answer.row.preconditioner_setups = costs.preconditioner_setups;
-    answer.row.memory = costs.memory;
-    answer.row.unknowns = static_cast<double>(block_->unknowns());
+    answer.row[columns::linear_iterations] = costs[columns::linear_iterations];
+    answer.row[columns::preconditioner_setups] =
+        costs[columns::preconditioner_setups];
+    answer.row[columns::memory] = costs[columns::memory];
+    answer.row[columns::unknowns] = static_cast<double>(block_->unknowns());
     if (settings_.full.has_stiffness)
       find_stiffness(answer);
     if (extras_.has_conduction)
@@ -158,21 +161,21 @@ private:
 
   void find_stiffness(StepAnswer& answer) {
     const fem::ContactStiffness stiffness = block_->stiffness();
-    answer.row.linear_iterations += stiffness.linear_iterations;
+    answer.row[columns::linear_iterations] += stiffness.linear_iterations;
     if (!stiffness.converged) {
       answer.row.note += answer.row.note.empty() ? "" : "; ";
       answer.row.note += "the stiffness of the contact did not converge";
       return;
     }
-    answer.row.normal_stiffness = stiffness.normal;
-    answer.row.tangential_stiffness = stiffness.tangential;
+    answer.row[columns::normal_stiffness] = stiffness.normal;
+    answer.row[columns::tangential_stiffness] = stiffness.tangential;
   }
 
   void find_conduction(StepAnswer& answer) {
     if (answer.row.status != results::StepStatus::converged)
       return;
     const fem::BlockConduction found = block_->conduction();
-    answer.row.linear_iterations += found.linear_iterations;
+    answer.row[columns::linear_iterations] += found.linear_iterations;
     results::RowObserver(answer.row)(
         "relative_conductance", [&]() -> results::Observed {
           if (!found.converged)
@@ -186,8 +189,8 @@ private:
 
   void look_inside(std::size_t step, StepAnswer& answer) {
     const fem::StressPeak peak = block_->strongest_stress();
-    answer.row.von_mises = peak.von_mises;
-    answer.row.von_mises_depth = peak.depth;
+    answer.row[columns::von_mises] = peak.von_mises;
+    answer.row[columns::von_mises_depth] = peak.depth;
     if (extras_.with_section == step)
       answer.section = stress_section(
           {method_, answer.row.nominal_pressure, peak,

@@ -7,6 +7,7 @@
 #include "methods/timed_operator.hpp"
 #include "ranks/node_sums.hpp"
 #include "ranks/rank_sums.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,9 +83,9 @@ public:
     StepAnswer answer = observe(std::move(solution), observation_, surface_);
     answer.reached = reached;
     certify(answer);
-    answer.row.observation_time = clock.seconds();
-    answer.row.transforms = transforms;
-    answer.row.transform_time = transform_time;
+    answer.row[columns::observation_time] = clock.seconds();
+    answer.row[columns::transforms] = transforms;
+    answer.row[columns::transform_time] = transform_time;
     return answer;
   }
 

@@ -15,17 +15,12 @@ namespace asperity::results {
 /// followed by one row per step:
 ///
 ///     method,realization,step,nominal_pressure [Pa],mean_gap [m],
-///     area_fraction [1],area_fraction_corrected [1],area_fraction_fit [1],
-///     area_fraction_moment [1],contact_perimeter [1/m],
-///     elastic_energy [J/m^2],contact_stiffness [Pa/m],iterations,residual,
-///     certified_gap_error [m],estimated_gap_error [m],status
+///     area_fraction [1],area_fraction_corrected [1],contact_perimeter [1/m],
+///     elastic_energy [J/m^2],contact_energy [J/m^2],contact_stiffness [Pa/m],
+///     iterations,residual,is_unloading,...,status
 ///
-/// If a method has adhesion, adhesive_energy [J/m^2],repulsive_area [1],
-/// tensile_area [1],smallest_stiffness [Pa/m],attractive_load [Pa] come before
-/// the status, and jump_pressure [Pa],jump_gap [m] if faces part. If a
-/// block has a yield stress or a hardness, plastic_work
-/// [J/m^2],plastic_strain [1] and with the latter plastic_area [1] come
-/// before the status.
+/// Between is_unloading and status are the columns of methods and studies in
+/// which some row has a number (curve_columns.hpp).
 ///
 /// Two runs of one case by one build give the same bytes. Numbers have the
 /// fewest digits that reproduce the same double. A quantity that a method does

@@ -3,6 +3,7 @@
 #include "input/input_error.hpp"
 #include "results/observables/height_numbers.hpp"
 #include "results/types/curve_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -214,10 +215,11 @@ void check_step(const std::string& place, std::optional<double> rms_height,
         pressure.value, 10.0 * pressure.size, "Pa", "its pressure map has");
   // An imprint is not in the map. Its mean depth is plastic_work/H, with H not
   // below p_0: equal to it where the whole surface yields, whose gap is 0.
-  const bool is_imprinted =
-      std::isfinite(point.plastic_area) && point.plastic_work > 0.0;
+  const bool is_imprinted = std::isfinite(point[columns::plastic_area]) &&
+                            point[columns::plastic_work] > 0.0;
   const double deepest =
-      is_imprinted ? point.plastic_work / point.nominal_pressure : 0.0;
+      is_imprinted ? point[columns::plastic_work] / point.nominal_pressure
+                   : 0.0;
   if (std::isfinite(gap.value))
     check_follows({place + "/curve/mean_gap" + row, point.mean_gap, "m"},
                   {gap.value - deepest, gap.value},

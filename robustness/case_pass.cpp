@@ -6,6 +6,8 @@
 #include "fem/plugin.hpp"
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 #include "robustness/verify_adhesive.hpp"
 
 #include <fmt/format.h>
@@ -287,15 +289,15 @@ ContactSolution SurfacePass::solution_of(const StepAnswer& answer) const {
   solution.gap = answer.gap;
   solution.nominal_pressure = answer.row.nominal_pressure;
   solution.mean_gap = answer.row.mean_gap;
-  solution.smallest_stiffness = answer.row.smallest_stiffness;
+  solution.smallest_stiffness = answer.row[columns::smallest_stiffness];
   solution.is_detached = answer.reached.is_detached;
   if (answer.gap.size() != asked_.heights.size())
     return solution; // of atoms
   double mean = answer.row.mean_gap +
                 results::weighted_mean(asked_.heights, asked_.weights);
   if (asked_.border == results::Border::free &&
-      std::isfinite(answer.row.mean_displacement))
-    mean -= answer.row.mean_displacement;
+      std::isfinite(answer.row[columns::mean_displacement]))
+    mean -= answer.row[columns::mean_displacement];
   for (std::size_t i = 0; i < answer.gap.size(); ++i)
     solution.displacement.push_back(answer.gap[i] + asked_.heights[i] - mean);
   return solution;
@@ -422,7 +424,7 @@ bool SurfacePass::run(Pass& pass) {
       return false;
     }
     steps.push_back(summary(solution, answer));
-    pass.unknowns.push_back(answer.row.unknowns);
+    pass.unknowns.push_back(answer.row[columns::unknowns]);
     pass.pressures.push_back(std::move(answer.pressure));
     pass.gaps.push_back(std::move(answer.gap));
   }

@@ -4,6 +4,8 @@
 #include "base/special_numbers.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "results/observables/observables.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -187,7 +189,7 @@ std::optional<Failure> verify_contact(const AskedContact& asked,
 
 std::optional<Failure> verify_row(const results::CurvePoint& row) {
   const double rounding = 1e-12;
-  const bool is_adhesive = std::isfinite(row.adhesive_energy);
+  const bool is_adhesive = std::isfinite(row[columns::adhesive_energy]);
   for (const Ranged& number :
        {Ranged{"nominal_pressure", row.nominal_pressure,
                is_adhesive ? -infinity : 0.0, infinity},
@@ -195,9 +197,10 @@ std::optional<Failure> verify_row(const results::CurvePoint& row) {
         Ranged{"area_fraction", row.area_fraction, 0.0, 1.0 + rounding},
         Ranged{"area_fraction_corrected", row.area_fraction_corrected, 0.0,
                1.0 + rounding, true},
-        Ranged{"area_fraction_fit", row.area_fraction_fit, 0.0, 1.0, true},
-        Ranged{"area_fraction_moment", row.area_fraction_moment, 0.0, 1.0,
+        Ranged{"area_fraction_fit", row[columns::area_fraction_fit], 0.0, 1.0,
                true},
+        Ranged{"area_fraction_moment", row[columns::area_fraction_moment], 0.0,
+               1.0, true},
         Ranged{"contact_perimeter", row.contact_perimeter, 0.0, infinity, true},
         Ranged{"elastic_energy", row.elastic_energy, -infinity, infinity},
         Ranged{"contact_energy", row.contact_energy, 0.0, infinity},
@@ -205,10 +208,10 @@ std::optional<Failure> verify_row(const results::CurvePoint& row) {
         Ranged{"iterations", static_cast<double>(row.iterations), 0.0,
                infinity},
         Ranged{"cpu_time", row.cpu_time, 0.0, infinity},
-        Ranged{"certified_gap_error", row.certified_gap_error, 0.0, infinity,
-               true},
-        Ranged{"estimated_gap_error", row.estimated_gap_error, 0.0, infinity,
-               true}}) {
+        Ranged{"certified_gap_error", row[columns::certified_gap_error], 0.0,
+               infinity, true},
+        Ranged{"estimated_gap_error", row[columns::estimated_gap_error], 0.0,
+               infinity, true}}) {
     const bool is_known = !number.may_be_unknown || !std::isnan(number.value);
     if (is_known &&
         !(std::isfinite(number.value) && number.value >= number.low &&

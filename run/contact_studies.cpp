@@ -12,6 +12,7 @@
 #include "methods/continuum_block.hpp"
 #include "results/observables/clusters.hpp"
 #include "results/observables/row_observer.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +95,7 @@ void add_conductance(const StudiedMethod& studied,
         law->in_si(studied.surface.scales).local_compliance();
     observe("normal_stiffness", [&]() -> results::Observed {
       if (compliance == 0.0 && is_halfspace(studied))
-        return row.relative_conductance *
+        return row[columns::relative_conductance] *
                studied.contact_case.material.contact_modulus * grid.area();
       const auto elasticity = studied.solvers.operator_of(
           studied.method, studied.surface, studied.threads);
@@ -117,17 +118,17 @@ void add_spots(const StudiedMethod& studied, const Grid& grid,
   };
   const results::ClusterNumbers spots = numbers_of(nodes.contact_set());
   const results::ClusterNumbers gaps = numbers_of(nodes.open_set());
-  row.spot_count = spots.count;
-  row.largest_spot = spots.largest;
-  row.spot_dimension = spots.dimension;
-  row.spots_percolate_x = spots.percolates_x ? 1.0 : 0.0;
-  row.spots_percolate_y = spots.percolates_y ? 1.0 : 0.0;
-  row.spot_radii = spots.radii / grid.area();
-  row.gap_count = gaps.count;
-  row.largest_gap = gaps.largest;
-  row.gap_dimension = gaps.dimension;
-  row.gap_percolates_x = gaps.percolates_x ? 1.0 : 0.0;
-  row.gap_percolates_y = gaps.percolates_y ? 1.0 : 0.0;
+  row[columns::spot_count] = spots.count;
+  row[columns::largest_spot] = spots.largest;
+  row[columns::spot_dimension] = spots.dimension;
+  row[columns::spots_percolate_x] = spots.percolates_x ? 1.0 : 0.0;
+  row[columns::spots_percolate_y] = spots.percolates_y ? 1.0 : 0.0;
+  row[columns::spot_radii] = spots.radii / grid.area();
+  row[columns::gap_count] = gaps.count;
+  row[columns::largest_gap] = gaps.largest;
+  row[columns::gap_dimension] = gaps.dimension;
+  row[columns::gap_percolates_x] = gaps.percolates_x ? 1.0 : 0.0;
+  row[columns::gap_percolates_y] = gaps.percolates_y ? 1.0 : 0.0;
 }
 
 } // namespace
@@ -155,13 +156,14 @@ void add_contact_studies(const StudiedMethod& studied,
 void set_conductances(const cases::ConductanceStudy& study,
                       results::CurvePoint& row) {
   if (study.thermal_conductivity)
-    row.thermal_conductance =
+    row[columns::thermal_conductance] =
         study.conductivity() *
-        (row.relative_conductance +
-         (study.gap_conductivity ? row.relative_gap_conductance : 0.0));
+        (row[columns::relative_conductance] +
+         (study.gap_conductivity ? row[columns::relative_gap_conductance]
+                                 : 0.0));
   if (study.resistivity)
-    row.electrical_conductance =
-        row.relative_conductance * 2.0 /
+    row[columns::electrical_conductance] =
+        row[columns::relative_conductance] * 2.0 /
         (*study.resistivity + *study.counter_resistivity);
 }
 

@@ -5,7 +5,6 @@
 #include "results/types/curve_columns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -19,16 +18,6 @@ using results::CurveColumn;
 using results::CurvePoint;
 using results::MethodRecord;
 using results::Result;
-
-/// Columns that differ between two runs of the same case.
-constexpr std::array<std::string_view, 4> cost_columns{
-    "cpu_time", "transform_time", "observation_time", "memory"};
-
-/// Columns that say how a solver came to its answer.
-constexpr std::array<std::string_view, 7> solver_columns{
-    "iterations",           "residual",          "certified_gap_error",
-    "estimated_gap_error",  "linear_iterations", "transforms",
-    "preconditioner_setups"};
 
 /// Facts of the provenance that differ between two runs of one build.
 const std::set<std::string> facts_of_a_run{
@@ -194,11 +183,8 @@ private:
   }
 
   bool is_compared(const CurveColumn& column) const {
-    const auto is_in = [&](const auto& names) {
-      return std::ranges::find(names, column.name) != names.end();
-    };
-    return !is_in(cost_columns) &&
-           (tolerance_ == 0.0 || !is_in(solver_columns));
+    return column.use == results::ColumnUse::answer ||
+           (column.use == results::ColumnUse::solution && tolerance_ == 0.0);
   }
 
   /// Returns h_rms [m] of the first side, 0 if it is not known.

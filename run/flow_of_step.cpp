@@ -4,6 +4,7 @@
 #include "flow/effective_medium.hpp"
 #include "flow/reynolds.hpp"
 #include "results/observables/row_observer.hpp"
+#include "results/types/study_columns.hpp"
 #include "theory/persson/leakage.hpp"
 
 #include <fmt/format.h>
@@ -111,13 +112,15 @@ void add_flow(const cases::FlowStudy& study, const cases::MethodSpec& method,
         flow::flow_through(grid, gap, flow::Direction::x, border, solved);
     const flow::GapFlow y =
         flow::flow_through(grid, gap, flow::Direction::y, border, solved);
-    row.flow_factor_x = x.flow_factor;
-    row.flow_factor_y = y.flow_factor;
-    row.flow_conductance_x = x.conductance * grid.length_x / grid.length_y;
-    row.flow_conductance_y = y.conductance * grid.length_y / grid.length_x;
-    row.critical_gap_x = x.critical_gap;
-    row.critical_gap_y = y.critical_gap;
-    row.effective_medium = flow::effective_medium(gap);
+    row[columns::flow_factor_x] = x.flow_factor;
+    row[columns::flow_factor_y] = y.flow_factor;
+    row[columns::flow_conductance_x] =
+        x.conductance * grid.length_x / grid.length_y;
+    row[columns::flow_conductance_y] =
+        y.conductance * grid.length_y / grid.length_x;
+    row[columns::critical_gap_x] = x.critical_gap;
+    row[columns::critical_gap_y] = y.critical_gap;
+    row[columns::effective_medium] = flow::effective_medium(gap);
     set_leak_rates(study, row);
   });
 }
@@ -131,16 +134,18 @@ void add_flow(const cases::FlowStudy& study,
     const theory::MagnifiedContact magnified(contact, row.nominal_pressure,
                                              any_wavevector);
     const OpeningGaps opening = opening_gaps(magnified);
-    row.effective_medium = flow::effective_medium(opening.gaps, opening.shares);
-    row.flow_conductance_x = row.flow_conductance_y = row.effective_medium;
+    row[columns::effective_medium] =
+        flow::effective_medium(opening.gaps, opening.shares);
+    row[columns::flow_conductance_x] = row[columns::flow_conductance_y] =
+        row[columns::effective_medium];
     results::RowObserver observe(row);
     for (const char* const factor : {"flow_factor_x", "flow_factor_y"})
       observe(factor, [&] {
-        return results::Observed{row.effective_medium /
+        return results::Observed{row[columns::effective_medium] /
                                      std::pow(row.mean_gap, 3.0),
                                  "the mean gap is too small for a number"};
       });
-    row.critical_gap_x = row.critical_gap_y =
+    row[columns::critical_gap_x] = row[columns::critical_gap_y] =
         theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop)
             .pore_gap;
     set_leak_rates(study, row);
@@ -150,8 +155,8 @@ void add_flow(const cases::FlowStudy& study,
 void set_leak_rates(const cases::FlowStudy& study, results::CurvePoint& row) {
   const double rate =
       study.pressure_drop / (12.0 * study.viscosity) * study.aspect();
-  row.leak_rate_x = row.flow_conductance_x * rate;
-  row.leak_rate_y = row.flow_conductance_y * rate;
+  row[columns::leak_rate_x] = row[columns::flow_conductance_x] * rate;
+  row[columns::leak_rate_y] = row[columns::flow_conductance_y] * rate;
 }
 
 } // namespace asperity::run

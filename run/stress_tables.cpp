@@ -3,6 +3,7 @@
 #include "methods/chosen.hpp"
 #include "methods/continuum_block.hpp"
 #include "results/result_reader.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,16 +152,16 @@ results::Table own_stress_table(const results::Table& of_pressure,
                                 std::span<const CurvePoint> rows) {
   results::Table table = of_pressure;
   const auto own = [&](const char* name, const char* unit,
-                       double CurvePoint::*number) {
+                       const results::CurveColumn* number) {
     results::Column column{name, unit, {}};
     for (const results::Fields& map : maps)
-      column.values.push_back(row_of(map, rows).*number);
+      column.values.push_back(row_of(map, rows)[*number]);
     return column;
   };
   table.columns = {
       of_pressure.columns.front(),
-      own("von_mises", "Pa", &CurvePoint::von_mises),
-      own("depth", "m", &CurvePoint::von_mises_depth),
+      own("von_mises", "Pa", &columns::von_mises),
+      own("depth", "m", &columns::von_mises_depth),
       {"von_mises_from_pressure", "Pa", of_pressure.values("von_mises")},
       {"depth_from_pressure", "m", of_pressure.values("depth")}};
   return table;

@@ -30,14 +30,15 @@ const results::MethodRecord& method_called(const results::Result& result,
 }
 
 /// Returns the columns of a curve that are compared at each load.
-std::vector<results::CurveColumn> compared_columns(mechanics::Control control) {
+std::vector<const results::CurveColumn*>
+compared_columns(mechanics::Control control) {
   const std::string other =
       control == mechanics::Control::mean_gap ? "nominal_pressure" : "mean_gap";
-  std::vector<results::CurveColumn> compared;
+  std::vector<const results::CurveColumn*> compared;
   for (const results::CurveColumn& column : results::curve_columns())
     if (column.name == other || column.name == "elastic_energy" ||
         is_area(std::string(column.name)))
-      compared.push_back(column);
+      compared.push_back(&column);
   return compared;
 }
 
@@ -157,10 +158,10 @@ BenchAnswer answer_of(const results::Result& result,
         continue;
       const bool has_answer = row.status == results::StepStatus::converged;
       answer.pressure.push_back(row.nominal_pressure);
-      for (const results::CurveColumn& column :
+      for (const results::CurveColumn* const column :
            compared_columns(contact_case.load.control))
-        answer.values[std::string(column.name)].push_back(
-            has_answer ? column.get(row) : not_a_number);
+        answer.values[std::string(column->name)].push_back(
+            has_answer ? column->get(row) : not_a_number);
     }
   if (const auto* surface = reports::surface_of(result, method, 0)) {
     answer.rms_height = surface->rms_height;

@@ -4,6 +4,7 @@
 #include "bench/analysis/bench_answer.hpp"
 #include "ranks/convolution.hpp"
 #include "results/result_reader.hpp"
+#include "results/types/method_columns.hpp"
 #include "run/child_run.hpp"
 #include "run/exit_code.hpp"
 #include "run/interrupt.hpp"
@@ -55,8 +56,8 @@ BenchPhases phases_of(const results::Result& result,
     for (const results::CurvePoint& row : curve.points) {
       step_time += row.cpu_time;
       // NaN counts as 0
-      phases.transforms += std::fmax(row.transform_time, 0.0);
-      phases.observation += std::fmax(row.observation_time, 0.0);
+      phases.transforms += std::fmax(row[columns::transform_time], 0.0);
+      phases.observation += std::fmax(row[columns::observation_time], 0.0);
     }
   }
   // Its set-up time contains the time of all its rows.
@@ -157,8 +158,9 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       ++once.steps;
       once.failed_steps += row.status == results::StepStatus::not_converged;
       once.iterations += row.iterations;
-      once.transforms += row.transforms;
-      once.unknowns = std::fmax(once.unknowns, row.unknowns); // ignores NaN
+      once.transforms += row[columns::transforms];
+      once.unknowns =
+          std::fmax(once.unknowns, row[columns::unknowns]); // ignores NaN
     }
   once.peak_memory = mebibyte * number_in(result, "peak memory");
   once.phases = phases_of(result, *method, once.end.cpu_time);

@@ -13,6 +13,7 @@
 #include "methods/curve_row.hpp"
 #include "methods/elastic_method.hpp"
 #include "results/observables/contact_stiffness.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,7 +90,7 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
        methods::boundary_modulus(problem.body, problem.grid.spacing_x())},
       surface);
   answer.row.step = static_cast<int>(load.load);
-  answer.row.certified_gap_error = field.error_of_field();
+  answer.row[columns::certified_gap_error] = field.error_of_field();
   answer.row.cpu_time = std::isfinite(load.cpu_time) ? load.cpu_time : 0.0;
   return answer;
 }
@@ -190,8 +191,8 @@ nlohmann::ordered_json answer_json(const ImportedAnswer& answer) {
     const results::CurvePoint& row = load.answer.row;
     one["area_fraction [1]"] = row.area_fraction;
     one["area_fraction_corrected [1]"] = row.area_fraction_corrected;
-    one["area_fraction_fit [1]"] = row.area_fraction_fit;
-    one["area_fraction_moment [1]"] = row.area_fraction_moment;
+    one["area_fraction_fit [1]"] = row[columns::area_fraction_fit];
+    one["area_fraction_moment [1]"] = row[columns::area_fraction_moment];
     one["contact_stiffness [Pa/m]"] = row.contact_stiffness;
     one["cpu_time [s]"] = row.cpu_time;
     one["iterations"] = row.iterations;

@@ -1,4 +1,5 @@
 #include "reports/analysis/exact.hpp"
+#include "results/types/study_columns.hpp"
 #include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/westergaard.hpp"
 
@@ -24,8 +25,8 @@ std::vector<CurvePoint> converged_rows(const results::Curve& curve) {
 double largest_tension(const std::vector<CurvePoint>& rows) {
   double largest = 0.0;
   for (const CurvePoint& row : rows)
-    largest = std::max(
-        {largest, -row.nominal_pressure, std::fmax(0.0, -row.jump_pressure)});
+    largest = std::max({largest, -row.nominal_pressure,
+                        std::fmax(0.0, -row[columns::jump_pressure])});
   return largest;
 }
 
@@ -56,7 +57,7 @@ struct UnloadedState {
 UnloadedState unloaded_state(const std::vector<CurvePoint>& rows,
                              bool is_unloading) {
   const auto energy_of = [](const CurvePoint& row) {
-    return row.elastic_energy + row.adhesive_energy;
+    return row.elastic_energy + row[columns::adhesive_energy];
   };
   double largest = 0.0;
   for (const CurvePoint& row : rows)

@@ -95,8 +95,8 @@ void add_area_scales(const results::MethodRecord& method,
         scales.push_back(fit_area_scale(
             deviations(method.realizations[r].points,
                        CurveFunction(curve_of(reference, r).points),
-                       is_corrected ? &CurvePoint::area_fraction_corrected
-                                    : &CurvePoint::area_fraction),
+                       is_corrected ? &columns::area_fraction_corrected
+                                    : &columns::area_fraction),
             range));
       summary.quantities[area_scale_name(is_corrected, range)] =
           mean_scale(scales, contact_modulus);

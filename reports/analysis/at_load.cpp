@@ -3,6 +3,8 @@
 #include "cases/types/quantity_at_load.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -20,22 +22,23 @@ constexpr const char* excess_prefix = "area_excess";
 /// Returns the column from which the area of a quantity is read.
 AreaColumn area_column(const std::string& quantity) {
   if (quantity.ends_with("_fit"))
-    return &CurvePoint::area_fraction_fit;
+    return &columns::area_fraction_fit;
   if (quantity.ends_with("_moment"))
-    return &CurvePoint::area_fraction_moment;
+    return &columns::area_fraction_moment;
   if (quantity.ends_with("_corrected"))
-    return &CurvePoint::area_fraction_corrected;
-  return &CurvePoint::area_fraction;
+    return &columns::area_fraction_corrected;
+  return &columns::area_fraction;
 }
 
 /// Mean over both directions of log10 of two columns of the step at a load;
 /// minus infinity if a direction is sealed, and NaN without a step.
 double log_flow(const results::Curve& curve, double pressure,
-                double CurvePoint::*in_x, double CurvePoint::*in_y) {
+                const results::CurveColumn* in_x,
+                const results::CurveColumn* in_y) {
   for (const CurvePoint& row : curve.points)
     if (std::abs(row.nominal_pressure / pressure - 1.0) < 1e-6 &&
-        row.*in_x >= 0.0 && row.*in_y >= 0.0)
-      return 0.5 * (std::log10(row.*in_x) + std::log10(row.*in_y));
+        row[*in_x] >= 0.0 && row[*in_y] >= 0.0)
+      return 0.5 * (std::log10(row[*in_x]) + std::log10(row[*in_y]));
   return not_a_number;
 }
 
@@ -59,15 +62,16 @@ double stiffness_ratio(const std::string& quantity, double pressure,
   if (own == nullptr || other == nullptr)
     return not_a_number;
   return quantity.starts_with("spot")
-             ? 2.0 * own->spot_radii / own->relative_conductance
+             ? 2.0 * (*own)[columns::spot_radii] /
+                   (*own)[columns::relative_conductance]
              : other->contact_stiffness / contact_modulus /
-                   own->relative_conductance;
+                   (*own)[columns::relative_conductance];
 }
 
 /// The plastic area of the first step at a load; NaN without one.
 double plastic_area(const results::Curve& curve, double pressure) {
   const CurvePoint* const row = row_at(curve, pressure);
-  return row == nullptr ? not_a_number : row->plastic_area;
+  return row == nullptr ? not_a_number : (*row)[columns::plastic_area];
 }
 
 /// Returns NaN where the curve does not provide the quantity.
@@ -75,13 +79,13 @@ double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
                  const SurfaceScales& scales) {
   if (quantity == "log10_flow_factor")
-    return log_flow(curve, pressure, &CurvePoint::flow_factor_x,
-                    &CurvePoint::flow_factor_y);
+    return log_flow(curve, pressure, &columns::flow_factor_x,
+                    &columns::flow_factor_y);
   if (quantity == "leak_departure")
-    return log_flow(curve, pressure, &CurvePoint::leak_rate_x,
-                    &CurvePoint::leak_rate_y) -
-           log_flow(*theory, pressure, &CurvePoint::leak_rate_x,
-                    &CurvePoint::leak_rate_y);
+    return log_flow(curve, pressure, &columns::leak_rate_x,
+                    &columns::leak_rate_y) -
+           log_flow(*theory, pressure, &columns::leak_rate_x,
+                    &columns::leak_rate_y);
   if (quantity.ends_with("stiffness_ratio"))
     return stiffness_ratio(quantity, pressure, curve, theory,
                            scales.contact_modulus);

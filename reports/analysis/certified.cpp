@@ -1,6 +1,7 @@
 #include "reports/analysis/certified.hpp"
 
 #include "reports/analysis/summary.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <cmath>
 
@@ -32,8 +33,9 @@ Certified certified_of(const results::Result& result,
       ++found.steps;
       if (surface == nullptr)
         continue;
-      add(point.certified_gap_error / surface->rms_height, point, found.bounds);
-      add(point.estimated_gap_error / surface->rms_height, point,
+      add(point[columns::certified_gap_error] / surface->rms_height, point,
+          found.bounds);
+      add(point[columns::estimated_gap_error] / surface->rms_height, point,
           found.estimates);
     }
   }

@@ -87,8 +87,8 @@ AreaColumn best_area(const results::MethodRecord& method) {
   for (const results::Curve& curve : method.realizations)
     for (const CurvePoint& point : curve.points)
       if (point.area_fraction_corrected > 0.0)
-        return &CurvePoint::area_fraction_corrected;
-  return &CurvePoint::area_fraction;
+        return &columns::area_fraction_corrected;
+  return &columns::area_fraction;
 }
 
 CurveFunction::CurveFunction(std::span<const CurvePoint> points,
@@ -104,9 +104,9 @@ CurveFunction::CurveFunction(std::span<const CurvePoint> points,
       continue; // repeated load
     gap_pressure.push_back(log_pressure);
     gap.push_back(row.mean_gap);
-    if (row.*area > 0.0) {
+    if (row[*area] > 0.0) {
       area_pressure.push_back(log_pressure);
-      log_area.push_back(std::log(row.*area));
+      log_area.push_back(std::log(row[*area]));
     }
   }
   log_pressure_of_gap_ = falling_inverse(gap_pressure, gap);
@@ -132,7 +132,7 @@ std::vector<Deviation> deviations(std::span<const CurvePoint> points,
   std::vector<Deviation> rows;
   for (const CurvePoint& row : loading_rows(points))
     rows.push_back({row.nominal_pressure, row.mean_gap,
-                    reference.gap(row.nominal_pressure), row.*area,
+                    reference.gap(row.nominal_pressure), row[*area],
                     reference.area_fraction(row.nominal_pressure)});
   return rows;
 }

@@ -4,6 +4,7 @@
 // or with an exact solution. It defines the meaning of "deviation".
 
 #include "reports/numbers/estimate.hpp"
+#include "results/types/curve_columns.hpp"
 #include "results/types/result.hpp"
 
 #include <functional>
@@ -14,7 +15,7 @@
 namespace asperity::reports {
 
 /// A column of CurvePoint that contains an area fraction [1].
-using AreaColumn = double results::CurvePoint::*;
+using AreaColumn = const results::CurveColumn*;
 
 /// The corrected area if the method has one, else the counted area.
 AreaColumn best_area(const results::MethodRecord& method);
@@ -27,7 +28,7 @@ AreaColumn best_area(const results::MethodRecord& method);
 class CurveFunction {
 public:
   explicit CurveFunction(std::span<const results::CurvePoint> points,
-                         AreaColumn area = &results::CurvePoint::area_fraction);
+                         AreaColumn area = &columns::area_fraction);
 
   double gap(double nominal_pressure) const;           ///< u [m]
   double area_fraction(double nominal_pressure) const; ///< A/A_0 [1]
@@ -53,10 +54,9 @@ struct Deviation {
 };
 
 /// @param area  the column of `points` that is compared with the reference
-std::vector<Deviation>
-deviations(std::span<const results::CurvePoint> points,
-           const CurveFunction& reference,
-           AreaColumn area = &results::CurvePoint::area_fraction);
+std::vector<Deviation> deviations(std::span<const results::CurvePoint> points,
+                                  const CurveFunction& reference,
+                                  AreaColumn area = &columns::area_fraction);
 
 /// Range of u/h_rms in which curves are compared with theory. Below it the
 /// contact is nearly complete; above it finite-size effects dominate.

@@ -89,7 +89,7 @@ private:
       if (law == nullptr || row == nullptr)
         return;
       area.theory.push_back(law->area_fraction);
-      area.found.push_back(row->*best_area(method_));
+      area.found.push_back((*row)[*best_area(method_)]);
       energy.theory.push_back(law->elastic_energy);
       energy.found.push_back(row->elastic_energy);
       gap.theory.push_back(law->mean_gap / heights_[r]);

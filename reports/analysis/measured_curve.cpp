@@ -5,6 +5,7 @@
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
 #include "input/units.hpp"
+#include "results/types/study_columns.hpp"
 #include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 
@@ -38,8 +39,8 @@ std::string allowed_columns() {
 
 /// A column: where its numbers go, and by what they are multiplied.
 struct MeasuredColumn {
-  double CurvePoint::*number; ///< null: a column without a head
-  double factor;              // to SI, or to a share of the nominal area
+  const results::CurveColumn* number; ///< null: a column without a head
+  double factor; // to SI, or to a share of the nominal area
 };
 
 /// What one of the unit of a head is in the numbers of a row; nothing if the
@@ -88,9 +89,9 @@ MeasuredColumn measured_column(const surfaces::ColumnHead& head,
                   "{}: the column \"{}\" {}", place, printable(head.name),
                   input::unit_mistake(head.unit, dimension_of(head),
                                       input::usual_units(dimension_of(head)))));
-  return {head.name == "gap"    ? &CurvePoint::mean_gap
-          : head.name == "area" ? &CurvePoint::area_fraction
-                                : &CurvePoint::nominal_pressure,
+  return {head.name == "gap"    ? &columns::mean_gap
+          : head.name == "area" ? &columns::area_fraction
+                                : &columns::nominal_pressure,
           *factor};
 }
 
@@ -122,12 +123,12 @@ std::vector<MeasuredColumn> measured_columns(const surfaces::NumberTable& table,
       throw input::InputError(fmt::format(
           "{}: the column \"{}\" is there twice", place, printable(head.name)));
   }
-  const auto has = [&](double CurvePoint::*number) {
+  const auto has = [&](const results::CurveColumn* number) {
     return std::ranges::find(columns, number, &MeasuredColumn::number) !=
            columns.end();
   };
-  if (!has(&CurvePoint::nominal_pressure) ||
-      !(has(&CurvePoint::mean_gap) || has(&CurvePoint::area_fraction)))
+  if (!has(&columns::nominal_pressure) ||
+      !(has(&columns::mean_gap) || has(&columns::area_fraction)))
     throw input::InputError(
         fmt::format("{}: \"{}\" must name a pressure and an area or a gap: {}",
                     place, printable(line.text), allowed_columns()));
@@ -147,7 +148,7 @@ bool has_attraction(const results::Result& result) {
     for (const results::Curve& curve : method.realizations)
       for (const CurvePoint& point : curve.points)
         if (point.nominal_pressure < 0.0 ||
-            std::isfinite(point.adhesive_energy))
+            std::isfinite(point[columns::adhesive_energy]))
           return true;
   return false;
 }
@@ -194,7 +195,7 @@ rows_of_table(const surfaces::NumberTable& table,
     bool is_empty = true;
     for (std::size_t c = 0; c < columns.size(); ++c)
       if (columns[c].number != nullptr) {
-        row.*columns[c].number = table.number(i, c) * columns[c].factor;
+        row[*columns[c].number] = table.number(i, c) * columns[c].factor;
         is_empty = is_empty && std::isnan(table.number(i, c));
       }
     if (is_empty) // below the table of a spreadsheet

@@ -2,6 +2,8 @@
 
 #include "reports/analysis/exact.hpp"
 #include "reports/numbers/fits.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
@@ -22,15 +24,17 @@ using results::CurvePoint;
 /// kappa of the contact of a row, from its stiffnesses along x and y, whose
 /// compliances have the mean of that ratio; that ratio for an isotropic theory.
 mechanics::Directions ratios_of(const CurvePoint& row, double mean_ratio) {
-  const double x = row.stick_stiffness_x, y = row.stick_stiffness_y;
+  const double x = row[columns::stick_stiffness_x],
+               y = row[columns::stick_stiffness_y];
   if (!(x > 0.0 && y > 0.0))
     return {mean_ratio, mean_ratio};
   return {2.0 * mean_ratio * y / (x + y), 2.0 * mean_ratio * x / (x + y)};
 }
 
 NormalContact normal_contact(const CurvePoint& row, double mean_ratio) {
-  const double mean =
-      std::isfinite(row.mean_displacement) ? row.mean_displacement : 0.0;
+  const double mean = std::isfinite(row[columns::mean_displacement])
+                          ? row[columns::mean_displacement]
+                          : 0.0;
   const double area = std::isfinite(row.area_fraction_corrected)
                           ? row.area_fraction_corrected
                           : row.area_fraction;
@@ -71,7 +75,7 @@ double normal_load(const results::Result& result,
 mechanics::Directions stiffness_of(const CurvePoint& row, double mean_ratio,
                                    bool is_theory) {
   if (!is_theory)
-    return {row.stick_stiffness_x, row.stick_stiffness_y};
+    return {row[columns::stick_stiffness_x], row[columns::stick_stiffness_y]};
   const double of_theory = row.contact_stiffness / mean_ratio;
   return {of_theory, of_theory};
 }

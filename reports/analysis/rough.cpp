@@ -4,6 +4,7 @@
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/law_errors.hpp"
 #include "reports/numbers/determined.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -343,11 +344,11 @@ void add_rough_quantities(const Result& result, const cases::Case& contact_case,
       mean_gap_deviation_of(method, *reference, summary.fits);
   add_area_scales(method, *reference, result.contact_modulus, summary);
   quantities["area_excess"] =
-      area_excess_of(method, *reference, &results::CurvePoint::area_fraction);
-  quantities["area_excess_fit"] = area_excess_of(
-      method, *reference, &results::CurvePoint::area_fraction_fit);
-  quantities["area_excess_moment"] = area_excess_of(
-      method, *reference, &results::CurvePoint::area_fraction_moment);
+      area_excess_of(method, *reference, &columns::area_fraction);
+  quantities["area_excess_fit"] =
+      area_excess_of(method, *reference, &columns::area_fraction_fit);
+  quantities["area_excess_moment"] =
+      area_excess_of(method, *reference, &columns::area_fraction_moment);
 }
 
 } // namespace asperity::reports

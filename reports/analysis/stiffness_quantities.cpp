@@ -1,4 +1,5 @@
 #include "reports/analysis/exact.hpp"
+#include "results/types/method_columns.hpp"
 #include "theory/exact/contact_stiffness.hpp"
 #include "theory/exact/punches.hpp"
 
@@ -23,11 +24,12 @@ StiffnessErrors stiffness_errors(std::span<const CurvePoint> rows,
     const double radius = exact_point(surface, array.contact_modulus,
                                       row.nominal_pressure, 0.0, false)
                               .contact_radius;
-    if (!(row.normal_stiffness > 0.0 && row.tangential_stiffness > 0.0 &&
-          radius > 0.0))
+    if (!(row[columns::normal_stiffness] > 0.0 &&
+          row[columns::tangential_stiffness] > 0.0 && radius > 0.0))
       continue;
     const theory::StiffnessPair found = theory::stiffness_alone(
-        {row.normal_stiffness, row.tangential_stiffness}, array);
+        {row[columns::normal_stiffness], row[columns::tangential_stiffness]},
+        array);
     const theory::StiffnessPair exact = theory::halfspace_stiffness(
         radius, array.contact_modulus, array.poisson);
     largest.normal =
@@ -40,7 +42,7 @@ StiffnessErrors stiffness_errors(std::span<const CurvePoint> rows,
 }
 
 bool has_stiffness(const CurvePoint& row) {
-  return std::isfinite(row.normal_stiffness);
+  return std::isfinite(row[columns::normal_stiffness]);
 }
 
 void add_stiffness_errors(const results::Result& result,
@@ -91,8 +93,9 @@ void add_moment_error(const results::Result& result,
     if (exact_point(surface, result.contact_modulus, row.nominal_pressure, 0.0,
                     has_free_boundaries(contact_case, method))
             .contact_radius > 0.0)
-      largest = std::fmax(largest,
-                          std::abs(load * row.pressure_centre_x / exact - 1.0));
+      largest = std::fmax(
+          largest,
+          std::abs(load * row[columns::pressure_centre_x] / exact - 1.0));
   }
   error =
       largest_estimate(largest, "no load presses the whole end into contact");

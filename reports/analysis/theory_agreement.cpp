@@ -63,7 +63,7 @@ std::vector<ComparedLoad> compared_loads(const Comparison& compared) {
          loading_rows(compared.method.realizations[r].points)) {
       ComparedLoad& load = loads[row.step];
       load.pressure += row.nominal_pressure;
-      load.area += row.*area;
+      load.area += row[*area];
       load.theory_area += theory.area_fraction(row.nominal_pressure);
       load.gap += row.mean_gap / height;
       load.theory_gap += theory.gap(row.nominal_pressure) / height;

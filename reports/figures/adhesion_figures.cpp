@@ -1,5 +1,6 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -143,7 +144,7 @@ Figure loop_figure(const results::Result& result) {
       for (const results::CurvePoint& row : method.realizations.front().points)
         if (row.is_unloading == is_unloading &&
             row.status == results::StepStatus::converged &&
-            std::isfinite(row.adhesive_energy)) {
+            std::isfinite(row[columns::adhesive_energy])) {
           table.add(title, {static_cast<double>(index), row.mean_gap * in_nm,
                             row.nominal_pressure / result.contact_modulus});
           has_row = true;

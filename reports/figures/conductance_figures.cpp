@@ -3,6 +3,7 @@
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/clusters.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ public:
     const std::string own = series_color(as_series);
     panel_.add(method.name + ", standing contact", point_style(as_series),
                curve(method, [](const CurvePoint& row, std::size_t) {
-                 return row.relative_conductance;
+                 return row[columns::relative_conductance];
                }));
     panel_.add(method.name + ", -dp/du of the curve", line(own, 1.4),
                curve(method, [&](const CurvePoint& row, std::size_t) {
@@ -48,7 +49,7 @@ public:
                }));
     panel_.add(method.name + ", spots as circles alone", line(own, 1.0, 2),
                curve(method, [](const CurvePoint& row, std::size_t) {
-                 return 2.0 * row.spot_radii;
+                 return 2.0 * row[columns::spot_radii];
                }));
     panel_.add(method.name + ", Barber's lower bound", line(own, 1.0, 3),
                curve(method, [&](const CurvePoint& row, std::size_t r) {
@@ -78,13 +79,14 @@ public:
         "as circles of their areas that do not disturb each other, and "
         "Barber's lower bound p/(h_max - u).";
     const CurvePoint unit = unit_row();
-    if (unit.thermal_conductance > 0.0)
-      figure.caption += fmt::format(" 1/mm is {:.4g} W/(m^2 K).",
-                                    unit.thermal_conductance * per_millimetre);
-    if (unit.electrical_conductance > 0.0)
+    if (unit[columns::thermal_conductance] > 0.0)
+      figure.caption +=
+          fmt::format(" 1/mm is {:.4g} W/(m^2 K).",
+                      unit[columns::thermal_conductance] * per_millimetre);
+    if (unit[columns::electrical_conductance] > 0.0)
       figure.caption +=
           fmt::format(" 1/mm is {:.4g} per Ohm m^2.",
-                      unit.electrical_conductance * per_millimetre);
+                      unit[columns::electrical_conductance] * per_millimetre);
     panel_.move_to(figure, "K/E^* = G/k  [1/mm]");
     return figure;
   }
@@ -115,9 +117,11 @@ private:
     for (const results::MethodRecord& method : entry_.result->methods)
       for (const results::Curve& realization : method.realizations)
         for (CurvePoint row : realization.points)
-          if (row.relative_conductance > 0.0) {
-            row.thermal_conductance /= row.relative_conductance;
-            row.electrical_conductance /= row.relative_conductance;
+          if (row[columns::relative_conductance] > 0.0) {
+            row[columns::thermal_conductance] /=
+                row[columns::relative_conductance];
+            row[columns::electrical_conductance] /=
+                row[columns::relative_conductance];
             return row;
           }
     return {};

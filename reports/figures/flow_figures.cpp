@@ -1,6 +1,7 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -24,11 +25,11 @@ public:
   void add_theory(const results::MethodRecord& method) {
     panel_.add(method.name + ", effective medium", line("#222222", 1.6),
                spread_curve(method, [](const CurvePoint& row, std::size_t) {
-                 return row.leak_rate_x;
+                 return row[columns::leak_rate_x];
                }));
     panel_.add(method.name + ", critical junction", line("#222222", 1.2, 2),
                spread_curve(method, [&](const CurvePoint& row, std::size_t) {
-                 return rate_ * std::pow(row.critical_gap_x, 3.0);
+                 return rate_ * std::pow(row[columns::critical_gap_x], 3.0);
                }));
   }
 
@@ -38,11 +39,11 @@ public:
     as_series.color = color;
     CurveStyle style = point_style(as_series);
     for (const auto& [direction, rate] :
-         {std::pair("x", &CurvePoint::leak_rate_x),
-          std::pair("y", &CurvePoint::leak_rate_y)}) {
+         {std::pair("x", &columns::leak_rate_x),
+          std::pair("y", &columns::leak_rate_y)}) {
       const SpreadCurve leaks = spread_curve(
           method, [rate = rate](const CurvePoint& row, std::size_t) {
-            return row.*rate;
+            return row[*rate];
           });
       panel_.add(fmt::format("{}, Reynolds, along {}", method.name, direction),
                  style, leaks);
@@ -52,7 +53,7 @@ public:
     panel_.add(method.name + ", effective medium of its gaps",
                line(series_color(as_series), 1.0, 3),
                spread_curve(method, [&](const CurvePoint& row, std::size_t) {
-                 return rate_ * row.effective_medium;
+                 return rate_ * row[columns::effective_medium];
                }));
   }
 

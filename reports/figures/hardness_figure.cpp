@@ -1,5 +1,6 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <cmath>
 #include <map>
@@ -26,11 +27,12 @@ std::map<int, AreaSums> yielding_steps(const results::MethodRecord& method) {
       if (row.is_unloading)
         continue;
       AreaSums& sums = steps[row.step];
-      sums.is_complete = sums.is_complete && std::isfinite(row.plastic_area) &&
+      sums.is_complete = sums.is_complete &&
+                         std::isfinite(row[columns::plastic_area]) &&
                          row.status == results::StepStatus::converged;
       sums.pressure += row.nominal_pressure;
-      sums.elastic += row.area_fraction - row.plastic_area;
-      sums.plastic += row.plastic_area;
+      sums.elastic += row.area_fraction - row[columns::plastic_area];
+      sums.plastic += row[columns::plastic_area];
       ++sums.count;
     }
   std::erase_if(steps, [](const auto& at) { return !at.second.is_complete; });

@@ -4,6 +4,7 @@
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/figures/gnuplot.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
   SeriesRow& row = sum.row;
   row.gap_low = sum.count == 0 ? gap : std::min(row.gap_low, gap);
   row.gap_high = sum.count == 0 ? gap : std::max(row.gap_high, gap);
-  const double area = point.area_fraction == 0.0 ? 0.0 : point.*best;
+  const double area = point.area_fraction == 0.0 ? 0.0 : point[*best];
   sum.gaps.push_back({.value = gap});
   sum.areas.push_back({.value = area});
   const double pressure = point.nominal_pressure / scales.contact_modulus;
@@ -43,7 +44,7 @@ void add_point(Sum& sum, const CurvePoint& point, const SurfaceScales& scales,
   row.gap += gap;
   row.area += point.area_fraction;
   row.area_corrected += area;
-  row.area_fit += point.area_fraction_fit;
+  row.area_fit += point[columns::area_fraction_fit];
   row.theory_area += theory.area_fraction(point.nominal_pressure);
   row.iterations += point.iterations;
   row.cpu_time += point.cpu_time;
@@ -136,7 +137,7 @@ std::vector<SeriesRow> fine_rows(const MethodSummary& method) {
     sums.resize(fits.fine_curve.size());
     for (std::size_t i = 0; i < sums.size(); ++i)
       add_point(sums[i], fits.fine_curve[i], fits.scales, CurveFunction({}),
-                &CurvePoint::area_fraction);
+                &columns::area_fraction);
   }
   std::vector<SeriesRow> rows;
   rows.reserve(sums.size());

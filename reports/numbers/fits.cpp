@@ -1,6 +1,7 @@
 #include "reports/numbers/fits.hpp"
 
 #include "base/require.hpp"
+#include "results/types/curve_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -290,17 +291,17 @@ namespace {
 // Returns the intercept of area * E* h'/p against area, with its error.
 FittedValue kappa_of(std::span<const CurvePoint> rows,
                      const SurfaceScales& scales,
-                     double CurvePoint::*area_fraction) {
+                     const results::CurveColumn* area_fraction) {
   std::vector<double> area;
   std::vector<double> coefficient;
   for (const CurvePoint& row : rows) {
     const double reduced_pressure =
         row.nominal_pressure / (scales.contact_modulus * scales.rms_slope);
-    if (!(row.*area_fraction > 0.0) || !std::isfinite(row.*area_fraction) ||
-        (!area.empty() && row.*area_fraction <= area.back()))
+    if (!(row[*area_fraction] > 0.0) || !std::isfinite(row[*area_fraction]) ||
+        (!area.empty() && row[*area_fraction] <= area.back()))
       continue; // unknown, or not larger than the previous area
-    area.push_back(row.*area_fraction);
-    coefficient.push_back(row.*area_fraction / reduced_pressure);
+    area.push_back(row[*area_fraction]);
+    coefficient.push_back(row[*area_fraction] / reduced_pressure);
   }
   if (area.size() < fewest_area_rows)
     return {.reason = fmt::format("fewer than {} load steps whose area is "
@@ -327,8 +328,8 @@ AreaFit fit_area(std::span<const CurvePoint> points,
     return fit;
   }
   fit.window = window_of(rows);
-  fit.kappa = kappa_of(rows, scales, &CurvePoint::area_fraction_corrected);
-  fit.kappa_counted = kappa_of(rows, scales, &CurvePoint::area_fraction);
+  fit.kappa = kappa_of(rows, scales, &columns::area_fraction_corrected);
+  fit.kappa_counted = kappa_of(rows, scales, &columns::area_fraction);
   return fit;
 }
 

@@ -5,6 +5,7 @@
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/figures/gnuplot.hpp"
 #include "reports/numbers/fits.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -105,8 +106,8 @@ void add_rows(const results::Curve& curve, const results::Curve& reference,
         point.area_fraction / function.area_fraction(point.nominal_pressure) -
         1.0;
     row.pressure_difference = difference_of_fields(curve, reference, point);
-    row.certified_error = point.certified_gap_error / rms_height;
-    row.estimated_error = point.estimated_gap_error / rms_height;
+    row.certified_error = point[columns::certified_gap_error] / rms_height;
+    row.estimated_error = point[columns::estimated_gap_error] / rms_height;
     if (std::isfinite(row.gap_difference) || std::isfinite(row.area_difference))
       agreement.rows.push_back(row);
   }
@@ -128,7 +129,7 @@ Agreement agreement_of(std::span<const ReportEntry> entries,
     if (surface != nullptr)
       add_rows(mine.realizations[r], other.realizations[r],
                mine.kind == measured_kind ? best_area(other)
-                                          : &results::CurvePoint::area_fraction,
+                                          : &columns::area_fraction,
                static_cast<int>(r), surface->rms_height, agreement);
   }
   if (agreement.rows.empty())

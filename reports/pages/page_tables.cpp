@@ -3,6 +3,7 @@
 #include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/pages/page_data.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -31,14 +32,15 @@ BlockCost block_cost_of(const MethodRecord& method) {
     cost.setup_time += curve.setup_cpu_time;
     for (const CurvePoint& point : curve.points) {
       ++cost.steps;
-      cost.unknowns = std::fmax(cost.unknowns, point.unknowns);
-      if (point.unknowns > 0.0)
-        cost.fewest_unknowns = std::min(cost.fewest_unknowns, point.unknowns);
-      cost.memory = std::fmax(cost.memory, point.memory);
+      cost.unknowns = std::fmax(cost.unknowns, point[columns::unknowns]);
+      if (point[columns::unknowns] > 0.0)
+        cost.fewest_unknowns =
+            std::min(cost.fewest_unknowns, point[columns::unknowns]);
+      cost.memory = std::fmax(cost.memory, point[columns::memory]);
       cost.step_time += point.cpu_time;
       cost.iterations += point.iterations;
-      cost.linear_iterations += point.linear_iterations;
-      cost.setups += point.preconditioner_setups;
+      cost.linear_iterations += point[columns::linear_iterations];
+      cost.setups += point[columns::preconditioner_setups];
     }
   }
   return cost;
@@ -139,19 +141,21 @@ Json stiffness(const results::Result& result) {
     for (const CurvePoint& point : method.realizations.front().points) {
       const bool is_shown =
           point.status == results::StepStatus::converged &&
-          (std::isfinite(point.tangential_stiffness) || // of a full block
-           std::hypot(point.pressure_centre_x, point.pressure_centre_y) >
-               1e-6 * side);
+          (std::isfinite(
+               point[columns::tangential_stiffness]) || // of a full block
+           std::hypot(point[columns::pressure_centre_x],
+                      point[columns::pressure_centre_y]) > 1e-6 * side);
       if (!is_shown)
         continue;
       rows.push_back(
           {{"method", method.name},
            {"pressure [E*]", point.nominal_pressure / result.contact_modulus},
-           {"normal [N/m]", point.normal_stiffness},
-           {"tangential [N/m]", point.tangential_stiffness},
-           {"ratio", point.tangential_stiffness / point.normal_stiffness},
-           {"centre_x [m]", distance(point.pressure_centre_x)},
-           {"centre_y [m]", distance(point.pressure_centre_y)}});
+           {"normal [N/m]", point[columns::normal_stiffness]},
+           {"tangential [N/m]", point[columns::tangential_stiffness]},
+           {"ratio", point[columns::tangential_stiffness] /
+                         point[columns::normal_stiffness]},
+           {"centre_x [m]", distance(point[columns::pressure_centre_x])},
+           {"centre_y [m]", distance(point[columns::pressure_centre_y])}});
     }
   }
   return rows;

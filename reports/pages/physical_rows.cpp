@@ -54,7 +54,7 @@ std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method) {
                          std::isfinite(row.nominal_pressure + row.mean_gap);
       step.pressures.push_back({.value = row.nominal_pressure});
       step.areas.push_back(
-          {.value = row.area_fraction == 0.0 ? 0.0 : row.*area});
+          {.value = row.area_fraction == 0.0 ? 0.0 : row[*area]});
       step.gaps.push_back({.value = row.mean_gap});
     }
   std::vector<PhysicalLoad> loads;

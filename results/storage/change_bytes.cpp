@@ -6,6 +6,7 @@
 #include "results/types/map_size.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
 
@@ -264,12 +265,19 @@ private:
     }
   }
 
+  /// A row is the names of its columns with their numbers.
   void pass(CurvePoint& point) {
-    for (const CurveColumn& column : curve_columns()) {
-      double number = column.get(point);
-      stream_.number(number);
-      column.set(point, number);
-    }
+    std::vector<std::pair<std::string, double>> numbers;
+    for (const CurveColumn& column : curve_columns())
+      if (const double number = column.get(point);
+          !std::isnan(number) || !std::isnan(column.blank()))
+        numbers.emplace_back(column.name, number);
+    pass(numbers);
+    for (const CurveColumn& column : curve_columns())
+      column.set(point, column.blank());
+    for (const auto& [name, number] : numbers)
+      if (const CurveColumn* const column = find_curve_column(name))
+        column->set(point, number);
     stream_.text(point.note);
   }
 

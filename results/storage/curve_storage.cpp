@@ -62,8 +62,7 @@ std::size_t length_of(const Hdf5Group& curve) {
 CurvePoint blank_point(int step) {
   CurvePoint point;
   for (const CurveColumn& column : curve_columns())
-    if (!column.is_integer)
-      column.set(point, std::numeric_limits<double>::quiet_NaN());
+    column.set(point, column.blank());
   point.step = step;
   return point;
 }

@@ -3,6 +3,8 @@
 #include "base/special_numbers.hpp"
 #include "methods/curve_row.hpp"
 #include "results/types/curve_columns.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -84,9 +86,10 @@ TEST(CurveRow, OfAnyFieldsIsARow) {
 TEST(CurveRow, HasTheCentreOfPressureOfAShape) {
   const auto one = [](int node) { return node == 7 ? 1e6 : 0.0; };
 
-  EXPECT_DOUBLE_EQ(row_of(one, true).pressure_centre_x, -1e-6 / points);
-  EXPECT_DOUBLE_EQ(row_of(one, true).pressure_centre_y, -0.5e-6);
-  EXPECT_TRUE(std::isnan(row_of(one, false).pressure_centre_x));
+  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre_x],
+                   -1e-6 / points);
+  EXPECT_DOUBLE_EQ(row_of(one, true)[columns::pressure_centre_y], -0.5e-6);
+  EXPECT_TRUE(std::isnan(row_of(one, false)[columns::pressure_centre_x]));
 }
 
 // Half of the nodes in contact carry the hardness; the imprint is 2 nm deep in
@@ -112,13 +115,13 @@ TEST(CurveRow, HasThePlasticAreaAndWork) {
     return observe(std::move(solution), observation, surface).row;
   };
   const results::CurvePoint yielding = row_at(1e6, 2e-9);
-  EXPECT_DOUBLE_EQ(yielding.plastic_area, 0.25);
+  EXPECT_DOUBLE_EQ(yielding[columns::plastic_area], 0.25);
   EXPECT_DOUBLE_EQ(yielding.area_fraction, 0.5);
-  EXPECT_DOUBLE_EQ(yielding.plastic_work, 2e-3);
+  EXPECT_DOUBLE_EQ(yielding[columns::plastic_work], 2e-3);
   EXPECT_TRUE(std::isnan(yielding.area_fraction_corrected));
   EXPECT_EQ(yielding.note, "");
   const results::CurvePoint elastic = row_at(9e5, 0.0);
-  EXPECT_EQ(elastic.plastic_area, 0.0);
+  EXPECT_EQ(elastic[columns::plastic_area], 0.0);
 }
 
 // Verifies the text of the note; a row without a missing number has none.

@@ -1,5 +1,6 @@
 // [friction] of a case: load steps, figures, the table of the page, mistakes.
 #include "results/result_reader.hpp"
+#include "results/types/study_columns.hpp"
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
 #include "theory/exact/westergaard.hpp"
@@ -147,8 +148,10 @@ coefficient = 0.3
   const double stiffness =
       std::numbers::pi * (200e9 / 0.91) /
       (2e-3 * -std::log(std::sin(std::numbers::pi * half)));
-  EXPECT_NEAR(rows[1].stick_stiffness_x / stiffness, 1.0, 0.05);
-  EXPECT_NEAR(rows[1].stick_stiffness_y / rows[1].stick_stiffness_x, 0.7, 1e-9);
+  EXPECT_NEAR(rows[1][columns::stick_stiffness_x] / stiffness, 1.0, 0.05);
+  EXPECT_NEAR(rows[1][columns::stick_stiffness_y] /
+                  rows[1][columns::stick_stiffness_x],
+              0.7, 1e-9);
 }
 
 TEST_F(FrictionTest, MistakesAreAnswered) {

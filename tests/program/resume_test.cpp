@@ -2,6 +2,7 @@
 // result of an uninterrupted one, bit for bit, with a cache and without.
 #include "base/child_process.hpp"
 #include "results/result_reader.hpp"
+#include "results/types/study_columns.hpp"
 #include "tests/program/program.hpp"
 #include "tests/same_bits.hpp"
 
@@ -117,9 +118,10 @@ TEST_F(Resume, ABlockThatFlowsGoesOnFromItsPlasticStrain) {
                 .exit_code,
             0);
   whole_ = results::read_result(folder / "whole");
-  ASSERT_GT(
-      whole_.methods.front().realizations.front().points.back().plastic_work,
-      0.0);
+  ASSERT_GT(whole_.methods.front()
+                .realizations.front()
+                .points.back()[columns::plastic_work],
+            0.0);
   const auto states = [&] {
     std::vector<fs::path> found;
     if (fs::exists(folder / "cache-killed"))

@@ -1,6 +1,7 @@
 // Tests of the entire program: what it writes, how it ends, the state after a
 // kill, which module it does not load.
 #include "results/result_reader.hpp"
+#include "results/types/method_columns.hpp"
 #include "tests/program/program.hpp"
 
 #include <cmath>
@@ -88,12 +89,14 @@ TEST_F(RunCommand, ElasticMethodsHaveTheAreasOfTheFit) {
 
   const Result written = result("result");
 
-  EXPECT_TRUE(std::isnan(
-      written.methods.at(0).realizations.at(0).points.at(0).area_fraction_fit));
+  EXPECT_TRUE(std::isnan(written.methods.at(0).realizations.at(0).points.at(
+      0)[columns::area_fraction_fit]));
   for (const std::size_t method : {1u, 2u})
     for (const auto& point : written.methods[method].realizations[0].points) {
-      EXPECT_NEAR(point.area_fraction_fit / point.area_fraction, 1.0, 0.4);
-      EXPECT_NEAR(point.area_fraction_moment / point.area_fraction, 1.0, 0.4);
+      EXPECT_NEAR(point[columns::area_fraction_fit] / point.area_fraction, 1.0,
+                  0.4);
+      EXPECT_NEAR(point[columns::area_fraction_moment] / point.area_fraction,
+                  1.0, 0.4);
     }
 }
 

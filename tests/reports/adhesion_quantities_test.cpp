@@ -1,6 +1,7 @@
 // Tests of the quantities of a path with adhesion, on paths whose energy is
 // U = k (u - u_0)^2/2 - w_eff, so that p = -k (u - u_0).
 #include "reports/analysis/exact.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ CurvePoint row_at(const Branch& branch, double mean_gap, bool is_unloading) {
   row.nominal_pressure = -stiffness * way;
   row.area_fraction = 0.5 - way / rms_height;
   row.elastic_energy = 0.5 * stiffness * way * way;
-  row.adhesive_energy = -branch.effective_work;
+  row[columns::adhesive_energy] = -branch.effective_work;
   row.status = results::StepStatus::converged;
   return row;
 }

@@ -1,6 +1,7 @@
 // Tests of reports/pages/agreement.hpp: a result of another program, compared
 // with ours, has a number for each difference, in the page and in both files.
 #include "reports/pages/agreement.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,8 @@ protected:
       for (results::CurvePoint& point : curve.points) {
         point.mean_gap += shift * ours.surfaces[r].rms_height;
         point.area_fraction *= 1.0 + excess;
-        point.certified_gap_error = 1e-3 * ours.surfaces[r].rms_height;
+        point[columns::certified_gap_error] =
+            1e-3 * ours.surfaces[r].rms_height;
       }
       for (results::Fields& fields : curve.fields)
         for (double& pressure : fields.pressure)

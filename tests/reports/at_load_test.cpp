@@ -2,6 +2,7 @@
 // of the formula from which it was made, and a missing value has a reason.
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ protected:
   AtLoad() {
     for (results::Curve& curve : result.methods[1].realizations)
       for (results::CurvePoint& point : curve.points)
-        point.area_fraction_fit =
+        point[columns::area_fraction_fit] =
             1.5 * contact.area_fraction(point.nominal_pressure);
   }
 

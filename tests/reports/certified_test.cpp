@@ -1,5 +1,6 @@
 // Tests of reports/analysis/certified.hpp and of its table.
 #include "reports/analysis/certified.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ results::Result with_bounds(results::Result result) {
     auto& points = result.methods[1].realizations[r].points;
     for (results::CurvePoint& point : points) {
       bound += static_cast<double>(r + 1) * 1e-6;
-      point.certified_gap_error = bound * result.surfaces[r].rms_height;
+      point[columns::certified_gap_error] =
+          bound * result.surfaces[r].rms_height;
     }
     points.back().status = results::StepStatus::not_converged;
     points.front().nominal_pressure = 0.0;
@@ -53,8 +55,10 @@ TEST_F(CertifiedSteps, EstimatesAreNoBounds) {
   results::Result result = synthetic::rough_result(rough, 1);
   std::vector<results::CurvePoint>& points =
       result.methods[1].realizations[0].points;
-  points[1].estimated_gap_error = 0.04 * result.surfaces[0].rms_height;
-  points[2].estimated_gap_error = 0.02 * result.surfaces[0].rms_height;
+  points[1][columns::estimated_gap_error] =
+      0.04 * result.surfaces[0].rms_height;
+  points[2][columns::estimated_gap_error] =
+      0.02 * result.surfaces[0].rms_height;
 
   const Certified found = certified_of(result, result.methods[1]);
 
@@ -82,7 +86,7 @@ TEST_F(CertifiedSteps, AreInTheReport) {
   result.methods.back().name = "foreign";
   for (results::Curve& curve : result.methods.back().realizations)
     for (results::CurvePoint& point : curve.points)
-      point.certified_gap_error = results::not_given;
+      point[columns::certified_gap_error] = results::not_given;
   EXPECT_EQ(certified_of(result, result.methods.back()).bounds.steps, 0);
   EXPECT_TRUE(
       std::isnan(certified_of(result, result.methods.back()).bounds.largest));

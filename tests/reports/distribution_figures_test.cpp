@@ -2,6 +2,7 @@
 // those of the maps, on their own grid.
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
+#include "results/types/method_columns.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -176,8 +177,9 @@ TEST_F(Distributions, OfATensileMapAreDrawnWithoutACurve) {
 // The "fem" is the theory with 1.25 times its area, here fitted 1.5 times.
 TEST_F(Distributions, OfAreasAreDrawnAgainstTheTheory) {
   for (results::CurvePoint& point : result.methods[1].realizations[0].points)
-    point.area_fraction_fit = 1.5 * synthetic::contact_of(rough.surface)
-                                        .area_fraction(point.nominal_pressure);
+    point[columns::area_fraction_fit] =
+        1.5 * synthetic::contact_of(rough.surface)
+                  .area_fraction(point.nominal_pressure);
   const ReportEntry made = entry();
 
   const auto figure = area_theory_figure(series_of(std::span(&made, 1)));

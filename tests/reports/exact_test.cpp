@@ -4,6 +4,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
+#include "results/types/method_columns.hpp"
 #include "tests/reports/exact_samples.hpp"
 #include "theory/exact/punches.hpp"
 
@@ -468,10 +469,10 @@ TEST(ExactPunch, FindTheErrorOfTheStiffness) {
   const double others = 3.9002649200019564 / (2.0 * std::numbers::pi * side);
   results::CurvePoint point;
   point.nominal_pressure = 1e4;
-  point.normal_stiffness =
+  point[columns::normal_stiffness] =
       1.0 / (1.02 / (2.0 * contact_modulus * a) +
              0.4 / (2.0 * 0.7 * shear * side) - 0.7 / shear * others);
-  point.tangential_stiffness =
+  point[columns::tangential_stiffness] =
       1.0 / (1.03 * 1.7 / (8.0 * shear * a) + 1.0 / (shear * side) -
              0.85 / shear * others);
   results::Result result = result_of({point});
@@ -501,7 +502,7 @@ TEST(ExactPunch, FindTheErrorOfTheMoment) {
     results::CurvePoint point;
     const double load = 2.0 * contact_modulus * a * approach;
     point.nominal_pressure = load / 1e-6;
-    point.pressure_centre_x = 1.05 * exact / load;
+    point[columns::pressure_centre_x] = 1.05 * exact / load;
     return stiffness_of(result_of({point}), punch)
         .quantities.at("moment_error");
   };

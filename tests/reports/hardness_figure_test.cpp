@@ -1,5 +1,6 @@
 // Tests of the figure of elastic and plastic area.
 #include "reports/figures/figures.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ results::Curve curve_of(double plastic) {
     point.step = step;
     point.nominal_pressure = 1e6 * (step + 1);
     point.area_fraction = 0.5;
-    point.plastic_area = plastic;
+    point[columns::plastic_area] = plastic;
     point.is_unloading = step == 2;
     curve.points.push_back(point);
   }

@@ -6,6 +6,7 @@
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -143,7 +144,8 @@ TEST_F(MeasuredCurve, MayHaveTensionBesideAdhesion) {
             std::string::npos)
       << mistake(text);
 
-  result.methods[1].realizations[0].points[0].adhesive_energy = -1e-12;
+  result.methods[1].realizations[0].points[0][columns::adhesive_energy] =
+      -1e-12;
 
   const auto rows = read(text).methods[0].realizations[0].points;
   ASSERT_EQ(rows.size(), 3U);

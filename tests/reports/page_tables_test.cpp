@@ -1,6 +1,8 @@
 // Tests of the tables that only some results have: cost of a full 3-D block
 // beside the condensed one, stiffness and centre of pressure, what was skipped.
 // They are on the page and in summary.json, and nowhere without a cause.
+#include "results/types/method_columns.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -40,10 +42,10 @@ TEST_F(PageTables, HaveTheCostOfAllRealisationsOfABlock) {
     curve.setup_cpu_time = &curve == &whole.realizations[0] ? 1.0 : 3.0;
     int step = 0;
     for (results::CurvePoint& point : curve.points) {
-      point.unknowns = 12345 + step;
-      point.memory = 250e6;
-      point.linear_iterations = 10 + step;
-      point.preconditioner_setups = 2;
+      point[columns::unknowns] = 12345 + step;
+      point[columns::memory] = 250e6;
+      point[columns::linear_iterations] = 10 + step;
+      point[columns::preconditioner_setups] = 2;
       point.iterations = 4;
       point.cpu_time = 1.0 + step++;
     }
@@ -77,10 +79,10 @@ TEST_F(PageTables, HaveStiffnessAndWhatWasSkipped) {
   results::Result result = synthetic::rough_result(rough, 1);
   results::CurvePoint& point =
       result.methods[1].realizations.front().points.front();
-  point.normal_stiffness = 2e5;
-  point.tangential_stiffness = 1.5e5;
-  point.pressure_centre_x = 3e-8;
-  point.pressure_centre_y = 1e-22;
+  point[columns::normal_stiffness] = 2e5;
+  point[columns::tangential_stiffness] = 1.5e5;
+  point[columns::pressure_centre_x] = 3e-8;
+  point[columns::pressure_centre_y] = 1e-22;
   result.skipped = {{"fem: 16 <steps>", "in the cache"}};
   write(result, "no-such-gnuplot");
 
@@ -99,8 +101,11 @@ TEST_F(PageTables, AreAbsentWithoutACause) {
   results::Result result = synthetic::rough_result(rough, 1);
   for (results::MethodRecord& method : result.methods)
     for (results::CurvePoint& point : method.realizations.front().points)
-      point.pressure_centre_x = point.pressure_centre_y = 0.0;
-  result.methods[1].realizations.front().points.front().normal_stiffness = 2e5;
+      point[columns::pressure_centre_x] = point[columns::pressure_centre_y] =
+          0.0;
+  result.methods[1]
+      .realizations.front()
+      .points.front()[columns::normal_stiffness] = 2e5;
   write(result, "no-such-gnuplot");
 
   const std::string html = text_of(folder / "report.html");

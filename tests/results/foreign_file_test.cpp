@@ -4,6 +4,7 @@
 #include "input/input_error.hpp"
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
+#include "results/types/method_columns.hpp"
 #include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>
@@ -73,8 +74,8 @@ TEST_F(ForeignFile, NeedsOnlyPressureAndGap) {
   EXPECT_EQ(points[2].nominal_pressure, 4e6);
   EXPECT_EQ(points[2].mean_gap, 1e-9);
   EXPECT_TRUE(std::isnan(points[2].area_fraction));
-  EXPECT_TRUE(std::isnan(points[2].area_fraction_fit));
-  EXPECT_TRUE(std::isnan(points[2].area_fraction_moment));
+  EXPECT_TRUE(std::isnan(points[2][columns::area_fraction_fit]));
+  EXPECT_TRUE(std::isnan(points[2][columns::area_fraction_moment]));
   EXPECT_EQ(points[2].iterations, 0);
   EXPECT_EQ(points[2].status, StepStatus::converged);
   // p doubles every nanometre: K = p ln 2 / 1 nm

@@ -4,6 +4,8 @@
 
 #include "results/observables/height_numbers.hpp"
 #include "results/result_writer.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -44,42 +46,42 @@ inline CurvePoint sample_point(int step) {
   point.mean_gap = 40e-9 / (1 + step);
   point.area_fraction = 0.01 * std::sqrt(step + 1.0);
   point.area_fraction_corrected = 0.9 * point.area_fraction;
-  point.area_fraction_fit = 0.8 * point.area_fraction;
-  point.area_fraction_moment = 0.7 * point.area_fraction;
+  point[columns::area_fraction_fit] = 0.8 * point.area_fraction;
+  point[columns::area_fraction_moment] = 0.7 * point.area_fraction;
   point.contact_perimeter = 1e6 / (3 + step);
   point.elastic_energy = 1e-3 / (7 + step);
   point.contact_energy = 1e-5 / (11 + step);
   point.contact_stiffness = 1e14 / (13 + step);
   point.iterations = 20 + step;
   point.residual = 1e-9 / (17 + step);
-  point.certified_gap_error = 1e-12 / (47 + step);
-  point.estimated_gap_error = 1e-10 / (53 + step);
+  point[columns::certified_gap_error] = 1e-12 / (47 + step);
+  point[columns::estimated_gap_error] = 1e-10 / (53 + step);
   point.cpu_time = 0.1 * step;
-  point.transforms = 40 + step;
-  point.transform_time = 0.05 * step;
-  point.observation_time = 0.01 * step;
-  point.linear_iterations = 100 + step;
-  point.preconditioner_setups = 1 + step;
-  point.unknowns = 3000.0 + step;
-  point.memory = 1e8 / (19 + step);
-  point.normal_stiffness = 1e5 / (31 + step);
-  point.tangential_stiffness = 1e5 / (37 + step);
-  point.stick_stiffness_x = 1e15 / (38 + step);
-  point.stick_stiffness_y = 1e15 / (39 + step);
-  point.pressure_centre_x = -1e-6 / (41 + step);
-  point.pressure_centre_y = 1e-6 / (43 + step);
-  point.von_mises = 1e7 / (23 + step);
-  point.von_mises_depth = 1e-6 / (29 + step);
-  point.plastic_work = 1e-3 / (59 + step);
-  point.plastic_strain = 1e-2 / (61 + step);
-  point.adhesive_energy = -1e-3 / (67 + step);
-  point.repulsive_area = 1.0 / (71 + step);
-  point.tensile_area = 1.0 / (73 + step);
-  point.smallest_stiffness = 1e12 / (79 + step);
-  point.attractive_load = 1e7 / (89 + step);
-  point.jump_pressure = -1e7 / (97 + step);
-  point.jump_gap = -1e-9 / (101 + step);
-  point.plastic_area = 1.0 / (83 + step);
+  point[columns::transforms] = 40 + step;
+  point[columns::transform_time] = 0.05 * step;
+  point[columns::observation_time] = 0.01 * step;
+  point[columns::linear_iterations] = 100 + step;
+  point[columns::preconditioner_setups] = 1 + step;
+  point[columns::unknowns] = 3000.0 + step;
+  point[columns::memory] = 1e8 / (19 + step);
+  point[columns::normal_stiffness] = 1e5 / (31 + step);
+  point[columns::tangential_stiffness] = 1e5 / (37 + step);
+  point[columns::stick_stiffness_x] = 1e15 / (38 + step);
+  point[columns::stick_stiffness_y] = 1e15 / (39 + step);
+  point[columns::pressure_centre_x] = -1e-6 / (41 + step);
+  point[columns::pressure_centre_y] = 1e-6 / (43 + step);
+  point[columns::von_mises] = 1e7 / (23 + step);
+  point[columns::von_mises_depth] = 1e-6 / (29 + step);
+  point[columns::plastic_work] = 1e-3 / (59 + step);
+  point[columns::plastic_strain] = 1e-2 / (61 + step);
+  point[columns::adhesive_energy] = -1e-3 / (67 + step);
+  point[columns::repulsive_area] = 1.0 / (71 + step);
+  point[columns::tensile_area] = 1.0 / (73 + step);
+  point[columns::smallest_stiffness] = 1e12 / (79 + step);
+  point[columns::attractive_load] = 1e7 / (89 + step);
+  point[columns::jump_pressure] = -1e7 / (97 + step);
+  point[columns::jump_gap] = -1e-9 / (101 + step);
+  point[columns::plastic_area] = 1.0 / (83 + step);
   point.status =
       step % 3 == 2 ? StepStatus::not_converged : StepStatus::converged;
   point.is_unloading = step % 2 == 1;
@@ -99,38 +101,53 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
   EXPECT_PRED2(is_same, a.mean_gap, b.mean_gap);
   EXPECT_PRED2(is_same, a.area_fraction, b.area_fraction);
   EXPECT_PRED2(is_same, a.area_fraction_corrected, b.area_fraction_corrected);
-  EXPECT_PRED2(is_same, a.area_fraction_fit, b.area_fraction_fit);
-  EXPECT_PRED2(is_same, a.area_fraction_moment, b.area_fraction_moment);
+  EXPECT_PRED2(is_same, a[columns::area_fraction_fit],
+               b[columns::area_fraction_fit]);
+  EXPECT_PRED2(is_same, a[columns::area_fraction_moment],
+               b[columns::area_fraction_moment]);
   EXPECT_PRED2(is_same, a.contact_perimeter, b.contact_perimeter);
   EXPECT_PRED2(is_same, a.elastic_energy, b.elastic_energy);
   EXPECT_PRED2(is_same, a.contact_energy, b.contact_energy);
-  EXPECT_EQ(a.linear_iterations, b.linear_iterations);
-  EXPECT_EQ(a.preconditioner_setups, b.preconditioner_setups);
-  EXPECT_PRED2(is_same, a.unknowns, b.unknowns);
-  EXPECT_PRED2(is_same, a.memory, b.memory);
-  EXPECT_PRED2(is_same, a.normal_stiffness, b.normal_stiffness);
-  EXPECT_PRED2(is_same, a.tangential_stiffness, b.tangential_stiffness);
-  EXPECT_PRED2(is_same, a.stick_stiffness_x, b.stick_stiffness_x);
-  EXPECT_PRED2(is_same, a.stick_stiffness_y, b.stick_stiffness_y);
-  EXPECT_PRED2(is_same, a.pressure_centre_x, b.pressure_centre_x);
-  EXPECT_PRED2(is_same, a.pressure_centre_y, b.pressure_centre_y);
-  EXPECT_PRED2(is_same, a.von_mises, b.von_mises);
-  EXPECT_PRED2(is_same, a.von_mises_depth, b.von_mises_depth);
-  EXPECT_PRED2(is_same, a.plastic_work, b.plastic_work);
-  EXPECT_PRED2(is_same, a.plastic_strain, b.plastic_strain);
-  EXPECT_PRED2(is_same, a.adhesive_energy, b.adhesive_energy);
-  EXPECT_PRED2(is_same, a.repulsive_area, b.repulsive_area);
-  EXPECT_PRED2(is_same, a.tensile_area, b.tensile_area);
-  EXPECT_PRED2(is_same, a.smallest_stiffness, b.smallest_stiffness);
-  EXPECT_PRED2(is_same, a.attractive_load, b.attractive_load);
-  EXPECT_PRED2(is_same, a.jump_pressure, b.jump_pressure);
-  EXPECT_PRED2(is_same, a.jump_gap, b.jump_gap);
-  EXPECT_PRED2(is_same, a.plastic_area, b.plastic_area);
+  EXPECT_EQ(a[columns::linear_iterations], b[columns::linear_iterations]);
+  EXPECT_EQ(a[columns::preconditioner_setups],
+            b[columns::preconditioner_setups]);
+  EXPECT_PRED2(is_same, a[columns::unknowns], b[columns::unknowns]);
+  EXPECT_PRED2(is_same, a[columns::memory], b[columns::memory]);
+  EXPECT_PRED2(is_same, a[columns::normal_stiffness],
+               b[columns::normal_stiffness]);
+  EXPECT_PRED2(is_same, a[columns::tangential_stiffness],
+               b[columns::tangential_stiffness]);
+  EXPECT_PRED2(is_same, a[columns::stick_stiffness_x],
+               b[columns::stick_stiffness_x]);
+  EXPECT_PRED2(is_same, a[columns::stick_stiffness_y],
+               b[columns::stick_stiffness_y]);
+  EXPECT_PRED2(is_same, a[columns::pressure_centre_x],
+               b[columns::pressure_centre_x]);
+  EXPECT_PRED2(is_same, a[columns::pressure_centre_y],
+               b[columns::pressure_centre_y]);
+  EXPECT_PRED2(is_same, a[columns::von_mises], b[columns::von_mises]);
+  EXPECT_PRED2(is_same, a[columns::von_mises_depth],
+               b[columns::von_mises_depth]);
+  EXPECT_PRED2(is_same, a[columns::plastic_work], b[columns::plastic_work]);
+  EXPECT_PRED2(is_same, a[columns::plastic_strain], b[columns::plastic_strain]);
+  EXPECT_PRED2(is_same, a[columns::adhesive_energy],
+               b[columns::adhesive_energy]);
+  EXPECT_PRED2(is_same, a[columns::repulsive_area], b[columns::repulsive_area]);
+  EXPECT_PRED2(is_same, a[columns::tensile_area], b[columns::tensile_area]);
+  EXPECT_PRED2(is_same, a[columns::smallest_stiffness],
+               b[columns::smallest_stiffness]);
+  EXPECT_PRED2(is_same, a[columns::attractive_load],
+               b[columns::attractive_load]);
+  EXPECT_PRED2(is_same, a[columns::jump_pressure], b[columns::jump_pressure]);
+  EXPECT_PRED2(is_same, a[columns::jump_gap], b[columns::jump_gap]);
+  EXPECT_PRED2(is_same, a[columns::plastic_area], b[columns::plastic_area]);
   EXPECT_PRED2(is_same, a.contact_stiffness, b.contact_stiffness);
   EXPECT_EQ(a.iterations, b.iterations);
   EXPECT_PRED2(is_same, a.residual, b.residual);
-  EXPECT_PRED2(is_same, a.certified_gap_error, b.certified_gap_error);
-  EXPECT_PRED2(is_same, a.estimated_gap_error, b.estimated_gap_error);
+  EXPECT_PRED2(is_same, a[columns::certified_gap_error],
+               b[columns::certified_gap_error]);
+  EXPECT_PRED2(is_same, a[columns::estimated_gap_error],
+               b[columns::estimated_gap_error]);
   EXPECT_PRED2(is_same, a.cpu_time, b.cpu_time);
   EXPECT_EQ(a.status, b.status);
   EXPECT_EQ(a.is_unloading, b.is_unloading);

@@ -6,6 +6,8 @@
 #include "results/result_reader.hpp"
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/curve_columns.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 #include "tests/results/sample_result.hpp"
 
 #include <fmt/format.h>
@@ -142,7 +144,7 @@ TEST_F(Validity, AcceptsAFailedStepWithoutNumbers) {
 TEST_F(Validity, ListsWhatIsWrong) {
   const std::string text = complaint([](CurvePoint& row) {
     row.residual = -1.0;
-    row.memory = infinity;
+    row[columns::memory] = infinity;
   });
   EXPECT_NE(text.find("/curve/residual, step 1 = -1, but must be finite and >= "
                       "0 [1]\n"),
@@ -256,7 +258,7 @@ TEST_F(Validity, OfWhatFollowsFromTheFields) {
           CurvePoint row = sample_point(0);
           row.nominal_pressure = row_pressure;
           row.mean_gap = row_gap;
-          row.plastic_area = not_a_number; // no imprint
+          row[columns::plastic_area] = not_a_number; // no imprint
           writer.begin_method("other", kind, "");
           writer.append_step_with_fields("other", 0, row, grid,
                                          {0,
@@ -297,7 +299,7 @@ TEST_F(Validity, OfAnUnloadedStepWithTension) {
       CurvePoint row = sample_point(0);
       row.nominal_pressure = 0.0;
       row.mean_gap = 1.0;
-      row.plastic_area = not_a_number;
+      row[columns::plastic_area] = not_a_number;
       writer.begin_method("other", "halfspace", "");
       writer.append_step_with_fields(
           "other", 0, row, {2, 2, 1e-6, 1e-6},
@@ -317,7 +319,7 @@ TEST_F(Validity, OfATensionThatNoMapHolds) {
       CurvePoint row = sample_point(0);
       row.nominal_pressure = pressure;
       row.mean_gap = 1.0;
-      row.plastic_area = not_a_number;
+      row[columns::plastic_area] = not_a_number;
       writer.begin_method("other", "halfspace", "");
       writer.append_step_with_fields(
           "other", 0, row, {2, 2, 1e-6, 1e-6},
@@ -336,8 +338,8 @@ TEST_F(Validity, OfASurfaceAllOfWhichYields) {
       CurvePoint row = sample_point(0);
       row.nominal_pressure = 3e6;
       row.mean_gap = mean_gap;
-      row.plastic_area = 1.0;
-      row.plastic_work = 3e6 * 2.2380388288374566e-07;
+      row[columns::plastic_area] = 1.0;
+      row[columns::plastic_work] = 3e6 * 2.2380388288374566e-07;
       writer.begin_method("other", "halfspace", "");
       writer.append_step_with_fields(
           "other", 0, row, {2, 2, 1e-6, 1e-6},

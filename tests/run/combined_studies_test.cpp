@@ -4,6 +4,8 @@
 #include "reports/analysis/partial_slip.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
+#include "results/types/method_columns.hpp"
+#include "results/types/study_columns.hpp"
 #include "run/run_case.hpp"
 #include "tests/folder.hpp"
 
@@ -202,7 +204,7 @@ void expect_same_methods(const Result& result, const Result& other,
     }
     const bool is_iterated = method.name.find("like-") != method.name.npos;
     expect_same(found, expected, all_columns(), is_iterated ? 1e-5 : 1e-8);
-    expected.normal_stiffness /= n_maps;
+    expected[columns::normal_stiffness] /= n_maps;
     for (const char* const stiffness :
          {"normal_stiffness", "stick_stiffness_x"})
       if (std::isfinite(results::curve_column(stiffness).get(expected)))
@@ -337,14 +339,14 @@ TEST_F(CombinedStudies, OfAYieldedContactHaveTheStiffnessOfItsUnloading) {
       run({"halfspace.hardness=100 MPa", "halfspace.tolerance=1e-12",
            "friction=", "load.nominal_pressure=[10e6, 9.9999e6]"});
   const std::vector<CurvePoint>& rows = rows_of(result, "halfspace");
-  ASSERT_GT(rows[0].plastic_area, 0.01);
+  ASSERT_GT(rows[0][columns::plastic_area], 0.01);
   ASSERT_EQ(rows[0].area_fraction, rows[1].area_fraction);
   EXPECT_FALSE(rows[0].is_unloading);
   EXPECT_TRUE(rows[1].is_unloading);
   const double slope = (rows[0].nominal_pressure - rows[1].nominal_pressure) /
                        (rows[1].mean_gap - rows[0].mean_gap);
   const double area = 1e-12;
-  EXPECT_NEAR(rows[0].normal_stiffness / (slope * area), 1.0, 1e-4);
+  EXPECT_NEAR(rows[0][columns::normal_stiffness] / (slope * area), 1.0, 1e-4);
 }
 
 // The theory of yielding contact is that of first load.
@@ -356,7 +358,7 @@ TEST_F(CombinedStudies, OfATheoryWithAHardnessEndAtTheLargestLoad) {
   ASSERT_EQ(rows.size(), 5U);
   for (const CurvePoint& row : rows) {
     EXPECT_EQ(std::isnan(row.area_fraction), row.is_unloading);
-    EXPECT_EQ(std::isnan(row.plastic_area), row.is_unloading);
+    EXPECT_EQ(std::isnan(row[columns::plastic_area]), row.is_unloading);
     EXPECT_EQ(row.note.find("the theory knows no imprint") != row.note.npos,
               row.is_unloading)
         << row.note;
@@ -368,8 +370,8 @@ TEST_F(CombinedStudies, OfATheoryWithoutAGapSayThatItHasNoFlowFactor) {
   const Result result = run({"theory.gamma=0.4", "report.stress_inside=false",
                              "load.nominal_pressure=46 E* h'"});
   const CurvePoint& row = rows_of(result, "theory").front();
-  EXPECT_EQ(row.flow_conductance_x, 0.0);
-  EXPECT_TRUE(std::isnan(row.flow_factor_x));
+  EXPECT_EQ(row[columns::flow_conductance_x], 0.0);
+  EXPECT_TRUE(std::isnan(row[columns::flow_factor_x]));
   EXPECT_NE(row.note.find("flow_factor_x is not determined: the mean gap is "
                           "too small"),
             std::string::npos)
@@ -431,11 +433,14 @@ TEST_F(CombinedStudies, OfATurnedMapAreTurned) {
     for (std::size_t i = 0; i < 3; ++i) {
       SCOPED_TRACE(method.name);
       CurvePoint back = rows_of(along_y, method.name)[i];
-      std::swap(back.flow_factor_x, back.flow_factor_y);
-      std::swap(back.flow_conductance_x, back.flow_conductance_y);
-      std::swap(back.critical_gap_x, back.critical_gap_y);
-      std::swap(back.spots_percolate_x, back.spots_percolate_y);
-      std::swap(back.gap_percolates_x, back.gap_percolates_y);
+      std::swap(back[columns::flow_factor_x], back[columns::flow_factor_y]);
+      std::swap(back[columns::flow_conductance_x],
+                back[columns::flow_conductance_y]);
+      std::swap(back[columns::critical_gap_x], back[columns::critical_gap_y]);
+      std::swap(back[columns::spots_percolate_x],
+                back[columns::spots_percolate_y]);
+      std::swap(back[columns::gap_percolates_x],
+                back[columns::gap_percolates_y]);
       expect_same(back, method.realizations.front().points[i], all_columns(),
                   1e-5);
     }

@@ -1,4 +1,5 @@
 // Tests of the comparison of two results with artificial rows.
+#include "results/types/method_columns.hpp"
 #include "run/difference.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +30,7 @@ CurvePoint row() {
   point.nominal_pressure = 1e6;
   point.mean_gap = 2e-9;
   point.area_fraction = 0.1;
-  point.area_fraction_fit = std::nan("");
+  point[columns::area_fraction_fit] = std::nan("");
   point.cpu_time = 1.0;
   return point;
 }
@@ -50,8 +51,8 @@ MethodDifference difference_after(void (*change)(CurvePoint&),
 TEST(Difference, IsNoneOfEqualRowsWhateverTheirTimes) {
   const MethodDifference same = difference_after([](CurvePoint& point) {
     point.cpu_time = 7.0;
-    point.transform_time = 0.5;
-    point.memory = 1e9;
+    point[columns::transform_time] = 0.5;
+    point[columns::memory] = 1e9;
   });
 
   EXPECT_EQ(same.rows, 2);
@@ -86,7 +87,7 @@ TEST(Difference, OfMeanGapsIsRelativeToTheRoughnessAtLeast) {
 
 TEST(Difference, OfANumberFromNoneIsInfinite) {
   const MethodDifference found = difference_after(
-      [](CurvePoint& point) { point.area_fraction_fit = 0.1; }, 1.0);
+      [](CurvePoint& point) { point[columns::area_fraction_fit] = 0.1; }, 1.0);
 
   EXPECT_EQ(found.rows_that_differ, 2);
   EXPECT_EQ(found.largest.relative, std::numeric_limits<double>::infinity());
