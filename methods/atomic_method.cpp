@@ -4,7 +4,6 @@
 #include "md/engines.hpp"
 #include "methods/curve_row.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "methods/chosen.hpp"
 
+#include "cases/reader/study_keys.hpp"
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
 
@@ -65,9 +66,12 @@ std::set<std::size_t> steps_with_fields(const cases::Case& contact_case) {
   std::set<std::size_t> steps;
   for (std::size_t k = 0; k < wanted; ++k)
     steps.insert((2 * k + 1) * n_steps / (2 * wanted));
-  if (wanted > 0 && contact_case.friction_study)
-    steps.insert(contact_case.friction_study->map_steps.begin(),
-                 contact_case.friction_study->map_steps.end());
+  for (const cases::StudyKeys* const study : cases::known_studies())
+    if (wanted > 0 && study->saved_steps != nullptr &&
+        study->is_asked(contact_case)) {
+      const std::vector<std::size_t> saved = study->saved_steps(contact_case);
+      steps.insert(saved.begin(), saved.end());
+    }
   return steps;
 }
 
@@ -102,6 +106,14 @@ std::optional<std::size_t> step_with_section(const cases::Case& contact_case,
   return *std::max_element(
       steps.begin(), steps.end(),
       [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+}
+
+bool asks_conduction(const cases::Case& contact_case,
+                     const cases::MethodSpec& method) {
+  return conducts_in_block(method) &&
+         std::ranges::any_of(cases::known_studies(), [&](const auto* study) {
+           return study->conducts && study->is_asked(contact_case);
+         });
 }
 
 } // namespace asperity::methods

@@ -47,6 +47,10 @@ bool is_full_block(const cases::MethodSpec& method);
 /// computes on its own mesh what the contact conducts.
 bool conducts_in_block(const cases::MethodSpec& method);
 
+/// Returns whether the case asks such a block for that.
+bool asks_conduction(const cases::Case& contact_case,
+                     const cases::MethodSpec& method);
+
 /// Returns the contact law of a method whose pressures are the answer of one
 /// surface operator in a convex problem; null for full blocks, adhesion, atoms
 /// and theory.

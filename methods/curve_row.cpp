@@ -7,7 +7,6 @@
 #include "results/observables/pressure_fit.hpp"
 #include "results/observables/row_observer.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 

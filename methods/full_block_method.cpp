@@ -9,7 +9,6 @@
 #include "results/observables/area_estimate.hpp"
 #include "results/observables/row_observer.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -237,8 +236,7 @@ std::unique_ptr<StepSolver> make_full_block_solver(
   StepExtras extras;
   if (realization == 0)
     extras = extras_of(contact_case, method, surface, resources.scratch);
-  extras.has_conduction =
-      contact_case.conductance_study && conducts_in_block(method);
+  extras.has_conduction = asks_conduction(contact_case, method);
   resources.root->act(
       [&] { request.file_mesh = file_mesh(contact_case, method, grid); });
   return std::make_unique<FullBlockSolver>(

@@ -3,7 +3,7 @@
 #include "input/input_error.hpp"
 #include "results/observables/height_numbers.hpp"
 #include "results/types/curve_columns.hpp"
-#include "results/types/study_columns.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -7,7 +7,6 @@
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 #include "robustness/verify_adhesive.hpp"
 
 #include <fmt/format.h>

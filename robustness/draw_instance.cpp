@@ -1,5 +1,6 @@
 // Draws problems from a seed and an index, as the text of a case.
 #include "base/require.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/types/case.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/contact_law.hpp"
@@ -590,7 +591,7 @@ void replace_base(Draft& draft) {
   const cases::Case& contact_case = draft.base()->contact_case;
   if (!contact_case.expectations.empty())
     draft.remove("expect");
-  if (contact_case.friction_study)
+  if (cases::is_asked(contact_case, "friction"))
     draft.remove("friction");
 }
 

@@ -5,7 +5,6 @@
 #include "contact/certificate/certificate.hpp"
 #include "results/observables/observables.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 

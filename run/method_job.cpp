@@ -6,7 +6,6 @@
 #include "methods/chosen.hpp"
 #include "methods/theory_method.hpp"
 #include "results/types/curve_columns.hpp"
-#include "run/contact_studies.hpp"
 #include "run/interrupt.hpp"
 #include "run/new_output.hpp"
 
@@ -15,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {
@@ -157,10 +158,7 @@ void MethodJob::take(std::size_t step, results::Change kept,
   CurvePoint& row = kept.methods.front().points.front();
   row.step = static_cast<int>(step);
   row.is_unloading = context_.contact_case.load.is_unloading[step];
-  if (context_.contact_case.flow_study)
-    set_leak_rates(*context_.contact_case.flow_study, row);
-  if (context_.contact_case.conductance_study)
-    set_conductances(*context_.contact_case.conductance_study, row);
+  studies::rescale_studies(context_.contact_case, row);
   context_.tally.failed_steps += has_failed(row);
   for (results::FieldsChange& fields : kept.methods.front().fields) {
     fields.step = row.step;
@@ -238,11 +236,12 @@ void MethodJob::compute_theory(const std::vector<std::size_t>& steps) {
            steps.end();
   });
   const auto& settings = std::get<mechanics::TheorySettings>(method_.settings);
-  if (contact_case.flow_study &&
-      settings.loss_factor == mechanics::LossFactor::yang_persson)
+  if (settings.loss_factor == mechanics::LossFactor::yang_persson) {
+    const theory::PerssonContact contact(spectrum, scales.contact_modulus,
+                                         settings.gamma);
     for (CurvePoint& row : rows)
-      add_flow(*contact_case.flow_study,
-               {spectrum, scales.contact_modulus, settings.gamma}, row);
+      studies::evaluate_studies(contact_case, contact, row);
+  }
   context_.writer->record_setup_time(method_.name, realization_, setup_time);
   context_.writer->append_steps(method_.name, realization_, rows);
   for (const CurvePoint& row : rows) {
@@ -350,7 +349,8 @@ bool MethodJob::compute_step(methods::StepSolver& solver, std::size_t step,
       context_.progress, activity_text(fmt::format("step {}", step)));
   methods::StepTarget target =
       target_of(context_.contact_case.load, step, surface.scales);
-  target.needs_maps = needs_maps(step) || needs_all_maps(context_.contact_case);
+  target.needs_maps =
+      needs_maps(step) || studies::needs_all_maps(context_.contact_case);
   methods::StepAnswer answer = solver.solve(target);
   CurvePoint row = answer.row;
   if (has_failed(row) && is_to_end())
@@ -393,18 +393,24 @@ void MethodJob::keep_and_record(methods::StepSolver& solver,
 /// Adds to the row of a step what the case asks of its maps.
 void MethodJob::study(methods::StepAnswer& answer) {
   const cases::Case& contact_case = context_.contact_case;
-  if (!needs_all_maps(contact_case))
+  if (!studies::needs_all_maps(contact_case) || answer.gap.empty() ||
+      has_failed(answer.row))
     return;
   const methods::SurfaceOfCase& surface =
       context_.surfaces.of(method_, realization_);
-  const StudiedMethod studied{contact_case, method_, surface, context_.solvers,
-                              context_.pool.threads_per_job()};
-  add_contact_studies(studied, answer);
-  if (contact_case.friction_study)
-    add_stick_stiffness(studied, answer);
-  if (contact_case.flow_study)
-    add_flow(*contact_case.flow_study, method_, surface.scales.rms_height,
-             answer);
+  const int threads = context_.pool.threads_per_job();
+  studies::evaluate_studies(
+      {contact_case,
+       method_,
+       surface,
+       answer.grid,
+       answer.pressure,
+       answer.gap,
+       {method_.contact_criterion(surface.scales.rms_height), answer.pressure,
+        answer.gap},
+       threads,
+       [&] { return context_.solvers.operator_of(method_, surface, threads); }},
+      answer.row);
 }
 
 methods::Resources MethodJob::resources() const {

@@ -9,7 +9,6 @@
 #include "methods/worker_pool.hpp"
 #include "results/result_writer.hpp"
 #include "results/types/result.hpp"
-#include "run/flow_of_step.hpp"
 #include "run/progress.hpp"
 
 #include <atomic>

@@ -14,7 +14,6 @@
 #include "methods/sharing.hpp"
 #include "ranks/rank_sums.hpp"
 #include "results/provenance.hpp"
-#include "run/flow_maps.hpp"
 #include "run/interrupt.hpp"
 #include "run/method_job.hpp"
 #include "run/mpi_world.hpp"
@@ -340,7 +339,7 @@ RunOutcome Run::execute() {
     });
   }
   if (!was_interrupted && has_realization(0))
-    record_flow_maps(context_, methods_);
+    record_map_tables(context_, methods_);
   root_.act([&] { record_counts(); });
   const double peak = rank_max(root_.ranks(), peak_memory());
   root_.act([&] { finish(clock, peak, was_interrupted); });

@@ -1,13 +1,13 @@
 #include "run/studies.hpp"
 
 #include "methods/surfaces_of_case.hpp"
+#include "results/result_reader.hpp"
 #include "run/interrupt.hpp"
-#include "run/study_tables.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
+
+#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {
@@ -66,73 +66,15 @@ void StudyTables::record(const std::string& name,
                        methods::entry_kind::table, change);
 }
 
-std::string seen_name(std::size_t load) {
-  return fmt::format("magnification-{}", load + 1);
-}
-
-std::string gaps_name(std::size_t load) {
-  return fmt::format("gap-distribution-{}", load + 1);
-}
-
-std::vector<std::string> table_names(const cases::MagnificationStudy& study) {
-  std::vector<std::string> names{"magnification"};
-  for (std::size_t i = 0; i < study.nominal_pressures.size(); ++i) {
-    names.push_back(seen_name(i));
-    names.push_back(gaps_name(i));
-  }
-  if (study.leak)
-    names.emplace_back("leak");
-  return names;
-}
-
-void run_magnification(const cases::MagnificationStudy& study,
-                       const theory::PerssonContact& contact, Tally& tally,
-                       StudyTables& tables) {
-  if (tables.take(table_names(study)))
-    return;
-  const auto contacts = tally.attempt(
-      "[magnification]", [&] { return magnified_contacts(contact, study); });
-  if (!contacts)
-    return;
-  tables.record("magnification", [&] { return loads_table(*contacts); });
-  for (std::size_t i = 0; i < contacts->size(); ++i) {
-    tables.record(seen_name(i), [&] {
-      return magnification_table(seen_name(i), (*contacts)[i], study);
-    });
-    tables.record(gaps_name(i), [&] {
-      return gap_distribution_table(gaps_name(i), (*contacts)[i]);
-    });
-  }
-  if (study.leak)
-    tables.record("leak", [&] { return leak_table(*contacts, *study.leak); });
-}
-
-void run_adhesion(const cases::AdhesionStudy& study,
-                  const theory::PerssonContact& contact, Tally& tally,
-                  StudyTables& tables) {
-  if (tables.take({"adhesion", "adhesion-flip"}))
-    return;
-  theory::AdhesivePair pair{.contact_modulus = contact.contact_modulus(),
-                            .work_of_adhesion = study.work_of_adhesion,
-                            .gamma = contact.gamma()};
-  if (study.detachment_factor)
-    pair.detachment_factor = *study.detachment_factor;
-  const theory::RoughAdhesion adhesion(contact.spectrum(), pair, study.steps);
-  const std::optional<Table> rows = tally.attempt("[adhesion]", [&] {
-    return adhesion_table(adhesion, study, contact.spectrum().rms_height());
-  });
-  if (!rows)
-    return;
-  tables.record(rows->name, [&] { return *rows; });
-  tables.record("adhesion-flip",
-                [&] { return adhesion_flip_table(adhesion, study, *rows); });
-}
-
 } // namespace
 
 void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
   const cases::Case& contact_case = context.contact_case;
-  if (!contact_case.magnification_study && !contact_case.adhesion_study)
+  const auto has_tables = [&](const studies::Study* study) {
+    return study->theory_tables != nullptr &&
+           study->keys().is_asked(contact_case);
+  };
+  if (std::ranges::none_of(studies::all_studies(), has_tables))
     return;
   const bool is_measured =
       contact_case.surface.kind == mechanics::SurfaceKind::measured;
@@ -142,11 +84,83 @@ void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
       contact_case.material.contact_modulus,
       std::get<mechanics::TheorySettings>(theory.settings).gamma);
   StudyTables tables(context, theory);
-  if (contact_case.magnification_study)
-    run_magnification(*contact_case.magnification_study, contact, context.tally,
-                      tables);
-  if (contact_case.adhesion_study)
-    run_adhesion(*contact_case.adhesion_study, contact, context.tally, tables);
+  for (const studies::Study* const study : studies::all_studies()) {
+    if (!has_tables(study))
+      continue;
+    const std::vector<studies::AskedTable> asked =
+        study->theory_tables(contact_case, contact);
+    std::vector<std::string> names;
+    for (const studies::AskedTable& one : asked)
+      names.push_back(one.name);
+    if (!tables.take(names))
+      for (const studies::AskedTable& one : asked)
+        tables.record(one.name, one.make);
+  }
+}
+
+namespace {
+
+/// The saved maps of realisation 0, the heaviest first.
+std::vector<const results::Fields*> maps_of(const results::Result& result,
+                                            const std::string& method) {
+  std::vector<const results::Fields*> maps;
+  for (const results::MethodRecord& record : result.methods)
+    if (record.name == method && !record.realizations.empty())
+      for (const results::Fields& map : record.realizations.front().fields)
+        if (!map.gap_map().empty() && map.gap_map().size() == map.grid.size())
+          maps.push_back(&map);
+  std::ranges::sort(maps, std::ranges::greater{},
+                    &results::Fields::nominal_pressure);
+  return maps;
+}
+
+void record_map_table(const RunContext& run, const studies::Study& study,
+                      const cases::MethodSpec& method,
+                      const results::Result& result) {
+  const methods::SurfaceOfCase& surface = run.surfaces.of(method, 0);
+  for (const results::Fields* map : maps_of(result, method.name)) {
+    const auto table =
+        run.tally.attempt(study.keys().name() + " map, " + method.name, [&] {
+          const std::vector<double> pressure = map->pressure_map().whole();
+          const std::vector<double> gap = map->gap_map().whole();
+          return study.map_table(
+              {run.contact_case,
+               method,
+               surface,
+               map->grid,
+               pressure,
+               gap,
+               {method.contact_criterion(surface.scales.rms_height), pressure,
+                gap}},
+              map->map);
+        });
+    if (!table)
+      return;
+    if (!*table)
+      continue;
+    run.writer->record_table(**table);
+    return;
+  }
+}
+
+} // namespace
+
+void record_map_tables(const RunContext& run,
+                       std::span<const cases::MethodSpec> methods) {
+  std::vector<const studies::Study*> asked;
+  for (const studies::Study* const study : studies::all_studies())
+    if (study->map_table != nullptr && study->keys().is_asked(run.contact_case))
+      asked.push_back(study);
+  if (asked.empty())
+    return;
+  run.root.act([&] {
+    const results::Result result =
+        results::read_result(run.writer->path(), results::MapsInFile::large);
+    for (const studies::Study* const study : asked)
+      for (const cases::MethodSpec& method : methods)
+        if (method.has_fields())
+          record_map_table(run, *study, method, result);
+  });
 }
 
 } // namespace asperity::run

@@ -5,6 +5,7 @@
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/case_text.hpp"
 #include "cases/reader/read_parts.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/text/toml_limits.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_file.hpp"
@@ -66,18 +67,10 @@ void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
     read.mesh = read_mesh(part(*mesh), read);
   if (const Node* const load = table("load", true))
     read.load = read_load(part(*load), read.methods);
-  if (const Node* const study = table("magnification"))
-    read.magnification_study = read_magnification_study(part(*study), read);
-  if (const Node* const study = table("adhesion"))
-    read.adhesion_study = read_adhesion_study(part(*study), read);
-  if (const Node* const study = table("flow"))
-    read.flow_study = read_flow_study(part(*study), read);
-  if (const Node* const study = table("friction"))
-    read.friction_study = read_friction_study(part(*study), read);
-  if (const Node* const study = table("spots"))
-    read.spots_study = read_spots_study(part(*study), read);
-  if (const Node* const study = table("conductance"))
-    read.conductance_study = read_conductance_study(part(*study), read);
+  for (const StudyKeys* const study : known_studies())
+    if (const Node* const asked =
+            study->tables.empty() ? nullptr : table(study->name().c_str()))
+      study->read(part(*asked), read);
   if (const Node* const report = table("report"))
     part(*report).read(read.report);
   if (read.report.stress_inside && material != nullptr &&

@@ -1,5 +1,6 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/read_parts.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/types/expectations.hpp"
 #include "cases/types/quantity_at_load.hpp"
 #include "input/nearest.hpp"
@@ -21,8 +22,8 @@ struct ReadSoFar {
 
   bool has(Study study) const {
     return study == Study::none ||
-           (study == Study::magnification && read.magnification_study) ||
-           (study == Study::adhesion && read.adhesion_study);
+           (study == Study::magnification && is_asked(read, "magnification")) ||
+           (study == Study::adhesion && is_asked(read, "adhesion"));
   }
 };
 

@@ -41,16 +41,6 @@ void read_pressures(TableReader& load, const Key& key,
                     mechanics::LoadingPath& program);
 mechanics::LoadingPath read_load(TableReader load,
                                  const std::vector<MethodSpec>& methods);
-/// @param read  the case with its surface and methods already read
-MagnificationStudy read_magnification_study(TableReader table,
-                                            const Case& read);
-AdhesionStudy read_adhesion_study(TableReader table, const Case& read);
-FlowStudy read_flow_study(TableReader table, const Case& read);
-
-/// Adds the load steps of tangential loads to those of the case.
-FrictionStudy read_friction_study(TableReader table, Case& read);
-SpotsStudy read_spots_study(TableReader table, const Case& read);
-ConductanceStudy read_conductance_study(TableReader table, const Case& read);
 /// Reads report.fields: a number, "none" or "all".
 void read_fields(TableReader& report, const Key& key, ReportSpec& spec);
 /// @param read  the case with its methods and studies already read

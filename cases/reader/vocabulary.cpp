@@ -3,6 +3,7 @@
 #include "base/special_numbers.hpp"
 #include "cases/reader/bound_key.hpp"
 #include "cases/reader/read_parts.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/types/expectations.hpp"
 #include "mechanics/limits.hpp"
 
@@ -124,8 +125,8 @@ std::vector<Table> all_tables() {
     tables.push_back(std::move(table));
   for (Table& table : method_tables())
     tables.push_back(std::move(table));
-  for (Table& table : study_tables())
-    tables.push_back(std::move(table));
+  for (const StudyKeys* const study : known_studies())
+    tables.insert(tables.end(), study->tables.begin(), study->tables.end());
   tables.push_back(report_table());
   tables.push_back(expect_table());
   tables.push_back(band_table());

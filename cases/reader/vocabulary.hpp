@@ -141,7 +141,6 @@ Table md_table();
 std::vector<Table> mesh_tables();
 std::vector<Table> block_tables();
 std::vector<Table> method_tables();
-std::vector<Table> study_tables();
 Table case_sweep_table();
 
 } // namespace asperity::cases

@@ -5,15 +5,18 @@
 // and what is computed, saved and expected besides.
 
 #include "cases/types/methods.hpp"
-#include "cases/types/studies.hpp"
 #include "mechanics/loading.hpp"
 #include "mechanics/material.hpp"
 #include "mechanics/mesh_spec.hpp"
 #include "mechanics/surface_spec.hpp"
 
+#include <any>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <typeindex>
+#include <utility>
 #include <vector>
 
 namespace asperity::cases {
@@ -43,6 +46,29 @@ struct Expectation {
   bool passes_if_undecided = false;
 };
 
+/// The settings of the studies that a case asks for, each of a type of its own
+/// (studies/).
+class AskedStudies {
+public:
+  template <class Study>
+  Study& ask(Study settings) {
+    std::any& place = settings_[typeid(Study)];
+    place = std::move(settings);
+    return *std::any_cast<Study>(&place);
+  }
+
+  /// Returns the settings, or null if the study is not asked for.
+  template <class Study>
+  const Study* find() const {
+    const auto found = settings_.find(typeid(Study));
+    return found == settings_.end() ? nullptr
+                                    : std::any_cast<Study>(&found->second);
+  }
+
+private:
+  std::map<std::type_index, std::any> settings_;
+};
+
 struct Case {
   std::string path; ///< as given by the user, for messages
   std::string text; ///< the file byte for byte, then one line
@@ -56,14 +82,15 @@ struct Case {
   mechanics::LoadingPath load;
   std::vector<MethodSpec> methods; ///< theory, halfspace, fem, md, then
                                    ///< variants
-  std::optional<MagnificationStudy> magnification_study;
-  std::optional<AdhesionStudy> adhesion_study;
-  std::optional<FlowStudy> flow_study;
-  std::optional<FrictionStudy> friction_study;
-  std::optional<SpotsStudy> spots_study;
-  std::optional<ConductanceStudy> conductance_study;
+  AskedStudies studies;
   ReportSpec report;
   std::vector<Expectation> expectations;
+
+  /// The settings of a study, or null if the case does not ask for it.
+  template <class Study>
+  const Study* study() const {
+    return studies.find<Study>();
+  }
 };
 
 /// Returns why partial slip does not follow from the normal contact of a

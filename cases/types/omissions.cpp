@@ -19,34 +19,6 @@ bool is_full_block(const MethodSpec& method) {
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 
-std::string no_flow(const Case&, const MethodSpec& method) {
-  const auto* const theory = std::get_if<TheorySettings>(&method.settings);
-  return theory != nullptr &&
-                 theory->loss_factor != mechanics::LossFactor::yang_persson
-             ? "needs loss_factor = \"yang-persson\""
-             : "";
-}
-
-std::string no_map(const Case&, const MethodSpec& method) {
-  return method.has_fields() ? "" : "has no contact map";
-}
-
-std::string no_partial_slip(const Case& contact_case,
-                            const MethodSpec& method) {
-  return obstacle_to_partial_slip(method, contact_case.material);
-}
-
-/// Surface methods whose pressures are the answer of one operator in a convex
-/// problem have the stiffness of [conductance], full blocks their own.
-std::string no_normal_stiffness(const Case&, const MethodSpec& method) {
-  if (const auto* const fem = std::get_if<FemSettings>(&method.settings);
-      fem != nullptr && is_full_block(method))
-    return fem->full.has_stiffness ? "" : "needs stiffness = true";
-  if (method.contact() == nullptr)
-    return "needs a [halfspace] or [fem]";
-  return method.is_adhesive() ? "needs a contact without adhesion" : "";
-}
-
 std::string no_stress(const Case&, const MethodSpec& method) {
   return method.is_continuum() ? "" : "has no elastic continuum";
 }
@@ -63,71 +35,49 @@ std::string no_cells(const Case&, const MethodSpec& method) {
   return is_full_block(method) ? "" : "has a laterally uniform material";
 }
 
-const std::array all_questions{
-    AskedTraits{Asked::flow,
-                "[flow]",
-                {"flow_factor_x", "flow_factor_y", "flow_conductance_x",
-                 "flow_conductance_y", "critical_gap_x", "critical_gap_y",
-                 "leak_rate_x", "leak_rate_y", "effective_medium"},
-                [](const Case& one) { return one.flow_study.has_value(); },
-                no_flow},
-    AskedTraits{Asked::friction,
-                "[friction]",
-                {},
-                [](const Case& one) { return one.friction_study.has_value(); },
-                no_partial_slip},
-    AskedTraits{Asked::spots,
-                "[spots]",
-                {"spot_count", "largest_spot", "spots_percolate_x",
-                 "spots_percolate_y", "spot_radii", "gap_count", "largest_gap",
-                 "gap_percolates_x", "gap_percolates_y"},
-                [](const Case& one) { return one.spots_study.has_value(); },
-                no_map},
-    AskedTraits{
-        Asked::conductance,
-        "[conductance]",
-        {"relative_conductance"},
-        [](const Case& one) { return one.conductance_study.has_value(); },
-        no_map},
-    AskedTraits{
-        Asked::normal_stiffness,
-        "normal_stiffness of [conductance]",
-        {"normal_stiffness"},
-        [](const Case& one) { return one.conductance_study.has_value(); },
-        no_normal_stiffness},
-    AskedTraits{Asked::stress_inside,
-                "stress_inside of [report]",
-                {},
-                [](const Case& one) { return one.report.stress_inside; },
-                no_stress},
-    AskedTraits{Asked::vtu,
-                "vtu of [report]",
-                {},
-                [](const Case& one) { return one.report.vtu; },
-                no_files},
-    AskedTraits{Asked::layers,
-                "[[material.layers]]",
-                {},
-                [](const Case& one) { return !one.material.layers.empty(); },
-                no_layers},
-    AskedTraits{
-        Asked::inclusion,
-        "[material.inclusion]",
-        {},
-        [](const Case& one) { return one.material.inclusion.has_value(); },
-        no_cells},
-    AskedTraits{
-        Asked::variation,
-        "[material.variation]",
-        {},
-        [](const Case& one) { return one.material.variation.has_value(); },
-        no_cells},
-};
+std::vector<AskedTraits>& questions() {
+  static std::vector<AskedTraits> all{
+      AskedTraits{"stress_inside of [report]",
+                  {},
+                  [](const Case& one) { return one.report.stress_inside; },
+                  no_stress},
+      AskedTraits{"vtu of [report]",
+                  {},
+                  [](const Case& one) { return one.report.vtu; },
+                  no_files},
+      AskedTraits{"[[material.layers]]",
+                  {},
+                  [](const Case& one) { return !one.material.layers.empty(); },
+                  no_layers},
+      AskedTraits{
+          "[material.inclusion]",
+          {},
+          [](const Case& one) { return one.material.inclusion.has_value(); },
+          no_cells},
+      AskedTraits{
+          "[material.variation]",
+          {},
+          [](const Case& one) { return one.material.variation.has_value(); },
+          no_cells},
+  };
+  return all;
+}
 
 } // namespace
 
+std::string no_map(const Case&, const MethodSpec& method) {
+  return method.has_fields() ? "" : "has no contact map";
+}
+
+void add_question(const AskedTraits& question) {
+  const auto other = std::ranges::find_if(questions(), [](const auto& one) {
+    return one.name == std::string("stress_inside of [report]");
+  });
+  questions().insert(other, question);
+}
+
 std::span<const AskedTraits> all_asked() {
-  return all_questions;
+  return questions();
 }
 
 std::string Omission::sentence() const {
@@ -137,8 +87,8 @@ std::string Omission::sentence() const {
 std::vector<Omission> omissions(const Case& contact_case,
                                 const MethodSpec& method) {
   std::vector<Omission> list;
-  for (const AskedTraits& one : all_questions) {
-    if (!one.is_in(contact_case))
+  for (const AskedTraits& one : questions()) {
+    if (one.obstacle == nullptr || !one.is_in(contact_case))
       continue;
     std::string why = one.obstacle(contact_case, method);
     if (!why.empty())
@@ -156,16 +106,15 @@ omission_warnings(const Case& contact_case,
         fmt::format("{} is computed by none of the methods of this run{}{}",
                     what, why.empty() ? "" : ": ", why));
   };
-  if (study_theory(contact_case.surface, {methods.begin(), methods.end()}) ==
-      nullptr) {
-    if (contact_case.magnification_study)
-      by_none("[magnification]", "");
-    if (contact_case.adhesion_study)
-      by_none("[adhesion]", "");
-  }
-  for (const AskedTraits& one : all_questions) {
+  for (const AskedTraits& one : questions()) {
     if (!one.is_in(contact_case))
       continue;
+    if (one.obstacle == nullptr) {
+      if (study_theory(contact_case.surface,
+                       {methods.begin(), methods.end()}) == nullptr)
+        by_none(one.name, "");
+      continue;
+    }
     const auto has_answer = [&](const MethodSpec& method) {
       return one.obstacle(contact_case, method).empty();
     };

@@ -12,34 +12,27 @@
 
 namespace asperity::cases {
 
-/// The tables and keys of a case that ask something of each of its methods.
-/// [magnification] and [adhesion] ask study_theory() alone.
-enum class Asked {
-  flow,             ///< [flow]
-  friction,         ///< [friction]
-  spots,            ///< [spots]
-  conductance,      ///< [conductance]: through the spots of contact
-  normal_stiffness, ///< [conductance]: the column normal_stiffness
-  stress_inside,    ///< [report] stress_inside
-  vtu,              ///< [report] vtu
-  layers,           ///< [[material.layers]]
-  inclusion,        ///< [material.inclusion]
-  variation,        ///< [material.variation]
-};
-
+/// A table or key of a case that asks something of each of its methods.
 struct AskedTraits {
-  Asked asked;
   const char* name; ///< "[flow]", "normal_stiffness of [conductance]"
   /// Columns of a curve that a method with an answer fills, unless the note of
   /// the row says why not.
   std::vector<const char*> columns;
   bool (*is_in)(const Case&);
   /// Why a method has no answer, as "needs ..." or "has ..."; "" if it has one.
+  /// Null: it is asked of study_theory() alone.
   std::string (*obstacle)(const Case&, const MethodSpec&);
 };
 
-/// All that can be asked, in the order of the enumeration.
+/// All that can be asked: by studies, in the order in which they were added,
+/// and by other tables.
 std::span<const AskedTraits> all_asked();
+
+/// Adds what a study asks.
+void add_question(const AskedTraits& question);
+
+/// "has no contact map", or "".
+std::string no_map(const Case& contact_case, const MethodSpec& method);
 
 /// One thing that a case asks and a method does not compute.
 struct Omission {
@@ -55,8 +48,7 @@ std::vector<Omission> omissions(const Case& contact_case,
                                 const MethodSpec& method);
 
 /// Returns a sentence for each thing asked that none of these methods computes,
-/// or that only theories compute although there are methods with fields; the
-/// tables of the theory are among what is asked.
+/// or that only theories compute although there are methods with fields.
 ///
 /// @param methods  those of the case that are run
 std::vector<std::string> omission_warnings(const Case& contact_case,

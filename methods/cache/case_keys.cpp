@@ -3,6 +3,7 @@
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
 #include "cases/reader/resolved_keys.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
@@ -142,21 +143,12 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
 
 std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
                                          int realization) const {
-  // The flow of a step does not depend on the numbers of [flow], nor what its
-  // contact conducts on those of [conductance], nor its tangential stiffness on
-  // those of [friction]; the gap does.
-  std::string conductance = case_.conductance_study ? "\nconductance" : "";
-  if (case_.conductance_study && case_.conductance_study->gap_conductivity)
-    conductance += fmt::format(" {} {}",
-                               case_.conductance_study->conductivity() /
-                                   *case_.conductance_study->gap_conductivity,
-                               *case_.conductance_study->smallest_gap);
+  std::string asked;
+  for (const cases::StudyKeys* const study : cases::known_studies())
+    if (study->step_key != nullptr && study->is_asked(case_))
+      asked += study->step_key(case_);
   std::string key = content_hash(fmt::format(
-      "{}\n{}\n{}{}{}{}", problem_text_, method_text(method), realization,
-      case_.flow_study ? "\nflow" : "",
-      case_.spots_study ? fmt::format("\nspots {}", case_.spots_study->smallest)
-                        : "",
-      conductance + (case_.friction_study ? "\nfriction" : "")));
+      "{}\n{}\n{}{}", problem_text_, method_text(method), realization, asked));
   std::vector<std::string> keys;
   for (std::size_t step = 0; step < case_.load.targets.size(); ++step) {
     key = content_hash(key + load_text(case_.load, step));

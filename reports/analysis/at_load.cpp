@@ -4,7 +4,6 @@
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 
@@ -28,6 +27,11 @@ AreaColumn area_column(const std::string& quantity) {
   if (quantity.ends_with("_corrected"))
     return &columns::area_fraction_corrected;
   return &columns::area_fraction;
+}
+
+/// A column of a study.
+const results::CurveColumn* column(const char* name) {
+  return &results::curve_column(name);
 }
 
 /// Mean over both directions of log10 of two columns of the step at a load;
@@ -62,10 +66,10 @@ double stiffness_ratio(const std::string& quantity, double pressure,
   if (own == nullptr || other == nullptr)
     return not_a_number;
   return quantity.starts_with("spot")
-             ? 2.0 * (*own)[columns::spot_radii] /
-                   (*own)[columns::relative_conductance]
+             ? 2.0 * (*own)[*column("spot_radii")] /
+                   (*own)[*column("relative_conductance")]
              : other->contact_stiffness / contact_modulus /
-                   (*own)[columns::relative_conductance];
+                   (*own)[*column("relative_conductance")];
 }
 
 /// The plastic area of the first step at a load; NaN without one.
@@ -79,13 +83,13 @@ double number_at(const std::string& quantity, double pressure,
                  const results::Curve& curve, const results::Curve* theory,
                  const SurfaceScales& scales) {
   if (quantity == "log10_flow_factor")
-    return log_flow(curve, pressure, &columns::flow_factor_x,
-                    &columns::flow_factor_y);
+    return log_flow(curve, pressure, column("flow_factor_x"),
+                    column("flow_factor_y"));
   if (quantity == "leak_departure")
-    return log_flow(curve, pressure, &columns::leak_rate_x,
-                    &columns::leak_rate_y) -
-           log_flow(*theory, pressure, &columns::leak_rate_x,
-                    &columns::leak_rate_y);
+    return log_flow(curve, pressure, column("leak_rate_x"),
+                    column("leak_rate_y")) -
+           log_flow(*theory, pressure, column("leak_rate_x"),
+                    column("leak_rate_y"));
   if (quantity.ends_with("stiffness_ratio"))
     return stiffness_ratio(quantity, pressure, curve, theory,
                            scales.contact_modulus);

@@ -4,10 +4,10 @@
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"
-#include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/rough.hpp"
-#include "reports/analysis/study_quantities.hpp"
 #include "reports/analysis/verdict.hpp"
+#include "reports/study_pages.hpp"
+#include "theory/persson/persson.hpp"
 
 #include <fmt/format.h>
 
@@ -121,10 +121,6 @@ MethodSummary summarize_method(const Result& result,
       add_claim_quantities(result, contact_case, method, reference, summary);
     });
   }
-  if (contact_case.friction_study)
-    attempt(summary, "partial slip", [&] {
-      add_slip_quantities(result, contact_case, method, summary);
-    });
   if (contact_case.material.is_uniform())
     attempt(summary, "stiffness", [&] {
       add_stiffness_quantities(result, contact_case, method, summary);
@@ -138,6 +134,20 @@ MethodSummary summarize_method(const Result& result,
     summary.quantities["penetration"] = penetration_of(result, method);
   }
   return summary;
+}
+
+/// Adds epsilon of Eq. (16) of Yang and Persson (2008) to a theory.
+void add_epsilon(const cases::Case& contact_case, const MethodRecord& method,
+                 MethodSummary& summary) {
+  const auto* const theory =
+      settings_of<mechanics::TheorySettings>(contact_case, method);
+  if (theory == nullptr ||
+      theory->loss_factor != mechanics::LossFactor::yang_persson)
+    return;
+  Estimate& epsilon = summary.quantities["epsilon"];
+  epsilon.value = theory::persson_epsilon(theory->gamma);
+  epsilon.realizations = 1;
+  epsilon.remark = "from the formula";
 }
 
 } // namespace
@@ -169,9 +179,12 @@ Summary summarize(const Result& result, const cases::Case& contact_case) {
       add_quantities_at_load(result, contact_case, method, reference, at_load,
                              mine);
     });
-    attempt(mine, "studies", [&] {
-      add_study_quantities(result, contact_case, method, at_load, mine);
-    });
+    add_epsilon(contact_case, method, mine);
+    for (const StudyPages* const study : study_pages())
+      if (study->add_quantities != nullptr)
+        attempt(mine, study->name.c_str(), [&] {
+          study->add_quantities(result, contact_case, method, at_load, mine);
+        });
   }
   summary.verdicts = judge(contact_case.expectations, summary.methods,
                            result.status == "complete");

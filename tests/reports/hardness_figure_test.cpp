@@ -1,6 +1,6 @@
 // Tests of the figure of elastic and plastic area.
 #include "reports/figures/figures.hpp"
-#include "results/types/study_columns.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,8 @@
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
+#include "studies/magnification/magnification_study.hpp"
+#include "studies/adhesion/adhesion_study.hpp"
 
 namespace asperity::reports::hostile_test {
 
@@ -184,8 +186,8 @@ class HostileResult : public ReportFolder {
 protected:
   HostileResult() {
     rough.expectations.push_back({"kappa_counted", 0.0, 9.0, {"fem"}});
-    rough.magnification_study.emplace();
-    rough.adhesion_study.emplace();
+    rough.studies.ask(studies::MagnificationStudy{});
+    rough.studies.ask(studies::AdhesionStudy{});
   }
 
   /// Writes a report of each; its summary is JSON.

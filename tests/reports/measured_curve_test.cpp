@@ -6,7 +6,6 @@
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,6 +14,7 @@
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
+#include "results/types/method_columns.hpp"
 
 namespace asperity::reports::measured_curve_test {
 

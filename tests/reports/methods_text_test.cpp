@@ -9,6 +9,7 @@
 #include <string>
 
 #include "report_folder.hpp"
+#include "studies/magnification/magnification_study.hpp"
 #include "synthetic.hpp"
 
 namespace asperity::reports::methods_text_test {
@@ -84,9 +85,9 @@ TEST_F(MethodsTextOf, SaysHowAMapWasRead) {
 }
 
 TEST_F(MethodsTextOf, NamesTheLeakage) {
-  rough.magnification_study.emplace();
-  rough.magnification_study->leak.emplace();
-  rough.magnification_study->leak->viscosity = 1e-3;
+  studies::MagnificationStudy study;
+  study.leak.emplace().viscosity = 1e-3;
+  rough.studies.ask(study);
   expect_said("with the viscosity 0.001 Pa s");
 }
 

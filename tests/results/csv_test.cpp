@@ -1,7 +1,6 @@
 // Tests of results/csv.hpp: the exact bytes, and numbers that are read back.
 #include "results/csv.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 #include "tests/results/sample_result.hpp"
 
 #include <gtest/gtest.h>

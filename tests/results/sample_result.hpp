@@ -5,7 +5,6 @@
 #include "results/observables/height_numbers.hpp"
 #include "results/result_writer.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -66,8 +65,6 @@ inline CurvePoint sample_point(int step) {
   point[columns::memory] = 1e8 / (19 + step);
   point[columns::normal_stiffness] = 1e5 / (31 + step);
   point[columns::tangential_stiffness] = 1e5 / (37 + step);
-  point[columns::stick_stiffness_x] = 1e15 / (38 + step);
-  point[columns::stick_stiffness_y] = 1e15 / (39 + step);
   point[columns::pressure_centre_x] = -1e-6 / (41 + step);
   point[columns::pressure_centre_y] = 1e-6 / (43 + step);
   point[columns::von_mises] = 1e7 / (23 + step);
@@ -117,10 +114,6 @@ inline void expect_same(const CurvePoint& a, const CurvePoint& b) {
                b[columns::normal_stiffness]);
   EXPECT_PRED2(is_same, a[columns::tangential_stiffness],
                b[columns::tangential_stiffness]);
-  EXPECT_PRED2(is_same, a[columns::stick_stiffness_x],
-               b[columns::stick_stiffness_x]);
-  EXPECT_PRED2(is_same, a[columns::stick_stiffness_y],
-               b[columns::stick_stiffness_y]);
   EXPECT_PRED2(is_same, a[columns::pressure_centre_x],
                b[columns::pressure_centre_x]);
   EXPECT_PRED2(is_same, a[columns::pressure_centre_y],

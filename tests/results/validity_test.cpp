@@ -7,7 +7,6 @@
 #include "results/storage/hdf5_file.hpp"
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 #include "tests/results/sample_result.hpp"
 
 #include <fmt/format.h>

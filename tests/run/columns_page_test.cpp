@@ -1,7 +1,6 @@
 // The page of columns is what the program knows of them.
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 // program: a new law, study, kind of edges, method or path fails here until its
 // rows are there, and the failure says what the program does with the pair.
 #include "cases/reader/read_case.hpp"
+#include "cases/reader/study_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/types/omissions.hpp"
 #include "input/input_error.hpp"
@@ -68,9 +69,9 @@ Names laws() {
 /// The tables of studies, and what else a case asks of its methods.
 Names studies() {
   Names names;
-  for (const cases::Table& table : cases::study_tables())
-    if (table.name.find('.') == std::string::npos)
-      names.push_back("[" + table.name + "]");
+  for (const cases::StudyKeys* const study : cases::known_studies())
+    if (!study->tables.empty())
+      names.push_back("[" + study->name() + "]");
   for (const cases::AskedTraits& one : cases::all_asked())
     if (std::string(one.name).find("[material") == std::string::npos &&
         std::ranges::find(names, one.name) == names.end())

@@ -1,11 +1,9 @@
 // Properties of pairs that the table of combinations_test.cpp names: limits of
 // laws, two ways to the same load, and two ways to the same map.
 #include "cases/reader/read_case.hpp"
-#include "reports/analysis/partial_slip.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
-#include "results/types/study_columns.hpp"
 #include "run/run_case.hpp"
 #include "tests/folder.hpp"
 
@@ -18,6 +16,10 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+#include "studies/flow/flow_study.hpp"
+#include "studies/friction/partial_slip.hpp"
+#include "studies/spots/spots_study.hpp"
 
 namespace asperity::run::combined_studies_test {
 
@@ -156,9 +158,9 @@ void expect_stress(const Result& result, const std::string& method) {
 void expect_slip(const Result& result, const cases::Case& read,
                  const std::string& method) {
   const auto hard =
-      reports::partial_slips(result, read, method_of(result, "halfspace"));
+      studies::partial_slips(result, read, method_of(result, "halfspace"));
   const auto own =
-      reports::partial_slips(result, read, method_of(result, method));
+      studies::partial_slips(result, read, method_of(result, method));
   ASSERT_EQ(own.size(), 1U);
   ASSERT_EQ(own.front().size(), hard.front().size());
   for (std::size_t i = 0; i < own.front().size(); ++i)

@@ -1,0 +1,53 @@
+#include "reports/figures/figures.hpp"
+#include "reports/figures/plot_parts.hpp"
+#include "results/types/method_columns.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace asperity::reports {
+
+std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
+  const results::Result& result = *entry.result;
+  Figure figure;
+  figure.name = "adhesion-loop";
+  figure.title = "Approach and retraction with adhesion";
+  figure.caption = "The nominal pressure along the loading path of the first "
+                   "realisation; tension is negative. The area between the "
+                   "approach and the retraction (dashed) of a method is the "
+                   "energy that a cycle loses.";
+  const double in_nm = 1e9;
+  CsvTable table({"curve", "index", "u [nm]", "p/E* [1]"});
+  ChartPanel panel{.x = {.label = "mean separation u  [nm]"},
+                   .y = {.label = "p / E*"},
+                   .has_zero_line = true};
+  std::size_t index = 0, color = 0;
+  for (const results::MethodRecord& method : result.methods) {
+    for (const bool is_unloading : {false, true}) {
+      if (method.realizations.empty())
+        continue;
+      const std::string title =
+          method.name + (is_unloading ? ", retraction" : ", approach");
+      bool has_row = false;
+      for (const results::CurvePoint& row : method.realizations.front().points)
+        if (row.is_unloading == is_unloading &&
+            row.status == results::StepStatus::converged &&
+            std::isfinite(row[columns::adhesive_energy])) {
+          table.add(title, {static_cast<double>(index), row.mean_gap * in_nm,
+                            row.nominal_pressure / result.contact_modulus});
+          has_row = true;
+        }
+      if (has_row)
+        panel.add(title, line(method_color(color), 1.6, is_unloading ? 2 : 1),
+                  index++, 3, 4);
+    }
+    color += method.kind == "theory" ? 0 : 1;
+  }
+  if (panel.curves.empty())
+    return std::nullopt;
+  figure.data = table.text();
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+} // namespace asperity::reports

@@ -1,0 +1,21 @@
+#include "reports/study_pages.hpp"
+
+namespace asperity::reports {
+namespace {
+
+std::vector<const StudyPages*>& all_pages() {
+  static std::vector<const StudyPages*> pages;
+  return pages;
+}
+
+} // namespace
+
+void add_study_pages(const StudyPages& pages) {
+  all_pages().push_back(&pages);
+}
+
+std::span<const StudyPages* const> study_pages() {
+  return all_pages();
+}
+
+} // namespace asperity::reports

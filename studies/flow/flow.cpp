@@ -1,0 +1,227 @@
+#include "studies/flow/flow.hpp"
+
+#include "fem/plugin.hpp"
+#include "flow/effective_medium.hpp"
+#include "flow/reynolds.hpp"
+#include "results/observables/row_observer.hpp"
+#include "theory/persson/leakage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/flow/flow_study.hpp"
+
+namespace asperity::studies {
+namespace {
+
+flow::NetworkSolution solved(const flow::Network& network) {
+  return fem::load_fem_module().solved_network(network);
+}
+
+/// Calls `add`, and says in the note of the row if that fails.
+template <class Add>
+void try_to_add(results::CurvePoint& row, const Add& add) {
+  try {
+    add();
+  } catch (const std::exception& failure) {
+    row.note += (row.note.empty() ? "" : "; ") + std::string("no flow: ") +
+                failure.what();
+  }
+}
+
+/// The gaps u_1 that open between magnifications, and their shares of the
+/// nominal area, Eqs. (25) and (27).
+struct OpeningGaps {
+  std::vector<double> gaps, shares;
+};
+
+OpeningGaps opening_gaps(const theory::MagnifiedContact& contact) {
+  constexpr int intervals = 200;
+  const double ratio =
+      contact.highest_magnification() / contact.lowest_magnification();
+  const auto magnification = [&](int i) {
+    return contact.lowest_magnification() *
+           std::pow(ratio, static_cast<double>(i) / intervals);
+  };
+  OpeningGaps opening;
+  for (int i = 0; i < intervals; ++i) {
+    const double from = magnification(i), to = magnification(i + 1);
+    const double share =
+        contact.area_fraction(from) - contact.area_fraction(to);
+    if (!(share > 0.0))
+      continue;
+    opening.shares.push_back(share);
+    opening.gaps.push_back(contact.opening_gap(from, to));
+  }
+  return opening;
+}
+
+constexpr int most_points = 256; // of a side of a table
+
+/// The flux |q| over its mean and the narrowest place of one saved map, for
+/// flow along x: averaged over squares of nodes if a side has more than 256.
+/// @param nodes  grid.size(), with their gaps
+/// @return  "flow-<method>" with the columns x, y [m], flux [1] and is_critical
+///          [1]; without rows if the map is sealed
+results::Table flow_map_table(const std::string& method, const Grid& grid,
+                              const mechanics::ContactNodes& nodes,
+                              mechanics::Border border) {
+  const flow::GapFlow flow = flow::flow_through(
+      grid, nodes.open_gaps(), flow::Direction::x, border, solved, true);
+  results::Column x{"x", "m", {}}, y{"y", "m", {}}, flux{"flux", "1", {}},
+      critical{"is_critical", "1", {}};
+  const int side =
+      (std::max(grid.points_x, grid.points_y) - 1) / most_points + 1;
+  for (int iy = 0; flow.percolates && iy < grid.points_y; iy += side)
+    for (int ix = 0; ix < grid.points_x; ix += side) {
+      const int end_x = std::min(ix + side, grid.points_x);
+      const int end_y = std::min(iy + side, grid.points_y);
+      double sum = 0.0;
+      for (int jy = iy; jy < end_y; ++jy)
+        for (int jx = ix; jx < end_x; ++jx)
+          sum += flow.flux[grid.index(jx, jy)];
+      x.values.push_back(0.5 * (ix + end_x - 1) * grid.spacing_x());
+      y.values.push_back(0.5 * (iy + end_y - 1) * grid.spacing_y());
+      flux.values.push_back(sum / ((end_x - ix) * (end_y - iy)));
+      critical.values.push_back(flow.critical_x / side == ix / side &&
+                                        flow.critical_y / side == iy / side
+                                    ? 1.0
+                                    : 0.0);
+    }
+  return {"flow-" + method,
+          fmt::format("Flux along x through the gap of {}, narrowest at "
+                      "{:.3g} nm",
+                      method, flow.critical_gap * 1e9),
+          {x, y, flux, critical}};
+}
+
+/// Keeps the rows of a flow map that are on the user's map. The narrowest place
+/// is in its mirror images, too, and is marked on the map.
+void keep_user_map(const Grid& cell, const results::MapInCell& in_cell,
+                   results::Table& table) {
+  const Grid map = in_cell.grid(cell);
+  if (map == cell || table.columns.front().values.empty())
+    return;
+  const auto folded = [](double place, double spacing, double length) {
+    return std::min(place, length - spacing - place); // node i and n - 1 - i
+  };
+  const std::vector<double> x = table.values("x"), y = table.values("y"),
+                            critical = table.values("is_critical");
+  std::vector<std::size_t> kept;
+  std::array<double, 2> narrowest{};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (x[i] < map.length_x - 0.5 * cell.spacing_x() &&
+        y[i] < map.length_y - 0.5 * cell.spacing_y())
+      kept.push_back(i);
+    if (critical[i] > 0.0)
+      narrowest = {folded(x[i], cell.spacing_x(), cell.length_x),
+                   folded(y[i], cell.spacing_y(), cell.length_y)};
+  }
+  const auto distance = [&](std::size_t i) {
+    return std::hypot(x[i] - narrowest[0], y[i] - narrowest[1]);
+  };
+  const std::size_t nearest = *std::ranges::min_element(kept, {}, distance);
+  for (results::Column& column : table.columns) {
+    std::vector<double> values;
+    values.reserve(kept.size());
+    for (const std::size_t i : kept)
+      values.push_back(column.name != "is_critical" ? column.values[i]
+                       : i == nearest               ? 1.0
+                                                    : 0.0);
+    column.values = std::move(values);
+  }
+}
+
+/// Adds to the row of a step the flow through its gap along x and y.
+void evaluate_flow(const Step& step, results::CurvePoint& row) {
+  try_to_add(row, [&] {
+    const std::vector<double> gap = step.nodes.open_gaps();
+    const mechanics::Border border = step.method.border();
+    const Grid& grid = step.grid;
+    const flow::GapFlow x =
+        flow::flow_through(grid, gap, flow::Direction::x, border, solved);
+    const flow::GapFlow y =
+        flow::flow_through(grid, gap, flow::Direction::y, border, solved);
+    row[columns::flow_factor_x] = x.flow_factor;
+    row[columns::flow_factor_y] = y.flow_factor;
+    row[columns::flow_conductance_x] =
+        x.conductance * grid.length_x / grid.length_y;
+    row[columns::flow_conductance_y] =
+        y.conductance * grid.length_y / grid.length_x;
+    row[columns::critical_gap_x] = x.critical_gap;
+    row[columns::critical_gap_y] = y.critical_gap;
+    row[columns::effective_medium] = flow::effective_medium(gap);
+  });
+}
+
+/// Adds the flow of the theory to its row: that of the effective medium with
+/// the distribution of u_1, Eq. (27) of Yang and Persson (2008), and u_1 where
+/// the open area percolates (theory/persson/leakage.hpp). Where u_1 is not
+/// determined, the note of the row says why.
+void evaluate_flow_of_theory(const cases::Case& contact_case,
+                             const theory::PerssonContact& contact,
+                             results::CurvePoint& row) {
+  if (row.status != results::StepStatus::converged)
+    return;
+  const FlowStudy& study = *contact_case.study<FlowStudy>();
+  try_to_add(row, [&] {
+    constexpr double any_wavevector = 1.0;
+    const theory::MagnifiedContact magnified(contact, row.nominal_pressure,
+                                             any_wavevector);
+    const OpeningGaps opening = opening_gaps(magnified);
+    row[columns::effective_medium] =
+        flow::effective_medium(opening.gaps, opening.shares);
+    row[columns::flow_conductance_x] = row[columns::flow_conductance_y] =
+        row[columns::effective_medium];
+    results::RowObserver observe(row);
+    for (const char* const factor : {"flow_factor_x", "flow_factor_y"})
+      observe(factor, [&] {
+        return results::Observed{row[columns::effective_medium] /
+                                     std::pow(row.mean_gap, 3.0),
+                                 "the mean gap is too small for a number"};
+      });
+    row[columns::critical_gap_x] = row[columns::critical_gap_y] =
+        theory::leakage(magnified, {0.0, study.viscosity}, study.pressure_drop)
+            .pore_gap;
+  });
+}
+
+/// Q = K Dp/(12 eta) W/L, where K is the flow conductance of a square.
+void set_leak_rates(const cases::Case& contact_case, results::CurvePoint& row) {
+  const FlowStudy& study = *contact_case.study<FlowStudy>();
+  const double rate =
+      study.pressure_drop / (12.0 * study.viscosity) * study.aspect();
+  row[columns::leak_rate_x] = row[columns::flow_conductance_x] * rate;
+  row[columns::leak_rate_y] = row[columns::flow_conductance_y] * rate;
+}
+
+/// The flux through the gap of a saved step, on the user's map; nothing if it
+/// is sealed.
+std::optional<results::Table> flow_map(const Step& step,
+                                       const results::MapInCell& map) {
+  results::Table table = flow_map_table(step.method.name, step.grid, step.nodes,
+                                        step.method.border());
+  if (table.columns.front().values.empty())
+    return std::nullopt;
+  keep_user_map(step.grid, map, table);
+  return table;
+}
+
+} // namespace
+
+const Study flow{.keys = flow_keys,
+                 .pages = flow_pages,
+                 .evaluate = evaluate_flow,
+                 .evaluate_theory = evaluate_flow_of_theory,
+                 .rescale = set_leak_rates,
+                 .map_table = flow_map,
+                 .memory = 430.0}; // in both directions
+
+} // namespace asperity::studies

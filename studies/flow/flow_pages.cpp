@@ -1,0 +1,205 @@
+// The figures, the answer and the text of [flow].
+#include "reports/figures/figures.hpp"
+#include "reports/figures/load_spread.hpp"
+#include "reports/figures/plot_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studies/answers.hpp"
+#include "studies/flow/flow.hpp"
+#include "studies/flow/flow_study.hpp"
+
+namespace asperity::studies {
+
+using namespace reports;
+
+namespace {
+
+using results::CurvePoint;
+
+class FlowFigure {
+public:
+  explicit FlowFigure(const FlowStudy& study)
+      : rate_(study.pressure_drop / (12.0 * study.viscosity) * study.aspect()) {
+  }
+
+  void add_theory(const results::MethodRecord& method) {
+    panel_.add(method.name + ", effective medium", line("#222222", 1.6),
+               spread_curve(method, [](const CurvePoint& row, std::size_t) {
+                 return row[columns::leak_rate_x];
+               }));
+    panel_.add(method.name + ", critical junction", line("#222222", 1.2, 2),
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return rate_ * std::pow(row[columns::critical_gap_x], 3.0);
+               }));
+  }
+
+  void add_numbers(const results::MethodRecord& method, std::size_t color) {
+    Series as_series;
+    as_series.kind = method.kind;
+    as_series.color = color;
+    CurveStyle style = point_style(as_series);
+    for (const auto& [direction, rate] :
+         {std::pair("x", &columns::leak_rate_x),
+          std::pair("y", &columns::leak_rate_y)}) {
+      const SpreadCurve leaks = spread_curve(
+          method, [rate = rate](const CurvePoint& row, std::size_t) {
+            return row[*rate];
+          });
+      panel_.add(fmt::format("{}, Reynolds, along {}", method.name, direction),
+                 style, leaks);
+      count_sealed(method.name, direction, leaks);
+      style.marker -= 1; // open
+    }
+    panel_.add(method.name + ", effective medium of its gaps",
+               line(series_color(as_series), 1.0, 3),
+               spread_curve(method, [&](const CurvePoint& row, std::size_t) {
+                 return rate_ * row[columns::effective_medium];
+               }));
+  }
+
+  bool is_empty() const { return panel_.is_empty(); }
+
+  Figure take() && {
+    Figure figure;
+    figure.name = "leak-rate";
+    figure.title = "Leak rate against load";
+    figure.caption =
+        "Flow through the seal of the case, of each direction. Markers: "
+        "Reynolds' equation on the gap, the median over realisations; bars "
+        "span their range. Effective medium: Bruggeman, with the distribution "
+        "of the gaps of the method or of Eq. (27) of Yang and Persson (2008). "
+        "Critical junction: their Sec. 8.";
+    if (!sealed_.empty())
+      figure.caption += fmt::format(
+          " Crosses at the axis: loads at which contacts are sealed, so that "
+          "no path joins the sides and the leak rate is 0, as the median "
+          "counts them: {}.",
+          fmt::join(sealed_, "; "));
+    panel_.move_to(figure, "leak rate  [m^3/s]");
+    return figure;
+  }
+
+private:
+  void count_sealed(const std::string& method, const std::string& direction,
+                    const SpreadCurve& leaks) {
+    int sealed = 0;
+    std::size_t all = 0;
+    for (const auto& [step, at] : leaks) {
+      sealed += at.zeros();
+      all += at.numbers.size();
+    }
+    if (sealed > 0)
+      sealed_.push_back(fmt::format("{} of {} of {} along {}", sealed, all,
+                                    method, direction));
+  }
+
+  double rate_; ///< leak rate over the conductance of a square [1/s]
+  std::vector<std::string> sealed_;
+  SpreadPanel panel_{"leak rate [m^3/s]", 1.0, "sealed"};
+};
+
+constexpr double least_flux = 1e-3; // drawn, over the mean
+
+/// A map of log10 |q|/(Q/W).
+std::optional<Figure> flux_figure(const std::string& method,
+                                  const results::Table& flow) {
+  const std::vector<double> x = flow.values("x"), y = flow.values("y"),
+                            flux = flow.values("flux"),
+                            critical = flow.values("is_critical");
+  if (flux.empty() || x.size() != flux.size() || y.size() != flux.size() ||
+      critical.size() != flux.size())
+    return std::nullopt;
+  Figure figure;
+  figure.name = "flux-" + file_word(method);
+  figure.title = "Flux through the gap, " + method;
+  figure.width = 480;
+  figure.height = 440;
+  CsvTable table({"map", "x [um]", "y [um]", "log10 |q|/(Q/W) [1]"});
+  ChartImage image{.x = 2,
+                   .y = 3,
+                   .value = 4,
+                   .colors = "pressure",
+                   .low = std::log10(least_flux),
+                   .label = "log_{10} |q| / (Q/W)",
+                   .proportions = Proportions::equal_scales};
+  for (std::size_t i = 0; i < flux.size(); ++i) {
+    table.add(method, {x[i] * 1e6, y[i] * 1e6,
+                       std::log10(std::max(flux[i], least_flux))});
+    if (critical[i] > 0.0)
+      image.notes.push_back({{x[i] * 1e6, y[i] * 1e6}, "\u2715"});
+  }
+  figure.caption = flow.title +
+                   ", at the cross. The colour is the flow per width |q| over "
+                   "its mean Q/W, light where less than 1/1000 of it flows: "
+                   "the heaviest saved map that is not sealed.";
+  figure.panels = {{.x = {.label = "x [µm]",
+                          .low = rounded(x.front() * 1e6, 6),
+                          .high = rounded(x.back() * 1e6, 6)},
+                    .y = {.label = "y [µm]",
+                          .low = rounded(y.front() * 1e6, 6),
+                          .high = rounded(y.back() * 1e6, 6)},
+                    .image = std::move(image)}};
+  figure.data = table.text();
+  return figure;
+}
+
+std::vector<Figure> flow_figures(const ReportEntry& entry, std::size_t,
+                                 std::span<const Series>) {
+  std::vector<Figure> figures;
+  if (const auto* const study = entry.contact_case->study<FlowStudy>())
+    if (auto leaks =
+            figure_of_methods(FlowFigure(*study), entry.result->methods))
+      figures.push_back(std::move(*leaks));
+  for (const results::MethodRecord& method : entry.result->methods)
+    if (const results::Table* table =
+            entry.result->table("flow-" + method.name))
+      if (std::optional<Figure> figure = flux_figure(method.name, *table))
+        figures.push_back(std::move(*figure));
+  return figures;
+}
+
+std::string flow_text(const cases::Case& contact_case) {
+  const auto* const study = contact_case.study<FlowStudy>();
+  if (study == nullptr)
+    return "";
+  return fmt::format(
+      " The flow of a fluid with the viscosity {:g} Pa s under a pressure "
+      "drop of {:g} Pa through the gap was computed by Reynolds' equation "
+      "with finite volumes, for a seal {:g} times as wide as long.",
+      study->viscosity, study->pressure_drop, study->aspect());
+}
+
+/// "leaks 5e-14 m^3/s along x" or "is tight along x".
+std::string flow_along(const char* direction, double rate) {
+  return rate > 0.0 ? fmt::format("leaks {:.3g} m³/s along {}", rate, direction)
+                    : fmt::format("is tight along {}", direction);
+}
+
+std::string flow_answer(const ReportEntry& entry) {
+  const AnsweredRow answer = answered_row(entry, columns::leak_rate_x);
+  if (answer.row == nullptr)
+    return "";
+  return fmt::format("The seal {} and {} {}.",
+                     flow_along("x", (*answer.row)[columns::leak_rate_x]),
+                     flow_along("y", (*answer.row)[columns::leak_rate_y]),
+                     answer.place());
+}
+
+} // namespace
+
+const StudyPages& flow_pages() {
+  static const StudyPages pages{.name = "flow",
+                                .figures = flow_figures,
+                                .answer = flow_answer,
+                                .methods_text = flow_text};
+  return pages;
+}
+
+} // namespace asperity::studies

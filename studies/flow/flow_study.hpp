@@ -1,0 +1,76 @@
+#pragma once
+
+// [flow]: its settings and the columns of its answers.
+
+#include "results/types/curve_columns.hpp"
+
+#include <optional>
+
+namespace asperity::studies {
+
+/// [flow]: a fluid that a pressure drop drives through the gap.
+struct FlowStudy {
+  double viscosity = 0.0;       ///< eta [Pa s] > 0
+  double pressure_drop = 0.0;   ///< Dp [Pa] >= 0
+  std::optional<double> length; ///< of the seal, along the flow [m] > 0
+  std::optional<double> width;  ///< of the seal, across the flow [m] > 0
+
+  /// Width over length; 1 if they are not given.
+  double aspect() const { return width.value_or(1.0) / length.value_or(1.0); }
+};
+
+} // namespace asperity::studies
+
+namespace asperity::columns {
+
+inline const CurveColumn flow_factor_x{
+    "flow",
+    {.name = "flow_factor_x",
+     .unit = "1",
+     .text = "with `[flow]` only: [flow through the "
+             "gap](../numerics/flow.md) along x over that of smooth faces "
+             "at the mean gap; 0 if the contact is sealed, NaN if the step "
+             "has not converged"}};
+
+inline const CurveColumn flow_factor_y{
+    "flow", {.name = "flow_factor_y", .unit = "1", .text = "likewise along y"}};
+
+inline const CurveColumn flow_conductance_x{
+    "flow",
+    {.name = "flow_conductance_x",
+     .unit = "m^3",
+     .text = "likewise the flow of a square with 12 eta = Dp = 1"}};
+
+inline const CurveColumn flow_conductance_y{
+    "flow",
+    {.name = "flow_conductance_y", .unit = "m^3", .text = "likewise along y"}};
+
+inline const CurveColumn critical_gap_x{
+    "flow",
+    {.name = "critical_gap_x",
+     .unit = "m",
+     .text = "likewise the narrowest place of the widest path; theory: u_1 "
+             "where the open area percolates"}};
+
+inline const CurveColumn critical_gap_y{
+    "flow",
+    {.name = "critical_gap_y", .unit = "m", .text = "likewise along y"}};
+
+inline const CurveColumn leak_rate_x{
+    "flow",
+    {.name = "leak_rate_x",
+     .unit = "m^3/s",
+     .text = "likewise the leak rate of the seal"}};
+
+inline const CurveColumn leak_rate_y{
+    "flow",
+    {.name = "leak_rate_y", .unit = "m^3/s", .text = "likewise along y"}};
+
+inline const CurveColumn effective_medium{
+    "flow",
+    {.name = "effective_medium",
+     .unit = "m^3",
+     .text = "likewise the flow of a square by the effective medium, which "
+             "has no direction"}};
+
+} // namespace asperity::columns

@@ -1,0 +1,34 @@
+#include "studies/resistance/resistance.hpp"
+
+#include "studies/conductance/conductance_study.hpp"
+#include "studies/resistance/resistance_columns.hpp"
+
+namespace asperity::studies {
+namespace {
+
+/// Faces without contact have no finite resistance: NaN.
+double inverse(double conductance) {
+  return conductance > 0.0 ? 1.0 / conductance : results::not_given;
+}
+
+void set_resistances(const cases::Case&, results::CurvePoint& row) {
+  columns::thermal_resistance.set(row,
+                                  inverse(row[columns::thermal_conductance]));
+  columns::electrical_resistance.set(
+      row, inverse(row[columns::electrical_conductance]));
+}
+
+} // namespace
+
+/// It has no keys of its own: it answers [conductance], too, after it.
+const cases::StudyKeys& resistance_keys() {
+  static const cases::StudyKeys keys{
+      .tables = {}, .read = nullptr, .is_asked = asks<ConductanceStudy>};
+  return keys;
+}
+
+const Study resistance{.keys = resistance_keys,
+                       .pages = resistance_pages,
+                       .rescale = set_resistances};
+
+} // namespace asperity::studies

@@ -1,0 +1,38 @@
+// The answer of the resistances of the contact.
+#include "reports/numbers/number_text.hpp"
+
+#include <fmt/format.h>
+
+#include "studies/answers.hpp"
+#include "studies/resistance/resistance.hpp"
+#include "studies/resistance/resistance_columns.hpp"
+
+namespace asperity::studies {
+namespace {
+
+std::string sentence(const reports::ReportEntry& entry, const char* what,
+                     const results::CurveColumn& column, const char* unit) {
+  const AnsweredRow answer = answered_row(entry, column);
+  return answer.row == nullptr
+             ? ""
+             : fmt::format("The {} resistance of the contact is {:.3g} {} {}.",
+                           what, (*answer.row)[column], unit, answer.place());
+}
+
+std::string resistance_answer(const reports::ReportEntry& entry) {
+  const std::string heat =
+      sentence(entry, "thermal", columns::thermal_resistance, "m² K/W");
+  const std::string current =
+      sentence(entry, "electrical", columns::electrical_resistance, "Ω m²");
+  return heat + (heat.empty() || current.empty() ? "" : " ") + current;
+}
+
+} // namespace
+
+const reports::StudyPages& resistance_pages() {
+  static const reports::StudyPages pages{.name = "resistance",
+                                         .answer = resistance_answer};
+  return pages;
+}
+
+} // namespace asperity::studies
