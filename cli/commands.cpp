@@ -268,7 +268,10 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   std::vector<std::string> overrides =
       run::map_overrides(command.length, command.height_unit);
   const auto is_case = [&](const std::string& word) {
-    return !has_maps_only && !run::is_map_file(word);
+    std::error_code error; // of names that no file can have
+    const bool is_missing_file =
+        fs::path(word).has_extension() && !fs::exists(word, error);
+    return !has_maps_only && !run::is_map_file(word) && !is_missing_file;
   };
   for (const std::string& word : command.cases)
     if (!overrides.empty() && is_case(word))

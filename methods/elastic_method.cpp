@@ -3,6 +3,7 @@
 #include "base/cpu_clock.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "fem/plugin.hpp"
+#include "mechanics/adhesion_scales.hpp"
 #include "methods/cache/cache.hpp"
 #include "methods/continuum_block.hpp"
 #include "methods/curve_row.hpp"
@@ -71,10 +72,13 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   const ContactSettings& contact =
       block != nullptr ? block->contact
                        : std::get<HalfspaceSettings>(method.settings).contact;
-  LoadStepsSetting setting{contact.in_si(surface.scales),
-                           contact.tolerance * surface.scales.rms_height,
-                           contact.max_iterations, workforce.threads,
-                           surface.scales.rms_height};
+  const mechanics::Scales scales =
+      method.is_adhesive()
+          ? mechanics::adhesion_scales(surface.scales, surface.record.grid)
+          : surface.scales;
+  LoadStepsSetting setting{
+      contact.in_si(scales), contact.tolerance * surface.scales.rms_height,
+      contact.max_iterations, workforce.threads, surface.scales.rms_height};
   Observation& observation = setting.observation;
   observation.local_compliance = setting.interface.local_compliance();
   observation.area_coefficients = block != nullptr
@@ -88,8 +92,8 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.hardness = setting.interface.hardness;
   if (method.is_adhesive()) {
     observation.adhesion = setting.interface;
-    observation.grid_number = setting.interface.grid_number(
-        surface.scales.contact_modulus, surface.scales.spacing);
+    observation.grid_number =
+        setting.interface.grid_number(scales.contact_modulus, scales.spacing);
   }
   const Grid& grid = surface.record.grid;
   if (method.border() == mechanics::Border::free)

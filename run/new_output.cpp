@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <regex>
 #include <utility>
 
 namespace asperity::run {
@@ -94,21 +95,47 @@ std::vector<fs::path> folders_of_points(const fs::path& folder) {
   return folders;
 }
 
+/// Whether a method writes a file of this name into its folder: the steps of a
+/// full block for ParaView, the atoms of a step, and what LAMMPS exchanges.
+/// @param file  relative to the folder of the method
+bool is_file_of_method(const fs::path& file) {
+  static const std::regex names(
+      R"(block(_surface)?(_\d{4,}(\.\d{4,})?)?\.(vtu|pvtu|pvd)|)"
+      R"(step-\d{4,}\.xyz|)"
+      R"(lammps/(block\.data|pair\.table|step\.in|energies\.txt|)"
+      R"((start|answer|contact)\.dump|lammps-version\.txt|log\.lammps|)"
+      R"(step-\d{4,}\.(log|log\.out|dump)))");
+  return std::regex_match(file.generic_string(), names);
+}
+
+/// Removes what a method wrote into its folder, and the folder if nothing of
+/// the user's is in it.
+void remove_files_of_method(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(folder, error)))
+    return;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+    if ((!entry.is_directory() || entry.is_symlink()) &&
+        is_file_of_method(entry.path().lexically_relative(folder)))
+      files.push_back(entry.path());
+  for (const fs::path& file : files)
+    fs::remove(file);
+  remove_empty_folders(folder);
+}
+
 /// Removes what belongs to the result or the sweep in a folder, and leaves
 /// that.
 void remove_report(const fs::path& folder) {
   reports::keep_edited(folder / "journal", folder);
   fs::remove_all(folder / "journal");
   for (const fs::path& path : folders_of_methods(folder))
-    fs::remove_all(path);
+    remove_files_of_method(path);
   for (const fs::path& file : report_files(folder))
     fs::remove(file);
   remove_empty_folders(folder / "figures");
-  for (const fs::path& point : folders_of_points(folder)) {
-    remove_report(point); // reads the result
-    for (const char* name : {result_name, "result.journal", "log.txt"})
-      fs::remove(point / name);
-  }
+  for (const fs::path& point : folders_of_points(folder))
+    remove_run(point);
   remove_empty_folders(folder / "points");
 }
 
@@ -149,6 +176,14 @@ void remove_output(const fs::path& folder) {
   remove_report(folder);
   for (const char* name : main_files)
     fs::remove(folder / name);
+}
+
+void remove_run(const fs::path& folder) {
+  fs::remove_all(folder / NewOutput::hidden_folder);
+  remove_output(folder);
+  for (const char* name : {"log.txt", ".lock"})
+    fs::remove(folder / name);
+  remove_empty_folders(folder);
 }
 
 fs::path latest_output(const fs::path& folder) {

@@ -17,6 +17,10 @@ std::string files_of_method(const std::string& method, int realization);
 /// Nothing else is touched.
 void remove_output(const std::filesystem::path& folder);
 
+/// Removes all that a run wrote into a folder that we made for it, such as that
+/// of a part or a point, and the folder if nothing else is in it.
+void remove_run(const std::filesystem::path& folder);
+
 /// Returns where the last run into a folder has left its output: the hidden
 /// folder of NewOutput if it is not complete, otherwise the folder.
 std::filesystem::path latest_output(const std::filesystem::path& folder);

@@ -84,20 +84,12 @@ double height_step(const Grid& grid, const HeightRows& heights,
 }
 
 double rms_about_plane(const Grid& grid, const HeightRows& heights) {
-  const auto width = static_cast<std::size_t>(grid.points_x);
-  bool is_mirrored = false;
-  std::size_t columns = 0, rows = 0, y = 0;
+  const auto columns = static_cast<std::size_t>(grid.points_x);
+  const auto rows = static_cast<std::size_t>(grid.points_y);
+  std::size_t y = 0;
   PlaneSums sums;
   heights([&](std::span<const double> piece) {
-    if (y == 0) {
-      const auto row = piece.first(width);
-      is_mirrored = std::equal(row.begin(), row.end(), row.rbegin());
-      const std::size_t images = is_mirrored ? 2 : 1;
-      columns = width / images;
-      rows = static_cast<std::size_t>(grid.points_y) / images;
-    }
-    for (std::size_t first = 0; first < piece.size() && y < rows;
-         first += width, ++y)
+    for (std::size_t first = 0; first < piece.size(); first += columns, ++y)
       for (std::size_t x = 0; x < columns; ++x) {
         const double height = piece[first + x];
         sums.one += height;

@@ -47,8 +47,7 @@ double line_offset_ratio(const Grid& grid, const HeightRows& heights);
 double height_step(const Grid& grid, const HeightRows& heights,
                    double rms_height);
 
-/// The rms height of a map about its mean plane [m]; of a map that is continued
-/// by its mirror images, that of the map alone.
+/// The rms height of a map about its mean plane [m].
 double rms_about_plane(const Grid& grid, const HeightRows& heights);
 
 } // namespace asperity::surfaces

@@ -1,3 +1,4 @@
+#include "mechanics/adhesion_scales.hpp"
 #include "reports/analysis/summary.hpp"
 #include "surfaces/build.hpp"
 
@@ -43,11 +44,12 @@ adhesion_of(const results::Result& result, const cases::Case& contact_case,
   if (!is_adhesive(contact_case, method) || surface == nullptr)
     return std::nullopt;
   return spec_of(contact_case, method)
-      ->adhesion({.contact_modulus = result.contact_modulus,
-                  .length = surface->grid.length_x,
-                  .spacing = surface->grid.spacing_x(),
-                  .rms_height = surface->rms_height,
-                  .rms_slope = surface->rms_slope});
+      ->adhesion(
+          mechanics::adhesion_scales({.contact_modulus = result.contact_modulus,
+                                      .length = surface->grid.length_x,
+                                      .rms_height = surface->rms_height,
+                                      .rms_slope = surface->rms_slope},
+                                     surface->grid));
 }
 
 bool uses_formula(const cases::Case& contact_case,

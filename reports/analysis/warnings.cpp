@@ -175,8 +175,12 @@ void add_digits(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
 }
 
 void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
+  // The images of a tilted map make a roof, which has no mean plane.
+  const results::StoredMap map = surface.heights_of_map();
   const double roughness =
-      surfaces::rms_about_plane(surface.grid, height_rows(surface));
+      surfaces::rms_about_plane(surface.map_grid(), [&map](const auto& take) {
+        results::each_piece(map, take);
+      });
   if (!(surface.rms_height > Limits::tilt * roughness))
     return;
   warnings.push_back(

@@ -16,11 +16,24 @@ struct Point {
   double ln_p;
 };
 
-/// Returns the slope at u of the parabola through three points (Newton's form).
+/// Change of ln p below which two steps have one load: their difference is that
+/// of the solver's errors.
+constexpr double one_load = 1e-6;
+
+/// The slope of the line through two points; NaN if they have one load.
+double line_slope(const Point& a, const Point& b) {
+  const double change = b.ln_p - a.ln_p;
+  return std::abs(change) > one_load ? change / (b.u - a.u) : not_a_number;
+}
+
+/// Returns the slope at u of the parabola through three points (Newton's form);
+/// NaN if two of them have one load.
 double parabola_slope(const std::array<Point, 3>& points, double u) {
   const auto& [a, b, c] = points;
-  const double slope_ab = (b.ln_p - a.ln_p) / (b.u - a.u);
-  const double slope_bc = (c.ln_p - b.ln_p) / (c.u - b.u);
+  if (std::isnan(line_slope(a, c)))
+    return not_a_number;
+  const double slope_ab = line_slope(a, b);
+  const double slope_bc = line_slope(b, c);
   const double curvature = (slope_bc - slope_ab) / (c.u - a.u);
   return slope_ab + curvature * ((u - a.u) + (u - b.u));
 }
@@ -29,7 +42,7 @@ double log_slope(std::span<const double> u, std::span<const double> p,
                  std::size_t i) {
   const auto point = [&](std::size_t j) { return Point{u[j], std::log(p[j])}; };
   if (u.size() == 2)
-    return (point(1).ln_p - point(0).ln_p) / (u[1] - u[0]);
+    return line_slope(point(0), point(1));
   const std::size_t first =
       std::clamp(i, std::size_t{1}, u.size() - 2) - std::size_t{1};
   return parabola_slope({point(first), point(first + 1), point(first + 2)},

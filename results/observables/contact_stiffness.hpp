@@ -20,7 +20,8 @@ namespace asperity::results {
 /// @param nominal_pressure  p_0 [Pa]
 /// @return  as many values as points; NaN where there are fewer than two
 ///          points, where p_0 of the point or of a required neighbour is <= 0
-///          or not finite, or where two values of u are equal
+///          or not finite, where two values of u are equal, or two of p_0 to
+///          1e-6 of themselves
 /// @throws std::domain_error  the sizes differ
 /// @par Accuracy  second order in the steps of u; exact for an exponential
 std::vector<double> contact_stiffness(std::span<const double> mean_gap,

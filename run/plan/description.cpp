@@ -1,6 +1,7 @@
 #include "run/plan/description.hpp"
 
 #include "cases/reader/case_hash.hpp"
+#include "mechanics/adhesion_scales.hpp"
 #include "methods/cache/case_keys.hpp"
 #include "methods/chosen.hpp"
 #include "methods/methods.hpp"
@@ -178,7 +179,11 @@ void add_adhesion(std::vector<DerivedNumber>& numbers,
   for (const MethodSpec& method : methods) {
     if (!method.is_adhesive() || !(known.scales.spacing > 0.0))
       continue;
-    const mechanics::ContactInterface law = *method.adhesion(known.scales);
+    const mechanics::Scales scales =
+        known.grid.points_x > 0
+            ? mechanics::adhesion_scales(known.scales, known.grid)
+            : known.scales;
+    const mechanics::ContactInterface law = *method.adhesion(scales);
     const double modulus = known.scales.contact_modulus;
     const mechanics::Roughness rough =
         roughness_of(contact_case, known, is_pressed_once(method));
@@ -188,7 +193,7 @@ void add_adhesion(std::vector<DerivedNumber>& numbers,
         "rho of " + method.name);
     if (method.contact() != nullptr)
       add(numbers, "adhesion_grid_number",
-          law.grid_number(modulus, known.scales.spacing), "1",
+          law.grid_number(modulus, scales.spacing), "1",
           "s^2 h/(w E*); above 0.25 the grid resolves the range coarsely");
     add(numbers, "tabor_parameter", tabor_parameter(law, modulus, rough), "1",
         "(w^2/(E*^2 kappa rho^3))^{1/3} with the rms curvature kappa");

@@ -8,6 +8,7 @@
 #include "contact/operators/halfspace.hpp"
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
+#include "mechanics/adhesion_scales.hpp"
 #include "meshes/gmsh_block.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "meshes/layers/graded_layers.hpp"
@@ -134,7 +135,7 @@ private:
 
   void examine(const mechanics::HalfspaceSettings& half) {
     if (mechanics::is_adhesive(half.contact.law))
-      attempt([&] { require_resolved(half.contact.in_si(scales_)); });
+      attempt([&] { require_resolved(half.contact); });
     attempt([&] { require_hard_enough(half.contact.hardness); });
     if (!half.has_free_boundaries && case_.material.poisson_ratio)
       attempt([&] {
@@ -166,17 +167,20 @@ private:
   }
 
   /// Whether the grid resolves the range of an adhesion.
-  void require_resolved(const mechanics::ContactInterface& contact) const {
+  void require_resolved(const mechanics::ContactSettings& settings) const {
     constexpr double largest = mechanics::largest_grid_number;
+    const mechanics::Scales scales =
+        mechanics::adhesion_scales(scales_, pressed_);
+    const mechanics::ContactInterface contact = settings.in_si(scales);
     const double step =
-        contact.grid_number(case_.material.contact_modulus, scales_.spacing);
+        contact.grid_number(scales.contact_modulus, scales.spacing);
     if (step <= largest)
       return;
     const double factor = step / largest;
     const std::string finer =
         case_.surface.kind == mechanics::SurfaceKind::measured
             ? fmt::format("a map with a spacing of at most {:.3g} m",
-                          scales_.spacing / factor)
+                          scales.spacing / factor)
             : fmt::format("surface.points at least {}",
                           static_cast<long long>(
                               std::ceil(pressed_.points_x * factor)));
@@ -193,7 +197,7 @@ private:
     const bool is_full = fem.solver == mechanics::FemSolver::full;
     attempt([&] { examine_mesh(fem, is_full && fem.full.uses_case_mesh); });
     if (mechanics::is_adhesive(fem.contact.law))
-      attempt([&] { require_resolved(fem.contact.in_si(scales_)); });
+      attempt([&] { require_resolved(fem.contact); });
     if (!is_full)
       return;
     attempt([&] { examine_moduli(fem); });

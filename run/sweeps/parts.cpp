@@ -203,7 +203,7 @@ bool has_parts_of_case(const fs::path& folder) {
 
 void remove_parts(const fs::path& folder) {
   for (const Part& part : parts_in(folder))
-    fs::remove_all(folder / part_folder(part));
+    remove_run(folder / part_folder(part));
 }
 
 void merge_realizations(const fs::path& folder) {

@@ -1,4 +1,5 @@
 // Tests of mechanics/contact_law.hpp, which hold for every law of its list.
+#include "mechanics/adhesion_scales.hpp"
 #include "mechanics/contact_law.hpp"
 #include "tests/message_of.hpp"
 
@@ -144,6 +145,12 @@ TEST(Adhesion, HasTheShortestRangeThatTheGridResolves) {
   EXPECT_NEAR(cubic.grid_number(2e9, 5e-9), 0.25, 1e-14);
   settings.range = Quantity{2.0, ReferenceUnit::spacing};
   EXPECT_NEAR(settings.in_si(scales).adhesion_range, 1e-8, 1e-22);
+}
+
+TEST(Adhesion, IsResolvedByTheLargerSideOfAPixel) {
+  const Scales along_x{.contact_modulus = 2e9, .spacing = 5e-9};
+  EXPECT_EQ(adhesion_scales(along_x, {4, 4, 2e-8, 8e-8}).spacing, 2e-8);
+  EXPECT_EQ(adhesion_scales(along_x, {4, 4, 8e-8, 2e-8}).spacing, 2e-8);
 }
 
 // Over gaps from 0.6 to 1.4; the work and the largest tension stay.

@@ -21,6 +21,15 @@ TEST_F(Messages, NameTheNearestShippedCase) {
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
 }
 
+TEST_F(Messages, SayThatAMapIsMissingWhateverItsOptions) {
+  const Ended ended = run("run map.npy --contact-modulus 2GPa --length 1um");
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_NE(ended.output.find("there is no file, folder or shipped case "
+                              "map.npy"),
+            std::string::npos)
+      << ended.output;
+}
+
 TEST_F(Messages, NamesThatNoFileCanHaveAreMistakes) {
   std::filesystem::create_symlink("loop", folder / "loop");
   const std::string longest(300, 'a');

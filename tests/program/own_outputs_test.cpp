@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -182,6 +184,41 @@ TEST_F(OwnOutputs, PicturesOfTheUserStayAmongOurs) {
   EXPECT_EQ(text_of(folder / "a/figures/mine.png"), foreign);
   EXPECT_FALSE(fs::exists(folder / "a/figures/cost.svg"));
   EXPECT_FALSE(fs::exists(folder / "a/figures/cost.csv"));
+}
+
+// The folder of a method's own files is emptied of these, and of nothing else.
+TEST_F(OwnOutputs, FilesOfTheUserStayBesideThoseOfAMethod) {
+  const std::string block =
+      "run small.toml --methods fem --set surface.points=32 --set "
+      "fem.solver=full --set fem.growth=2.0 --set report.vtu=true --no-report "
+      "--out a";
+  expect_good(block);
+  ASSERT_TRUE(fs::exists(folder / "a/fem-0/block.pvd"));
+  fs::create_directories(folder / "a/fem-0/mine");
+  for (const char* name : {"a/fem-0/notes.txt", "a/fem-0/block.vtu.txt",
+                           "a/fem-0/mine/block_0000.vtu"})
+    write(name, foreign);
+
+  expect_good("run small.toml " + quick + "--no-report --out a");
+
+  std::set<std::string> left;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "a/fem-0"))
+    if (entry.is_regular_file())
+      left.insert(entry.path().lexically_relative(folder / "a/fem-0"));
+  EXPECT_EQ(left, (std::set<std::string>{"notes.txt", "block.vtu.txt",
+                                         "mine/block_0000.vtu"}));
+}
+
+TEST_F(OwnOutputs, TheFolderOfAMethodGoesWithItsFiles) {
+  const std::string atoms =
+      "--methods md --set md.dump=true --no-report --out a";
+  fs::copy_file(ASPERITY_CASES "/md-small/case.toml", folder / "atoms.toml");
+  expect_good("run atoms.toml --quick " + atoms);
+  ASSERT_TRUE(fs::exists(folder / "a/md-0/step-0000.xyz"));
+
+  expect_good("run small.toml " + quick + "--no-report --out a");
+
+  EXPECT_FALSE(fs::exists(folder / "a/md-0"));
 }
 
 // A folder "points" of the user is not that of a sweep.

@@ -67,8 +67,11 @@ def check_repetition(runner):
     runner.run("run", "rough.toml", "--no-cache", "--resume", ranks=2)
     log = runner.folder / "out/rough/parts/2-of-2/log.txt"
     assert "is complete already" in log.read_text(), log.read_text()
+    notes = runner.folder / "out/rough/parts/1-of-2/notes.txt"
+    notes.write_text("the user's own\n")
     runner.run("run", "rough.toml", "--no-cache", ranks=2)
     assert "is complete already" not in log.read_text(), log.read_text()
+    assert notes.read_text() == "the user's own\n"
 
 
 def check_sweep(runner):

@@ -59,6 +59,30 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
                                   "rms slope 0.9 (limit: 0.5).");
 }
 
+// A tilt is that of the user's map, whose images make a roof of it. Tolerance:
+// the digits that are printed.
+TEST_F(Warnings, NameATiltOfAMirroredMap) {
+  rough.surface.kind = mechanics::SurfaceKind::measured;
+  results::SurfaceRecord& surface = result.surfaces.front();
+  const Grid grid = surface.grid;
+  const int columns = grid.points_x / 2, rows = grid.points_y / 2;
+  surface.map = {columns, rows};
+  double square = 0.0;
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix) {
+      const int x = std::min(ix, grid.points_x - 1 - ix);
+      const int y = std::min(iy, grid.points_y - 1 - iy);
+      const double height = 1e-8 * (x - 0.5 * (columns - 1)) + 1e-9 * (y % 2);
+      surface.heights[grid.index(ix, iy)] = height;
+      square += height * height / static_cast<double>(grid.size());
+    }
+  surface.rms_height = std::sqrt(square);
+
+  const Names found = kinds(warnings_of(result, rough));
+
+  EXPECT_NE(std::ranges::find(found, "tilted"), found.end());
+}
+
 // Curves without any contact are a warning and not a failure of a figure; if
 // one step has a load or a tension, or none converged, there is no such
 // warning.

@@ -92,6 +92,18 @@ TEST(ContactStiffness, IsNaNWhereThereIsNoSlope) {
   EXPECT_THROW(contact_stiffness(std::vector{1.0}, {}), std::domain_error);
 }
 
+// Between two steps of one load, or before and after a third, is nothing but
+// what the solver leaves: here 1e-8 of both numbers.
+TEST(ContactStiffness, IsNaNBetweenTwoStepsOfOneLoad) {
+  const double off = 1.0 + 1e-8;
+  for (const double stiffness : contact_stiffness(std::vector{2.0, 2.0 * off},
+                                                  std::vector{1.0, 1.0 * off}))
+    EXPECT_TRUE(std::isnan(stiffness)) << stiffness;
+  for (const double stiffness : contact_stiffness(
+           std::vector{2.0, 1.0, 2.0 * off}, std::vector{1.0, 3.0, 1.0 * off}))
+    EXPECT_TRUE(std::isnan(stiffness)) << stiffness;
+}
+
 // Loading and unloading are differentiated separately, and values that a method
 // stated remain: here its 7, and slopes 2 and 3 of the two branches.
 TEST(FillContactStiffness, KeepsBranchesApartAndGivenValues) {

@@ -2,6 +2,10 @@
 
 // The rows of combinations_test.cpp.
 
+#include "cases/types/omissions.hpp"
+#include "mechanics/contact_law.hpp"
+#include "mechanics/surface_spec.hpp"
+
 #include <string>
 #include <vector>
 
@@ -20,6 +24,11 @@ struct Row {
   Kind kind = Kind::tested;
   std::string text; ///< part of the refusal or of the reason, or a test
 };
+
+/// The name that the rows have for a value of an enumeration.
+const char* name_in_rows(mechanics::ContactLaw law);
+const char* name_in_rows(mechanics::Edges edges);
+const char* name_in_rows(cases::Asked study);
 
 std::vector<Row> law_study_rows();
 std::vector<Row> edges_study_rows();

@@ -448,6 +448,41 @@ TEST_F(CombinedStudies, OfATurnedMapAreTurned) {
     }
 }
 
+// With adhesion the larger side of a pixel decides what the grid resolves, so
+// that the range, which is not stated here, is the same for a turned map.
+TEST_F(CombinedStudies, OfATurnedMapWithAdhesionAndLongPixelsAreTurned) {
+  const Entries common{"friction=", "report.stress_inside=false"};
+  const Result made = run(common);
+  const results::SurfaceRecord& surface = made.surfaces.front();
+  const Grid& grid = surface.grid;
+  std::vector<double> turned(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      turned[grid.index(iy, ix)] = surface.heights[grid.index(ix, iy)];
+  write_map("map.txt", grid, surface.heights);
+  write_map("turned.txt", grid, turned);
+  const auto pressed = [&](const std::string& file, double x, double y) {
+    Entries entries = common;
+    entries.insert(
+        entries.end(),
+        {fmt::format("surface={{ kind = \"measured\", file = \"{}\", length = "
+                     "{}, length_y = {}, height_unit = 1.0, level = \"none\", "
+                     "edges = \"periodic\" }}",
+                     file, x, y),
+         "halfspace.contact=dugdale", "halfspace.work_of_adhesion=1e-4"});
+    return run(entries);
+  };
+  const Result along_x = pressed("map.txt", 1e-6, 3e-6);
+  const Result along_y = pressed("turned.txt", 3e-6, 1e-6);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const CurvePoint& back = rows_of(along_y, "halfspace")[i];
+    expect_same(back, rows_of(along_x, "halfspace")[i],
+                {"area_fraction", "mean_gap", "adhesive_energy",
+                 "attractive_load", "thermal_conductance"},
+                1e-5);
+  }
+}
+
 // The tables of the theory are those of the surface, whatever presses it.
 TEST_F(CombinedStudies, OfTheTheoryDoNotDependOnTheMethods) {
   const Entries studies{
