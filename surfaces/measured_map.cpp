@@ -336,7 +336,8 @@ std::vector<std::string> warnings_of(const MapFaults& faults) {
 }
 
 Grid measured_grid(const SurfaceSpec& surface) {
-  const Grid file = open_map(surface.file, request_of_map(surface)).grid;
+  const Grid file =
+      read_scan(surface.file, request_of_map(surface)).map.grid;
   return grid_with_edges(window_of_map(surface, file).grid,
                          continuation_of(surface));
 }

@@ -7,7 +7,7 @@
 #include "input/input_file.hpp"
 #include "input/units.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/scan_formats.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
@@ -240,7 +240,8 @@ bool is_line_scan(const std::string& path) {
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
-  if (recognised_format(head) != mechanics::MapFormat::automatic)
+  const MapFormat& format = format_of_map({head, path}, "auto");
+  if (format.name != std::string_view()) // a text of no own format
     return false;
   try {
     const std::string text =
