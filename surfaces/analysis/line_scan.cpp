@@ -14,6 +14,7 @@
 #include "surfaces/formats/text/xyz_list.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -334,26 +335,13 @@ void level_line(LineScan& line, int degree) {
 }
 
 ProfileParameters profile_parameters(const LineScan& line) {
-  ProfileParameters found;
   const auto count = static_cast<double>(line.heights.size());
-  double mean = 0.0;
-  for (const double height : line.heights)
-    mean += height / count;
-  double cube = 0.0;
-  double fourth = 0.0;
-  for (const double node : line.heights) {
-    const double height = node - mean;
-    found.pa += std::abs(height) / count;
-    found.pq += height * height / count;
-    cube += std::pow(height, 3) / count;
-    fourth += std::pow(height, 4) / count;
-  }
-  found.psk = cube / std::pow(found.pq, 1.5);
-  found.pku = fourth / (found.pq * found.pq);
-  found.pq = std::sqrt(found.pq);
-  const auto [lowest, highest] =
-      std::minmax_element(line.heights.begin(), line.heights.end());
-  found.pt = *highest - *lowest;
+  const HeightMoments moments = moments_of(line.heights);
+  ProfileParameters found{.pa = moments.mean_magnitude,
+                          .pq = moments.rms,
+                          .psk = moments.skewness,
+                          .pku = moments.kurtosis,
+                          .pt = moments.highest - moments.lowest};
   for (std::size_t i = 0; i + 1 < line.heights.size(); ++i) {
     const double slope = (line.heights[i + 1] - line.heights[i]) / line.spacing;
     found.pdq += slope * slope / (count - 1.0);
