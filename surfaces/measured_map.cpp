@@ -9,7 +9,6 @@
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
-#include "surfaces/maps/missing_points.hpp"
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"
 

@@ -57,6 +57,8 @@ TEST_F(MapWriter, WritesWhatTheReadersRead) {
     EXPECT_DOUBLE_EQ(scan.map.grid.length_y, 1.7e-6) << name;
     EXPECT_EQ(count_missing(scan), 0U) << name;
   }
+  EXPECT_EQ(read_scan(written("a.gwy"), {}).channel, "A title");
+  EXPECT_EQ(list_channels(folder_ / "a.gwy").front().unit, "m");
   ScanRequest request;
   request.scale = {3.1e-6, 1.0, 1.7e-6};
   EXPECT_EQ(read_scan(written("a.npy"), request).map.heights,
