@@ -9,7 +9,7 @@
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "results/storage/hdf5_file.hpp"
-#include "surfaces/formats/gwyddion_file.hpp"
+#include "surfaces/formats/map_writer.hpp"
 #include "surfaces/formats/npy.hpp"
 
 #include <fmt/format.h>

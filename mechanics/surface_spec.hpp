@@ -21,22 +21,6 @@ enum class SurfaceKind {
   rounded_punch
 };
 enum class Amplitudes { spectrum, gaussian };
-/// Formats of map files; `convert` is any other one, through the program
-/// Gwyddion.
-enum class MapFormat {
-  automatic,
-  plain,
-  gwyddion,
-  xyz,
-  sdf,
-  x3p,
-  npy,
-  hdf5,
-  gwy,
-  sur,
-  wsxm,
-  convert
-};
 enum class Levelling { none, plane, bow, sphere, cylinder };
 enum class LineAlignment { none, median };
 enum class Filling { harmonic, none };
@@ -72,7 +56,8 @@ struct SurfaceSpec {
 
   std::string file; ///< path of the map or spectrum, made absolute or
                     ///< relative to the working directory by the reader
-  MapFormat format = MapFormat::automatic;
+  std::string format =
+      "auto"; ///< of the file (surfaces/formats/map_format.hpp)
   Levelling level = Levelling::plane;
   Edges edges = Edges::periodic; ///< free: half-spaces have free boundaries,
                                  ///< and the surface of all other methods is
@@ -99,13 +84,13 @@ struct SurfaceSpec {
   /// surface is nominally flat.
   std::optional<double> form_radius;
 
-  double radius = 0.0;     ///< sphere; flat end of a punch
-  double recess = 0.0;     ///< punch: depth of the surface around its flat end
-  double tilt = 0.0;       ///< punch: slope of its flat end along x [1]
-  double slope = 0.0;      ///< cone: of its flank [1]
+  double radius = 0.0;      ///< sphere; flat end of a punch
+  double recess = 0.0;      ///< punch: depth of the surface around its flat end
+  double tilt = 0.0;        ///< punch: slope of its flat end along x [1]
+  double slope = 0.0;       ///< cone: of its flank [1]
   double edge_radius = 0.0; ///< rounded punch: R beyond its flat end
-  double amplitude = 0.0;  ///< waves
-  double wavelength = 0.0; ///< waves; length is an integer multiple of it
+  double amplitude = 0.0;   ///< waves
+  double wavelength = 0.0;  ///< waves; length is an integer multiple of it
 
   /// Whether the surface is one indenter of an exact shape.
   bool is_indenter() const {

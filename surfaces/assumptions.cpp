@@ -113,19 +113,6 @@ double rms_about_plane(const Grid& grid, const HeightRows& heights) {
   return std::sqrt(std::max(0.0, rest));
 }
 
-double unresolved_slope_share(const HeightMap& map) {
-  const double limit = resolved_wavevector(map.grid);
-  double whole = 0.0;
-  double above = 0.0;
-  for_each_mode(map, [&](const ModePower& mode) {
-    const double square = mode.wavevector * mode.wavevector * mode.power;
-    whole += square;
-    if (mode.wavevector > limit)
-      above += square;
-  });
-  return whole > 0.0 ? above / whole : not_a_number;
-}
-
 double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
                               int threads) {
   double whole = 0.0;
@@ -142,11 +129,6 @@ double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
                 }
               });
   return whole > 0.0 ? above / whole : not_a_number;
-}
-
-double line_offset_ratio(const HeightMap& map) {
-  return line_offset_ratio(map.grid,
-                           [&](const auto& take) { take(map.heights); });
 }
 
 double line_offset_ratio(const Grid& grid, const HeightRows& heights) {

@@ -15,9 +15,6 @@ namespace asperity::surfaces {
 /// in wavelengths of fewer than four nodes [1] 0..1; NaN for a flat map. It is
 /// 0 for a resolved surface, 96 % for white noise, and 1 - 2^(2H - 2) for a
 /// surface that is self-affine up to the Nyquist wavevector.
-double unresolved_slope_share(const HeightMap& map);
-
-/// The same to roundoff of a map that is passed on by pieces (mode_power.hpp).
 double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
                               int threads = 1);
 
@@ -34,9 +31,6 @@ double unresolved_slope_share(const Grid& grid, const HeightRows& heights,
 /// @return  [1] > 0, 1 for an isotropic surface; above 1 the lines along x are
 ///          offset, below 1 those along y. NaN for fewer than three lines, or
 ///          if all lines of one direction have the same mean
-double line_offset_ratio(const HeightMap& map);
-
-/// The same, with the same bits, of a map that is passed on by pieces.
 double line_offset_ratio(const Grid& grid, const HeightRows& heights);
 
 /// The step between two heights of a map that a file has in too few digits: the

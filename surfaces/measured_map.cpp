@@ -9,7 +9,6 @@
 #include "surfaces/maps/edges.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
-#include "surfaces/maps/missing_points.hpp"
 #include "surfaces/maps/resample.hpp"
 #include "surfaces/maps/statistics.hpp"
 
@@ -116,32 +115,25 @@ double largest_magnitude(const HeightMap& map) {
   return largest;
 }
 
-/// Mean square slopes between neighbours inside the map, added row by row.
-double mean_square_along_y(const HeightMap& map) {
+/// Mean square slope between neighbours inside the map along x or y, added row
+/// by row.
+double mean_square_slope(const HeightMap& map, bool is_along_x) {
   const Grid& grid = map.grid;
-  const auto width = static_cast<std::size_t>(grid.points_x);
+  const int columns = grid.points_x - (is_along_x ? 1 : 0);
+  const int rows = grid.points_y - (is_along_x ? 0 : 1);
+  const double spacing = is_along_x ? grid.spacing_x() : grid.spacing_y();
+  const std::size_t next = is_along_x ? 1 : grid.index(0, 1);
   double sum = 0.0;
-  for (int row = 0; row + 1 < grid.points_y; ++row) {
+  for (int row = 0; row < rows; ++row) {
     double of_row = 0.0;
-    const double* const line = &map.heights[grid.index(0, row)];
-    for (std::size_t x = 0; x < width; ++x)
-      of_row += std::pow((line[x + width] - line[x]) / grid.spacing_y(), 2);
+    for (int x = 0; x < columns; ++x) {
+      const std::size_t at = grid.index(x, row);
+      of_row +=
+          std::pow((map.heights[at + next] - map.heights[at]) / spacing, 2);
+    }
     sum += of_row;
   }
-  return sum / (static_cast<double>(grid.points_x) * (grid.points_y - 1));
-}
-
-double mean_square_along_x(const HeightMap& map) {
-  const Grid& grid = map.grid;
-  double sum = 0.0;
-  for (int row = 0; row < grid.points_y; ++row) {
-    double of_row = 0.0;
-    const double* const line = &map.heights[grid.index(0, row)];
-    for (int x = 0; x + 1 < grid.points_x; ++x)
-      of_row += std::pow((line[x + 1] - line[x]) / grid.spacing_x(), 2);
-    sum += of_row;
-  }
-  return sum / (static_cast<double>(grid.points_x - 1) * grid.points_y);
+  return sum / (static_cast<double>(columns) * rows);
 }
 
 /// Refuses sides and heights outside the limits of lengths.
@@ -196,9 +188,9 @@ void find_faults(const SurfaceSpec& surface, const HeightMap& map,
                  MapFaults& faults) {
   HeightMap left = map;
   remove_trend(left, mechanics::Levelling::plane);
-  const double with_form = rms_height(left);
+  const double with_form = moments_of(left.heights).rms;
   remove_trend(left, mechanics::Levelling::bow);
-  const double roughness = rms_height(left);
+  const double roughness = moments_of(left.heights).rms;
   const bool has_form = surface.level == mechanics::Levelling::none ||
                         surface.level == mechanics::Levelling::plane;
   if (has_form && with_form > 0.0)
@@ -336,7 +328,7 @@ std::vector<std::string> warnings_of(const MapFaults& faults) {
 }
 
 Grid measured_grid(const SurfaceSpec& surface) {
-  const Grid file = open_map(surface.file, request_of_map(surface)).grid;
+  const Grid file = read_scan(surface.file, request_of_map(surface)).map.grid;
   return grid_with_edges(window_of_map(surface, file).grid,
                          continuation_of(surface));
 }
@@ -353,8 +345,9 @@ MeasuredMap measured_map(const SurfaceSpec& surface) {
 }
 
 MapRoughness roughness_of(const HeightMap& map) {
-  return {rms_height(map),
-          std::sqrt(mean_square_along_x(map) + mean_square_along_y(map))};
+  return {
+      moments_of(map.heights).rms,
+      std::sqrt(mean_square_slope(map, true) + mean_square_slope(map, false))};
 }
 
 std::string description_of(const MeasuredMap& measured) {

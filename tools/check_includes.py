@@ -13,7 +13,7 @@ MAY_INCLUDE = {
     "ranks": {"base"},
     "input": {"base"},
     "mechanics": {"base"},
-    "cases": {"base", "input", "mechanics"},
+    "cases": {"base", "input", "mechanics", "surfaces/formats/map_format.hpp"},
     "theory": {"base"},
     "contact": {"base", "ranks", "mechanics"},
     "surfaces": {"base", "input", "mechanics", "ranks", "results/storage/hdf5_file.hpp",

@@ -23,7 +23,8 @@
 namespace asperity::cases {
 
 /// What values a key may have: numbers in a range, with or without a unit,
-/// words in the order of the enumeration (or false, true), or any of a type.
+/// words in the order of the enumeration (or false, true), or of a member that
+/// is a text in any order, or any of a type.
 struct Values {
   Values(std::initializer_list<const char*> all_words)
       : type(ValueType::word), words(all_words.begin(), all_words.end()) {}
@@ -88,8 +89,12 @@ void read_value(TableReader& table, const Key& key, Value& value) {
   if constexpr (is_optional<Value>) {
     read_value(table, key, value.emplace());
   } else if constexpr (std::is_same_v<Value, std::string>) {
-    value = key.type == ValueType::path ? table.path(key.name)
-                                        : table.text(key.name);
+    if (key.type == ValueType::word)
+      value = key.words.at(
+          static_cast<std::size_t>(table.word(key.name).value_or(0)));
+    else
+      value = key.type == ValueType::path ? table.path(key.name)
+                                          : table.text(key.name);
   } else if constexpr (std::is_same_v<Value, mechanics::Quantity>) {
     value = table.quantity(key.name);
   } else if constexpr (std::is_same_v<Value, Targets>) {
@@ -121,7 +126,10 @@ void describe(Key& key, const Value& value) {
     fallback = default_text(value);
   } else if constexpr (std::is_same_v<Value, Targets>) {
     key.type = ValueType::program;
-  } else if constexpr (!std::is_same_v<Value, std::string>) {
+  } else if constexpr (std::is_same_v<Value, std::string>) {
+    if (key.type == ValueType::word)
+      fallback = '"' + value + '"';
+  } else {
     if (key.type == ValueType::quantity)
       key.type = ValueType::integer;
     const auto number = static_cast<long long>(value);

@@ -1,4 +1,5 @@
 #include "cases/reader/read_parts.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 #include <fmt/format.h>
 
@@ -27,20 +28,19 @@ void check_window(TableReader& table, const mechanics::SurfaceSpec& spec) {
 
 void check_map(TableReader& table, const mechanics::SurfaceSpec& spec) {
   check_window(table, spec);
-  if (spec.format == mechanics::MapFormat::plain) {
-    if (!spec.length)
-      table.complain_missing("length", ", which a plain map does not contain");
-    if (!spec.height_unit)
-      table.complain_missing("height_unit",
-                             ", which a plain map does not contain");
-  }
-  using enum mechanics::MapFormat;
-  const bool has_units = spec.format == sdf || spec.format == x3p ||
-                         spec.format == sur || spec.format == wsxm;
-  if (!has_units && spec.format != gwyddion)
-    return; // whose files need not have them; the readers know
-  std::vector<const char*> keys{"length", "length_y", "length_unit"};
-  if (has_units)
+  using surfaces::FileScales;
+  const FileScales scales =
+      spec.format == "auto" ? FileScales::some
+                            : surfaces::map_format_called(spec.format).scales;
+  if (scales == FileScales::none)
+    for (const char* const key : {"length", "height_unit"})
+      if (!table.has(key))
+        table.complain_missing(
+            key, fmt::format(", which a {} map does not contain", spec.format));
+  std::vector<const char*> keys;
+  if (scales == FileScales::lengths || scales == FileScales::all)
+    keys = {"length", "length_y", "length_unit"};
+  if (scales == FileScales::all)
     keys.push_back("height_unit");
   for (const char* const key : keys)
     if (table.has(key))

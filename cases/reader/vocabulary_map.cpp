@@ -1,5 +1,6 @@
 // The rows of [surface] for measured maps.
 #include "cases/reader/bound_key.hpp"
+#include "surfaces/formats/map_format.hpp"
 
 namespace asperity::cases {
 namespace {
@@ -16,9 +17,7 @@ std::vector<Key> file_keys() {
           needed("map.txt"))
           .of({"measured", "spectrum"}),
       key<&Surface::format>(
-          "format",
-          {"auto", "plain", "gwyddion", "xyz", "sdf", "x3p", "npy", "hdf5",
-           "gwy", "sur", "wsxm", "convert"},
+          "format", surfaces::map_format_names(),
           "Format of the map file: recognised by its content, or one of "
           "docs/reference/map-files.md; plain and gwyddion are text, and "
           "convert is any format that the program Gwyddion reads."),

@@ -101,9 +101,11 @@ SurfaceTheory theory_of(const std::vector<surfaces::Shell>& found,
   return prepared(theory::HeightSpectrum(std::move(shells)), contact_modulus);
 }
 
-SurfaceTheory theory_on(const surfaces::ModeShells& shells,
-                        const SurfaceRecord& surface, double contact_modulus) {
-  return theory_of(shells.of({surface.grid, surface.heights}), contact_modulus);
+/// Of a record whose heights are in memory.
+SurfaceTheory theory_on(const SurfaceRecord& surface, double contact_modulus) {
+  return theory_of(
+      surfaces::spectral_shells({surface.grid, surface.heights}, shell_width),
+      contact_modulus);
 }
 
 } // namespace
@@ -128,7 +130,6 @@ void SurfaceTheories::compute_realizations() {
   const auto first = std::ranges::find_if(result_.surfaces, is_in_memory);
   if (first == result_.surfaces.end())
     return;
-  const surfaces::ModeShells shells(first->grid, shell_width);
   std::vector<const SurfaceRecord*> alike;
   for (const SurfaceRecord& surface : result_.surfaces)
     if (is_in_memory(surface) && surface.grid == first->grid)
@@ -137,7 +138,7 @@ void SurfaceTheories::compute_realizations() {
   parallel_rows(static_cast<int>(alike.size()), report_threads(), [&](int i) {
     const auto at = static_cast<std::size_t>(i);
     try {
-      computed[at] = theory_on(shells, *alike[at], result_.contact_modulus);
+      computed[at] = theory_on(*alike[at], result_.contact_modulus);
     } catch (const std::domain_error&) {
       // of() computes it again and passes the error to who asks.
     }
@@ -162,9 +163,7 @@ const SurfaceTheory& SurfaceTheories::of(const SurfaceRecord& surface) {
                                          report_threads(), shell_width),
                result_.contact_modulus);
   }
-  return known_[&surface] =
-             theory_on(surfaces::ModeShells(surface.grid, shell_width), surface,
-                       result_.contact_modulus);
+  return known_[&surface] = theory_on(surface, result_.contact_modulus);
 }
 
 SurfaceTheory theory_of_formula(const mechanics::SurfaceSpec& surface,

@@ -71,11 +71,8 @@ void add_slope(const Result& result, std::vector<Warning>& warnings) {
 void add_resolution(const SurfaceRecord& surface,
                     std::vector<Warning>& warnings) {
   const SpectrumRows rows = spectrum_rows(surface);
-  const double share =
-      surface.height_map().is_stored() || has_spectrum_of_images(surface)
-          ? surfaces::unresolved_slope_share(rows.grid, rows.heights,
-                                             report_threads())
-          : surfaces::unresolved_slope_share({surface.grid, surface.heights});
+  const double share = surfaces::unresolved_slope_share(rows.grid, rows.heights,
+                                                        report_threads());
   if (!(share > Limits::unresolved_slope))
     return;
   warnings.push_back(

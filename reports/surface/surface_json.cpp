@@ -1,6 +1,5 @@
-#include "reports/surface/surface_json.hpp"
-
 #include "base/json.hpp"
+#include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
 #include <numbers>

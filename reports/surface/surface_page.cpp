@@ -8,9 +8,7 @@
 #include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
 #include "reports/surface/surface_figures.hpp"
-#include "reports/surface/surface_json.hpp"
 #include "reports/surface/surface_quantities.hpp"
-#include "reports/surface/surface_text.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
-#include "reports/surface/surface_text.hpp"
-
 #include "reports/numbers/number_text.hpp"
+#include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_quantities.hpp"
 
 #include <fmt/format.h>

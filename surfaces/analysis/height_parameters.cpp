@@ -1,8 +1,8 @@
 #include "surfaces/analysis/height_parameters.hpp"
 
 #include "surfaces/analysis/local_differences.hpp"
+#include "surfaces/maps/statistics.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,27 +59,13 @@ HeightParameters height_parameters(const HeightMap& map, bool is_periodic) {
   HeightParameters found;
   found.sdq = local_differences(map, 1, 1, is_periodic).rms_slope();
   found.sdr = developed_area_ratio(map, is_periodic);
-  const double mean = mean_height(map);
-  double square = 0.0;
-  double cube = 0.0;
-  double fourth = 0.0;
-  for (const double node : map.heights) {
-    const double height = node - mean;
-    found.sa += std::abs(height);
-    square += height * height;
-    cube += height * height * height;
-    fourth += height * height * height * height;
-  }
-  const auto count = static_cast<double>(map.heights.size());
-  square /= count;
-  found.sa /= count;
-  found.sq = std::sqrt(square);
-  found.ssk = cube / count / (square * found.sq);
-  found.sku = fourth / count / (square * square);
-  const auto [lowest, highest] =
-      std::minmax_element(map.heights.begin(), map.heights.end());
-  found.sp = *highest - mean;
-  found.sv = mean - *lowest;
+  const HeightMoments moments = moments_of(map.heights);
+  found.sa = moments.mean_magnitude;
+  found.sq = moments.rms;
+  found.ssk = moments.skewness;
+  found.sku = moments.kurtosis;
+  found.sp = moments.highest;
+  found.sv = -moments.lowest;
   found.sz = found.sp + found.sv;
   return found;
 }

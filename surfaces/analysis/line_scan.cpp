@@ -7,13 +7,14 @@
 #include "input/input_file.hpp"
 #include "input/units.hpp"
 #include "surfaces/formats/length_units.hpp"
-#include "surfaces/formats/scan_formats.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/levelling.hpp"
+#include "surfaces/maps/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -240,7 +241,8 @@ bool is_line_scan(const std::string& path) {
   std::string head(4096, '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(file.gcount()));
-  if (recognised_format(head) != mechanics::MapFormat::automatic)
+  const MapFormat& format = format_of_map({head, path}, "auto");
+  if (format.name != std::string_view()) // a text of no own format
     return false;
   try {
     const std::string text =
@@ -333,26 +335,13 @@ void level_line(LineScan& line, int degree) {
 }
 
 ProfileParameters profile_parameters(const LineScan& line) {
-  ProfileParameters found;
   const auto count = static_cast<double>(line.heights.size());
-  double mean = 0.0;
-  for (const double height : line.heights)
-    mean += height / count;
-  double cube = 0.0;
-  double fourth = 0.0;
-  for (const double node : line.heights) {
-    const double height = node - mean;
-    found.pa += std::abs(height) / count;
-    found.pq += height * height / count;
-    cube += std::pow(height, 3) / count;
-    fourth += std::pow(height, 4) / count;
-  }
-  found.psk = cube / std::pow(found.pq, 1.5);
-  found.pku = fourth / (found.pq * found.pq);
-  found.pq = std::sqrt(found.pq);
-  const auto [lowest, highest] =
-      std::minmax_element(line.heights.begin(), line.heights.end());
-  found.pt = *highest - *lowest;
+  const HeightMoments moments = moments_of(line.heights);
+  ProfileParameters found{.pa = moments.mean_magnitude,
+                          .pq = moments.rms,
+                          .psk = moments.skewness,
+                          .pku = moments.kurtosis,
+                          .pt = moments.highest - moments.lowest};
   for (std::size_t i = 0; i + 1 < line.heights.size(); ++i) {
     const double slope = (line.heights[i + 1] - line.heights[i]) / line.spacing;
     found.pdq += slope * slope / (count - 1.0);

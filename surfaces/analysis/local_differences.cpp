@@ -12,88 +12,28 @@ namespace {
 
 /// Mean of squares that is built line by line.
 struct MeanSquare {
-  double sum = 0.0;
-  double count = 0.0;
+  double sum = 0.0, of_line = 0.0, count = 0.0;
 
-  void add(double square, std::size_t number) {
-    sum += square;
-    count += static_cast<double>(number);
+  void add(double difference) {
+    of_line += difference * difference;
+    count += 1.0;
+  }
+
+  void end_line() {
+    sum += of_line;
+    of_line = 0.0;
   }
 
   double value() const { return count > 0.0 ? sum / count : not_a_number; }
 };
 
-struct DifferenceSums {
-  MeanSquare slope_x, slope_y, second_x, second_y, laplacian;
-  double lowest_x = 0.0; ///< smallest second difference, not yet divided [m]
-  double lowest_y = 0.0;
-};
-
-/// The rows that the differences at one row need, each with its columns
-/// continued by lag_x on both sides if the map is periodic.
-struct Rows {
-  std::vector<double> below, here, above;
-};
-
-void copy_row(const HeightMap& map, int row, int margin,
-              std::vector<double>& copy) {
-  const int columns = map.grid.points_x;
-  copy.clear();
-  for (int i = -margin; i < columns + margin; ++i)
-    copy.push_back(map.heights[map.grid.index((i + columns) % columns, row)]);
-}
-
-/// @param first, end  columns at which forward differences are defined
-void add_along_x(const std::vector<double>& here, std::size_t lag,
-                 std::size_t first, std::size_t end, DifferenceSums& sums) {
-  double slope = 0.0;
-  for (std::size_t i = first; i < end; ++i) {
-    const double forward = here[i + lag] - here[i];
-    slope += forward * forward;
-  }
-  sums.slope_x.add(slope, end - first);
-  double second = 0.0;
-  for (std::size_t i = lag; i + lag < here.size(); ++i) {
-    const double bend = here[i + lag] - 2.0 * here[i] + here[i - lag];
-    second += bend * bend;
-    sums.lowest_x = std::min(sums.lowest_x, bend);
-  }
-  sums.second_x.add(second, here.size() - 2 * lag);
-}
-
-/// @param first, end  the columns of the map itself
-void add_slope_along_y(const Rows& rows, std::size_t first, std::size_t end,
-                       DifferenceSums& sums) {
-  double slope = 0.0;
-  for (std::size_t i = first; i < end; ++i) {
-    const double forward = rows.above[i] - rows.here[i];
-    slope += forward * forward;
-  }
-  sums.slope_y.add(slope, end - first);
-}
-
-void add_second_along_y(const Rows& rows, std::size_t first, std::size_t end,
-                        DifferenceSums& sums) {
-  double second = 0.0;
-  for (std::size_t i = first; i < end; ++i) {
-    const double bend = rows.above[i] - 2.0 * rows.here[i] + rows.below[i];
-    second += bend * bend;
-    sums.lowest_y = std::min(sums.lowest_y, bend);
-  }
-  sums.second_y.add(second, end - first);
-}
-
-void add_laplacian(const Rows& rows, std::size_t lag, double square_x,
-                   double square_y, DifferenceSums& sums) {
-  double laplacian = 0.0;
-  for (std::size_t i = lag; i + lag < rows.here.size(); ++i) {
-    const double here = 2.0 * rows.here[i];
-    const double value =
-        (rows.here[i + lag] - here + rows.here[i - lag]) / square_x +
-        (rows.above[i] - here + rows.below[i]) / square_y;
-    laplacian += value * value;
-  }
-  sums.laplacian.add(laplacian, rows.here.size() - 2 * lag);
+/// The place of the point `lag` behind another one along a side; -1: it is
+/// outside of the map.
+int place_behind(int at, int lag, int points, bool is_periodic) {
+  const int place = at + lag;
+  return is_periodic                    ? (place + points) % points
+         : place >= 0 && place < points ? place
+                                        : -1;
 }
 
 void require_lag(const char* name, int lag, int points, bool is_periodic) {
@@ -126,33 +66,51 @@ LocalDifferences local_differences(const HeightMap& map, int lag_x, int lag_y,
   const double square_x = result.distance_x * result.distance_x;
   const double square_y = result.distance_y * result.distance_y;
 
-  const int margin = is_periodic ? lag_x : 0;
-  const auto lag = static_cast<std::size_t>(lag_x);
-  const auto first = static_cast<std::size_t>(margin);
-  const auto end = first + static_cast<std::size_t>(grid.points_x);
-  DifferenceSums sums;
-  Rows rows;
-  for (int row = 0; row < grid.points_y; ++row) {
-    copy_row(map, row, margin, rows.here);
-    add_along_x(rows.here, lag, first, is_periodic ? end : end - lag, sums);
-    if (!is_periodic && row + lag_y >= grid.points_y)
-      continue;
-    copy_row(map, (row + lag_y) % grid.points_y, margin, rows.above);
-    add_slope_along_y(rows, first, end, sums);
-    if (!is_periodic && row < lag_y)
-      continue;
-    copy_row(map, (row - lag_y + grid.points_y) % grid.points_y, margin,
-             rows.below);
-    add_second_along_y(rows, first, end, sums);
-    add_laplacian(rows, lag, square_x, square_y, sums);
+  std::vector<int> left, right;
+  for (int x = 0; x < grid.points_x; ++x) {
+    left.push_back(place_behind(x, -lag_x, grid.points_x, is_periodic));
+    right.push_back(place_behind(x, lag_x, grid.points_x, is_periodic));
   }
-  result.mean_square_slope_x = sums.slope_x.value() / square_x;
-  result.mean_square_slope_y = sums.slope_y.value() / square_y;
-  result.mean_square_second_x = sums.second_x.value() / (square_x * square_x);
-  result.mean_square_second_y = sums.second_y.value() / (square_y * square_y);
-  result.mean_square_laplacian = sums.laplacian.value();
-  result.lowest_second =
-      std::min(sums.lowest_x / square_x, sums.lowest_y / square_y);
+  MeanSquare slope_x, slope_y, second_x, second_y, laplacian;
+  double lowest_x = 0.0, lowest_y = 0.0; // not yet divided [m]
+  for (int y = 0; y < grid.points_y; ++y) {
+    const int below = place_behind(y, -lag_y, grid.points_y, is_periodic);
+    const int above = place_behind(y, lag_y, grid.points_y, is_periodic);
+    for (int x = 0; x < grid.points_x; ++x) {
+      const auto height = [&](int column, int row) {
+        return map.heights[grid.index(column, row)];
+      };
+      const int before = left[static_cast<std::size_t>(x)];
+      const int after = right[static_cast<std::size_t>(x)];
+      const double here = height(x, y);
+      double bend_x = 0.0, bend_y = 0.0;
+      if (after >= 0)
+        slope_x.add(height(after, y) - here);
+      if (above >= 0)
+        slope_y.add(height(x, above) - here);
+      if (before >= 0 && after >= 0) {
+        bend_x = height(after, y) - 2.0 * here + height(before, y);
+        second_x.add(bend_x);
+        lowest_x = std::min(lowest_x, bend_x);
+      }
+      if (below >= 0 && above >= 0) {
+        bend_y = height(x, above) - 2.0 * here + height(x, below);
+        second_y.add(bend_y);
+        lowest_y = std::min(lowest_y, bend_y);
+        if (before >= 0 && after >= 0)
+          laplacian.add(bend_x / square_x + bend_y / square_y);
+      }
+    }
+    for (MeanSquare* const sum :
+         {&slope_x, &slope_y, &second_x, &second_y, &laplacian})
+      sum->end_line();
+  }
+  result.mean_square_slope_x = slope_x.value() / square_x;
+  result.mean_square_slope_y = slope_y.value() / square_y;
+  result.mean_square_second_x = second_x.value() / (square_x * square_x);
+  result.mean_square_second_y = second_y.value() / (square_y * square_y);
+  result.mean_square_laplacian = laplacian.value();
+  result.lowest_second = std::min(lowest_x / square_x, lowest_y / square_y);
   return result;
 }
 

@@ -5,7 +5,6 @@
 #include "input/input_file.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/map_format.hpp"
-#include "surfaces/formats/scan_formats.hpp"
 
 #include <fmt/format.h>
 
@@ -48,12 +47,6 @@ std::string first_line(const std::string& text) {
   return printable(text.substr(0, text.find('\n')), 200);
 }
 
-/// Lengths that the header of a file states in words behind a key.
-struct StatedLength {
-  std::string_view key;
-  bool is_along_x;
-};
-
 /// The lengths behind a key, which several channels may state [m].
 std::vector<double> stated_lengths(std::string_view header,
                                    std::string_view key) {
@@ -76,16 +69,19 @@ std::vector<double> stated_lengths(std::string_view header,
 
 /// Refuses a map whose sides are none of those that the header of its file
 /// states in words.
+/// @param own  words of the format of the file, if it is one of ours
 void require_stated_lengths(std::string_view header, const Grid& grid,
-                            const std::string& path) {
-  static constexpr StatedLength keys[] = {
-      {"X Amplitude:", true}, {"Y Amplitude:", false}, // WSxM
-      {"\\Scan Size:", true},                          // Nanoscope
-      {"xLength ", true},     {"yLength ", false},     // Agilent
-      {":SCAN_RANGE:", true},                          // Nanonis
-      {"XReal", true},        {"YReal", false}};       // Gwyddion
+                            const std::string& path,
+                            const std::vector<SideWords>& own) {
+  std::vector<SideWords> all{{"\\Scan Size:", true}, // Nanoscope
+                             {"xLength ", true},     // Agilent
+                             {"yLength ", false},
+                             {":SCAN_RANGE:", true}, // Nanonis
+                             {"XReal", true},        // Gwyddion
+                             {"YReal", false}};
+  all.insert(all.begin(), own.begin(), own.end());
   constexpr double rounding = 0.01;
-  for (const auto& [key, is_along_x] : keys) {
+  for (const auto& [key, is_along_x] : all) {
     const double side = is_along_x ? grid.length_x : grid.length_y;
     const std::vector<double> stated = stated_lengths(header, key);
     if (!stated.empty() && std::ranges::none_of(stated, [&](double length) {
@@ -97,18 +93,6 @@ void require_stated_lengths(std::string_view header, const Grid& grid,
           path, side, is_along_x ? 'x' : 'y',
           printable(trimmed(std::string(key))), stated.front()));
   }
-}
-
-/// Gwyddion takes the special points of Digital Surf files for heights.
-void refuse_special_points(std::string_view beginning,
-                           const std::string& path) {
-  constexpr std::size_t place = 86;
-  if (recognised_format(beginning) == mechanics::MapFormat::sur &&
-      beginning.size() > place + 1 &&
-      (beginning[place] != '\0' || beginning[place + 1] != '\0'))
-    throw input::InputError(
-        path + ": its header announces special points, whose numbers Gwyddion "
-               "takes for heights; format = \"sur\" is our own reader");
 }
 
 /// The bytes of a .gwy file, and which program has written it.
@@ -127,7 +111,8 @@ Converted converted(const MapBytes& original) {
         "{}: no own reader knows this format{}; it can be read where the "
         "program gwyddion is installed (Debian: apt-get install gwyddion)",
         path, name_in_brackets(path)));
-  refuse_special_points(original.beginning(), path);
+  if (const auto refuse = format_of_map(original, "auto").before_conversion)
+    refuse(original);
   const TemporaryFolder folder("asperity-map");
   const fs::path target = folder.path() / "converted.gwy";
   const ChildAnswer answer = run_child(
@@ -148,20 +133,31 @@ Converted converted(const MapBytes& original) {
   return {std::move(bytes), version_of(program, folder.path())};
 }
 
-} // namespace
-
-OpenMap open_converted(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_converted(const MapBytes& bytes, const ScanRequest& request) {
   const auto [gwy, reader] = converted(bytes);
-  OpenMap map = open_gwy({gwy, bytes.name()}, request);
-  require_stated_lengths(bytes.beginning(), map.grid, bytes.name());
-  map.numbers.is_converted = true;
-  map.reader = reader;
-  return map;
+  Scan scan = read_gwy({gwy, bytes.name()}, request);
+  require_stated_lengths(bytes.beginning(), scan.map.grid, bytes.name(),
+                         format_of_map(bytes, "auto").sides);
+  scan.numbers.is_converted = true;
+  scan.reader = reader;
+  return scan;
 }
 
 std::vector<ChannelInfo> converted_channels(const MapBytes& bytes) {
   const Converted gwy = converted(bytes);
   return gwy_channels({gwy.bytes, bytes.name()});
+}
+
+} // namespace
+
+MapFormat converted_format() {
+  return {"convert",
+          {"any other", "none of these",
+           "as Gwyddion reports them; without a unit as `gwy`", "mask; NaN",
+           "titles"},
+          [](std::string_view) { return true; },
+          read_converted,
+          converted_channels};
 }
 
 } // namespace asperity::surfaces

@@ -410,8 +410,8 @@ FieldScale scale_of(const GwyField& field, const std::string& name,
   return scale;
 }
 
-OpenMap map_of_channel(const GwyChannel& channel, const std::string& name,
-                       const MapScale& given) {
+Scan scan_of_channel(const GwyChannel& channel, const std::string& name,
+                     const MapScale& given) {
   const GwyField& field = *channel.field;
   const FieldScale scale = scale_of(field, name, given);
   const Grid& grid = scale.grid;
@@ -427,10 +427,10 @@ OpenMap map_of_channel(const GwyChannel& channel, const std::string& name,
       if (gwy_value(*mask, i) >= least_masked)
         values[i] = std::numeric_limits<double>::quiet_NaN();
   }
-  OpenMap map = map_in_memory(grid, std::move(values), "own reader of .gwy",
+  Scan scan = scan_of_numbers(grid, std::move(values), "own reader of .gwy",
                               {.unit = scale.height_unit});
-  map.channel = channel.title;
-  return map;
+  scan.channel = channel.title;
+  return scan;
 }
 
 std::vector<ChannelCandidate>
@@ -449,13 +449,13 @@ candidates_of(const std::map<int, GwyChannel>& channels) {
 
 } // namespace
 
-OpenMap open_gwy(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_gwy(const MapBytes& bytes, const ScanRequest& request) {
   const std::string& name = bytes.name();
   const std::map<int, GwyChannel> channels =
       read_gwy_channels(bytes.all(), name);
   const std::size_t chosen =
       chosen_channel(candidates_of(channels), request.channel, name);
-  return map_of_channel(
+  return scan_of_channel(
       std::next(channels.begin(), static_cast<std::ptrdiff_t>(chosen))->second,
       name, request.scale);
 }
@@ -466,6 +466,17 @@ std::vector<ChannelInfo> gwy_channels(const MapBytes& bytes) {
        candidates_of(read_gwy_channels(bytes.all(), bytes.name())))
     channels.push_back(std::move(candidate.info));
   return channels;
+}
+
+MapFormat gwy_format() {
+  return {"gwy",
+          {"Gwyddion", "`GWYP`",
+           "file; without a unit, `length` or `length_unit`, and "
+           "`height_unit`",
+           "mask of at least 1/2; NaN", "titles"},
+          [](std::string_view bytes) { return bytes.starts_with("GWYP"); },
+          read_gwy,
+          gwy_channels};
 }
 
 } // namespace asperity::surfaces

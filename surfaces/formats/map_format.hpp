@@ -1,94 +1,135 @@
 #pragma once
 
-// This internal header of surfaces/formats says what a format of maps is,
-// declares the readers of the individual formats, and what they share.
+// What a format of map files is, the list of all formats, and what their
+// readers share. Everything that must know the formats asks the list: the
+// recognition of files, the keys of a case and its messages, the page of the
+// documents, the conversion of other formats, and the tests with any bytes.
 
-#include "surfaces/formats/map_bytes.hpp"
 #include "surfaces/formats/scan.hpp"
-#include "surfaces/formats/text/number_table.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace asperity::surfaces {
 
+/// The bytes of a map, in memory or in a file. Copies share what has been read.
+class MapBytes {
+public:
+  /// Bytes in memory, which must outlive this object and its copies.
+  /// @param name  of the file, for messages
+  MapBytes(std::string_view bytes, std::string name)
+      : name_(std::move(name)), all_(bytes) {}
+
+  /// Bytes of a file, which are read when they are asked for.
+  /// @throws input::InputError  the file is not a regular file that can be
+  ///                            opened, or larger than
+  ///                            input::largest_number_file
+  static MapBytes of_file(const std::string& path);
+
+  const std::string& name() const { return name_; }
+
+  bool is_file() const { return is_file_; }
+
+  /// The first 64 kB. They live as long as this object.
+  std::string_view beginning() const;
+
+  /// All bytes, which are then kept. They live as long as this object.
+  /// @throws input::InputError  the file cannot be read
+  std::string_view all() const;
+
+private:
+  std::string name_;
+  bool is_file_ = false;
+  std::string_view all_; ///< of bytes in memory
+  std::string beginning_;
+  mutable std::shared_ptr<const std::string> read_; ///< of a file
+};
+
+/// Which of the keys length, length_y, length_unit and height_unit the case
+/// must give for files of a format.
+enum class FileScales {
+  none,    ///< the case must give length and height_unit
+  some,    ///< it depends on the file, which its reader knows
+  lengths, ///< the file has its lengths
+  all      ///< the file has all of them
+};
+
+/// The row of a format in docs/reference/map-files.md, as Markdown.
+struct FormatWords {
+  std::string title; ///< of the format, also for messages: "Digital Surf"
+  std::string recognised_by;
+  std::string scales;
+  std::string missing; ///< what is a missing point
+  std::string channels;
+};
+
+/// Words of a header behind which a length of a side stands.
+struct SideWords {
+  std::string_view words;
+  bool is_along_x;
+};
+
 /// A format of map files. Its functions throw input::InputError with the name
 /// of the file and the line, byte or part that is malformed, and check every
 /// size against the bytes that are there before they allocate memory.
-struct MapReader {
-  mechanics::MapFormat format;
-  /// @param bytes  of the file, all or the first 64 kB
-  bool (*recognises)(std::string_view bytes);
-  OpenMap (*open)(const MapBytes& bytes, const ScanRequest& request);
-  /// Empty: there is one channel, in metres.
+struct MapFormat {
+  /// [surface] format; "": it is only recognised, and has no name.
+  const char* name;
+  FormatWords words;
+  /// Whether the bytes of a file, or the first 64 kB, are of this format.
+  bool (*reads)(std::string_view bytes);
+  /// Reads a channel. Heights are NaN at missing points; those that the number
+  /// of the case or Scan::numbers.missing marks are found afterwards.
+  Scan (*heights)(const MapBytes& bytes, const ScanRequest& request);
+  /// Null: there is one channel, in metres.
   std::vector<ChannelInfo> (*channels)(const MapBytes& bytes) = nullptr;
+  FileScales scales = FileScales::some;
+  std::vector<std::string> endings = {}; ///< of file names: ".sur"
+  /// Refuses a file that the program Gwyddion misreads. Null: there is none.
+  void (*before_conversion)(const MapBytes& bytes) = nullptr;
+  /// A map that Gwyddion has converted must have these sides.
+  std::vector<SideWords> sides = {};
 };
 
-/// The reader of a format, or that of the bytes if the format is automatic.
-const MapReader& reader_of_map(const MapBytes& bytes,
-                               mechanics::MapFormat format);
+/// All formats. The first one that reads the bytes of a file is that of the
+/// file; the last one, `convert`, reads any.
+const std::vector<MapFormat>& map_formats();
 
-/// A matrix of numbers as text, with or without a header (map_file.hpp), a
-/// list x y z, or Fourier coefficients.
-OpenMap open_text(const MapBytes& bytes, const ScanRequest& request);
-std::vector<ChannelInfo> text_channels(const MapBytes& bytes);
+/// Adds a format in front of all others, before any file is read or any case.
+/// @return  true, so that a constant of a file can do it
+bool add_map_format(MapFormat format);
 
-/// Fourier coefficients qX qY Re Im of a periodic square map, which has some
-/// pair of complex conjugates for q and -q (docs/reference/map-files.md).
-/// @return  nothing if the table is something else: there are other columns, an
-///          index is no whole number or occurs twice, or no coefficient has a
-///          conjugate or one is not that of its opposite
-/// @throws input::InputError  a key of the case is missing or superfluous, or
-///                            there are too many waves
-std::optional<OpenMap> fourier_map(const NumberTable& table,
-                                   const MapScale& scale);
-/// Number of points along a side of such a map; 0: it is none.
-int fourier_points(const NumberTable& table);
+/// The values of [surface] format: "auto" and the names of the formats.
+std::vector<const char*> map_format_names();
 
-/// ISO 25178-71 with the header aISO-1.0, bISO-1.0, aBCR-1.0 or bBCR-1.0; only
-/// a binary one is read by rows.
-OpenMap open_sdf(const MapBytes& bytes, const ScanRequest& request);
+/// The format of this name.
+/// @throws std::domain_error  there is none
+const MapFormat& map_format_called(std::string_view name);
 
-/// ISO 5436-2: a zip archive with main.xml.
-OpenMap open_x3p(const MapBytes& bytes, const ScanRequest& request);
+/// The format of this name, or that of the bytes if it is "auto".
+const MapFormat& format_of_map(const MapBytes& bytes, std::string_view name);
 
-/// NumPy's .npy; the scales are those of the case. It is read by rows unless it
-/// is a list x y z.
-OpenMap open_npy(const MapBytes& bytes, const ScanRequest& request);
-std::vector<ChannelInfo> npy_channels(const MapBytes& bytes);
+/// Whether bytes, or the beginning of a file, are a text of numbers without a
+/// header of a known instrument.
+bool is_text_map(std::string_view bytes);
 
-/// A dataset of an HDF5 file, read as that of an .npy file.
-OpenMap open_hdf5(const MapBytes& bytes, const ScanRequest& request);
-std::vector<ChannelInfo> hdf5_channels(const MapBytes& bytes);
+/// " (Igor binary wave)" for the ending .ibw, "" for an unknown ending.
+std::string name_in_brackets(const std::string& path);
 
-/// Gwyddion's native format.
-OpenMap open_gwy(const MapBytes& bytes, const ScanRequest& request);
+/// The reader of .gwy files, to which other formats are converted.
+Scan read_gwy(const MapBytes& bytes, const ScanRequest& request);
 std::vector<ChannelInfo> gwy_channels(const MapBytes& bytes);
 
-/// Digital Surf .sur: one uncompressed surface, read by rows.
-OpenMap open_sur(const MapBytes& bytes, const ScanRequest& request);
-
-/// WSxM .top, .stp and others: a header of lines, then numbers, whose least and
-/// largest give their unit. It is read by rows.
-OpenMap open_wsxm(const MapBytes& bytes, const ScanRequest& request);
-
-/// Any other format through the program Gwyddion.
-OpenMap open_converted(const MapBytes& bytes, const ScanRequest& request);
-std::vector<ChannelInfo> converted_channels(const MapBytes& bytes);
-
-/// A map of a format that is not read by rows.
+/// A map whose numbers the file has in its own unit.
 /// @param values  of all points [numbers.unit], not finite at missing ones
-OpenMap map_in_memory(const Grid& grid, std::vector<double> values,
-                      const std::string& reader,
-                      const FileNumbers& numbers = {});
-
-/// All rows of a map.
-/// @throws input::InputError  all points are missing
-Scan scan_of_map(const OpenMap& map, const std::string& name);
+Scan scan_of_numbers(const Grid& grid, std::vector<double> values,
+                     const std::string& reader,
+                     const FileNumbers& numbers = {});
 
 /// @throws input::InputError  HDF5 and Gwyddion cannot read bytes in memory
 void require_file(const MapBytes& bytes);
@@ -108,12 +149,6 @@ void refuse_scale(const MapScale& scale, const std::string& name);
 ///                            one of a file, which has the number 1
 void refuse_channel(const ScanRequest& request, const std::string& channel,
                     const std::string& name);
-
-/// Makes those points missing that have the number of the case or the one that
-/// the header of the file names, to six digits, because files round it.
-/// @param heights  [m], set to NaN
-void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
-                        const std::optional<double>& missing_value);
 
 /// Checks the points per side and the lengths of a file before memory is
 /// allocated for them.

@@ -37,6 +37,13 @@ struct MapQuantity {
 void write_map(const std::filesystem::path& path, const HeightMap& map,
                const std::string& title, const MapQuantity& quantity = {});
 
+/// Returns a file with one channel, rows in the order of the map, lengths and
+/// heights in metres.
+/// @param title  of the channel, without NUL
+/// @see  Gwyddion User Guide, "Gwyddion Native Data File Format"
+std::string gwyddion_bytes(const HeightMap& map, const std::string& title,
+                           const std::string& unit = "m");
+
 /// The bytes of an X3P file and of a Gwyddion text matrix.
 std::string x3p_bytes(const HeightMap& map);
 std::string gwyddion_text(const HeightMap& map, const std::string& title,

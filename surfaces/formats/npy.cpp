@@ -97,50 +97,10 @@ double number_of(const char* bytes, bool is_swapped) {
   return static_cast<double>(std::bit_cast<Number>(kept));
 }
 
-/// Converts numbers.size() * layout.width bytes.
-void take_npy_numbers(const NpyLayout& layout, std::string_view bytes,
-                      std::span<double> numbers) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const char* at = bytes.data() + i * layout.width;
-    numbers[i] = layout.width == 8
-                     ? number_of<double, std::uint64_t>(at, layout.is_swapped)
-                     : number_of<float, std::uint32_t>(at, layout.is_swapped);
-  }
-}
-
-/// Whole rows of a file in Fortran order: a piece of each column. Columns of
-/// one page are read with those beside them, which costs less than to skip
-/// their other rows.
-std::vector<double> rows_by_column(const MapBytes& bytes,
-                                   const NpyLayout& layout, std::size_t first,
-                                   std::size_t count) {
-  constexpr std::size_t page_bytes = 4096;
-  const std::size_t column_bytes = layout.rows * layout.width;
-  const std::size_t at_a_time =
-      column_bytes > page_bytes ? 1 : piece_bytes / column_bytes;
-  std::vector<double> numbers(count * layout.columns);
-  std::vector<double> column(count);
-  for (std::size_t x = 0; x < layout.columns; x += at_a_time) {
-    const std::size_t n = std::min(at_a_time, layout.columns - x);
-    const std::string stored =
-        bytes.piece(layout.begin + x * column_bytes + first * layout.width,
-                    (n - 1) * column_bytes + count * layout.width);
-    for (std::size_t i = 0; i < n; ++i) {
-      take_npy_numbers(
-          layout, std::string_view(stored).substr(i * column_bytes), column);
-      for (std::size_t row = 0; row < count; ++row)
-        numbers[row * layout.columns + x + i] = column[row];
-    }
-  }
-  return numbers;
-}
-
 } // namespace
 
-NpyLayout npy_layout(const MapBytes& bytes) {
-  const std::string& name = bytes.name();
-  const std::string beginning = bytes.beginning();
-  const NpyParts parts = npy_parts(beginning, name);
+Matrix read_npy_text(std::string_view bytes, const std::string& name) {
+  const NpyParts parts = npy_parts(bytes, name);
   const std::string_view type = npy_value(parts.header, "descr", name);
   const bool is_double = type.ends_with("f8'");
   if (type.size() != 5 || (!is_double && !type.ends_with("f4'")))
@@ -162,35 +122,20 @@ NpyLayout npy_layout(const MapBytes& bytes) {
     refuse_npy(name, fmt::format("has the shape ({}) and {} bytes of numbers, "
                                  "which is not {} bytes for each",
                                  shape_text, data_bytes, width));
-  return {shape[0],
-          shape[1],
-          parts.begin,
-          width,
-          (type[1] == '>') == (std::endian::native == std::endian::little),
-          npy_value(parts.header, "fortran_order", name) == "True"};
-}
-
-std::vector<double> npy_rows(const MapBytes& bytes, const NpyLayout& layout,
-                             int first, int count) {
-  if (layout.is_by_column)
-    return rows_by_column(bytes, layout, static_cast<std::size_t>(first),
-                          static_cast<std::size_t>(count));
-  return StoredNumbers{bytes,
-                       layout.begin,
-                       layout.width,
-                       layout.columns,
-                       1.0,
-                       [&](std::string_view stored, std::span<double> numbers) {
-                         take_npy_numbers(layout, stored, numbers);
-                       }}
-      .rows(first, count);
-}
-
-Matrix read_npy_text(std::string_view bytes, const std::string& name) {
-  const MapBytes file(bytes, name);
-  const NpyLayout layout = npy_layout(file);
-  return {layout.rows, layout.columns,
-          npy_rows(file, layout, 0, static_cast<int>(layout.rows))};
+  const bool is_swapped =
+      (type[1] == '>') == (std::endian::native == std::endian::little);
+  const bool is_by_column =
+      npy_value(parts.header, "fortran_order", name) == "True";
+  Matrix matrix{shape[0], shape[1], std::vector<double>(count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* const at = bytes.data() + parts.begin + i * width;
+    const std::size_t place =
+        is_by_column ? i % matrix.rows * matrix.columns + i / matrix.rows : i;
+    matrix.numbers[place] =
+        is_double ? number_of<double, std::uint64_t>(at, is_swapped)
+                  : number_of<float, std::uint32_t>(at, is_swapped);
+  }
+  return matrix;
 }
 
 Matrix read_npy(const std::filesystem::path& path) {

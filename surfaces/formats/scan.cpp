@@ -7,39 +7,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace asperity::surfaces {
 namespace {
 
+/// Makes those points missing that have the number of the case or the one that
+/// the header of the file names, to six digits, because files round it.
+void mark_missing_values(Scan& scan,
+                         const std::optional<double>& missing_value) {
+  constexpr double rounding = 1.5e-6;
+  for (const std::optional<double>& number :
+       {missing_value, scan.numbers.missing})
+    if (number && std::isfinite(*number)) {
+      const double marked = *number * scan.numbers.unit;
+      for (double& height : scan.map.heights)
+        if (std::abs(height - marked) <= rounding * std::abs(marked))
+          height = std::nan("");
+    }
+}
+
 /// Only NaN is a point without a height: an infinite one is a mistake of the
 /// file, or its unit makes it overflow.
-/// @param first  row of the first height
-void refuse_infinite(const std::vector<double>& heights, int first, int width,
-                     const std::string& name) {
+void refuse_infinite(const HeightMap& map, const std::string& name) {
   const auto found = std::ranges::find_if(
-      heights, [](double height) { return std::isinf(height); });
-  if (found == heights.end())
+      map.heights, [](double height) { return std::isinf(height); });
+  if (found == map.heights.end())
     return;
-  const auto at = found - heights.begin();
+  const auto at = found - map.heights.begin();
   throw input::InputError(fmt::format(
       "{}: the height in row {}, column {} is infinite, but must be a finite "
       "number; write NaN at a point without a height",
-      name, first + at / width + 1, at % width + 1));
+      name, at / map.grid.points_x + 1, at % map.grid.points_x + 1));
 }
 
-OpenMap opened(const MapBytes& bytes, const ScanRequest& request) {
-  OpenMap map = reader_of_map(bytes, request.format).open(bytes, request);
-  map.rows = [rows = std::move(map.rows), numbers = map.numbers,
-              value = request.missing_value, width = map.grid.points_x,
-              name = bytes.name()](int first, int count) {
-    std::vector<double> heights = rows(first, count);
-    if (value || numbers.missing)
-      mark_missing_value(heights, numbers, value);
-    refuse_infinite(heights, first, width, name);
-    return heights;
-  };
-  return map;
+Scan scan_of(const MapBytes& bytes, const ScanRequest& request) {
+  Scan scan = format_of_map(bytes, request.format).heights(bytes, request);
+  mark_missing_values(scan, request.missing_value);
+  refuse_infinite(scan.map, bytes.name());
+  if (count_missing(scan) == scan.map.heights.size())
+    throw input::InputError(bytes.name() + ": all points are missing");
+  return scan;
 }
 
 } // namespace
@@ -49,37 +56,22 @@ std::size_t count_missing(const Scan& scan) {
       scan.map.heights, [](double height) { return std::isnan(height); }));
 }
 
-Scan scan_of_map(const OpenMap& map, const std::string& name) {
-  Scan scan{{map.grid, map.rows(0, map.grid.points_y)},
-            map.channel,
-            map.reader,
-            map.numbers};
-  if (count_missing(scan) == scan.map.heights.size())
-    throw input::InputError(name + ": all points are missing");
-  return scan;
-}
-
-OpenMap open_map(const std::string& path, const ScanRequest& request) {
-  return opened(MapBytes::of_file(path), request);
-}
-
 Scan read_scan_bytes(std::string_view bytes, const std::string& name,
                      const ScanRequest& request) {
-  return scan_of_map(opened({bytes, name}, request), name);
+  return scan_of({bytes, name}, request);
 }
 
 Scan read_scan(const std::string& path, const ScanRequest& request) {
-  return scan_of_map(open_map(path, request), path);
+  return scan_of(MapBytes::of_file(path), request);
 }
 
 std::vector<ChannelInfo> list_channels(const std::string& path) {
   const MapBytes bytes = MapBytes::of_file(path);
-  const MapReader& reader =
-      reader_of_map(bytes, mechanics::MapFormat::automatic);
-  if (reader.channels != nullptr)
-    return reader.channels(bytes);
-  const OpenMap map = reader.open(bytes, {});
-  return {{map.channel, "m", map.grid.points_x, map.grid.points_y}};
+  const MapFormat& format = format_of_map(bytes, "auto");
+  if (format.channels != nullptr)
+    return format.channels(bytes);
+  const Scan scan = format.heights(bytes, {});
+  return {{scan.channel, "m", scan.map.grid.points_x, scan.map.grid.points_y}};
 }
 
 } // namespace asperity::surfaces

@@ -3,10 +3,8 @@
 // Reads one channel of an instrument file of any supported format. It defines
 // what a reader returns and which questions it is asked.
 
-#include "mechanics/surface_spec.hpp"
 #include "surfaces/maps/height_map.hpp"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,7 +46,7 @@ struct Scan {
 
 /// What a case says about its map file.
 struct ScanRequest {
-  mechanics::MapFormat format = mechanics::MapFormat::automatic;
+  std::string format = "auto"; ///< the name of a MapFormat, or "auto"
   /// Title of the channel; empty: the only channel, or the first one that
   /// contains heights.
   std::optional<std::string> channel = {};
@@ -65,30 +63,14 @@ struct ChannelInfo {
   int points_y = 0;
 };
 
-/// A channel of a file whose rows can be read.
-struct OpenMap {
-  Grid grid;           ///< of the whole file
-  std::string channel; ///< title; may be empty
-  std::string reader;  ///< as Scan::reader
-  /// Returns whole rows in the order of the file [m], NaN at missing points.
-  /// Throws input::InputError if the file can no longer be read or a height is
-  /// infinite.
-  std::function<std::vector<double>(int first, int count)> rows;
-  FileNumbers numbers = {};
-};
-
 /// Number of missing points.
 std::size_t count_missing(const Scan& scan);
 
-/// Opens a channel of a file.
-/// @throws input::InputError  as read_scan(), unless all points are missing or
-///                            rows() cannot read the numbers
-OpenMap open_map(const std::string& path, const ScanRequest& request);
-
-/// Reads a channel of a file: all rows of open_map().
+/// Reads a channel of a file.
 /// @throws input::InputError  the file is not a regular file, too large, of an
 ///                            unknown format or malformed (with its line or the
-///                            part of the file), it has no such channel, or a
+///                            part of the file), it has no such channel, all
+///                            points are missing, a height is infinite, or a
 ///                            key of the case is missing or superfluous
 Scan read_scan(const std::string& path, const ScanRequest& request);
 

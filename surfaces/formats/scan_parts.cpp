@@ -1,43 +1,54 @@
+#include "base/file_bytes.hpp"
+#include "base/read_file.hpp"
 #include "base/require.hpp"
 #include "input/input_error.hpp"
+#include "input/input_file.hpp"
 #include "surfaces/formats/map_format.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <limits>
-#include <memory>
-#include <utility>
+#include <system_error>
 
 namespace asperity::surfaces {
 
-void mark_missing_value(std::span<double> heights, const FileNumbers& numbers,
-                        const std::optional<double>& missing_value) {
-  constexpr double rounding = 1.5e-6;
-  for (const std::optional<double>& number : {missing_value, numbers.missing})
-    if (number && std::isfinite(*number)) {
-      const double marked = *number * numbers.unit;
-      for (double& height : heights)
-        if (std::abs(height - marked) <= rounding * std::abs(marked))
-          height = std::numeric_limits<double>::quiet_NaN();
-    }
+MapBytes MapBytes::of_file(const std::string& path) {
+  constexpr std::uintmax_t most = std::uintmax_t{1} << 16;
+  try {
+    require_regular_file(path, input::largest_number_file);
+  } catch (const FileError& error) {
+    throw input::InputError(error.what());
+  }
+  const std::optional<FileBytes> file = FileBytes::of(path);
+  if (!file)
+    throw input::InputError(path + ": cannot be read (" +
+                            std::generic_category().message(errno) + ")");
+  MapBytes bytes({}, path);
+  bytes.is_file_ = true;
+  bytes.beginning_.resize(
+      static_cast<std::size_t>(std::min(most, file->size())));
+  bytes.beginning_.resize(file->read_some(0, bytes.beginning_));
+  return bytes;
 }
 
-OpenMap map_in_memory(const Grid& grid, std::vector<double> values,
-                      const std::string& reader, const FileNumbers& numbers) {
+std::string_view MapBytes::beginning() const {
+  return is_file_ ? std::string_view(beginning_) : all_;
+}
+
+std::string_view MapBytes::all() const {
+  if (is_file_ && read_ == nullptr)
+    read_ = std::make_shared<const std::string>(
+        input::read_input_file(name_, input::largest_number_file));
+  return is_file_ ? std::string_view(*read_) : all_;
+}
+
+Scan scan_of_numbers(const Grid& grid, std::vector<double> values,
+                     const std::string& reader, const FileNumbers& numbers) {
   for (double& value : values)
     value *= numbers.unit;
-  const auto heights =
-      std::make_shared<const std::vector<double>>(std::move(values));
-  OpenMap map{grid, "", reader, {}, numbers};
-  map.rows = [heights, grid](int first, int count) {
-    const auto begin =
-        heights->begin() + static_cast<std::ptrdiff_t>(grid.index(0, first));
-    return std::vector<double>(
-        begin, begin + static_cast<std::ptrdiff_t>(grid.index(0, count)));
-  };
-  return map;
+  return {{grid, std::move(values)}, "", reader, numbers};
 }
 
 void require_file(const MapBytes& bytes) {

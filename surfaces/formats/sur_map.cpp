@@ -165,59 +165,82 @@ void check_sur(const SurHeader& header, std::uintmax_t file_bytes,
         header.points, file_bytes));
 }
 
-/// Converts numbers to heights; those outside the range of the measured ones
-/// are special points: not measured (least - 2) or saturated.
+/// The heights; numbers outside the range of the measured ones are special
+/// points: not measured (least - 2) or saturated.
 template <class Number>
-void take_sur_heights(const SurHeader& header, std::string_view stored,
-                      std::span<double> heights) {
+std::vector<double> sur_heights(const SurHeader& header,
+                                std::string_view stored) {
   ByteReader bytes(stored, "");
   if (header.is_big_endian)
     bytes.expect_big_endian();
+  std::vector<double> heights(header.points);
   for (double& height : heights) {
     const auto number = bytes.take<Number>();
     height = header.has_special_points &&
                      (number < header.least || number > header.largest)
                  ? std::numeric_limits<double>::quiet_NaN()
-                 : header.step[sur_z] * number + header.height;
+                 : header.unit[sur_z] *
+                       (header.step[sur_z] * number + header.height);
   }
+  return heights;
 }
 
-} // namespace
-
-OpenMap open_sur(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_sur(const MapBytes& bytes, const ScanRequest& request) {
   const std::string& name = bytes.name();
-  const std::string beginning = bytes.beginning();
-  if (beginning.starts_with("DSCOMPRESSED"))
+  const std::string_view file = bytes.all();
+  if (file.starts_with("DSCOMPRESSED"))
     throw input::InputError(
         name + ": is a compressed Digital Surf file (DSCOMPRESSED), but only "
                "uncompressed ones (DIGITAL SURF) can be read; save it without "
                "compression");
-  if (!beginning.starts_with("DIGITAL SURF"))
+  if (!file.starts_with("DIGITAL SURF"))
     throw input::InputError(name + ": is no Digital Surf file: it does not "
                                    "begin with DIGITAL SURF");
-  const SurHeader header = sur_header(beginning, name);
-  check_sur(header, bytes.size(), name);
+  const SurHeader header = sur_header(file, name);
+  check_sur(header, file.size(), name);
   refuse_channel(request, "", name);
   refuse_scale(request.scale, name);
-  OpenMap map;
-  map.grid = {header.columns, header.rows,
-              header.unit[sur_x] * header.step[sur_x] * header.columns,
-              header.unit[sur_y] * header.step[sur_y] * header.rows};
-  require_sound_lengths(name, map.grid);
-  map.reader = "own reader of Digital Surf";
-  map.numbers.has_own_marks = true;
-  map.rows = [numbers = StoredNumbers{
-                  bytes, header.begin, header.width(),
-                  static_cast<std::size_t>(header.columns), header.unit[sur_z],
-                  [header](std::string_view stored, std::span<double> taken) {
-                    if (header.bits == 16)
-                      take_sur_heights<std::int16_t>(header, stored, taken);
-                    else
-                      take_sur_heights<std::int32_t>(header, stored, taken);
-                  }}](int first, int count) {
-    return numbers.rows(first, count);
-  };
-  return map;
+  const Grid grid{header.columns, header.rows,
+                  header.unit[sur_x] * header.step[sur_x] * header.columns,
+                  header.unit[sur_y] * header.step[sur_y] * header.rows};
+  require_sound_lengths(name, grid);
+  const std::string_view stored = file.substr(header.begin);
+  return scan_of_numbers(grid,
+                         header.bits == 16
+                             ? sur_heights<std::int16_t>(header, stored)
+                             : sur_heights<std::int32_t>(header, stored),
+                         "own reader of Digital Surf", {.has_own_marks = true});
+}
+
+/// Gwyddion takes the special points of Digital Surf files for heights.
+void refuse_special_points(const MapBytes& bytes) {
+  constexpr std::size_t place = 86;
+  const std::string_view beginning = bytes.beginning();
+  if (beginning.size() > place + 1 &&
+      (beginning[place] != '\0' || beginning[place + 1] != '\0'))
+    throw input::InputError(
+        bytes.name() +
+        ": its header announces special points, whose numbers Gwyddion "
+        "takes for heights; format = \"sur\" is our own reader");
+}
+
+} // namespace
+
+MapFormat sur_format() {
+  return {.name = "sur",
+          .words = {"Digital Surf", "`DIGITAL SURF`", "header",
+                    "numbers outside Zmin to Zmax if the header announces "
+                    "special points",
+                    "one"},
+          .reads =
+              [](std::string_view bytes) {
+                return bytes.starts_with("DIGITAL SURF") ||
+                       bytes.starts_with("DSCOMPRESSED");
+              },
+          .heights = read_sur,
+          .scales = FileScales::all,
+          .endings = {".sur"},
+          .before_conversion = refuse_special_points};
 }
 
 } // namespace asperity::surfaces

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <span>
 #include <utility>
 
 namespace asperity::surfaces {
@@ -86,26 +84,29 @@ WsxmHeader wsxm_header(std::string_view beginning, const std::string& name) {
 }
 
 template <class Number>
-void take_wsxm_numbers(std::string_view stored, std::span<double> numbers) {
+std::vector<double> wsxm_numbers(std::string_view stored) {
   ByteReader bytes(stored, "");
-  for (double& number : numbers)
-    number = static_cast<double>(bytes.take<Number>());
+  std::vector<double> numbers(stored.size() / sizeof(Number));
+  // The file begins with the last point of the last row.
+  for (std::size_t i = numbers.size(); i-- > 0;)
+    numbers[i] = static_cast<double>(bytes.take<Number>());
+  return numbers;
 }
 
 struct WsxmType {
   const char* name;
   std::size_t bytes;
   bool is_physical; ///< the numbers have the unit of the heights
-  void (*take)(std::string_view, std::span<double>);
+  std::vector<double> (*numbers)(std::string_view stored);
 };
 
 const WsxmType& wsxm_type(const WsxmHeader& header) {
   static constexpr WsxmType types[] = {
-      {"short", 2, false, take_wsxm_numbers<std::int16_t>},
-      {"", 2, false, take_wsxm_numbers<std::int16_t>}, // files before version 4
-      {"integer", 2, false, take_wsxm_numbers<std::int16_t>},
-      {"float", 4, true, take_wsxm_numbers<float>},
-      {"double", 8, true, take_wsxm_numbers<double>}};
+      {"short", 2, false, wsxm_numbers<std::int16_t>},
+      {"", 2, false, wsxm_numbers<std::int16_t>}, // files before version 4
+      {"integer", 2, false, wsxm_numbers<std::int16_t>},
+      {"float", 4, true, wsxm_numbers<float>},
+      {"double", 8, true, wsxm_numbers<double>}};
   const std::string key = "[General Info] Image Data Type";
   const std::string name = header.text(key);
   for (const WsxmType& type : types)
@@ -114,32 +115,19 @@ const WsxmType& wsxm_type(const WsxmHeader& header) {
   header.refuse(key, "short, integer, float or double");
 }
 
-/// The least and the largest number of a file.
-struct NumberRange {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -std::numeric_limits<double>::infinity();
-};
-
-NumberRange wsxm_range(const StoredNumbers& numbers, int rows) {
-  NumberRange range;
-  constexpr int at_a_time = 256;
-  for (int row = 0; row < rows; row += at_a_time)
-    for (const double number :
-         numbers.rows(row, std::min(at_a_time, rows - row)))
-      if (std::isfinite(number)) {
-        range.least = std::min(range.least, number);
-        range.largest = std::max(range.largest, number);
-      }
-  return range;
-}
-
 /// [m] per unit of the numbers. The header gives the difference of the largest
 /// and the least height.
 double wsxm_height_unit(const WsxmHeader& header, const WsxmType& type,
-                        const NumberRange& range) {
+                        const std::vector<double>& numbers) {
   const std::string key = "[General Info] Z Amplitude";
   const double amplitude = header.length(key);
-  const double difference = range.largest - range.least;
+  double least = HUGE_VAL, largest = -HUGE_VAL;
+  for (const double number : numbers)
+    if (std::isfinite(number)) {
+      least = std::min(least, number);
+      largest = std::max(largest, number);
+    }
+  const double difference = largest - least;
   if (!(difference > 0.0))
     throw input::InputError(header.name + ": all of its numbers are equal");
   if (!type.is_physical)
@@ -157,19 +145,17 @@ double wsxm_height_unit(const WsxmHeader& header, const WsxmType& type,
   return unit;
 }
 
-} // namespace
-
-OpenMap open_wsxm(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_wsxm(const MapBytes& bytes, const ScanRequest& request) {
   const std::string& name = bytes.name();
-  const std::string beginning = bytes.beginning();
-  if (!beginning.starts_with("WSxM file"))
+  const std::string_view file = bytes.all();
+  if (!file.starts_with("WSxM file"))
     throw input::InputError(name +
                             ": is no WSxM file: it does not begin with WSxM");
-  const WsxmHeader header = wsxm_header(beginning, name);
+  const WsxmHeader header = wsxm_header(bytes.beginning(), name);
   const WsxmType& type = wsxm_type(header);
   const std::int64_t columns = header.count("[General Info] Number of columns");
   const std::int64_t rows = header.count("[General Info] Number of rows");
-  const std::uintmax_t available = bytes.size() - header.begin;
+  const std::uintmax_t available = file.size() - header.begin;
   require_sound_grid(name, columns, rows, static_cast<double>(type.bytes),
                      available);
   if (available != static_cast<std::uintmax_t>(columns * rows) * type.bytes)
@@ -180,23 +166,28 @@ OpenMap open_wsxm(const MapBytes& bytes, const ScanRequest& request) {
         static_cast<std::uintmax_t>(columns * rows) * type.bytes));
   refuse_channel(request, "", name);
   refuse_scale(request.scale, name);
-  OpenMap map;
-  map.grid = {static_cast<int>(columns), static_cast<int>(rows),
-              header.length("[Control] X Amplitude"),
-              header.length("[Control] Y Amplitude")};
-  map.reader = "own reader of WSxM";
-  StoredNumbers numbers{bytes,      header.begin,
-                        type.bytes, static_cast<std::size_t>(columns),
-                        1.0,        type.take};
-  numbers.height_unit =
-      wsxm_height_unit(header, type, wsxm_range(numbers, map.grid.points_y));
-  // The file begins with the last point of the last row.
-  map.rows = [numbers, n_rows = map.grid.points_y](int first, int count) {
-    std::vector<double> heights = numbers.rows(n_rows - first - count, count);
-    std::ranges::reverse(heights);
-    return heights;
-  };
-  return map;
+  const Grid grid{static_cast<int>(columns), static_cast<int>(rows),
+                  header.length("[Control] X Amplitude"),
+                  header.length("[Control] Y Amplitude")};
+  std::vector<double> heights = type.numbers(file.substr(header.begin));
+  const double unit = wsxm_height_unit(header, type, heights);
+  for (double& height : heights)
+    height *= unit;
+  return scan_of_numbers(grid, std::move(heights), "own reader of WSxM");
+}
+
+} // namespace
+
+MapFormat wsxm_format() {
+  return {
+      .name = "wsxm",
+      .words = {"WSxM", "`WSxM file`", "header", "NaN", "one"},
+      .reads =
+          [](std::string_view bytes) { return bytes.starts_with("WSxM file"); },
+      .heights = read_wsxm,
+      .scales = FileScales::all,
+      .endings = {".stp", ".top", ".wsxm"},
+      .sides = {{"X Amplitude:", true}, {"Y Amplitude:", false}}};
 }
 
 } // namespace asperity::surfaces

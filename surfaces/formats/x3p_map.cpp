@@ -23,6 +23,18 @@
 #include <vector>
 
 namespace asperity::surfaces {
+namespace {
+
+/// The first child with this name, whatever its namespace prefix.
+pugi::xml_node child_named(const pugi::xml_node& parent,
+                           std::string_view name) {
+  for (const pugi::xml_node& node : parent.children()) {
+    const std::string_view full = node.name();
+    if (full.substr(full.rfind(':') + 1) == name)
+      return node;
+  }
+  return {};
+}
 
 /// One axis of Record1. A coordinate is offset + increment * n, where n is the
 /// number of the point or, if the axis is absolute, the stored number.
@@ -50,158 +62,125 @@ class X3pDocument {
 public:
   /// @param name  of the X3P file, for messages
   /// @throws input::InputError  the text is no XML
-  X3pDocument(const std::string& text, std::string name);
+  X3pDocument(const std::string& text, std::string name)
+      : name_(std::move(name)) {
+    const pugi::xml_parse_result parsed =
+        document_.load_buffer(text.data(), text.size());
+    if (!parsed)
+      refuse(fmt::format("byte {}: is no XML ({})", parsed.offset,
+                         parsed.description()));
+  }
 
   /// @throws input::InputError  the file is no surface with one layer, or an
   ///                            entry is missing or malformed
-  X3pHeader header() const;
+  X3pHeader header() const {
+    const std::string feature = needed_text("Record1/FeatureType");
+    if (feature != "SUR")
+      refuse(fmt::format("Record1/FeatureType is '{}', but must be SUR, a "
+                         "surface; profiles and point clouds are no maps",
+                         printable(feature)));
+    X3pHeader header;
+    header.x = axis("CX");
+    header.y = axis("CY");
+    header.z = axis("CZ");
+    if (!header.z.is_absolute)
+      refuse("the axis CZ must be absolute (A)");
+    if (!node_at("Record3/MatrixDimension"))
+      refuse("there is no MatrixDimension: the points are a list, not a map");
+    header.size_x = count_at("Record3/MatrixDimension/SizeX");
+    header.size_y = count_at("Record3/MatrixDimension/SizeY");
+    if (const auto layers = count_at("Record3/MatrixDimension/SizeZ");
+        layers != 1)
+      refuse(fmt::format("Record3/MatrixDimension/SizeZ is {}, but must be 1",
+                         layers));
+    return header;
+  }
 
   /// The text of an entry such as "Record3/DataLink/PointDataLink", whatever
   /// the namespace prefixes; "" if there is none.
-  std::string text_at(std::string_view path) const;
+  std::string text_at(std::string_view path) const {
+    return trimmed(node_at(path).child_value());
+  }
 
   /// The texts of the entries of an element; empty if there is none.
-  std::vector<std::string> texts_in(std::string_view path) const;
+  std::vector<std::string> texts_in(std::string_view path) const {
+    std::vector<std::string> texts;
+    for (const pugi::xml_node& node : node_at(path).children())
+      texts.push_back(trimmed(node.child_value()));
+    return texts;
+  }
 
   /// @throws input::InputError  "name: main.xml: what"
-  [[noreturn]] void refuse(const std::string& what) const;
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw input::InputError(fmt::format("{}: main.xml: {}", name_, what));
+  }
 
 private:
-  pugi::xml_node node_at(std::string_view path) const;
-  std::string needed_text(const std::string& path) const;
-  double number_at(const std::string& path, double otherwise) const;
-  std::int64_t count_at(const std::string& path) const;
-  X3pAxis axis(const std::string& name) const;
+  pugi::xml_node node_at(std::string_view path) const {
+    pugi::xml_node node = document_.document_element();
+    while (!path.empty()) {
+      const std::size_t end = std::min(path.find('/'), path.size());
+      node = child_named(node, path.substr(0, end));
+      path.remove_prefix(std::min(end + 1, path.size()));
+    }
+    return node;
+  }
+
+  std::string needed_text(const std::string& path) const {
+    std::string text = text_at(path);
+    if (text.empty())
+      refuse("there is no " + path);
+    return text;
+  }
+
+  double number_at(const std::string& path, double otherwise) const {
+    const std::string text = text_at(path);
+    if (text.empty())
+      return otherwise;
+    const double number = number_of_text(text);
+    if (!std::isfinite(number))
+      refuse(fmt::format("{} is '{}', but must be a finite number", path,
+                         printable(text)));
+    return number;
+  }
+
+  std::int64_t count_at(const std::string& path) const {
+    const std::string text = needed_text(path);
+    std::int64_t number = 0;
+    const auto [stop, error] =
+        std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || stop != text.data() + text.size())
+      refuse(fmt::format("{} is '{}', but must be a whole number", path,
+                         printable(text)));
+    return number;
+  }
+
+  X3pAxis axis(const std::string& name) const {
+    const std::string path = "Record1/Axes/" + name;
+    X3pAxis axis;
+    const std::string kind = needed_text(path + "/AxisType");
+    if (kind != "A" && kind != "I")
+      refuse(fmt::format("{}/AxisType is '{}', but must be A (absolute) or I "
+                         "(incremental)",
+                         path, printable(kind)));
+    axis.is_absolute = kind == "A";
+    const std::string type =
+        axis.is_absolute ? needed_text(path + "/DataType") : "D";
+    if (type != "I" && type != "L" && type != "F" && type != "D")
+      refuse(fmt::format("{}/DataType is '{}', but must be I, L, F or D", path,
+                         printable(type)));
+    axis.type = type[0];
+    axis.increment = number_at(path + "/Increment", 1.0);
+    axis.offset = number_at(path + "/Offset", 0.0);
+    if (axis.increment <= 0.0)
+      refuse(fmt::format("{}/Increment is {:.6g} m, but must be > 0", path,
+                         axis.increment));
+    return axis;
+  }
 
   pugi::xml_document document_;
   std::string name_;
 };
-
-namespace {
-
-/// The first child with this name, whatever its namespace prefix.
-pugi::xml_node child_named(const pugi::xml_node& parent,
-                           std::string_view name) {
-  for (const pugi::xml_node& node : parent.children()) {
-    const std::string_view full = node.name();
-    if (full.substr(full.rfind(':') + 1) == name)
-      return node;
-  }
-  return {};
-}
-
-} // namespace
-
-X3pDocument::X3pDocument(const std::string& text, std::string name)
-    : name_(std::move(name)) {
-  const pugi::xml_parse_result parsed =
-      document_.load_buffer(text.data(), text.size());
-  if (!parsed)
-    refuse(fmt::format("byte {}: is no XML ({})", parsed.offset,
-                       parsed.description()));
-}
-
-void X3pDocument::refuse(const std::string& what) const {
-  throw input::InputError(fmt::format("{}: main.xml: {}", name_, what));
-}
-
-pugi::xml_node X3pDocument::node_at(std::string_view path) const {
-  pugi::xml_node node = document_.document_element();
-  while (!path.empty()) {
-    const std::size_t end = std::min(path.find('/'), path.size());
-    node = child_named(node, path.substr(0, end));
-    path.remove_prefix(std::min(end + 1, path.size()));
-  }
-  return node;
-}
-
-std::string X3pDocument::text_at(std::string_view path) const {
-  return trimmed(node_at(path).child_value());
-}
-
-std::vector<std::string> X3pDocument::texts_in(std::string_view path) const {
-  std::vector<std::string> texts;
-  for (const pugi::xml_node& node : node_at(path).children())
-    texts.push_back(trimmed(node.child_value()));
-  return texts;
-}
-
-std::string X3pDocument::needed_text(const std::string& path) const {
-  std::string text = text_at(path);
-  if (text.empty())
-    refuse("there is no " + path);
-  return text;
-}
-
-double X3pDocument::number_at(const std::string& path, double otherwise) const {
-  const std::string text = text_at(path);
-  if (text.empty())
-    return otherwise;
-  const double number = number_of_text(text);
-  if (!std::isfinite(number))
-    refuse(fmt::format("{} is '{}', but must be a finite number", path,
-                       printable(text)));
-  return number;
-}
-
-std::int64_t X3pDocument::count_at(const std::string& path) const {
-  const std::string text = needed_text(path);
-  std::int64_t number = 0;
-  const auto [stop, error] =
-      std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || stop != text.data() + text.size())
-    refuse(fmt::format("{} is '{}', but must be a whole number", path,
-                       printable(text)));
-  return number;
-}
-
-X3pAxis X3pDocument::axis(const std::string& name) const {
-  const std::string path = "Record1/Axes/" + name;
-  X3pAxis axis;
-  const std::string kind = needed_text(path + "/AxisType");
-  if (kind != "A" && kind != "I")
-    refuse(fmt::format("{}/AxisType is '{}', but must be A (absolute) or I "
-                       "(incremental)",
-                       path, printable(kind)));
-  axis.is_absolute = kind == "A";
-  const std::string type =
-      axis.is_absolute ? needed_text(path + "/DataType") : "D";
-  if (type != "I" && type != "L" && type != "F" && type != "D")
-    refuse(fmt::format("{}/DataType is '{}', but must be I, L, F or D", path,
-                       printable(type)));
-  axis.type = type[0];
-  axis.increment = number_at(path + "/Increment", 1.0);
-  axis.offset = number_at(path + "/Offset", 0.0);
-  if (axis.increment <= 0.0)
-    refuse(fmt::format("{}/Increment is {:.6g} m, but must be > 0", path,
-                       axis.increment));
-  return axis;
-}
-
-X3pHeader X3pDocument::header() const {
-  const std::string feature = needed_text("Record1/FeatureType");
-  if (feature != "SUR")
-    refuse(fmt::format("Record1/FeatureType is '{}', but must be SUR, a "
-                       "surface; profiles and point clouds are no maps",
-                       printable(feature)));
-  X3pHeader header;
-  header.x = axis("CX");
-  header.y = axis("CY");
-  header.z = axis("CZ");
-  if (!header.z.is_absolute)
-    refuse("the axis CZ must be absolute (A)");
-  if (!node_at("Record3/MatrixDimension"))
-    refuse("there is no MatrixDimension: the points are a list, not a map");
-  header.size_x = count_at("Record3/MatrixDimension/SizeX");
-  header.size_y = count_at("Record3/MatrixDimension/SizeY");
-  if (const auto layers = count_at("Record3/MatrixDimension/SizeZ");
-      layers != 1)
-    refuse(fmt::format("Record3/MatrixDimension/SizeZ is {}, but must be 1",
-                       layers));
-  return header;
-}
-
-namespace {
 
 /// Where main.xml names the members with the points.
 const std::string x3p_link_path = "Record3/DataLink/";
@@ -252,14 +231,14 @@ public:
         document_(document),
         header_(document.header()) {}
 
-  OpenMap map() {
+  Scan scan() {
     if (document_.text_at(x3p_link_path + "PointDataLink").empty())
       take_listed_points();
     else
       take_stored_points();
     const Grid found = grid(); // asks which heights are missing
-    return map_in_memory(found, std::move(points_.z), "own reader of X3P",
-                         {.has_own_marks = true});
+    return scan_of_numbers(found, std::move(points_.z), "own reader of X3P",
+                           {.has_own_marks = true});
   }
 
 private:
@@ -442,9 +421,12 @@ private:
   X3pPoints points_;
 };
 
-} // namespace
+bool is_x3p(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") &&
+         bytes.find("main.xml") != std::string_view::npos;
+}
 
-OpenMap open_x3p(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_x3p(const MapBytes& bytes, const ScanRequest& request) {
   const std::string& name = bytes.name();
   refuse_scale(request.scale, name);
   refuse_channel(request, "", name);
@@ -454,7 +436,19 @@ OpenMap open_x3p(const MapBytes& bytes, const ScanRequest& request) {
   const X3pDocument document(text, name);
   X3pReader reader(name, archive, document);
   compare_sum_of_document(name, archive, text, document);
-  return reader.map();
+  return reader.scan();
+}
+
+} // namespace
+
+MapFormat x3p_format() {
+  return {.name = "x3p",
+          .words = {"ISO 5436-2", "zip archive with `main.xml`",
+                    "`main.xml` [m]",
+                    "file of valid points; NaN; empty `Datum`", "one"},
+          .reads = is_x3p,
+          .heights = read_x3p,
+          .scales = FileScales::all};
 }
 
 } // namespace asperity::surfaces

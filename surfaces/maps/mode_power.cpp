@@ -1,12 +1,13 @@
 #include "surfaces/maps/mode_power.hpp"
 
-#include "base/fourier.hpp"
 #include "base/pair_transforms.hpp"
 #include "base/parallel_rows.hpp"
 #include "ranks/convolution.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <memory>
+#include <vector>
 
 namespace asperity::surfaces {
 namespace {
@@ -68,12 +69,6 @@ private:
 };
 
 } // namespace
-
-std::vector<std::complex<double>> modes_of(const HeightMap& map) {
-  std::vector<std::complex<double>> modes(map.grid.half_spectrum_size());
-  RealFourier(map.grid).forward(map.heights, modes);
-  return modes;
-}
 
 void each_column(
     const HeightMap& map,

@@ -6,20 +6,11 @@
 #include "surfaces/maps/height_map.hpp"
 
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <vector>
 
 namespace asperity::surfaces {
-
-/// The modes q and -q of a map, or one mode that equals its opposite.
-struct ModePower {
-  double wavevector = 0.0; ///< |q| [rad/m] > 0
-  double power = 0.0;      ///< sum of |a_q|^2 over these modes [m^2]
-  int modes = 0;           ///< number of modes, 1 or 2
-};
 
 /// |q| of mode (jx, jy) of the half spectrum of a grid [rad/m]; equal for
 /// (jx, jy) and (jx, points_y - jy).
@@ -29,13 +20,19 @@ inline double mode_wavevector(const Grid& grid, int jx, int jy) {
       wavevector(signed_wavenumber(jy, grid.points_y), grid.length_y));
 }
 
-/// The transform of the heights of a map, in the order of
-/// Grid::half_spectrum_size.
-std::vector<std::complex<double>> modes_of(const HeightMap& map);
-
 /// Calls take(jx, power) for columns jx of the half spectrum of a map, with the
-/// power of its modes jy = 0..points_y-1, as for_each_mode() does, and 0 for
-/// q = 0.
+/// power of its modes jy = 0..points_y-1: that of both modes of a pair q, -q of
+/// which the half spectrum has one, and 0 for q = 0. With
+///
+///     a_q = (1/N) sum_x h(x) exp(-i q.x),
+///     sum_{q != 0} |a_q|^2 = <h^2> - <h>^2
+///
+/// The second line, Parseval's theorem over the nodes, holds to roundoff. A
+/// Nyquist mode, of wavenumber n/2 along a side of even n, represents +n/2 and
+/// -n/2 alike: its whole power is counted once, under |q| with pi/spacing along
+/// that side, which is the same for both. Slopes and curvatures computed from
+/// q^2 |a_q|^2 thus include it with this wavevector. Realised random surfaces
+/// have no Nyquist modes; in measured maps they are noise.
 void each_column(
     const HeightMap& map,
     const std::function<void(int jx, std::span<const double> power)>& take);
@@ -51,34 +48,6 @@ void each_column(
 /// and an even Nyquist column hold both modes of a pair.
 inline int modes_in_column(const Grid& grid, int jx) {
   return jx == 0 || 2 * jx == grid.points_x ? 1 : 2;
-}
-
-/// Calls `take` once for each pair q, -q of the map except q = 0, row by row of
-/// the half spectrum, with
-///
-///     a_q = (1/N) sum_x h(x) exp(-i q.x),
-///     sum_{q != 0} |a_q|^2 = <h^2> - <h>^2
-///
-/// The second line, Parseval's theorem over the nodes, holds to roundoff. A
-/// Nyquist mode, of wavenumber n/2 along a side of even n, represents +n/2 and
-/// -n/2 alike: its whole power is counted once, under |q| with pi/spacing along
-/// that side, which is the same for both. Slopes and curvatures computed from
-/// q^2 |a_q|^2 thus include it with this wavevector. Realised random surfaces
-/// have no Nyquist modes; in measured maps they are noise.
-template <class Take>
-void for_each_mode(const HeightMap& map, const Take& take) {
-  const Grid& grid = map.grid;
-  const std::vector<std::complex<double>> modes = modes_of(map);
-  const auto count = static_cast<double>(grid.size());
-  std::size_t at = 0;
-  for (int jy = 0; jy < grid.points_y; ++jy)
-    for (int jx = 0; jx <= grid.points_x / 2; ++jx, ++at) {
-      if (jx == 0 && jy == 0)
-        continue;
-      const int pair = modes_in_column(grid, jx);
-      take(ModePower{mode_wavevector(grid, jx, jy),
-                     pair * std::norm(modes[at] / count), pair});
-    }
 }
 
 } // namespace asperity::surfaces

@@ -4,9 +4,9 @@
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -17,7 +17,6 @@ namespace {
 constexpr double exact_up_to = 8.0; // in units of the smallest |q|
 constexpr double resolution = 1e-7; // relative difference of distinct |q|
 constexpr std::int64_t first_logarithmic = 1'000'000'000;
-constexpr std::int64_t no_shell = -1; // below every shell
 
 /// The index of a shell, ascending with |q|.
 /// @param reduced_wavevector  |q| in units of the smallest one, >= 1
@@ -35,23 +34,8 @@ struct Sums {
   int modes = 0;
 };
 
-void require_width(double relative_width) {
-  require_between("relative_width", relative_width, 1e-6, 1e3, "1");
-}
-
 double smallest_wavevector(const Grid& grid) {
   return wavevector(1, std::max(grid.length_x, grid.length_y));
-}
-
-/// @param total  sum of the power of all shells
-std::vector<Shell> shells_with_power(const std::vector<Sums>& sums,
-                                     double total) {
-  std::vector<Shell> shells;
-  for (const Sums& sum : sums)
-    if (sum.power > 1e-28 * total)
-      shells.push_back(
-          {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
-  return shells;
 }
 
 /// What a column of the half spectrum adds to a shell.
@@ -110,101 +94,48 @@ std::vector<std::int64_t> shells_of(const Grid& grid, double relative_width) {
   return numbers;
 }
 
-/// Adds the shells of a column to those of all.
-void add_column(const std::vector<std::int64_t>& numbers,
-                const std::vector<ColumnShell>& column,
-                std::vector<Sums>& sums) {
-  for (const ColumnShell& shell : column) {
-    const auto place = std::ranges::lower_bound(numbers, shell.number);
-    Sums& sum = sums[static_cast<std::size_t>(place - numbers.begin())];
-    sum.power += shell.sums.power;
-    sum.square_slope += shell.sums.square_slope;
-    sum.modes += shell.sums.modes;
-  }
-}
-
-double power_of_all(const std::vector<Sums>& sums) {
+/// The shells of all columns.
+/// @param each  each(take) calls take(jx, power) in the order of the columns
+template <class EachColumn>
+std::vector<Shell> shells_of_columns(const Grid& grid, double relative_width,
+                                     const EachColumn& each) {
+  require_between("relative_width", relative_width, 1e-6, 1e3, "1");
+  const std::vector<std::int64_t> numbers = shells_of(grid, relative_width);
+  std::vector<Sums> sums(numbers.size());
+  each([&](int jx, std::span<const double> power) {
+    for (const ColumnShell& shell :
+         column_shells(grid, jx, power, relative_width)) {
+      const auto place = std::ranges::lower_bound(numbers, shell.number);
+      Sums& sum = sums[static_cast<std::size_t>(place - numbers.begin())];
+      sum.power += shell.sums.power;
+      sum.square_slope += shell.sums.square_slope;
+      sum.modes += shell.sums.modes;
+    }
+  });
   double total = 0.0;
   for (const Sums& sum : sums)
     total += sum.power;
-  return total;
+  std::vector<Shell> shells;
+  for (const Sums& sum : sums)
+    if (sum.power > 1e-28 * total)
+      shells.push_back(
+          {std::sqrt(sum.square_slope / sum.power), sum.power, sum.modes});
+  return shells;
 }
 
 } // namespace
 
-ModeShells::ModeShells(const Grid& grid, double relative_width) : grid_(grid) {
-  require_width(relative_width);
-  const double longest = smallest_wavevector(grid);
-  // Rows jy and points_y - jy have the same wavevectors.
-  const int n_columns = grid.points_x / 2 + 1;
-  std::vector<std::int64_t> numbers;
-  for (int jy = 0; jy <= grid.points_y / 2; ++jy)
-    for (int jx = 0; jx < n_columns; ++jx)
-      numbers.push_back(
-          jx == 0 && jy == 0
-              ? no_shell
-              : shell_number(mode_wavevector(grid, jx, jy) / longest,
-                             relative_width));
-  std::vector<std::int64_t> distinct(numbers.begin() + 1, numbers.end());
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-  n_shells_ = distinct.size();
-  std::vector<std::int32_t> places; // of the modes of these rows
-  places.reserve(numbers.size());
-  for (const std::int64_t number : numbers)
-    places.push_back(static_cast<std::int32_t>(
-        std::lower_bound(distinct.begin(), distinct.end(), number) -
-        distinct.begin()));
-  for (int jy = 0; jy < grid.points_y; ++jy) {
-    const auto row =
-        places.begin() +
-        std::ptrdiff_t{std::min(jy, grid.points_y - jy)} * n_columns;
-    shell_.insert(shell_.end(), row + (jy == 0 ? 1 : 0), row + n_columns);
-  }
-}
-
-std::vector<Shell> ModeShells::of(const HeightMap& map) const {
-  assert(map.grid == grid_);
-  std::vector<Sums> sums(n_shells_);
-  double total = 0.0;
-  auto shell = shell_.begin();
-  for_each_mode(map, [&](const ModePower& mode) {
-    Sums& own = sums[static_cast<std::size_t>(*shell++)];
-    own.power += mode.power;
-    own.square_slope += mode.wavevector * mode.wavevector * mode.power;
-    own.modes += mode.modes;
-    total += mode.power;
-  });
-  return shells_with_power(sums, total);
-}
-
 std::vector<Shell> spectral_shells(const HeightMap& map,
                                    double relative_width) {
-  require_width(relative_width);
-  const std::vector<std::int64_t> numbers = shells_of(map.grid, relative_width);
-  std::vector<std::vector<ColumnShell>> columns(
-      map.grid.half_spectrum_columns());
-  each_column(map, [&](int jx, std::span<const double> power) {
-    columns[static_cast<std::size_t>(jx)] =
-        column_shells(map.grid, jx, power, relative_width);
-  });
-  std::vector<Sums> sums(numbers.size());
-  for (const std::vector<ColumnShell>& column : columns)
-    add_column(numbers, column, sums);
-  return shells_with_power(sums, power_of_all(sums));
+  return shells_of_columns(map.grid, relative_width,
+                           [&](const auto& take) { each_column(map, take); });
 }
 
 std::vector<Shell> spectral_shells(const Grid& grid, const HeightRows& heights,
                                    int threads, double relative_width) {
-  require_width(relative_width);
-  const std::vector<std::int64_t> numbers = shells_of(grid, relative_width);
-  std::vector<Sums> sums(numbers.size());
-  each_column(
-      grid, heights, threads, [&](int jx, std::span<const double> power) {
-        add_column(numbers, column_shells(grid, jx, power, relative_width),
-                   sums);
-      });
-  return shells_with_power(sums, power_of_all(sums));
+  return shells_of_columns(grid, relative_width, [&](const auto& take) {
+    each_column(grid, heights, threads, take);
+  });
 }
 
 double shell_density(const Shell& shell, const Grid& grid) {

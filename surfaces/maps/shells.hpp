@@ -6,7 +6,6 @@
 #include "surfaces/maps/height_map.hpp"
 #include "surfaces/maps/isotropic_spectrum.hpp"
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,31 +25,13 @@ struct Shell {
   int modes = 0;                   ///< number of modes, q and -q both counted
 };
 
-/// The shells of the modes of a grid, found once for all maps on it.
-///
-/// Up to 8 times the smallest wavevector of the cell every distinct |q| has its
-/// own shell; above, the shells are equal steps of ln q, the same for every
-/// grid of these lengths: about 200 in total for 1024 points per side.
-class ModeShells {
-public:
-  /// @param relative_width  the step of ln q [1] > 0
-  /// @throws std::domain_error  relative_width is outside its range
-  explicit ModeShells(const Grid& grid, double relative_width = 0.025);
-
-  const Grid& grid() const { return grid_; }
-
-  /// Shells in order of ascending wavevector. Shells without power (below 1e-28
-  /// of the total, which is roundoff) are omitted.
-  /// @param map  on this grid
-  std::vector<Shell> of(const HeightMap& map) const;
-
-private:
-  Grid grid_;
-  std::size_t n_shells_ = 0;
-  std::vector<std::int32_t> shell_; ///< of each mode but q = 0
-};
-
-/// The shells of ModeShells(map.grid, relative_width).of(map) to roundoff.
+/// The shells of a map in order of ascending wavevector. Up to 8 times the
+/// smallest wavevector of the cell every distinct |q| has its own shell; above,
+/// the shells are equal steps of ln q, the same for every grid of these
+/// lengths: about 200 in total for 1024 points per side. Shells without power
+/// (below 1e-28 of the total, which is roundoff) are omitted.
+/// @param relative_width  the step of ln q [1] > 0
+/// @throws std::domain_error  relative_width is outside its range
 std::vector<Shell> spectral_shells(const HeightMap& map,
                                    double relative_width = 0.025);
 

@@ -1,55 +1,52 @@
 #include "surfaces/maps/statistics.hpp"
 
-#include "base/require.hpp"
 #include "surfaces/maps/mode_power.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace asperity::surfaces {
 namespace {
-
-/// Sums of powers of the heights above their mean.
-struct Powers {
-  double square = 0.0, cube = 0.0, fourth = 0.0;
-};
 
 /// Sums over the modes of a column.
 struct ColumnSums {
   double square_slope = 0.0, square_laplacian = 0.0;
 };
 
-Powers powers_of(const HeightMap& map, double mean) {
-  Powers sum;
-  for (const double node : map.heights) {
-    const double height = node - mean;
-    sum.square += height * height;
-    sum.cube += height * height * height;
-    sum.fourth += height * height * height * height;
-  }
-  return sum;
-}
-
-/// Adds moments and extreme values, which need no transform.
-void add_heights(const HeightMap& map, Statistics& result) {
-  const auto count = static_cast<double>(map.grid.size());
-  const double mean = mean_height(map);
-  const Powers sums = powers_of(map, mean);
-  const double square = sums.square / count;
-  result.rms_height = std::sqrt(square);
-  result.skewness = sums.cube / count / (square * result.rms_height);
-  result.kurtosis = sums.fourth / count / (square * square);
-  const auto [lowest, highest] =
-      std::minmax_element(map.heights.begin(), map.heights.end());
-  result.lowest = *lowest - mean;
-  result.highest = *highest - mean;
-}
-
 } // namespace
 
+HeightMoments moments_of(std::span<const double> heights) {
+  const auto count = static_cast<double>(heights.size());
+  HeightMoments found;
+  found.mean = std::accumulate(heights.begin(), heights.end(), 0.0) / count;
+  double square = 0.0, cube = 0.0, fourth = 0.0;
+  for (const double node : heights) {
+    const double height = node - found.mean;
+    found.mean_magnitude += std::abs(height);
+    square += height * height;
+    cube += height * height * height;
+    fourth += height * height * height * height;
+  }
+  square /= count;
+  found.mean_magnitude /= count;
+  found.rms = std::sqrt(square);
+  found.skewness = cube / count / (square * found.rms);
+  found.kurtosis = fourth / count / (square * square);
+  const auto [lowest, highest] = std::ranges::minmax_element(heights);
+  found.lowest = *lowest - found.mean;
+  found.highest = *highest - found.mean;
+  return found;
+}
+
 Statistics statistics(const HeightMap& map) {
-  Statistics result;
-  add_heights(map, result);
+  const HeightMoments heights = moments_of(map.heights);
+  Statistics result{.rms_height = heights.rms,
+                    .skewness = heights.skewness,
+                    .kurtosis = heights.kurtosis,
+                    .highest = heights.highest,
+                    .lowest = heights.lowest};
   const Grid& grid = map.grid;
   std::vector<ColumnSums> columns(grid.half_spectrum_columns());
   each_column(map, [&](int jx, std::span<const double> power) {
@@ -68,11 +65,6 @@ Statistics statistics(const HeightMap& map) {
   result.rms_slope = std::sqrt(sums.square_slope);
   result.rms_curvature = 0.5 * std::sqrt(sums.square_laplacian);
   return result;
-}
-
-double rms_height(const HeightMap& map) {
-  const Powers sums = powers_of(map, mean_height(map));
-  return std::sqrt(sums.square / static_cast<double>(map.grid.size()));
 }
 
 } // namespace asperity::surfaces

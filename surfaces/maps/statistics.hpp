@@ -5,9 +5,22 @@
 
 #include "surfaces/maps/height_map.hpp"
 
-#include <vector>
+#include <span>
 
 namespace asperity::surfaces {
+
+/// Averages of heights above their mean.
+struct HeightMoments {
+  double mean = 0.0;           ///< [m]
+  double mean_magnitude = 0.0; ///< <|h|> [m]
+  double rms = 0.0;            ///< sqrt <h^2> [m]
+  double skewness = 0.0;       ///< <h^3>/<h^2>^(3/2) [1], NaN if all are equal
+  double kurtosis = 0.0;       ///< <h^4>/<h^2>^2 [1], NaN if all are equal
+  double highest = 0.0;        ///< max h - <h> [m]
+  double lowest = 0.0;         ///< min h - <h> [m]
+};
+
+HeightMoments moments_of(std::span<const double> heights);
 
 /// Averages over the nodes, with <h> subtracted; a_q are the Fourier
 /// coefficients of the map (mode_power.hpp explains how Nyquist modes are
@@ -29,8 +42,5 @@ struct Statistics {
 };
 
 Statistics statistics(const HeightMap& map);
-
-/// sqrt <h^2> above the mean [m], with the bits of statistics().
-double rms_height(const HeightMap& map);
 
 } // namespace asperity::surfaces

@@ -74,7 +74,7 @@ TEST(SurfaceKinds, ReadAMapBesideTheCase) {
                  "height_unit = \"1 nm\"\n");
 
   EXPECT_EQ(map.file, "cases/it/map.txt");
-  EXPECT_EQ(map.format, mechanics::MapFormat::plain);
+  EXPECT_EQ(map.format, "plain");
   EXPECT_EQ(map.level, mechanics::Levelling::bow);
   EXPECT_EQ(map.edges, mechanics::Edges::mirror);
   EXPECT_EQ(map.length, 20e-6);
@@ -274,8 +274,6 @@ TEST(SurfaceKinds, AreWordsInTheOrderOfTheEnumerations) {
             "wave-2d");
   EXPECT_EQ(word("surface", "amplitudes", mechanics::Amplitudes::gaussian),
             "gaussian");
-  EXPECT_EQ(word("surface", "format", mechanics::MapFormat::automatic), "auto");
-  EXPECT_EQ(word("surface", "format", mechanics::MapFormat::plain), "plain");
   EXPECT_EQ(word("surface", "level", mechanics::Levelling::plane), "plane");
   EXPECT_EQ(word("surface", "edges", mechanics::Edges::window), "window");
   EXPECT_EQ(word("surface", "edges", mechanics::Edges::free), "free");

@@ -1,9 +1,8 @@
 // Analyses maps of any heights and spacings as `asperity surface` does: the
 // numbers are finite where they must be, or the map is refused with a reason.
 #include "input/input_error.hpp"
-#include "reports/surface/surface_json.hpp"
+#include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_report.hpp"
-#include "reports/surface/surface_text.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,8 @@
-// Reads any bytes as a map file of each format that is read from memory: the
-// result is heights on a grid, finite or missing, or an InputError.
+// Reads any bytes as a map file, recognised and by each format of the list: the
+// result is heights on a grid, finite or missing, or an InputError. HDF5 and
+// the program Gwyddion refuse bytes in memory.
 #include "input/input_error.hpp"
-#include "surfaces/formats/scan.hpp"
+#include "surfaces/formats/map_format.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace asperity::fuzz {
 namespace {
 
-void read_as(const std::string& bytes, mechanics::MapFormat format,
+void read_as(const std::string& bytes, const std::string& format,
              const surfaces::MapScale& scale) {
   try {
     const surfaces::Scan scan =
@@ -32,9 +33,10 @@ void read_as(const std::string& bytes, mechanics::MapFormat format,
 } // namespace
 
 void read_input(const std::string& bytes) {
-  read_as(bytes, mechanics::MapFormat::automatic, {});
-  read_as(bytes, mechanics::MapFormat::automatic, {1e-6, 1e-9, {}, {}});
-  read_as(bytes, mechanics::MapFormat::xyz, {{}, 1e-9, {}, 1e-6});
+  for (const char* const format : surfaces::map_format_names())
+    for (const surfaces::MapScale& scale :
+         {surfaces::MapScale{}, {1e-6, 1e-9, {}, {}}, {{}, 1e-9, {}, 1e-6}})
+      read_as(bytes, format, scale);
 }
 
 } // namespace asperity::fuzz

@@ -21,7 +21,7 @@ protected:
     }
     measured.surface.kind = mechanics::SurfaceKind::measured;
     measured.surface.file = (folder / "map.txt").string();
-    measured.surface.format = mechanics::MapFormat::plain;
+    measured.surface.format = "plain";
     measured.surface.length = 1e-6;
     measured.surface.height_unit = 1e-9;
   }

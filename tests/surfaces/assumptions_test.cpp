@@ -22,6 +22,18 @@ HeightMap wave(int n) {
   return map;
 }
 
+HeightRows rows_of(const HeightMap& map) {
+  return [&map](const auto& take) { take(map.heights); };
+}
+
+double unresolved_share(const HeightMap& map) {
+  return unresolved_slope_share(map.grid, rows_of(map));
+}
+
+double offset_ratio(const HeightMap& map) {
+  return line_offset_ratio(map.grid, rows_of(map));
+}
+
 // A wave of four nodes is resolved and one of 64/17 nodes is not; for both at
 // equal height the unresolved fraction is that of q^2. Tolerance: roundoff of a
 // transform.
@@ -31,15 +43,11 @@ TEST(UnresolvedSlope, CountsWavesOfFewerThanFourNodes) {
   for (std::size_t i = 0; i < both.heights.size(); ++i)
     both.heights[i] += shorter.heights[i];
 
-  EXPECT_LT(unresolved_slope_share(wave(16)), 1e-20);
-  EXPECT_NEAR(unresolved_slope_share(shorter), 1.0, 1e-14);
-  EXPECT_NEAR(unresolved_slope_share(both),
-              17.0 * 17.0 / (16.0 * 16.0 + 17.0 * 17.0), 1e-14);
-  EXPECT_TRUE(std::isnan(unresolved_slope_share(wave(0))));
-}
-
-HeightRows rows_of(const HeightMap& map) {
-  return [&map](const auto& take) { take(map.heights); };
+  EXPECT_LT(unresolved_share(wave(16)), 1e-20);
+  EXPECT_NEAR(unresolved_share(shorter), 1.0, 1e-14);
+  EXPECT_NEAR(unresolved_share(both), 17.0 * 17.0 / (16.0 * 16.0 + 17.0 * 17.0),
+              1e-14);
+  EXPECT_TRUE(std::isnan(unresolved_share(wave(0))));
 }
 
 HeightMap white_noise(const Grid& grid, unsigned seed) {
@@ -56,7 +64,7 @@ HeightMap white_noise(const Grid& grid, unsigned seed) {
 // Tolerance: three standard errors of the 256^2 modes, and 1 % for the modes on
 // the boundary of the disc.
 TEST(UnresolvedSlope, OfWhiteNoiseIsThatOfTheSquare) {
-  EXPECT_NEAR(unresolved_slope_share(white_noise({256, 256, 1.0, 1.0}, 1)),
+  EXPECT_NEAR(unresolved_share(white_noise({256, 256, 1.0, 1.0}, 1)),
               1.0 - std::numbers::pi / 32.0 / (8.0 / 3.0), 0.01);
 }
 
@@ -80,8 +88,8 @@ mechanics::SurfaceSpec self_affine(double hurst, int points) {
 TEST(LineOffset, IsOneOfAnIsotropicSurface) {
   for (const double hurst : {0.3, 0.8, 1.0})
     for (int realization = 0; realization < 20; ++realization) {
-      const double ratio = line_offset_ratio(
-          build_surface(self_affine(hurst, 128), realization));
+      const double ratio =
+          offset_ratio(build_surface(self_affine(hurst, 128), realization));
       EXPECT_GT(ratio, 0.5) << hurst << ", " << realization;
       EXPECT_LT(ratio, 2.0) << hurst << ", " << realization;
     }
@@ -102,16 +110,16 @@ TEST(LineOffset, DetectsShiftedLines) {
       turned.heights[map.grid.index(iy, ix)] += shift;
     }
   }
-  const double ratio = line_offset_ratio(map);
+  const double ratio = offset_ratio(map);
   EXPECT_GT(ratio, 5.0);
-  EXPECT_LT(line_offset_ratio(turned), 0.2);
+  EXPECT_LT(offset_ratio(turned), 0.2);
 
   for (int iy = 0; iy < 128; ++iy)
     for (int ix = 0; ix < 128; ++ix)
       map.heights[map.grid.index(ix, iy)] += 1e-7 * iy + 3e-7 * ix;
-  EXPECT_NEAR(line_offset_ratio(map) / ratio, 1.0, 1e-6);
-  EXPECT_TRUE(std::isnan(line_offset_ratio({{2, 2, 1.0, 1.0}, {0, 1, 2, 3}})));
-  EXPECT_TRUE(std::isnan(line_offset_ratio(wave(3))));
+  EXPECT_NEAR(offset_ratio(map) / ratio, 1.0, 1e-6);
+  EXPECT_TRUE(std::isnan(offset_ratio({{2, 2, 1.0, 1.0}, {0, 1, 2, 3}})));
+  EXPECT_TRUE(std::isnan(offset_ratio(wave(3))));
 }
 
 // Heights of 1 nm beside an offset of 10 mm, in single precision as a file has

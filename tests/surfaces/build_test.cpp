@@ -97,23 +97,6 @@ TEST(BuildSurface, DrawsRealizationsOnlyOfRandomKinds) {
             build_surface(surface, 1).heights);
 }
 
-TEST(BuildSurface, MakesTheExactShapes) {
-  SurfaceSpec surface = self_affine();
-  surface.amplitude = 1e-8;
-  surface.wavelength = 5e-6;
-  surface.radius = 1e-3;
-
-  surface.kind = SurfaceKind::wave_1d;
-  EXPECT_NEAR(statistics(build_surface(surface, 0)).rms_height,
-              1e-8 / std::sqrt(2.0), 1e-21);
-  surface.kind = SurfaceKind::wave_2d;
-  EXPECT_NEAR(statistics(build_surface(surface, 0)).rms_height, 0.5e-8, 1e-21);
-  surface.kind = SurfaceKind::sphere;
-  const HeightMap map = build_surface(surface, 0);
-  EXPECT_NEAR(map.heights[map.grid.index(32, 32)], statistics(map).highest,
-              1e-22);
-}
-
 // A rough ball is the sum of the roughness and of a paraboloid, -r^2/(2 R) from
 // the highest point of the form, on every grid.
 TEST(BuildSurface, LaysRoughnessOnItsForm) {

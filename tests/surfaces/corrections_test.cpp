@@ -1,7 +1,6 @@
-// Tests of surfaces/maps/corrections.hpp and missing_points.hpp: cropping, scan
+// Tests of surfaces/maps/corrections.hpp: cropping, scan
 // lines, spikes and the filling of missing points.
 #include "surfaces/maps/corrections.hpp"
-#include "surfaces/maps/missing_points.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "surfaces/formats/scan.hpp"
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
+#include "tests/surfaces/map_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,7 @@ using namespace tests_of_formats;
 
 Scan gwy_scan(const std::string& bytes,
               const std::optional<std::string>& channel = {}) {
-  return read_scan_bytes(bytes, "map.gwy",
-                         {mechanics::MapFormat::automatic, channel, {}});
+  return read_scan_bytes(bytes, "map.gwy", {"auto", channel, {}});
 }
 
 std::string gwy_refusal(const std::string& bytes,
@@ -125,8 +124,7 @@ TEST(GwyScan, RefusesSizesThatDoNotAgree) {
 TEST(GwyScan, TakesUnitsThatTheFileLacks) {
   const auto with = [](const std::string& bytes, const MapScale& scale,
                        const std::optional<std::string>& channel = {}) {
-    return read_scan_bytes(bytes, "map.gwy",
-                           {mechanics::MapFormat::automatic, channel, scale});
+    return read_scan_bytes(bytes, "map.gwy", {"auto", channel, scale});
   };
   const auto refused = [&](const std::string& bytes, const MapScale& scale) {
     return tests::message_of<input::InputError>([&] { with(bytes, scale); });

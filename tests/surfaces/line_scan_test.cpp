@@ -299,6 +299,8 @@ TEST(LineScan, IsNotEveryTable) {
   for (const std::string& text :
        {std::string("1 2 3\n4 5 6\n"), std::string("1 2\n0 5\n3 3\n"),
         std::string(99, '\0'), std::string("PK\x03\x04"), std::string("a b\n"),
+        "aISO-1.0\nNumPoints = 1\nNumProfiles = 20\nXscale = 1e-6\n*\n" +
+            std::string("1\n2\n3\n4\n5\n"),
         std::string("# Width: 1 um\n# Height: 2 um\n1 2\n3 4\n5 6\n7 8\n")})
     EXPECT_FALSE(is_line_scan(written("asperity-no-line", text))) << text;
   EXPECT_THROW(read_line_scan(written("asperity-map.txt", "1 2 3\n4 5 6\n"),

@@ -57,6 +57,8 @@ TEST_F(MapWriter, WritesWhatTheReadersRead) {
     EXPECT_DOUBLE_EQ(scan.map.grid.length_y, 1.7e-6) << name;
     EXPECT_EQ(count_missing(scan), 0U) << name;
   }
+  EXPECT_EQ(read_scan(written("a.gwy"), {}).channel, "A title");
+  EXPECT_EQ(list_channels(folder_ / "a.gwy").front().unit, "m");
   ScanRequest request;
   request.scale = {3.1e-6, 1.0, 1.7e-6};
   EXPECT_EQ(read_scan(written("a.npy"), request).map.heights,
@@ -81,7 +83,7 @@ TEST_F(MapWriter, RefusesAnotherEnding) {
 TEST_F(MapWriter, RequestsTheScalesThatAFileLacks) {
   const auto refusal = [](const std::string& path, const MapScale& scale) {
     try {
-      read_scan(path, {mechanics::MapFormat::automatic, {}, scale});
+      read_scan(path, {"auto", {}, scale});
     } catch (const input::InputError& error) {
       return std::string(error.what());
     }
@@ -104,9 +106,9 @@ TEST_F(MapWriter, RequestsTheScalesThatAFileLacks) {
 // and a truncated file is refused.
 TEST_F(MapWriter, ChoosesADataset) {
   const std::string path = written("a.h5");
-  EXPECT_EQ(read_scan(path, {{}, "/heights", {}}).channel, "/heights");
-  EXPECT_EQ(read_scan(path, {{}, "heights", {}}).channel, "/heights");
-  EXPECT_THROW(read_scan(path, {{}, "/height", {}}), input::InputError);
+  EXPECT_EQ(read_scan(path, {"auto", "/heights", {}}).channel, "/heights");
+  EXPECT_EQ(read_scan(path, {"auto", "heights", {}}).channel, "/heights");
+  EXPECT_THROW(read_scan(path, {"auto", "/height", {}}), input::InputError);
   const std::vector<ChannelInfo> channels = list_channels(path);
   ASSERT_EQ(channels.size(), 1U);
   EXPECT_EQ(channels[0].title, "/heights");
@@ -123,7 +125,7 @@ TEST_F(MapWriter, IsReadByGwyddion) {
   for (const std::string name : {"a.gwy", "a.x3p"}) {
     const std::string path = written(name);
     const Scan own = read_scan(path, {});
-    const Scan other = read_scan(path, {mechanics::MapFormat::convert, {}, {}});
+    const Scan other = read_scan(path, {"convert", {}, {}});
     EXPECT_EQ(other.reader.substr(0, 9), "Gwyddion ") << other.reader;
     EXPECT_EQ(own.map.heights, other.map.heights) << name;
     EXPECT_DOUBLE_EQ(own.map.grid.length_x, other.map.grid.length_x) << name;

@@ -4,7 +4,7 @@
 #include "surfaces/formats/scan.hpp"
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
+#include "tests/surfaces/map_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

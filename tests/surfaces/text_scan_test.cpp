@@ -1,30 +1,30 @@
 // Tests of text files of instruments: headers in any language, decimal commas,
-// missing points, lists x y z, and lists that must not be read as a matrix.
-#include "input/input_error.hpp"
-#include "surfaces/formats/scan.hpp"
-#include "tests/message_of.hpp"
-#include "tests/surfaces/missing_of.hpp"
+// missing points, units and orientation of a matrix, and the messages about an
+// invalid file.
+#include "tests/surfaces/map_files.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
 namespace asperity::surfaces::text_scan_test {
 
-using mechanics::MapFormat;
-using tests_of_formats::missing_of;
-using tests_of_formats::or_zero;
+using namespace tests_of_formats;
 
 Scan text_scan(const std::string& text, const MapScale& scale = {},
-               MapFormat format = MapFormat::automatic) {
+               const std::string& format = "auto") {
   return read_scan_bytes(text, "map.txt", {format, {}, scale});
 }
 
 std::string refusal(const std::string& text, const MapScale& scale = {},
-                    MapFormat format = MapFormat::automatic) {
+                    const std::string& format = "auto") {
   return tests::message_of<input::InputError>(
       [&] { text_scan(text, scale, format); });
 }
@@ -156,9 +156,9 @@ TEST(TextScan, RefusesHeaderLinesThatItDoesNotUnderstand) {
             .find("map.txt:1: '" + first.substr(first.find_first_not_of("# "))),
         std::string::npos)
         << line;
-    EXPECT_EQ(text_scan(line + "\n" + numbers, scale, MapFormat::plain)
-                  .map.grid.length_x,
-              6e-6)
+    EXPECT_EQ(
+        text_scan(line + "\n" + numbers, scale, "plain").map.grid.length_x,
+        6e-6)
         << line;
   }
   for (const std::string line :
@@ -193,46 +193,6 @@ TEST(TextScan, MarksMissingPoints) {
   EXPECT_EQ(count_missing(text_scan("1 2\n3 4\n", {1.0, 1.0})), 0U);
   EXPECT_EQ(refusal("nan nan\nnan nan\n", {1.0, 1.0}),
             "map.txt: all points are missing");
-}
-
-// A list in any order is the map of its points; positions may be rounded,
-// spacings may differ, and absent points are missing.
-TEST(TextScan, ReadsAListOfPoints) {
-  const Scan scan = text_scan("X,Y,Z\n"
-                              "0.0,0,1\n0.1,0,2\n0.2001,0,3\n"
-                              "0.1999,0.5,6\n0.0,0.5,4\n",
-                              list_scale);
-  EXPECT_EQ(scan.map.grid.points_x, 3);
-  EXPECT_EQ(scan.map.grid.points_y, 2);
-  EXPECT_NEAR(scan.map.grid.length_x, 0.3e-6, 1e-9);
-  EXPECT_NEAR(scan.map.grid.length_y, 1e-6, 1e-18);
-  EXPECT_NEAR(scan.map.heights[2], 3e-9, 1e-22);
-  EXPECT_NEAR(scan.map.heights[5], 6e-9, 1e-22);
-  EXPECT_EQ(missing_of(scan), (std::vector<char>{0, 0, 0, 0, 1, 0}));
-  EXPECT_EQ(scan.reader, "own reader of lists x y z");
-}
-
-// Three columns are never read as a matrix by default, neither a list without a
-// regular grid nor one whose units are missing; nor are two.
-TEST(TextScan, NeverTakesAListForAMatrix) {
-  const std::string regular = "0 0 1\n0 1 2\n1 0 3\n1 1 4\n";
-  EXPECT_EQ(refusal(regular, {1e-6, 1e-9}),
-            "surface.length_unit is missing: map.txt is a list x y z, which "
-            "does not give the unit of x and y");
-  EXPECT_NE(refusal("0 0 1\n0 1 2\n1 0 3\n1 1.3 4\n", {1e-6, 1e-9})
-                .find("4 rows of 3 columns may be a list x y z"),
-            std::string::npos);
-  EXPECT_EQ(
-      text_scan(regular, {1e-6, 1e-9}, MapFormat::plain).map.grid.points_x, 3);
-  EXPECT_NE(refusal("0 1\n1 2\n2 1\n3 0\n", {1e-6, 1e-9})
-                .find("probably a line scan x z"),
-            std::string::npos);
-  EXPECT_EQ(refusal("0 0 1\n0 1 2\n1 0 3\n1 0 4\n", list_scale, MapFormat::xyz),
-            "map.txt:4: the point of line 3 again: each point of the grid may "
-            "occur once");
-  EXPECT_NE(refusal("0 0 1\n1 7 2\n2 1 3\n5 1 4\n", list_scale, MapFormat::xyz)
-                .find("not the points of a regular grid"),
-            std::string::npos);
 }
 
 // An empty cell is a missing point: the columns behind it stay where they are,
@@ -287,7 +247,7 @@ TEST(TextScan, ReadsEveryEndOfALine) {
 TEST(TextScan, HasOneChannel) {
   const auto with = [](const std::string& channel) {
     return read_scan_bytes("1 2\n3 4\n", "map.txt",
-                           {MapFormat::automatic, channel, {1.0, 1.0}});
+                           {"auto", channel, {1.0, 1.0}});
   };
   EXPECT_EQ(with("1").map.grid.points_x, 2);
   EXPECT_THROW(with("2"), input::InputError);
@@ -355,15 +315,184 @@ TEST(FourierScan, IsNoOtherTable) {
        {"1 0 1 0\n-1 0 1 1\n0 0 1 1\n", "1 0 1 0\n1 0 1 0\n-1 0 1 0\n",
         "1 0 1 0\n1.5 0 1 1\n-1 0 1 0\n", "1 2 3 4\n5 6 7 8\n"})
     EXPECT_EQ(text_scan(text, {1.0, 1.0}).map.grid.points_x, 4) << text;
-  EXPECT_EQ(text_scan("1 0 1 2\n-1 0 1 -2\n", {1.0, 1.0}, MapFormat::plain)
-                .map.grid.points_y,
-            2);
+  EXPECT_EQ(
+      text_scan("1 0 1 2\n-1 0 1 -2\n", {1.0, 1.0}, "plain").map.grid.points_y,
+      2);
   EXPECT_EQ(refusal("1 0 1 2\n-1 0 1 -2\n"),
             "surface.length is missing: map.txt is a list of Fourier "
             "coefficients, which does not give its width");
   EXPECT_NE(refusal("5000 0 1 0\n-5000 0 1 0\n", {1.0, 1.0})
                 .find("of more than the 2048 waves"),
             std::string::npos);
+}
+
+const std::string gwyddion = "# Channel: Topography\n"
+                             "# Width: 12.0 \xC2\xB5m\n"
+                             "# Height: 8000 nm\n"
+                             "# Value units: nm\n"
+                             "1.0\t2.0\t3.5\n"
+                             "-4.0\t5e1\t6.0\n";
+
+TEST(TextScan, ReadsAGwyddionMatrixWithItsOwnUnits) {
+  const HeightMap map = text_scan(gwyddion).map;
+
+  EXPECT_EQ(map.grid.points_x, 3);
+  EXPECT_EQ(map.grid.points_y, 2);
+  EXPECT_NEAR(map.grid.length_x, 12e-6, 1e-20);
+  EXPECT_NEAR(map.grid.length_y, 8e-6, 1e-20);
+  EXPECT_NEAR(map.heights[map.grid.index(2, 0)], 3.5e-9, 1e-23);
+  EXPECT_NEAR(map.heights[map.grid.index(0, 1)], -4e-9, 1e-23);
+  EXPECT_NEAR(map.heights[map.grid.index(1, 1)], 50e-9, 1e-23);
+}
+
+TEST(TextScan, ReadsEverySpellingOfALengthUnit) {
+  const auto width = [](const std::string& unit) {
+    return text_scan("# Width: 2 " + unit +
+                     "\n# Height: 1m\n# Value units: m\n"
+                     "1 2\n3 4\n")
+        .map.grid.length_x;
+  };
+
+  EXPECT_EQ(width("m"), 2.0);
+  EXPECT_EQ(width("mm"), 2e-3);
+  for (const char* micro : {"um", "\xC2\xB5m", "\xCE\xBCm", "\xB5m"})
+    EXPECT_EQ(width(micro), 2e-6) << micro;
+  EXPECT_EQ(width("nm"), 2e-9);
+  EXPECT_EQ(width("pm"), 2e-12);
+  EXPECT_EQ(width("in"), 2.0 * 0.0254);
+  for (const char* angstrom : {"angstrom", "\xC3\x85", "\xE2\x84\xAB", "\xC5"})
+    EXPECT_EQ(width(angstrom), 2e-10) << angstrom;
+}
+
+TEST(TextScan, ReadsAPlainMatrixWithTheUnitsOfTheCase) {
+  const HeightMap map = text_scan("\xEF\xBB\xBF# made by a script\r\n"
+                                  "1, 2, 3\r\n4, 5, 6\r\n",
+                                  {6e-6, 1e-9})
+                            .map;
+
+  EXPECT_EQ(map.grid.points_x, 3);
+  EXPECT_EQ(map.grid.points_y, 2);
+  EXPECT_NEAR(map.grid.length_x, 6e-6, 1e-20);
+  EXPECT_NEAR(map.grid.length_y, 4e-6, 1e-20); // square pixels
+  EXPECT_NEAR(map.heights[5], 6e-9, 1e-23);
+}
+
+// Atoms need a square; 6.24 nm times 24 over 24 is another number.
+TEST(TextScan, OfAsManyRowsAsColumnsIsASquare) {
+  std::string text;
+  for (int row = 0; row < 24; ++row)
+    text += "0 1 2 3 4 5 6 7 8 9 0 1 2 3 4 5 6 7 8 9 0 1 2 3\n";
+
+  const Grid grid = text_scan(text, {6.24e-9, 1e-9}).map.grid;
+
+  EXPECT_EQ(grid.length_y, 6.24e-9);
+  EXPECT_TRUE(grid.is_square());
+}
+
+TEST(TextScan, ReadsAGwyddionFileAsPlainOnRequest) {
+  const HeightMap map = text_scan(gwyddion, {3.0, 1.0}, "plain").map;
+
+  EXPECT_EQ(map.grid.length_x, 3.0);
+  EXPECT_EQ(map.heights[0], 1.0);
+}
+
+// A matrix that is written with 17 digits and any separator is read back bit
+// for bit.
+TEST(TextScan, ReadsBackTheNumbersThatWereWritten) {
+  const bool holds = rc::check([](bool has_commas) {
+    const int columns = *rc::gen::inRange(2, 6);
+    const int rows = *rc::gen::inRange(2, 6);
+    const auto size = static_cast<std::size_t>(columns * rows);
+    const auto numbers = *rc::gen::container<std::vector<double>>(
+        size, rc::gen::arbitrary<double>());
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) {
+      char number[40];
+      std::snprintf(number, sizeof number, "%.17g", numbers[i]);
+      const bool ends_row = (i + 1) % static_cast<std::size_t>(columns) == 0;
+      text += number + std::string(ends_row ? "\n" : has_commas ? "," : " ");
+    }
+    RC_ASSERT(text_scan(text, {1.0, 1.0}, "plain").map.heights == numbers);
+  });
+  EXPECT_TRUE(holds);
+}
+
+TEST(TextScan, NamesTheLineThatIsNotAMatrix) {
+  const MapScale scale{1.0, 1.0};
+
+  EXPECT_EQ(refusal("1 2\n3 x4\n", scale),
+            "map.txt:2: column 2: found 'x4', but must be a finite number");
+  for (const std::string word : {"3x", "0x10", "1.5.2", "--1", "+-1", "."})
+    EXPECT_EQ(refusal("1 " + word + "\n", scale),
+              "map.txt:1: column 2: found '" + word +
+                  "', but must be a finite number");
+  EXPECT_EQ(refusal("1 inf\n", scale),
+            "map.txt:1: column 2: found 'inf', but must be a finite number");
+  EXPECT_EQ(refusal("1 1e999\n", scale),
+            "map.txt:1: column 2: found '1e999', but must be a finite number");
+  EXPECT_EQ(refusal("1 2 3\n4 5\n", scale),
+            "map.txt:2: 2 numbers in this row, but 3 in line 1; every row must "
+            "have the same number");
+  EXPECT_EQ(refusal("1,5\t2.5\n", scale),
+            "map.txt:1: found decimal commas and decimal points in one file; "
+            "use a dot as the decimal separator");
+  EXPECT_EQ(refusal("1 2 3\n", scale),
+            "map.txt: 3 column(s) and 1 row(s), but a map must have at least "
+            "two of each");
+  EXPECT_EQ(refusal("", scale), "map.txt: contains no numbers");
+}
+
+TEST(TextScan, NamesTheMistakeInTheHeader) {
+  const std::string rows = "1 2\n3 4\n";
+
+  EXPECT_EQ(refusal(rows, {}, "gwyddion"),
+            "map.txt: no line '# Width: 20 um', which a Gwyddion text matrix "
+            "begins with");
+  EXPECT_EQ(refusal("# Width: 1 um\n" + rows),
+            "map.txt: no line '# Height: 20 um', which a Gwyddion text matrix "
+            "begins with");
+  for (const std::string width : {"1 V", "wide", "-1 um", "1", "0 um"})
+    EXPECT_EQ(refusal("# Width: " + width + "\n" + rows),
+              "map.txt:1: Width: found '" + width +
+                  "', but must be a number > 0 and a unit of m, mm, um, nm, "
+                  "angstrom");
+  EXPECT_EQ(refusal("# Width: 1 um\n# Height: 1 um\n# Value units: V\n" + rows),
+            "map.txt:3: Value units: found 'V', but must be one of m, mm, um, "
+            "nm, angstrom");
+}
+
+TEST(TextScan, NamesMissingAndSuperfluousKeysOfTheCase) {
+  EXPECT_EQ(refusal("1 2\n3 4\n"),
+            "surface.length is missing: map.txt is a plain matrix, which does "
+            "not give its width");
+  EXPECT_EQ(refusal("# Width: 1 um\n# Height: 1 um\n1 2\n3 4\n"),
+            "surface.height_unit is missing: map.txt has no line '# Value "
+            "units: m'");
+  EXPECT_EQ(refusal(gwyddion, {1e-6, {}}),
+            "surface.length = 1e-06 m, but must be left out: line 2 of map.txt "
+            "gives '12.0 \xC2\xB5m'");
+  EXPECT_EQ(refusal(gwyddion, {{}, 1e-9}),
+            "surface.height_unit = 1e-09 m, but must be left out: line 4 of "
+            "map.txt gives 'nm'");
+}
+
+// A message quotes the start of the text that was found, without its control
+// characters, which could move a terminal's cursor.
+TEST(TextScan, QuotesTextShortenedAndWithoutControlCharacters) {
+  EXPECT_EQ(refusal("1 2\n3 \x1B[2J" + std::string(100000, 'x') + "\n",
+                    {1e-6, 1e-9}, "plain"),
+            "map.txt:2: column 2: found '?[2J" + std::string(56, 'x') +
+                "...', but must be a finite number");
+}
+
+TEST(TextScan, ReadsFromDiskAndRefusesWhatIsNotAFile) {
+  const std::string path = written("map.txt", gwyddion);
+  EXPECT_EQ(read_scan(path, {}).map.heights.size(), 6u);
+
+  std::filesystem::remove(path);
+  for (const std::string& bad :
+       {path, testing::TempDir(), std::string("/dev/zero")})
+    EXPECT_THROW(read_scan(bad, {}), input::InputError) << bad;
 }
 
 } // namespace asperity::surfaces::text_scan_test

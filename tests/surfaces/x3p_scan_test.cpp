@@ -1,14 +1,12 @@
 // Tests of the reader of ISO 5436-2 (X3P), with archives that the tests write:
-// what is read and refused, and larger files with every type of number,
-// positions, checksums and damage.
+// every type of number, positions, missing points, checksums and damage.
 #include "base/content_hash.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/scan.hpp"
 #include "surfaces/formats/zip_archive.hpp"
 #include "tests/message_of.hpp"
 #include "tests/surfaces/instrument_bytes.hpp"
-#include "tests/surfaces/missing_of.hpp"
-#include "tests/surfaces/rows_check.hpp"
+#include "tests/surfaces/map_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,7 +20,7 @@
 
 namespace asperity::surfaces::x3p_scan_test {
 
-using tests_of_formats::missing_of;
+using namespace tests_of_formats;
 using Members = std::map<std::string, std::string>;
 
 template <class Number>
@@ -40,12 +38,13 @@ struct X3pText {
   std::string record3 = "<DataLink><PointDataLink>bindata/data.bin"
                         "</PointDataLink></DataLink>";
   std::string layers = "1";
+  int columns = 3;
 
   std::string text() const {
     return "<q:ISO5436_2 xmlns:q='u'><Record1><FeatureType>" + feature +
            "</FeatureType><Axes><CX>" + x + "</CX><CY>" + y + "</CY><CZ>" + z +
-           "</CZ></Axes></Record1><Record3><MatrixDimension><SizeX>3</SizeX>"
-           "<SizeY>2</SizeY><SizeZ>" +
+           "</CZ></Axes></Record1><Record3><MatrixDimension><SizeX>" +
+           std::to_string(columns) + "</SizeX><SizeY>2</SizeY><SizeZ>" +
            layers + "</SizeZ></MatrixDimension>" + record3 +
            "</Record3><Record4><ChecksumFile>md5checksum.hex</ChecksumFile>"
            "</Record4></q:ISO5436_2>";
@@ -173,10 +172,6 @@ TEST(X3pScan, NamesTheMistake) {
   document = {};
   EXPECT_EQ(x3p_refusal(Members{{"main.xml", document.text()}}),
             "map.x3p: bindata/data.bin: the archive has no such file");
-  const std::string whole = zip_bytes({{"main.xml", document.text()}});
-  EXPECT_THROW(
-      read_scan_bytes(whole.substr(0, whole.size() / 2), "map.x3p", {}),
-      input::InputError);
 }
 
 // Programs that pack a folder put its name before all others, with either
@@ -202,190 +197,106 @@ TEST(X3pScan, ReadsAnArchiveOfAFolder) {
             std::string::npos);
 }
 
-using namespace tests_of_rows;
-using namespace tests_of_formats;
-
-/// Rows that do not begin with a byte of the file of valid points.
-constexpr int n_columns = 211;
-constexpr int n_rows = 201;
-constexpr std::size_t n_points = std::size_t{n_columns} * n_rows;
-
-const std::string absolute = "<AxisType>A</AxisType><DataType>D</DataType>";
-const std::string regular = "<AxisType>I</AxisType><Increment>1e-6</Increment>";
-
-struct X3pParts {
-  std::string x = regular, y = regular, z = absolute;
-  std::string sums; ///< entries beside the links
-  bool has_mask = false;
-  int columns = n_columns;
-
-  std::string text() const {
-    return "<p:ISO5436_2><Record1><FeatureType>SUR</FeatureType><Axes><CX>" +
-           x + "</CX><CY>" + y + "</CY><CZ>" + z +
-           "</CZ></Axes></Record1><Record3><MatrixDimension><SizeX>" +
-           std::to_string(columns) + "</SizeX><SizeY>" +
-           std::to_string(n_rows) +
-           "</SizeY><SizeZ>1</SizeZ></MatrixDimension><DataLink>"
-           "<PointDataLink>bindata/data.bin</PointDataLink>" +
-           (has_mask ? "<ValidPointsLink>bindata/valid.bin</ValidPointsLink>"
-                     : "") +
-           sums + "</DataLink></Record3></p:ISO5436_2>";
-  }
-};
-
-double height_of(std::size_t i) {
-  return i % 1000 == 77 ? std::nan("")
-                        : std::sin(0.37 * static_cast<double>(i));
-}
-
 template <class Number>
-std::string heights_as(double factor) {
-  std::string bytes;
-  for (std::size_t i = 0; i < n_points; ++i) {
-    const double height = height_of(i);
-    bytes += little_endian(static_cast<Number>(
-        std::isnan(height) && std::numeric_limits<Number>::is_integer
-            ? 0.0
-            : factor * height));
-  }
-  return bytes;
+void expect_numbers(const std::string& type, double unit, double offset) {
+  X3pText document;
+  document.z =
+      "<AxisType>A</AxisType><DataType>" + type + "</DataType>" +
+      fmt::format("<Increment>{}</Increment><Offset>{}</Offset>", unit, offset);
+  const std::vector<Number> numbers{1, -2, 3, 4, 5, 30000};
+  const Scan scan = x3p_scan(document, numbers_as_bytes(numbers) + "more");
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(scan.map.heights[i],
+              offset + unit * static_cast<double>(numbers[i]))
+        << type << i;
 }
 
-std::string mask() {
-  std::string bits((n_points + 7) / 8, '\xFF');
-  for (std::size_t i = 0; i < n_points; i += 13)
-    bits[i / 8] = static_cast<char>(bits[i / 8] & ~(1 << (i % 8)));
-  return bits;
+TEST(X3pScan, HasHeightsOfEveryType) {
+  expect_numbers<double>("D", 1.0, 0.0);
+  expect_numbers<float>("F", 1.0, 0.1);
+  expect_numbers<std::int16_t>("I", 1e-12, 0.0);
+  expect_numbers<std::int32_t>("L", 1e-10, 1e-9);
 }
 
-Members members_of(const X3pParts& parts, const std::string& points) {
-  Members members{{"main.xml", parts.text()}, {"bindata/data.bin", points}};
-  if (parts.has_mask)
-    members["bindata/valid.bin"] = mask();
-  return members;
-}
-
-std::string x3p(const Members& members) {
-  return written("map.x3p", zip_bytes(members));
-}
-
-/// @param unit    of the numbers [m]
-/// @param offset  of the heights [m]
-template <class Number>
-void expect_heights(const X3pParts& parts, double factor, double unit,
-                    double offset) {
-  const Scan scan = read_scan(
-      x3p(members_of(parts, heights_as<Number>(factor) + "more")), {});
-  ASSERT_EQ(scan.map.grid.points_x, n_columns);
-  ASSERT_EQ(scan.map.heights.size(), n_points);
-  for (std::size_t i = 0; i < n_points; ++i) {
-    double number = factor * height_of(i);
-    if (std::isnan(number) && std::numeric_limits<Number>::is_integer)
-      number = 0.0;
-    const bool is_missing =
-        std::isnan(number) || (parts.has_mask && i % 13 == 0);
-    ASSERT_EQ(std::isnan(scan.map.heights[i]), is_missing) << i;
-    if (!is_missing) {
-      ASSERT_EQ(scan.map.heights[i],
-                offset +
-                    unit * static_cast<double>(static_cast<Number>(number)))
-          << i;
-    }
-  }
-}
-
-TEST(X3pArchive, HasHeightsOfEveryType) {
-  X3pParts parts;
-  expect_heights<double>(parts, 1e-9, 1.0, 0.0);
-  parts.has_mask = true;
-  parts.z = "<AxisType>A</AxisType><DataType>F</DataType><Offset>0.1</Offset>";
-  expect_heights<float>(parts, 1e-9, 1.0, 0.1);
-  parts.z = "<AxisType>A</AxisType><DataType>I</DataType><Increment>1e-12"
-            "</Increment>";
-  expect_heights<std::int16_t>(parts, 3e4, 1e-12, 0.0);
-  parts.z = "<AxisType>A</AxisType><DataType>L</DataType><Increment>1e-10"
-            "</Increment><Offset>1e-9</Offset>";
-  expect_heights<std::int32_t>(parts, 2e9, 1e-10, 1e-9);
-}
-
-/// Positions of both axes and heights of each point.
+/// Positions of both axes and heights of each point; one is moved.
 std::string positions(std::size_t moved_x, std::size_t moved_y) {
-  std::string bytes;
-  for (std::size_t i = 0; i < n_points; ++i) {
-    const auto x = static_cast<double>(i % n_columns);
-    const auto y = static_cast<double>(i / n_columns);
-    bytes += little_endian(1e-6 * (x + (i == moved_x ? 0.05 : 0.01)));
-    bytes += little_endian(-2e-6 * (y + (i == moved_y ? 0.05 : 0.01)));
-    bytes += little_endian(1e-9 * height_of(i));
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto x = static_cast<double>(i % 3);
+    const auto y = static_cast<double>(i / 3);
+    numbers.insert(numbers.end(),
+                   {1e-6 * (x + (i == moved_x ? 0.05 : 0.01)),
+                    -2e-6 * (y + (i == moved_y ? 0.05 : 0.01)), six[i]});
   }
-  return bytes;
+  return numbers_as_bytes(numbers);
 }
 
-TEST(X3pArchive, HasRegularPositions) {
-  X3pParts parts;
-  parts.x = parts.y = absolute;
-  const Scan scan =
-      read_scan(x3p(members_of(parts, positions(n_points, n_points))), {});
-  EXPECT_NEAR(scan.map.grid.length_x, n_columns * 1e-6, 1e-18); // roundoff
-  EXPECT_NEAR(scan.map.grid.length_y, n_rows * 2e-6, 1e-18);
-  EXPECT_EQ(scan.map.heights[1], 1e-9 * height_of(1));
-  EXPECT_NE(refusal_of(x3p(members_of(parts, positions(40000, 3))), {})
-                .find("positions along x are not regular at point (121, 189)"),
+TEST(X3pScan, HasRegularPositions) {
+  X3pText document;
+  document.x = document.y = document.z;
+  expect_six(x3p_scan(document, positions(9, 9)));
+  EXPECT_NE(x3p_refusal(document, positions(4, 9))
+                .find("positions along x are not regular at point (1, 1)"),
             std::string::npos);
-  EXPECT_NE(refusal_of(x3p(members_of(parts, positions(n_points, 17000))), {})
-                .find("positions along y are not regular at point (120, 80)"),
+  EXPECT_NE(x3p_refusal(document, positions(9, 4))
+                .find("positions along y are not regular at point (1, 1)"),
             std::string::npos);
 }
 
-TEST(X3pArchive, IsRefusedIfAMemberIsWrong) {
-  X3pParts parts;
-  parts.has_mask = true;
-  parts.sums = "<MD5ChecksumPointData>" + md5_hash(heights_as<double>(1.0)) +
-               "</MD5ChecksumPointData><MD5ChecksumValidPoints>" +
-               md5_hash(mask()) + "</MD5ChecksumValidPoints>";
-  const Members good = members_of(parts, heights_as<double>(1.0));
-  EXPECT_NO_THROW(read_scan(x3p(good), {}));
+TEST(X3pScan, IsRefusedIfAMemberIsWrong) {
+  X3pText document;
+  const std::string mask(1, '\x2E');
+  document.record3 =
+      "<DataLink><PointDataLink>d</PointDataLink><MD5ChecksumPointData>" +
+      md5_hash(numbers_as_bytes(six)) +
+      "</MD5ChecksumPointData><ValidPointsLink>v</ValidPointsLink>"
+      "<MD5ChecksumValidPoints>" +
+      md5_hash(mask) + "</MD5ChecksumValidPoints></DataLink>";
+  const Members good{
+      {"main.xml", document.text()}, {"d", numbers_as_bytes(six)}, {"v", mask}};
+  EXPECT_EQ(x3p_refusal(good), "accepted");
   const auto refusal = [&](const std::string& member,
                            const std::string& bytes) {
     Members bad = good;
     bad[member] = bytes;
-    return refusal_of(x3p(bad), {});
+    return x3p_refusal(bad);
   };
 
-  EXPECT_NE(refusal("bindata/data.bin", heights_as<double>(2.0))
-                .find("data.bin has the MD5 checksum"),
+  EXPECT_NE(refusal("d", numbers_as_bytes(six) + "x").find("d has the MD5"),
             std::string::npos);
-  EXPECT_NE(refusal("bindata/valid.bin", std::string(mask().size(), '\xFE'))
-                .find("valid.bin has the MD5 checksum"),
-            std::string::npos);
-  EXPECT_NE(refusal("bindata/valid.bin", mask().substr(1)).find("points need"),
-            std::string::npos);
-  EXPECT_NE(refusal("bindata/data.bin", heights_as<double>(1.0).substr(8))
-                .find("bytes, but only"),
-            std::string::npos);
+  EXPECT_NE(refusal("v", "\x2F").find("v has the MD5"), std::string::npos);
+  EXPECT_NE(refusal("v", "").find("points need"), std::string::npos);
   for (const int columns : {1, -3, 2000000000}) {
-    X3pParts other = parts;
+    X3pText other = document;
     other.columns = columns;
-    EXPECT_NE(refusal("main.xml", other.text())
-                  .find(columns > 1000 ? "but a map must have 2 to"
-                                       : "points, but a map must"),
+    EXPECT_NE(refusal("main.xml", other.text()).find("points, but a map must"),
               std::string::npos);
   }
   Members absent = good;
-  absent.erase("bindata/valid.bin");
-  EXPECT_NE(refusal_of(x3p(absent), {}).find("the archive has no such file"),
+  absent.erase("v");
+  EXPECT_NE(x3p_refusal(absent).find("the archive has no such file"),
             std::string::npos);
   EXPECT_NE(
-      refusal_of(x3p(good), {mechanics::MapFormat::automatic, {}, {1e-6, {}}})
+      refusal_of(written("map.x3p", zip_bytes(good)), {"auto", {}, {1e-6, {}}})
           .find("surface.length = 1e-06 m, but must be left out"),
       std::string::npos);
 }
 
-TEST(X3pArchive, IsRefusedIfItIsDamaged) {
-  const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
+/// An archive of many points.
+Members long_members() {
+  X3pText document;
+  document.columns = 3000;
+  std::vector<double> numbers(6000);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] = std::sin(static_cast<double>(i));
+  return {{"main.xml", document.text()},
+          {"bindata/data.bin", numbers_as_bytes(numbers)}};
+}
+
+TEST(X3pScan, IsRefusedIfItIsDamaged) {
+  const std::string whole = zip_bytes(long_members());
   for (const std::size_t bytes : {whole.size() - 1, whole.size() / 2})
-    EXPECT_NE(refusal_of(written("short.x3p", whole.substr(0, bytes)),
-                         {mechanics::MapFormat::x3p})
+    EXPECT_NE(refusal_of(written("short.x3p", whole.substr(0, bytes)), {"x3p"})
                   .find("is a damaged zip archive"),
               std::string::npos);
   std::string damaged = whole;
@@ -406,8 +317,8 @@ std::string with_size(std::string bytes, std::uint32_t stated) {
 
 // The archive cannot make the program unpack more than it says, or allocate
 // what it says.
-TEST(X3pArchive, IsRefusedIfItStatesOtherSizes) {
-  const std::string whole = zip_bytes(members_of({}, heights_as<double>(1e-9)));
+TEST(X3pScan, IsRefusedIfItStatesOtherSizes) {
+  const std::string whole = zip_bytes(long_members());
   EXPECT_NE(refusal_of(written("less.x3p", with_size(whole, 1000)), {})
                 .find("data.bin: is longer than the archive says"),
             std::string::npos);
@@ -421,19 +332,19 @@ TEST(X3pArchive, IsRefusedIfItStatesOtherSizes) {
 }
 
 // The name main.xml is behind the first 64 kB of the file.
-TEST(X3pArchive, MayBeginWithThePoints) {
+TEST(X3pScan, MayBeginWithThePoints) {
   std::string noise(400000, '\0');
   for (std::size_t i = 0; i < noise.size(); ++i)
-    noise[i] = static_cast<char>(i * i * i / 7 + i / 3);
-  Members members = members_of({}, heights_as<double>(1e-9));
+    noise[i] = static_cast<char>(i * i * 2654435761U >> 13);
+  Members members = long_members();
   members["a"] = noise;
-  const std::string path = x3p(members);
+  const std::string path = written("map.x3p", zip_bytes(members));
   std::ifstream stream(path, std::ios::binary);
   std::string beginning(1 << 16, '\0');
   stream.read(beginning.data(), 1 << 16);
   ASSERT_EQ(beginning.find("main.xml"), std::string::npos);
 
-  EXPECT_EQ(read_scan(path, {}).map.heights[1], 1e-9 * height_of(1));
+  EXPECT_EQ(read_scan(path, {}).map.heights[1], std::sin(1.0));
 }
 
 } // namespace asperity::surfaces::x3p_scan_test

@@ -1,3 +1,5 @@
+#include "surfaces/formats/text/fourier_map.hpp"
+
 #include "base/fourier.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/map_format.hpp"
@@ -132,8 +134,8 @@ int fourier_points(const NumberTable& table) {
   return points_for(with_signs(table));
 }
 
-std::optional<OpenMap> fourier_map(const NumberTable& table,
-                                   const MapScale& scale) {
+std::optional<Scan> fourier_scan(const NumberTable& table,
+                                 const MapScale& scale) {
   const Coefficients coefficients = with_signs(table);
   const int points = points_for(coefficients);
   if (points == 0)
@@ -156,8 +158,8 @@ std::optional<OpenMap> fourier_map(const NumberTable& table,
   RealFourier(grid).backward(modes, heights);
   for (double& height : heights)
     height *= *scale.height_unit;
-  return map_in_memory(grid, std::move(heights),
-                       "own reader of Fourier coefficients");
+  return scan_of_numbers(grid, std::move(heights),
+                         "own reader of Fourier coefficients");
 }
 
 } // namespace asperity::surfaces

@@ -1,10 +1,9 @@
-#include "surfaces/formats/text/map_file.hpp"
-
 #include "base/plain_text.hpp"
 #include "base/require.hpp"
 #include "input/input_error.hpp"
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/map_format.hpp"
+#include "surfaces/formats/text/fourier_map.hpp"
 #include "surfaces/formats/text/number_table.hpp"
 #include "surfaces/formats/text/text_header.hpp"
 #include "surfaces/formats/text/xyz_list.hpp"
@@ -86,7 +85,7 @@ TextMatrix gwyddion_matrix(const NumberTable& table, const Grid& points,
 }
 
 TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
-                        MapScale scale, mechanics::MapFormat format) {
+                        MapScale scale, const std::string& format) {
   MatrixHeader header = matrix_header(table);
   const auto take = [&](std::optional<double>& given, const char* key,
                         const std::optional<double>& found) {
@@ -117,7 +116,7 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
   take(scale.length, "length", header.length_x);
   take(scale.length_y, "length_y", header.length_y);
   take(scale.height_unit, "height_unit", header.height_unit);
-  if (format != mechanics::MapFormat::plain) {
+  if (format != "plain") {
     const double x = scale.length.value_or(0.0);
     const double y =
         scale.length_y.value_or(x * points.points_y / points.points_x);
@@ -133,10 +132,9 @@ TextMatrix plain_matrix(const NumberTable& table, const Grid& points,
           {.unit = *scale.height_unit, .missing = header.missing_value}};
 }
 
-bool is_gwyddion(const NumberTable& table, mechanics::MapFormat format) {
-  return format == mechanics::MapFormat::gwyddion ||
-         (format == mechanics::MapFormat::automatic &&
-          gwyddion_header(table).width.line != 0);
+bool is_gwyddion(const NumberTable& table, const std::string& format) {
+  return format == "gwyddion" ||
+         (format == "auto" && gwyddion_header(table).width.line != 0);
 }
 
 TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
@@ -153,36 +151,32 @@ TextMatrix text_matrix(const NumberTable& table, const ScanRequest& request) {
              : plain_matrix(table, points, request.scale, request.format);
 }
 
-OpenMap map_of_table(NumberTable table, const ScanRequest& request) {
-  using mechanics::MapFormat;
-  const bool is_plain = request.format == MapFormat::automatic &&
-                        !is_gwyddion(table, request.format);
-  if (request.format == MapFormat::xyz ||
-      (is_plain && is_regular_list(table))) {
+Scan scan_of_table(NumberTable table, const ScanRequest& request) {
+  const bool is_plain =
+      request.format == "auto" && !is_gwyddion(table, request.format);
+  if (request.format == "xyz" || (is_plain && is_regular_list(table))) {
     if (is_plain)
       require_list_header(table, request.scale);
-    return map_of_list(table, request.scale);
+    return scan_of_list(table, request.scale);
   }
   if (is_plain)
-    if (std::optional<OpenMap> map = fourier_map(table, request.scale))
-      return std::move(*map);
+    if (std::optional<Scan> scan = fourier_scan(table, request.scale))
+      return std::move(*scan);
   if (is_plain)
     refuse_possible_list(table.name, table.columns, table.rows());
   const TextMatrix matrix = text_matrix(table, request);
-  OpenMap map = map_in_memory(matrix.grid, std::move(table.numbers),
+  Scan scan = scan_of_numbers(matrix.grid, std::move(table.numbers),
                               matrix.reader, matrix.numbers);
-  map.channel = matrix.channel;
-  return map;
+  scan.channel = matrix.channel;
+  return scan;
 }
 
-} // namespace
-
-OpenMap open_text(const MapBytes& bytes, const ScanRequest& request) {
-  OpenMap map = map_of_table(
+Scan read_text(const MapBytes& bytes, const ScanRequest& request) {
+  Scan scan = scan_of_table(
       read_number_text(bytes.all(), bytes.name(), NumberStyle::instrument),
       request);
-  refuse_channel(request, map.channel, bytes.name());
-  return map;
+  refuse_channel(request, scan.channel, bytes.name());
+  return scan;
 }
 
 std::vector<ChannelInfo> text_channels(const MapBytes& bytes) {
@@ -191,7 +185,7 @@ std::vector<ChannelInfo> text_channels(const MapBytes& bytes) {
   const GwyddionHeader header = gwyddion_header(table);
   const bool is_plain = header.width.line == 0;
   if (is_plain && is_regular_list(table)) {
-    const Grid grid = map_of_list(table, {{}, 1.0, {}, 1.0}).grid;
+    const Grid grid = scan_of_list(table, {{}, 1.0, {}, 1.0}).map.grid;
     return {{"", "", grid.points_x, grid.points_y}};
   }
   if (const int points = is_plain ? fourier_points(table) : 0; points > 0)
@@ -200,15 +194,56 @@ std::vector<ChannelInfo> text_channels(const MapBytes& bytes) {
            static_cast<int>(table.columns), static_cast<int>(table.rows())}};
 }
 
-HeightMap read_height_map_text(std::string_view text, const std::string& name,
-                               mechanics::MapFormat format,
-                               const MapScale& scale) {
-  Scan scan = scan_of_map(open_text({text, name}, {format, {}, scale}), name);
-  if (const std::size_t missing = count_missing(scan); missing > 0)
-    throw input::InputError(
-        fmt::format("{}: {} of {} points are missing, but none must be", name,
-                    missing, scan.map.grid.size()));
-  return std::move(scan.map);
+/// A format of texts, which is recognised as text first.
+MapFormat text_format(const char* name, FormatWords words, FileScales scales) {
+  return {.name = name,
+          .words = std::move(words),
+          .reads = [](std::string_view) { return false; },
+          .heights = read_text,
+          .channels = text_channels,
+          .scales = scales};
+}
+
+} // namespace
+
+MapFormat gwyddion_format() {
+  return text_format("gwyddion",
+                     {"Gwyddion text matrix", "header with width and height",
+                      "header; [units of length](case.md#units)", "words",
+                      "one"},
+                     FileScales::lengths);
+}
+
+MapFormat plain_format() {
+  return text_format("plain",
+                     {"text matrix", "numbers",
+                      "`length`, `height_unit`, unless the header gives them; "
+                      "square pixels unless `length_y` is given",
+                      "words, empty cells; the number that the header names",
+                      "one"},
+                     FileScales::none);
+}
+
+MapFormat xyz_format() {
+  return text_format("xyz",
+                     {"list x y z", "three columns on a regular grid",
+                      "`length_unit` for x and y, `height_unit` for z",
+                      "words, empty cells, and points that are not in the list",
+                      "one"},
+                     FileScales::some);
+}
+
+MapFormat other_text_format() {
+  MapFormat format = text_format(
+      "",
+      {"Fourier coefficients qX qY Re Im",
+       "four columns, whole numbers in the first two, conjugates for q and -q",
+       "`length` is the period in both directions, `height_unit` that of the "
+       "coefficients",
+       "none", "one"},
+      FileScales::some);
+  format.reads = is_text_map;
+  return format;
 }
 
 } // namespace asperity::surfaces

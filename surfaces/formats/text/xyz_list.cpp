@@ -125,7 +125,7 @@ void refuse_possible_list(const std::string& name, std::size_t columns,
         name, rows));
 }
 
-OpenMap map_of_list(const NumberTable& table, const MapScale& scale) {
+Scan scan_of_list(const NumberTable& table, const MapScale& scale) {
   if (table.columns != list_columns)
     throw input::InputError(fmt::format(
         "{}: {} columns, but a list x y z has 3", table.name, table.columns));
@@ -149,8 +149,8 @@ OpenMap map_of_list(const NumberTable& table, const MapScale& scale) {
     lines[index] = table.lines[row];
     values[index] = table.number(row, 2);
   }
-  return map_in_memory(grid, std::move(values), "own reader of lists x y z",
-                       {.unit = *scale.height_unit});
+  return scan_of_numbers(grid, std::move(values), "own reader of lists x y z",
+                         {.unit = *scale.height_unit});
 }
 
 } // namespace asperity::surfaces

@@ -33,7 +33,7 @@ void refuse_possible_list(const std::string& name, std::size_t columns,
 /// @param scale  length_unit (columns x and y) and height_unit (column z) are
 ///               needed, the others must be empty
 /// @throws input::InputError  with name:line, or the key of the case
-OpenMap map_of_list(const NumberTable& table, const MapScale& scale);
+Scan scan_of_list(const NumberTable& table, const MapScale& scale);
 
 /// Equidistant positions first + i spacing.
 struct ListAxis {

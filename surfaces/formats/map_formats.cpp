@@ -1,19 +1,32 @@
-#include "surfaces/formats/scan_formats.hpp"
-
 #include "surfaces/formats/length_units.hpp"
 #include "surfaces/formats/map_format.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <initializer_list>
+#include <iterator>
+#include <stdexcept>
 #include <utility>
 
 namespace asperity::surfaces {
+
+// Each format is a function of the file that reads it.
+MapFormat plain_format(), gwyddion_format(), xyz_format(), sdf_format(),
+    x3p_format(), npy_format(), hdf5_format(), gwy_format(), sur_format(),
+    wsxm_format(), other_text_format(), converted_format();
+
 namespace {
 
 using namespace std::string_view_literals;
-using mechanics::MapFormat;
+
+std::vector<MapFormat>& all_formats() {
+  static std::vector<MapFormat> formats{
+      plain_format(), gwyddion_format(),   xyz_format(),
+      sdf_format(),   x3p_format(),        npy_format(),
+      hdf5_format(),  gwy_format(),        sur_format(),
+      wsxm_format(),  other_text_format(), converted_format()};
+  return formats;
+}
 
 /// Formats that Gwyddion reads, by the ending of the file name.
 constexpr std::pair<std::string_view, std::string_view> foreign_formats[] = {
@@ -43,19 +56,15 @@ constexpr std::pair<std::string_view, std::string_view> foreign_formats[] = {
     {".plux", "Sensofar PLUx"},
     {".poir", "Olympus POIR"},
     {".spm", "Bruker Nanoscope"},
-    {".stp", "WSxM"},
-    {".sur", "Digital Surf"},
     {".pro", "Digital Surf profile"},
     {".sxm", "Nanonis"},
     {".tif", "TIFF, Park Systems"},
     {".tiff", "TIFF, Park Systems"},
     {".tmd", "TrueMap"},
-    {".top", "WSxM"},
     {".vk3", "Keyence VK"},
     {".vk4", "Keyence VK"},
     {".vk6", "Keyence VK"},
     {".vk7", "Keyence VK"},
-    {".wsxm", "WSxM"},
     {".xyz", "list of points"},
     {".zmg", "Zygo"},
     {".zon", "Keyence ZON"},
@@ -72,92 +81,26 @@ bool looks_like_text(std::string_view bytes) {
          });
 }
 
-bool begins_with(std::string_view bytes,
-                 std::initializer_list<std::string_view> beginnings) {
+/// Texts with headers of their own, which Gwyddion reads.
+bool is_foreign_text(std::string_view bytes) {
+  static constexpr std::string_view beginnings[] = {
+      "Wyko ASCII Data File Format",
+      "ISO/TC 201 SPM data transfer format",
+      "Gwyddion XYZ Field 1.0",
+      "//Exported ASCII-File",
+      "# Daisy ",
+      "# Sensolytics: ",
+      "[Header Section]",
+      "\tX,nm\t0\t"};
   return std::ranges::any_of(
       beginnings, [&](std::string_view one) { return bytes.starts_with(one); });
 }
 
-bool is_x3p(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04"sv) &&
-         bytes.find("main.xml") != std::string_view::npos;
-}
-
-/// Texts with headers of their own, which Gwyddion reads.
-bool is_foreign_text(std::string_view bytes) {
-  return begins_with(bytes, {"Wyko ASCII Data File Format",
-                             "ISO/TC 201 SPM data transfer format",
-                             "Gwyddion XYZ Field 1.0", "//Exported ASCII-File",
-                             "# Daisy ", "# Sensolytics: ", "[Header Section]",
-                             "\tX,nm\t0\t"});
-}
-
-bool is_never(std::string_view) {
-  return false;
-}
-
-/// All formats. The first one that recognises the bytes reads them.
-constexpr MapReader map_readers[] = {
-    {MapFormat::gwy,
-     [](std::string_view bytes) { return bytes.starts_with("GWYP"); }, open_gwy,
-     gwy_channels},
-    {MapFormat::npy,
-     [](std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); },
-     open_npy, npy_channels},
-    {MapFormat::hdf5,
-     [](std::string_view bytes) {
-       return bytes.starts_with("\x89HDF\r\n\x1A\n");
-     },
-     open_hdf5, hdf5_channels},
-    {MapFormat::sdf,
-     [](std::string_view bytes) {
-       return begins_with(bytes,
-                          {"aISO-1.0", "bISO-1.0", "aBCR-1.0", "bBCR-1.0"});
-     },
-     open_sdf},
-    {MapFormat::sur,
-     [](std::string_view bytes) {
-       return begins_with(bytes, {"DIGITAL SURF", "DSCOMPRESSED"});
-     },
-     open_sur},
-    {MapFormat::wsxm,
-     [](std::string_view bytes) { return bytes.starts_with("WSxM file"); },
-     open_wsxm},
-    {MapFormat::x3p, is_x3p, open_x3p},
-    {MapFormat::automatic,
-     [](std::string_view bytes) {
-       return looks_like_text(bytes) && !is_foreign_text(bytes);
-     },
-     open_text, text_channels},
-    {MapFormat::plain, is_never, open_text},
-    {MapFormat::gwyddion, is_never, open_text},
-    {MapFormat::xyz, is_never, open_text},
-    {MapFormat::convert, [](std::string_view) { return true; }, open_converted,
-     converted_channels}};
-
-const MapReader& recognised_reader(std::string_view bytes) {
-  return *std::ranges::find_if(map_readers, [&](const MapReader& reader) {
-    return reader.recognises(bytes);
+const MapFormat& recognised_format(std::string_view bytes) {
+  return *std::ranges::find_if(all_formats(), [&](const MapFormat& format) {
+    return format.reads(bytes);
   });
 }
-
-} // namespace
-
-MapFormat recognised_format(std::string_view bytes) {
-  return recognised_reader(bytes).format;
-}
-
-const MapReader& reader_of_map(const MapBytes& bytes, MapFormat format) {
-  if (format != MapFormat::automatic)
-    return *std::ranges::find(map_readers, format, &MapReader::format);
-  const MapReader& found = recognised_reader(bytes.beginning());
-  // Texts and archives are known by all of their bytes.
-  const bool is_certain = found.format != MapFormat::automatic &&
-                          found.format != MapFormat::convert;
-  return is_certain ? found : recognised_reader(bytes.all());
-}
-
-namespace {
 
 /// What Gwyddion does not read either, and how it can be made readable.
 constexpr std::pair<std::string_view, std::string_view> containers[] = {
@@ -170,6 +113,44 @@ constexpr std::pair<std::string_view, std::string_view> containers[] = {
 };
 
 } // namespace
+
+const std::vector<MapFormat>& map_formats() {
+  return all_formats();
+}
+
+bool add_map_format(MapFormat format) {
+  all_formats().insert(all_formats().begin(), std::move(format));
+  return true;
+}
+
+std::vector<const char*> map_format_names() {
+  std::vector<const char*> names{"auto"};
+  for (const MapFormat& format : map_formats())
+    if (*format.name != '\0')
+      names.push_back(format.name);
+  return names;
+}
+
+const MapFormat& map_format_called(std::string_view name) {
+  const auto found = std::ranges::find(map_formats(), name, &MapFormat::name);
+  if (name.empty() || found == map_formats().end())
+    throw std::domain_error("format = " + std::string(name) +
+                            ", but must be the name of a format of maps");
+  return *found;
+}
+
+const MapFormat& format_of_map(const MapBytes& bytes, std::string_view name) {
+  if (name != "auto")
+    return map_format_called(name);
+  const MapFormat& found = recognised_format(bytes.beginning());
+  // Texts and archives are known by all of their bytes.
+  const bool is_certain = &found < &*std::prev(map_formats().end(), 2);
+  return is_certain ? found : recognised_format(bytes.all());
+}
+
+bool is_text_map(std::string_view bytes) {
+  return looks_like_text(bytes) && !is_foreign_text(bytes);
+}
 
 std::string name_in_brackets(const std::string& path) {
   std::string begin(8, '\0');
@@ -189,6 +170,9 @@ std::string name_in_brackets(const std::string& path) {
     return " (UTF-16 text: convert it by iconv -f UTF-16LE -t UTF-8)";
   const std::string ending =
       lower_case(std::filesystem::path(path).extension().string());
+  for (const MapFormat& format : map_formats())
+    if (std::ranges::find(format.endings, ending) != format.endings.end())
+      return " (" + format.words.title + ")";
   for (const auto& [known, name] : foreign_formats)
     if (ending == known)
       return " (" + std::string(name) + ")";

@@ -1,3 +1,5 @@
+// Maps that are matrices without more: NumPy's .npy files and datasets of HDF5
+// files with two dimensions.
 #include "base/plain_text.hpp"
 #include "input/input_error.hpp"
 #include "results/storage/hdf5_file.hpp"
@@ -16,69 +18,60 @@
 #include <utility>
 
 namespace asperity::surfaces {
+namespace {
 
 /// The map of a matrix, or that of a list x y z if the format is automatic and
 /// its three columns are one.
-/// @param numbers  rows of the file [1]; its grid has the points per side
+/// @param numbers  [1]; its grid has the points per side
 /// @param name     for messages: the path, or the dataset in it
 /// @param what     the file in words: "an .npy file"
 /// @throws input::InputError  a key of the case is missing, or the columns may
 ///                            be those of a list
-OpenMap map_of_matrix(OpenMap numbers, const std::string& name,
-                      const std::string& what, mechanics::MapFormat format,
-                      const MapScale& scale) {
-  const Grid points = numbers.grid;
-  if (format == mechanics::MapFormat::automatic && points.points_x <= 3) {
+Scan scan_of_matrix(Scan numbers, const std::string& name,
+                    const std::string& what, const std::string& format,
+                    const MapScale& scale) {
+  const Grid points = numbers.map.grid;
+  if (format == "auto" && points.points_x <= 3) {
     NumberTable table;
     table.name = name;
     table.columns = static_cast<std::size_t>(points.points_x);
-    table.numbers = numbers.rows(0, points.points_y);
+    table.numbers = numbers.map.heights;
     table.lines.resize(static_cast<std::size_t>(points.points_y));
     std::iota(table.lines.begin(), table.lines.end(), 1);
     if (is_regular_list(table)) {
-      OpenMap list = map_of_list(table, scale);
+      Scan list = scan_of_list(table, scale);
       list.channel = numbers.channel;
       list.reader = numbers.reader;
       return list;
     }
     refuse_possible_list(name, table.columns, table.rows());
   }
-  numbers.grid = grid_by_scale(points, name, what, scale);
-  numbers.numbers.unit = *scale.height_unit;
-  numbers.rows = [rows = std::move(numbers.rows),
-                  unit = *scale.height_unit](int first, int count) {
-    std::vector<double> heights = rows(first, count);
-    for (double& height : heights)
-      height *= unit;
-    return heights;
-  };
-  return numbers;
+  Scan scan = scan_of_numbers(grid_by_scale(points, name, what, scale),
+                              std::move(numbers.map.heights), numbers.reader,
+                              {.unit = *scale.height_unit});
+  scan.channel = numbers.channel;
+  return scan;
 }
 
-OpenMap open_npy(const MapBytes& bytes, const ScanRequest& request) {
-  const NpyLayout layout = npy_layout(bytes);
-  require_sound_grid(bytes.name(), static_cast<std::int64_t>(layout.columns),
-                     static_cast<std::int64_t>(layout.rows), 1.0,
-                     layout.rows * layout.columns);
-  const Grid points{static_cast<int>(layout.columns),
-                    static_cast<int>(layout.rows), 0.0, 0.0};
-  OpenMap map = map_of_matrix({points, "", "own reader of .npy",
-                               [bytes, layout](int first, int count) {
-                                 return npy_rows(bytes, layout, first, count);
-                               }},
-                              bytes.name(), "an .npy file", request.format,
-                              request.scale);
+Scan read_npy_map(const MapBytes& bytes, const ScanRequest& request) {
+  Matrix matrix = read_npy_text(bytes.all(), bytes.name());
+  require_sound_grid(bytes.name(), static_cast<std::int64_t>(matrix.columns),
+                     static_cast<std::int64_t>(matrix.rows), 1.0,
+                     matrix.numbers.size());
+  const Grid points{static_cast<int>(matrix.columns),
+                    static_cast<int>(matrix.rows), 0.0, 0.0};
+  Scan scan = scan_of_matrix(
+      {{points, std::move(matrix.numbers)}, "", "own reader of .npy"},
+      bytes.name(), "an .npy file", request.format, request.scale);
   refuse_channel(request, "", bytes.name());
-  return map;
+  return scan;
 }
 
 std::vector<ChannelInfo> npy_channels(const MapBytes& bytes) {
-  const NpyLayout layout = npy_layout(bytes);
-  return {{"", "", static_cast<int>(layout.columns),
-           static_cast<int>(layout.rows)}};
+  const Matrix matrix = read_npy_text(bytes.all(), bytes.name());
+  return {{"", "", static_cast<int>(matrix.columns),
+           static_cast<int>(matrix.rows)}};
 }
-
-namespace {
 
 /// Datasets with two dimensions, whose titles are their paths.
 struct FoundDatasets {
@@ -212,15 +205,6 @@ std::string name_of(const std::string& path, const std::string& dataset) {
   return path + ": " + printable(dataset);
 }
 
-/// Calls use(group, name) with the group and the name of a dataset.
-template <class Use>
-auto with_dataset(const results::Hdf5File& file, const std::string& dataset,
-                  const Use& use) {
-  const std::size_t end = dataset.rfind('/');
-  return use(file.open_path(std::string_view(dataset).substr(0, end)),
-             dataset.substr(end + 1));
-}
-
 /// Returns read(file), after a trial in a child process: the packaged library
 /// has memory errors that a damaged file can trigger.
 template <class Read>
@@ -243,55 +227,65 @@ std::vector<ChannelInfo> datasets_of(const results::Hdf5File& file) {
   return std::move(found.infos);
 }
 
-/// The name and the sizes of a dataset; takes its attributes as scales.
-OpenMap described_dataset(const results::Hdf5File& file,
-                          const std::string& path,
-                          const std::optional<std::string>& channel,
-                          MapScale& scale) {
+/// The numbers of a dataset [1]; takes its attributes as scales.
+Scan dataset_of(const results::Hdf5File& file, const std::string& path,
+                const std::optional<std::string>& channel, MapScale& scale) {
   const std::vector<ChannelInfo> found = datasets_of(file);
   const ChannelInfo& info = chosen_dataset(found, channel, path);
   const std::string name = name_of(path, info.title);
-  with_dataset(file, info.title,
-               [&](const results::Hdf5Group& group, const std::string& child) {
-                 const results::Hdf5Group dataset = group.open_dataset(child);
-                 take_attribute(scale.length, dataset, "length", name);
-                 take_attribute(scale.length_y, dataset, "length_y", name);
-                 take_height_unit(scale.height_unit, dataset, name);
-               });
-  return {{info.points_x, info.points_y, 0.0, 0.0},
+  const std::size_t end = info.title.rfind('/');
+  const results::Hdf5Group group =
+      file.open_path(std::string_view(info.title).substr(0, end));
+  const std::string child = info.title.substr(end + 1);
+  const results::Hdf5Group dataset = group.open_dataset(child);
+  take_attribute(scale.length, dataset, "length", name);
+  take_attribute(scale.length_y, dataset, "length_y", name);
+  take_height_unit(scale.height_unit, dataset, name);
+  return {{{info.points_x, info.points_y, 0.0, 0.0},
+           group.rows(child, 0, static_cast<std::size_t>(info.points_y))},
           info.title,
-          "own reader of HDF5",
-          {}};
+          "own reader of HDF5"};
 }
 
-} // namespace
-
-OpenMap open_hdf5(const MapBytes& bytes, const ScanRequest& request) {
+Scan read_hdf5_map(const MapBytes& bytes, const ScanRequest& request) {
   require_file(bytes);
   const std::string& path = bytes.name();
   MapScale scale;
-  OpenMap numbers = read_safely(path, [&](const results::Hdf5File& file) {
+  Scan numbers = read_safely(path, [&](const results::Hdf5File& file) {
     scale = request.scale;
-    return described_dataset(file, path, request.channel, scale);
+    return dataset_of(file, path, request.channel, scale);
   });
-  numbers.rows = [path, dataset = numbers.channel](int first, int count) {
-    return read_safely(path, [&](const results::Hdf5File& file) {
-      return with_dataset(
-          file, dataset,
-          [&](const results::Hdf5Group& group, const std::string& child) {
-            return group.rows(child, static_cast<std::size_t>(first),
-                              static_cast<std::size_t>(count));
-          });
-    });
-  };
   const std::string name = name_of(path, numbers.channel);
-  return map_of_matrix(std::move(numbers), name, "an HDF5 dataset",
-                       request.format, scale);
+  return scan_of_matrix(std::move(numbers), name, "an HDF5 dataset",
+                        request.format, scale);
 }
 
 std::vector<ChannelInfo> hdf5_channels(const MapBytes& bytes) {
   require_file(bytes);
   return read_safely(bytes.name(), datasets_of);
+}
+
+} // namespace
+
+MapFormat npy_format() {
+  return {"npy",
+          {"NumPy", "`\\x93NUMPY`", "`length`, `height_unit`", "NaN", "one"},
+          [](std::string_view bytes) { return bytes.starts_with("\x93NUMPY"); },
+          read_npy_map,
+          npy_channels};
+}
+
+MapFormat hdf5_format() {
+  return {"hdf5",
+          {"a dataset with two dimensions", "`\\x89HDF`",
+           "attributes `unit` or `units`, `length`, `length_y` [m], or the "
+           "keys of the case",
+           "NaN", "paths of datasets"},
+          [](std::string_view bytes) {
+            return bytes.starts_with("\x89HDF\r\n\x1A\n");
+          },
+          read_hdf5_map,
+          hdf5_channels};
 }
 
 } // namespace asperity::surfaces
