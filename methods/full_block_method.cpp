@@ -88,8 +88,10 @@ public:
     const double estimated_gap_error = solution.estimated_gap_error;
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
-    const double plastic_work = solution.plastic_work;
-    const double plastic_strain = solution.plastic_strain;
+    const auto of_material = [added = solution.of_material](const char* name) {
+      const auto found = added.find(name);
+      return found == added.end() ? results::not_given : found->second;
+    };
     const auto [centre_x, centre_y] = solution.pressure_centre;
     const Reached reached = reached_by(solution);
     StepAnswer answer =
@@ -103,8 +105,8 @@ public:
     answer.row.estimated_gap_error = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
     answer.row.contact_energy = contact_energy;
-    answer.row.plastic_work = plastic_work;
-    answer.row.plastic_strain = plastic_strain;
+    answer.row.plastic_work = of_material("plastic_work");
+    answer.row.plastic_strain = of_material("plastic_strain");
     if (surface_.has_middle) {
       answer.row.pressure_centre_x = centre_x;
       answer.row.pressure_centre_y = centre_y;
