@@ -53,6 +53,7 @@ void BlockSolver::set_contact(std::span<const double> springs,
   springs_.assign(springs.begin(), springs.end());
   holds_ = held;
   inverse_->prepare(springs, held, is_sticking);
+  setups_ = setups_before_ + inverse_->setups();
 }
 
 bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
@@ -72,6 +73,7 @@ bool BlockSolver::solve(Vector& unknowns, const Vector& forces,
     turn_direct();
     last_ = inverse_->solve(unknowns, forces, tolerance, 0);
   }
+  setups_ = setups_before_ + inverse_->setups();
   return last_.has_converged;
 }
 

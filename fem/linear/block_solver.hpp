@@ -84,7 +84,7 @@ public:
   int iterations() const { return iterations_; } ///< total CG iterations
 
   /// Factorisations or multigrid setups.
-  int setups() const { return setups_before_ + inverse_->setups(); }
+  int setups() const { return setups_; }
 
   std::string name() const { return inverse_->name(); }
 
@@ -109,6 +109,7 @@ private:
   std::vector<bool> holds_; ///< whether each point is held
   bool is_sticking_ = false;
   int iterations_ = 0;
+  int setups_ = 0;        ///< that a contact state has used
   int setups_before_ = 0; ///< of an inverse that the direct solver replaced
   LinearSolution last_{.has_converged = true};
   double last_tolerance_ = 0.0; ///< of its residual [N]

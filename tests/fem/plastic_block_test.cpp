@@ -156,7 +156,7 @@ BlockProblem flat_block(bool is_shaken, const Plasticity& law) {
 // with hanging nodes, by central differences, and the cells are elastic again
 // without them. With a hundredth of the elastic stiffness along the flow,
 // conjugate gradients with elastic levels take at most four times the
-// iterations. Tolerance: points that begin to flow within the difference.
+// iterations. Tolerance: measured 3e-10, the error of the differences.
 TEST(MaterialPoints, HaveTheDerivativeOfTheForce) {
   const BlockProblem problem =
       flat_block(true, {0.01 * soft_modulus, 0.012 * soft_modulus});
@@ -170,7 +170,7 @@ TEST(MaterialPoints, HaveTheDerivativeOfTheForce) {
     return force;
   };
   BlockVector displacement = random_vector(system, 1);
-  displacement *= 1e-3 * length;
+  displacement *= 2e-3 * length;
   const BlockVector step = random_vector(system, 2);
   const double size = 1e-9 * length;
   BlockVector low(displacement), high(displacement);
@@ -193,7 +193,7 @@ TEST(MaterialPoints, HaveTheDerivativeOfTheForce) {
   block.vmult(again, step);
 
   EXPECT_GT(relative_difference(elastic_force, expected), 0.05);
-  EXPECT_LT(relative_difference(found, expected), 1e-5);
+  EXPECT_LT(relative_difference(found, expected), 1e-8);
   EXPECT_EQ(relative_difference(again, elastic_force), 0.0);
   EXPECT_LE(flowing_iterations, 4 * iterations);
 }
