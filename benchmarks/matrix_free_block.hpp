@@ -21,7 +21,7 @@ struct Patch {
   std::vector<double> springs; ///< all 0
   Vector load;                 ///< [N]
 
-  Patch(const BlockSystem& system, const MatrixFreeBlock& block,
+  Patch(const BlockSystem& system, const BlockInverse& block,
         const IsTouched& is_touched)
       : held(system.contact().size()),
         springs(held.size(), 0.0),
@@ -56,7 +56,7 @@ inline void print(const char* name, const Cost& cost, int iterations) {
 
 /// Solves to 1e-8 of the load and prints the cost.
 /// @param setting_up  started before the block was made
-inline Cost cost_of(MatrixFreeBlock& block, const CpuClock& setting_up,
+inline Cost cost_of(BlockInverse& block, const CpuClock& setting_up,
                     const Patch& patch, Patch::Vector& displacement) {
   Cost cost;
   block.prepare(patch.springs, patch.held, false);

@@ -63,7 +63,7 @@ Cost own_cost(const BlockProblem& problem, const BlockSystem& system,
               bool is_algebraic, const Patch& patch,
               Patch::Vector& displacement) {
   const CpuClock setting_up;
-  std::unique_ptr<MatrixFreeBlock> block;
+  std::unique_ptr<BlockInverse> block;
   if (is_algebraic)
     block = std::make_unique<HexahedronBlock>(problem, system);
   else

@@ -127,7 +127,7 @@ BlockTraits expected_block(const FullRequest& request, int ranks) {
           .ranks = ranks,
           .structure = structure_of(request),
           .is_compressible = has_compressible_cells(request),
-          .is_plastic = request.full.yield_stress.has_value()};
+          .is_nonlinear = request.full.yield_stress.has_value()};
 }
 
 } // namespace asperity::fem

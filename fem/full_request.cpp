@@ -1,6 +1,7 @@
 #include "fem/full_request.hpp"
 
 #include "base/require.hpp"
+#include "fem/material/j2_plasticity.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "meshes/counter_body.hpp"
@@ -126,9 +127,9 @@ BlockProblem problem_of(const FullRequest& request,
   problem.mesh = std::move(*mesh);
   problem.quality = meshes::quality_text(meshes::mesh_quality(problem.mesh));
   if (full.yield_stress)
-    problem.plasticity = {
+    problem.law = j2_plasticity(
         full.yield_stress->in_si(scales),
-        full.hardening_modulus ? full.hardening_modulus->in_si(scales) : 0.0};
+        full.hardening_modulus ? full.hardening_modulus->in_si(scales) : 0.0);
   problem.far_boundary = block.far_boundary;
   problem.sides = full.sides;
   problem.linear_solver = full.linear_solver;

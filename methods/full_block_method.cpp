@@ -89,8 +89,7 @@ public:
     const double estimated_gap_error = solution.estimated_gap_error;
     const double elastic_energy = solution.elastic_energy;
     const double contact_energy = solution.contact_energy;
-    const double plastic_work = solution.plastic_work;
-    const double plastic_strain = solution.plastic_strain;
+    const auto of_material = solution.of_material; // by column
     const auto [centre_x, centre_y] = solution.pressure_centre;
     const Reached reached = reached_by(solution);
     StepAnswer answer =
@@ -104,8 +103,8 @@ public:
     answer.row[columns::estimated_gap_error] = estimated_gap_error;
     answer.row.elastic_energy = elastic_energy;
     answer.row.contact_energy = contact_energy;
-    answer.row[columns::plastic_work] = plastic_work;
-    answer.row[columns::plastic_strain] = plastic_strain;
+    for (const auto& [column, number] : of_material)
+      results::curve_column(column).set(answer.row, number);
     if (surface_.has_middle) {
       answer.row[columns::pressure_centre_x] = centre_x;
       answer.row[columns::pressure_centre_y] = centre_y;

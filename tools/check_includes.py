@@ -51,7 +51,7 @@ ORDER = {
     "contact": ["operators", "solvers", "certificate"],
     "surfaces": ["maps", "formats", "analysis", "."],
     "meshes": ["layers", "."],
-    "fem": ["parallel", "waves", "multigrid", "hexahedra", "block", "linear", "newton", "refined",
+    "fem": ["parallel", "waves", "multigrid", "hexahedra", "material", "block", "linear", "newton", "refined",
             "solution", "adaptive", "."],
     "md": ["interface", "lattice", "minimise", "dynamics", "contact", "lammps", "."],
     "reports": [".", "numbers", "analysis", "explore", "figures", "pages", "sweeps", "surface"],

@@ -1,10 +1,8 @@
 #include "fem/block/block_assembly.hpp"
 
-#include "fem/block/elastic_response.hpp"
+#include "fem/material/hooke.hpp"
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q_iso_q1.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 #include <Epetra_CrsMatrix.h>
@@ -30,40 +28,29 @@ constexpr double same_edge = 1e-11;
 } // namespace
 
 CellMatrices::CellMatrices(const BlockSpace& space)
-    : CellMatrices(space, space.element(), space.cell_quadrature()) {}
-
-CellMatrices::CellMatrices(const BlockSpace& space,
-                           const dealii::FiniteElement<3>& element,
-                           const dealii::Quadrature<3>& quadrature)
-    : values_(space.mapping(), element.base_element(0), quadrature,
+    : values_(space.mapping(), space.element().base_element(0),
+              space.cell_quadrature(),
               dealii::update_gradients | dealii::update_JxW_values),
-      matrix_(element.n_dofs_per_cell()) {
-  for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i)
-    component_and_node_.push_back(element.system_to_component_index(i));
+      matrix_(space.element().n_dofs_per_cell()) {
+  for (unsigned int i = 0; i < matrix_.m(); ++i)
+    component_and_node_.push_back(space.element().system_to_component_index(i));
 }
 
-/// Integrals of d_k phi_a d_l phi_b [m]. Functions that vanish in a part of the
-/// cell are skipped there.
+/// Integrals of d_k phi_a d_l phi_b [m].
 CellMatrices::Products CellMatrices::integrate() const {
   Products products(values_.dofs_per_cell, values_.dofs_per_cell);
-  std::vector<unsigned int> there;
-  for (const unsigned int q : values_.quadrature_point_indices()) {
-    there.clear();
-    for (const unsigned int a : values_.dof_indices())
-      if (values_.shape_grad(a, q).norm_square() > 0.0)
-        there.push_back(a);
-    for (const unsigned int a : there) {
+  for (const unsigned int q : values_.quadrature_point_indices())
+    for (const unsigned int a : values_.dof_indices()) {
       const Tensor<1, 3> weighted = values_.shape_grad(a, q) * values_.JxW(q);
-      for (const unsigned int b : there)
+      for (const unsigned int b : values_.dof_indices())
         products(a, b) += outer_product(weighted, values_.shape_grad(b, q));
     }
-  }
   return products;
 }
 
 dealii::FullMatrix<double> CellMatrices::contract(const Products& products,
                                                   const Moduli& moduli) const {
-  const auto symmetric = elastic_response({}, moduli).tangent;
+  const auto symmetric = elastic_tangent(moduli);
   Tensor<4, 3> tangent; // C_ikjl at i, j, k, l
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
@@ -138,22 +125,6 @@ dealii::IndexSet writable(const BlockSystem& system) {
   set.add_indices(system.contact().needed());
   set.compress();
   return set;
-}
-
-/// Table of whether the nodes of two unknowns are vertices of a common cell
-/// among the eight small cells.
-dealii::Table<2, bool> neighbours(const dealii::FiniteElement<3>& element) {
-  const auto& places = element.get_unit_support_points();
-  dealii::Table<2, bool> couples(places.size(), places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    for (std::size_t j = 0; j < places.size(); ++j) {
-      double farthest = 0.0;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-        farthest =
-            std::max(farthest, std::abs(places[i][axis] - places[j][axis]));
-      couples(i, j) = farthest < 0.75;
-    }
-  return couples;
 }
 
 /// Sets the rows and columns of the flagged unknowns to zero except for the
@@ -240,26 +211,6 @@ hierarchy_bytes(const dealii::TrilinosWrappers::PreconditionAMG& multigrid) {
       add(hierarchy.Amat[level]);
   }
   return entries * (sizeof(double) + sizeof(int));
-}
-
-bool has_low_order(const BlockSpace& space) {
-  return space.element().degree == 2 &&
-         space.triangulation().all_reference_cells_are_hyper_cube();
-}
-
-void assemble_low_order(const BlockSystem& system,
-                        dealii::TrilinosWrappers::SparseMatrix& matrix) {
-  const dealii::FESystem<3> element(dealii::FE_Q_iso_Q1<3>(2), 3);
-  CellMatrices matrices(
-      system.space(), element,
-      dealii::QIterated<3>(dealii::QGauss<1>(2), 2)); // exact on box-shaped
-                                                      // cells
-  assemble(
-      system,
-      [&](const auto& cell) -> const auto& {
-        return matrices.of(cell, system.moduli_of(cell));
-      },
-      neighbours(element), matrix);
 }
 
 void JoinedNodes::find(const BlockSystem& system, const Matrix& stiffness,

@@ -1,8 +1,7 @@
 #pragma once
 
-// Assembly of cell matrices into a distributed matrix of the block, and the
-// matrix of first-order cells that replaces the one of second-order cells in a
-// preconditioner.
+// Assembly of cell matrices into a distributed matrix of the block, and what
+// algebraic multigrid needs of it.
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_space.hpp"
@@ -24,16 +23,12 @@ namespace asperity::fem {
 ///
 ///     K_(a,i),(b,j) = C_ikjl int d_k phi_a d_l phi_b dV              (F.3)
 ///
-/// for nodes a, b and directions i, j, with C from elastic_response. They are
+/// for nodes a, b and directions i, j, with C of Hooke's law. They are
 /// linear in the moduli, so the cache holds for each shape the matrix of
 /// lambda = 1 Pa and that of mu = 1 Pa.
 class CellMatrices {
 public:
   explicit CellMatrices(const BlockSpace& space);
-
-  /// Uses other shape functions on the unknowns of the space's element.
-  CellMatrices(const BlockSpace& space, const dealii::FiniteElement<3>& element,
-               const dealii::Quadrature<3>& quadrature);
 
   /// The matrix of the cell. The reference is valid until the next call.
   const dealii::FullMatrix<double>&
@@ -85,21 +80,6 @@ void hold(dealii::TrilinosWrappers::SparseMatrix& matrix,
 /// count them.
 std::size_t
 hierarchy_bytes(const dealii::TrilinosWrappers::PreconditionAMG& multigrid);
-
-/// Whether the block consists of second-order hexahedra.
-bool has_low_order(const BlockSpace& space);
-
-/// Assembles the stiffness K_1 of first-order cells, eight in each second-order
-/// hexahedron, on its 27 nodes and under the same constraints. On each cell,
-/// and therefore on the full block for any cell size,
-///
-///     c u.K_1 u <= u.K u <= C u.K_1 u                               (F.4)
-///
-/// with c and C of order one. K_1 has two fifths of the entries of K and
-/// replaces K in a preconditioner. This call is collective.
-/// @see  S. A. Orszag, J. Comput. Phys. 37, 70 (1980)
-void assemble_low_order(const BlockSystem& system,
-                        dealii::TrilinosWrappers::SparseMatrix& matrix);
 
 /// Nodes that stiff springs join to faces of another body, for algebraic
 /// multigrid: the change of variables of mesh_contact.hpp for an assembled

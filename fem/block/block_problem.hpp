@@ -30,17 +30,7 @@ struct AdaptiveMesh {
   std::optional<int> interface_halvings = {};
 };
 
-/// Small-strain J2 plasticity with isotropic, linear hardening.
-struct Plasticity {
-  double yield_stress = 0.0; ///< in uniaxial tension [Pa] > 0
-  double hardening = 0.0;    ///< its increase per equivalent plastic strain
-                             ///< [Pa] >= 0
-
-  /// The yield stress after an equivalent plastic strain [Pa].
-  double yield_stress_after(double strain) const {
-    return yield_stress + hardening * strain;
-  }
-};
+class MaterialLaw;
 
 /// The problem that make_full_block builds. It must be equal on every rank.
 struct BlockProblem {
@@ -69,8 +59,8 @@ struct BlockProblem {
   std::optional<AdaptiveMesh> adaptive = {};
 
   /// Needs one body of second-order hexahedra that do not follow the contact;
-  /// empty: the block is elastic.
-  std::optional<Plasticity> plasticity = {};
+  /// null: Hooke's law.
+  std::shared_ptr<const MaterialLaw> law = {};
 
   std::string quality = {}; ///< lines on the mesh quality, for report()
 };

@@ -31,7 +31,7 @@ BlockSystem::BlockSystem(
     std::shared_ptr<dealii::parallel::TriangulationBase<3>> triangulation)
     : grid_(problem.grid),
       field_(problem.moduli),
-      plasticity_(problem.plasticity),
+      law_(problem.law),
       far_boundary_(problem.far_boundary),
       quality_(problem.quality),
       space_(problem, std::move(triangulation)),

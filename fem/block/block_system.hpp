@@ -58,7 +58,8 @@ public:
   /// The moduli of a cell.
   Moduli moduli_of(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
-  const std::optional<Plasticity>& plasticity() const { return plasticity_; }
+  /// Null if the block is linear elastic.
+  const MaterialLaw* law() const { return law_.get(); }
 
   /// The largest shear modulus of the cells at the contact surface, of two
   /// bodies that of the softer one [Pa].
@@ -74,7 +75,7 @@ private:
   Grid grid_;
   ModuliField field_;
   std::optional<Moduli> counter_;
-  std::optional<Plasticity> plasticity_;
+  std::shared_ptr<const MaterialLaw> law_;
   mechanics::FarBoundary far_boundary_;
   std::string quality_;
   BlockSpace space_;

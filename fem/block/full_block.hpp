@@ -12,6 +12,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -76,11 +77,9 @@ struct BlockSolution {
   /// order mesh would give wrongly: their nodes have unequal areas.
   double elastic_energy = 0.0; ///< of the block, per nominal area [J/m^2]
   double contact_energy = 0.0; ///< of the penalty springs, likewise
-  /// Of a block with a yield stress, whose elastic_energy is NaN: the work of
-  /// plastic flow so far, likewise [J/m^2], and the largest equivalent plastic
-  /// strain [1]; else NaN.
-  double plastic_work = std::numeric_limits<double>::quiet_NaN();
-  double plastic_strain = std::numeric_limits<double>::quiet_NaN();
+  /// What the material law of the block adds to the result, by the name of its
+  /// column; empty for Hooke's law. With another law elastic_energy is NaN.
+  std::map<std::string, double> of_material;
   /// Place of the resultant force from the node in column points_x / 2 and row
   /// points_y / 2 of the grid [m]; NaN without contact.
   std::array<double, 2> pressure_centre{
@@ -219,9 +218,9 @@ public:
                               const mechanics::LoadTarget& load,
                               const BlockContact& contact) = 0;
 
-  /// What solve() starts from, as numbers: the plastic strain, and what it
-  /// takes to continue bit for bit; empty for an elastic block, whose solution
-  /// does not depend on the steps before.
+  /// What solve() starts from, as numbers: the state of the material, and what
+  /// it takes to continue bit for bit; empty for an elastic block, whose
+  /// solution does not depend on the steps before.
   virtual std::vector<double> memory() const { return {}; }
 
   /// Continues from the memory of an equal block.

@@ -1,7 +1,7 @@
 #pragma once
 
-// The elastoplastic stiffness of a cell, which differs between its Gauss
-// points.
+// The stiffness of a cell whose material law is not linear, which differs
+// between its Gauss points.
 
 #include "fem/hexahedra/hexahedron_kernel.hpp"
 

@@ -1,6 +1,6 @@
 #include "fem/linear/hexahedron_block.hpp"
 
-#include "fem/block/block_assembly.hpp"
+#include "fem/linear/assembled_block.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -158,16 +158,16 @@ void FirstOrderCorrection::prepare(std::span<const double> springs,
   const bool is_new = !std::ranges::equal(springs, springs_);
   springs_.assign(springs.begin(), springs.end());
   if (dealii::Utilities::MPI::max(is_new ? 1 : 0, MPI_COMM_WORLD) == 1)
-    is_stale_ = true;
+    age_.expire();
   held_.clear();
   for (std::size_t i = 0; i < held.size(); ++i)
     if (held[i] && vertices_[i])
       append_held(*vertices_[i], is_sticking, held_);
-  is_new_ = false;
+  age_.change_contact();
 }
 
 void FirstOrderCorrection::refresh() {
-  if (!is_stale_)
+  if (!age_.is_stale())
     return;
   multigrid_.clear();
   matrix_.copy_from(coarse_.stiffness());
@@ -186,10 +186,7 @@ void FirstOrderCorrection::refresh() {
   parameters.set("null space: dimension", 6);
   parameters.set("null space: vectors", rigid_modes_.data());
   multigrid_.initialize(matrix_, parameters);
-  is_stale_ = false;
-  is_new_ = true;
-  steps_per_decade_ = lost_steps_ = 0.0;
-  ++setups_;
+  age_.renew();
 }
 
 void FirstOrderCorrection::add(const std::vector<float>& residual,
@@ -220,22 +217,12 @@ void FirstOrderCorrection::add(const std::vector<float>& residual,
             parents_.weight[k] * values[parents_.column[k] + c]);
 }
 
-void FirstOrderCorrection::check_efficiency(int iterations, double decades) {
-  constexpr int fewest_steps = 3;
-  if (iterations < fewest_steps || !(decades > 1.0))
-    return;
-  if (is_new_)
-    steps_per_decade_ = std::max(steps_per_decade_, iterations / decades);
-  else
-    lost_steps_ += std::max(0.0, iterations - steps_per_decade_ * decades);
-  is_stale_ = lost_steps_ > setup_steps;
-}
-
 std::size_t FirstOrderCorrection::bytes() const {
   return coarse_.stiffness().memory_consumption() +
          matrix_.memory_consumption() +
-         (setups_ > 0 ? hierarchy_bytes(multigrid_) : 0) + parents_.bytes() +
-         numbers_.bytes() + nodes_.size() * sizeof(std::size_t) +
+         (age_.setups() > 0 ? hierarchy_bytes(multigrid_) : 0) +
+         parents_.bytes() + numbers_.bytes() +
+         nodes_.size() * sizeof(std::size_t) +
          (rigid_modes_.size() + values_.size()) * sizeof(double);
 }
 
@@ -266,7 +253,9 @@ void HexahedronBlock::set_tangents(std::span<const CellTangents> cells) {
 }
 
 bool is_hexahedron_block(const BlockSystem& system) {
-  return has_low_order(system.space()) &&
+  const BlockSpace& space = system.space();
+  return space.element().degree == 2 &&
+         space.triangulation().all_reference_cells_are_hyper_cube() &&
          (!system.has_counter() || system.contact().has_counter_mesh());
 }
 

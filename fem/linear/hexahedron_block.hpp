@@ -7,6 +7,8 @@
 #include "fem/hexahedra/hexahedron_operator.hpp"
 #include "fem/linear/mesh_block.hpp"
 
+#include <deal.II/lac/trilinos_precondition.h>
+
 #include <memory>
 #include <span>
 #include <string>
@@ -32,14 +34,15 @@ public:
   void add(const std::vector<float>& residual, std::vector<float>& displacement,
            double unit) override;
 
-  /// The hierarchy is renewed when its age has cost more than a new one.
-  void check_efficiency(int iterations, double decades) override;
+  void check_efficiency(int iterations, double decades) override {
+    age_.count(iterations, decades);
+  }
 
-  bool is_current() const override { return is_new_ || is_stale_; }
+  bool is_current() const override { return age_.is_new() || age_.is_stale(); }
 
-  void renew() override { is_stale_ = true; }
+  void renew() override { age_.expire(); }
 
-  int setups() const override { return setups_; }
+  int setups() const override { return age_.setups(); }
 
   std::string name() const override { return "first order by Trilinos ML"; }
 
@@ -72,9 +75,7 @@ private:
   dealii::TrilinosWrappers::PreconditionAMG multigrid_;
   Vector force_, displacement_;
   std::vector<double> values_; ///< at numbers_
-  bool is_stale_ = true, is_new_ = false;
-  double steps_per_decade_ = 0.0, lost_steps_ = 0.0;
-  int setups_ = 0;
+  HierarchyAge age_{3};
 };
 
 /// The cells of this rank.

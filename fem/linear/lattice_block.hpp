@@ -5,7 +5,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/linear/block_solver.hpp"
+#include "fem/linear/block_inverse.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 #include "fem/multigrid/lattice_slab.hpp"
 #include "fem/multigrid/mesh_contact.hpp"
@@ -141,7 +141,7 @@ std::optional<BoxLattice> box_lattice(const BlockProblem& problem);
 /// Pins (BlockSpace) that only prevent a rigid motion carry the sum of the
 /// forces, and the motion is subtracted from the solution. A pin in z of a
 /// block that contact supports as well is held.
-class LatticeBlock : public MatrixFreeBlock {
+class LatticeBlock : public BlockInverse {
 public:
   /// @param system  its mesh is that of the lattice
   LatticeBlock(const BlockSystem& system, const BoxLattice& lattice);

@@ -6,7 +6,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/linear/block_solver.hpp"
+#include "fem/linear/block_inverse.hpp"
 #include "fem/multigrid/mesh_contact.hpp"
 #include "fem/multigrid/mesh_multigrid.hpp"
 #include "fem/multigrid/unknown_layout.hpp"
@@ -100,7 +100,7 @@ public:
 
 /// The stiffness of a block on a mesh and its inverse. Each rank sums over its
 /// own cells; set-up, products and solutions are collective.
-class MeshBlock : public MatrixFreeBlock {
+class MeshBlock : public BlockInverse {
 public:
   /// @param system    must outlive this object
   /// @param unknowns  to which `stiffness` and `correction` refer; its cells

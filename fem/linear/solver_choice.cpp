@@ -7,7 +7,7 @@
 namespace asperity::fem {
 
 BlockSolverKind solver_of(const BlockTraits& block) {
-  if (block.is_plastic)
+  if (block.is_nonlinear)
     return block.structure == MeshStructure::hexahedra
                ? BlockSolverKind::hexahedra
                : BlockSolverKind::halved; // a lattice has no halvings

@@ -46,7 +46,7 @@ struct BlockTraits {
   int ranks = 1;
   MeshStructure structure = MeshStructure::other;
   bool is_compressible = true; ///< every cell, see below
-  bool is_plastic = false;     ///< its stiffness has tangents
+  bool is_nonlinear = false;   ///< its stiffness has tangents
 };
 
 /// The linear solver of a block.

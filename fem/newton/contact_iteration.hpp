@@ -26,10 +26,10 @@ namespace asperity::fem {
 ///    Linear systems are therefore solved with care after the fourth step of
 ///    Newton's method that changed the set, and after twelve steps of the
 ///    active-set method, whose constraints amplify no error.
-/// 4. Where the material flows, an imbalance on an unchanged set is also that
-///    of the linearised flow. A step counts as one that changed the set unless
-///    it halves the smallest imbalance so far; thirty of them in a row end the
-///    iteration.
+/// 4. Where the material is not elastic, an imbalance on an unchanged set is
+///    also that of its linearised law. A step counts as one that changed the
+///    set unless it halves the smallest imbalance so far; thirty of them in a
+///    row end the iteration.
 class ContactIteration {
 public:
   static constexpr int most_refinements = 8;
@@ -60,21 +60,21 @@ public:
   }
 
   /// Counts a step that changed so many points of the contact set and left
-  /// this imbalance, and after which the material may flow. Returns whether it
-  /// was the last one.
-  bool has_ended(int changed, double imbalance, bool is_flowing) {
+  /// this imbalance, and after which the material may be elastic. Returns
+  /// whether it was the last one.
+  bool has_ended(int changed, double imbalance, bool is_elastic) {
     if (changed != 0) {
       refinements_ = 0;
       ++changes_;
       return false;
     }
-    if (is_flowing)
+    if (!is_elastic)
       return has_settled(imbalance);
     return imbalance <= tolerance_ || refinements_++ == most_refinements;
   }
 
 private:
-  /// Counts a step on an unchanged set where the material flows.
+  /// Counts a step on an unchanged set where the material is not elastic.
   bool has_settled(double imbalance) {
     if (imbalance <= 0.5 * least_imbalance_) {
       least_imbalance_ = imbalance;

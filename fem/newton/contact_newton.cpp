@@ -103,7 +103,7 @@ bool ActiveSet::iterate(const mechanics::LoadTarget& load,
     const int changed = n_changed(next, active);
     const double imbalance = state_.unbalanced();
     step_.tell(answer.iterations, imbalance, changed);
-    if (iteration.has_ended(changed, imbalance, state_.is_flowing()))
+    if (iteration.has_ended(changed, imbalance, state_.is_elastic()))
       return true;
     active = std::move(next);
   }
@@ -186,9 +186,9 @@ using dealii::Utilities::MPI::sum;
 
 ContactNewton::ContactNewton(const BlockSystem& system,
                              LinearSolver linear_solver,
-                             std::unique_ptr<MatrixFreeBlock> matrix_free)
+                             std::unique_ptr<BlockInverse> inverse)
     : system_(system),
-      solver_(system, linear_solver, std::move(matrix_free)),
+      solver_(system, linear_solver, std::move(inverse)),
       state_(system, solver_),
       step_(system, solver_, state_),
       newton_(state_, step_),
@@ -221,7 +221,7 @@ void ContactNewton::start_from(ContactStart start) {
 }
 
 std::vector<double> ContactNewton::memory() const {
-  if (state_.flow() == nullptr)
+  if (state_.material() == nullptr)
     return {};
   std::vector<double> numbers{
       static_cast<double>(state_.displacement.locally_owned_size()),
@@ -231,7 +231,7 @@ std::vector<double> ContactNewton::memory() const {
        {&state_.displacement, &step_.response_to_approach()})
     numbers.insert(numbers.end(), field->begin(), field->end());
   numbers.insert(numbers.end(), state_.pressure.begin(), state_.pressure.end());
-  state_.flow()->save(numbers);
+  state_.material()->save(numbers);
   return numbers;
 }
 
@@ -239,7 +239,7 @@ bool ContactNewton::recall(std::span<const double> memory) {
   constexpr std::size_t head = 5;
   const std::size_t unknowns = state_.displacement.locally_owned_size();
   const std::size_t points = state_.pressure.size();
-  const bool fits = state_.flow() != nullptr &&
+  const bool fits = state_.material() != nullptr &&
                     memory.size() >= head + 2 * unknowns + points &&
                     memory[0] == static_cast<double>(unknowns) &&
                     memory[1] == static_cast<double>(points);
@@ -256,7 +256,7 @@ bool ContactNewton::recall(std::span<const double> memory) {
   std::ranges::copy(take(unknowns), state_.displacement.begin());
   std::ranges::copy(take(unknowns), step_.response_to_approach().begin());
   std::ranges::copy(take(points), state_.pressure.begin());
-  state_.flow()->restore(memory.subspan(head + 2 * unknowns + points));
+  state_.material()->restore(memory.subspan(head + 2 * unknowns + points));
   // The set-up of the solver then belongs to the steps before.
   solver_.set_contact(std::vector<double>(points, 0.0),
                       ContactSet(points, false));
@@ -295,10 +295,9 @@ void ContactNewton::add_up(const BlockContact& contact,
   const auto& [displacement, force, moment_x, moment_y, work, square] = sums;
   answer.elastic_energy =
       0.5 * (work - force * displacement / state_.area()) / state_.area();
-  if (const PlasticFlow* const flow = state_.flow()) {
+  if (const MaterialPoints* const material = state_.material()) {
     answer.elastic_energy = std::numeric_limits<double>::quiet_NaN();
-    answer.plastic_work = flow->work() / state_.area();
-    answer.plastic_strain = flow->largest_strain();
+    answer.of_material = material->quantities();
   }
   if (!mechanics::has_wall(contact.law))
     answer.contact_energy = 0.5 * square / (contact.penalty * state_.area());
@@ -315,7 +314,7 @@ void ContactNewton::search_wall(double height_scale,
       load, contact, contact.tolerance * height_scale, answer);
   answer.residual = state_.violation(0.0) / height_scale;
   if (answer.converged || answer.iterations >= contact.max_iterations ||
-      state_.is_flowing())
+      !state_.is_elastic())
     return;
   const std::string why = answer.note;
   answer.note.clear();
@@ -349,8 +348,9 @@ void ContactNewton::search(double height_scale,
     answer.note += solver_.advice();
 }
 
-/// Finds the contact at a load, first with the plastic strain of the last part
-/// of the loading path, and with flow from there. Returns whether it is found.
+/// Finds the contact at a load, first with the inelastic strain of the last
+/// part of the loading path, and with the material law from there. Returns
+/// whether it is found.
 bool ContactNewton::search_part(double height_scale, double nominal_pressure,
                                 const BlockContact& contact,
                                 BlockSolution& answer) {
@@ -358,14 +358,14 @@ bool ContactNewton::search_part(double height_scale, double nominal_pressure,
                                    nominal_pressure};
   answer.converged = false;
   answer.note.clear();
-  state_.flow()->freeze(true);
+  state_.material()->freeze(true);
   state_.follow_displacement();
   search(height_scale, load, contact, answer);
-  state_.flow()->freeze(false);
+  state_.material()->freeze(false);
   if (!answer.converged)
     return false;
   state_.follow_displacement();
-  if (!state_.is_flowing())
+  if (state_.is_elastic())
     return true;
   answer.converged = false;
   newton_.begin();
@@ -374,11 +374,12 @@ bool ContactNewton::search_part(double height_scale, double nominal_pressure,
 }
 
 /// Goes from the load of the last step to that of this one. A part of the way
-/// that is not found, because the flow turns within it, is taken in two halves.
-void ContactNewton::search_flow(double height_scale,
-                                const mechanics::LoadTarget& load,
-                                const BlockContact& contact,
-                                BlockSolution& answer) {
+/// that is not found, because the material changes too much in it, is taken in
+/// two halves.
+void ContactNewton::search_material(double height_scale,
+                                    const mechanics::LoadTarget& load,
+                                    const BlockContact& contact,
+                                    BlockSolution& answer) {
   constexpr double smallest_part = 1.0 / 64.0;
   solver_.forget(); // so that a run that is resumed has the same bits
   const double start = carried_;
@@ -391,7 +392,7 @@ void ContactNewton::search_flow(double height_scale,
     const double next =
         done + part < 1.0 ? start + (done + part) * way : load.amount;
     if (search_part(height_scale, next, contact, answer)) {
-      state_.flow()->end_step();
+      state_.material()->end_step();
       carried_ = next;
       done += part;
       continue;
@@ -413,8 +414,8 @@ void ContactNewton::solve(std::vector<double> heights, double height_scale,
   const std::string solver = solver_.name();
   step_.begin(contact.watch);
   newton_.begin();
-  if (state_.flow() != nullptr)
-    search_flow(height_scale, load, contact, answer);
+  if (state_.material() != nullptr)
+    search_material(height_scale, load, contact, answer);
   else
     search(height_scale, load, contact, answer);
   add_up(contact, answer);

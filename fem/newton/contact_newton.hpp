@@ -80,7 +80,7 @@ public:
 
   /// @param system must outlive this object
   ContactNewton(const BlockSystem& system, LinearSolver linear_solver,
-                std::unique_ptr<MatrixFreeBlock> matrix_free = {});
+                std::unique_ptr<BlockInverse> inverse = {});
 
   ContactNewton(const ContactNewton&) = delete; // its parts refer to each other
   ContactNewton& operator=(const ContactNewton&) = delete;
@@ -94,8 +94,8 @@ public:
              const mechanics::LoadTarget& load, const BlockContact& contact,
              BlockSolution& answer);
 
-  /// What the next load step of a block that flows starts from, as numbers of
-  /// this rank; empty for an elastic block, which has no history.
+  /// What the next load step starts from if the material has a law, as
+  /// numbers of this rank; empty for a linear block, which has no history.
   std::vector<double> memory() const;
 
   /// Continues from the memory of an equal block with the same results, bit for
@@ -130,8 +130,8 @@ public:
 private:
   void search(double height_scale, const mechanics::LoadTarget& load,
               const BlockContact& contact, BlockSolution& answer);
-  void search_flow(double height_scale, const mechanics::LoadTarget& load,
-                   const BlockContact& contact, BlockSolution& answer);
+  void search_material(double height_scale, const mechanics::LoadTarget& load,
+                       const BlockContact& contact, BlockSolution& answer);
   bool search_part(double height_scale, double nominal_pressure,
                    const BlockContact& contact, BlockSolution& answer);
   void search_wall(double height_scale, const mechanics::LoadTarget& load,
@@ -147,7 +147,7 @@ private:
   SpringNewton newton_;
   AugmentedLagrangian augmented_;
   ActiveSet active_set_;
-  double carried_ = 0.0; ///< the load whose plastic strain is known [Pa]
+  double carried_ = 0.0; ///< the load whose state of the material is known [Pa]
 };
 
 } // namespace asperity::fem

@@ -53,8 +53,8 @@ ContactState::ContactState(const BlockSystem& system, const BlockSolver& solver)
       solver_(solver),
       stiffness_scale_(system.face_shear_modulus() /
                        system.grid().spacing_x()) {
-  if (system.plasticity())
-    flow_.emplace(system, *system.plasticity());
+  if (system.law() != nullptr)
+    material_.emplace(system);
 }
 
 double ContactState::mean_gap() const {
@@ -127,8 +127,8 @@ void ContactState::take_heights(std::vector<double> absolute) {
 void ContactState::follow_displacement() {
   points().take_displacement(displacement, face_displacement);
   solver_.multiply(elastic, displacement);
-  if (flow_)
-    flow_->follow(displacement, elastic);
+  if (material_)
+    material_->follow(displacement, elastic);
 }
 
 void ContactState::press_springs(double penalty) {
@@ -160,7 +160,7 @@ void ContactState::return_to(const Placement& placement) {
   elastic = placement.elastic;
   face_displacement = placement.face_displacement;
   rigid_gap = placement.rigid_gap;
-  if (flow_)
+  if (material_)
     follow_displacement();
 }
 
@@ -170,8 +170,8 @@ double ContactState::stress_work(const Placement& before, const Vector& step,
   there.add(share, step);
   Vector force(there);
   solver_.multiply(force, there);
-  if (flow_)
-    flow_->follow(there, force);
+  if (material_)
+    material_->follow(there, force);
   return force * step;
 }
 

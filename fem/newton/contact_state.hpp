@@ -5,7 +5,7 @@
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/block/block_system.hpp"
-#include "fem/block/plastic_flow.hpp"
+#include "fem/block/material_points.hpp"
 #include "fem/linear/block_solver.hpp"
 
 #include <optional>
@@ -36,7 +36,8 @@ double larger_residual(double largest, double residual);
 struct ContactState {
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
-  /// What a step of the iteration changes; the plastic strain follows.
+  /// What a step of the iteration changes; the state of the material
+  /// follows.
   struct Placement {
     Vector displacement, elastic;
     std::vector<double> face_displacement;
@@ -59,12 +60,15 @@ struct ContactState {
   Vector elastic;   ///< of the stress, K u in an elastic block [N]
   Vector imbalance; ///< elastic + P g - B^T a p, of find_imbalance() [N]
 
-  /// The plastic strain at the displacement; null in an elastic block.
-  PlasticFlow* flow() { return flow_ ? &*flow_ : nullptr; }
+  /// The state of the material at the displacement; null if it is linear.
+  MaterialPoints* material() { return material_ ? &*material_ : nullptr; }
 
-  const PlasticFlow* flow() const { return flow_ ? &*flow_ : nullptr; }
+  const MaterialPoints* material() const {
+    return material_ ? &*material_ : nullptr;
+  }
 
-  bool is_flowing() const { return flow_ && flow_->is_flowing(); }
+  /// Whether the stiffness is K at this displacement.
+  bool is_elastic() const { return !material_ || material_->is_elastic(); }
 
   const ContactPoints& points() const { return system_.contact(); }
 
@@ -140,7 +144,7 @@ private:
 
   const BlockSystem& system_;
   const BlockSolver& solver_;
-  std::optional<PlasticFlow> flow_;
+  std::optional<MaterialPoints> material_;
   double stiffness_scale_;
 };
 

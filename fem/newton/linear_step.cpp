@@ -141,11 +141,11 @@ bool LinearStep::solve_for(Vector& answer, const Vector& forces,
 bool LinearStep::take(const mechanics::LoadTarget& load,
                       std::span<const double> springs, const ContactSet& held,
                       const StepAccuracy& accuracy) {
-  const PlasticFlow* const flow = state_.flow();
-  if (flow != nullptr)
-    solver_.set_tangents(flow->tangents());
+  const MaterialPoints* const material = state_.material();
+  if (material != nullptr)
+    solver_.set_tangents(material->tangents());
   const bool is_solved = solve(load, springs, held, accuracy);
-  if (flow != nullptr)
+  if (material != nullptr)
     solver_.set_tangents({}); // K, of which the state computes its force
   if (is_solved)
     state_.follow_displacement();

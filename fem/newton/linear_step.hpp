@@ -16,7 +16,7 @@ namespace asperity::fem {
 struct StepAccuracy {
   double tolerance = 0.0;  ///< of the balance of forces, relative [1]
   int refinements = 0;     ///< steps before on the same contact set
-  bool is_careful = false; ///< as IterationOnSets says
+  bool is_careful = false; ///< as ContactIteration says
 };
 
 /// Solves (F.1) for the changes of u, d and P on a fixed contact set, on which

@@ -168,8 +168,9 @@ namespace {
 /// Halvings of the interval in which the step length lies.
 constexpr int halvings = 40;
 
-/// The same where the material flows, and each takes a pass over the cells.
-constexpr int halvings_in_flow = 10;
+/// The same where the material is not linear, and each takes a pass over the
+/// cells.
+constexpr int halvings_by_material = 10;
 
 /// The excess of the mean gap over the prescribed one at a nominal pressure
 /// [Pa], in m.
@@ -304,7 +305,7 @@ bool SpringNewton::iterate(const mechanics::LoadTarget& load,
     const int changed = n_changed(contact_set(state_.pressure), before);
     const double imbalance = state_.unbalanced();
     step_.tell(answer.iterations, imbalance, changed);
-    if (iteration.has_ended(changed, imbalance, state_.is_flowing())) {
+    if (iteration.has_ended(changed, imbalance, state_.is_elastic())) {
       settled_ = state_.placement();
       return true;
     }
@@ -338,8 +339,8 @@ double SpringNewton::contact_work(const ContactState::Placement& before,
 ///     1/2 u K u + sum_c a_c p_c^2 / (2 k) + P (g u + A d),
 ///
 /// which is convex, so that its derivative along the step increases and the
-/// step of Newton's method descends. So is the energy with the work of plastic
-/// flow during the load step in it.
+/// step of Newton's method descends. So is the energy of a material law, with
+/// the work that it dissipates during the load step in it.
 void SpringNewton::shorten_step(const ContactState::Placement& before,
                                 double penalty) {
   dealii::TrilinosWrappers::MPI::Vector step(state_.displacement);
@@ -352,7 +353,7 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
   const double increase = state_.elastic * step - before.elastic * step;
   const auto derivative = [&](double share) {
     const double total =
-        state_.flow() != nullptr
+        state_.material() != nullptr
             ? state_.stress_work(before, step, share) + far_work
             : start + share * increase;
     return total - contact_work(before, share, penalty);
@@ -361,7 +362,8 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
     return;
   double low = 0.0;
   double high = 1.0;
-  const int most = state_.flow() != nullptr ? halvings_in_flow : halvings;
+  const int most =
+      state_.material() != nullptr ? halvings_by_material : halvings;
   for (int i = 0; i < most; ++i) {
     const double middle = 0.5 * (low + high);
     (derivative(middle) > 0.0 ? high : low) = middle;
@@ -372,7 +374,7 @@ void SpringNewton::shorten_step(const ContactState::Placement& before,
     state_.face_displacement[i] += (1.0 - high) * (before.face_displacement[i] -
                                                    state_.face_displacement[i]);
   state_.rigid_gap += (1.0 - high) * (before.rigid_gap - state_.rigid_gap);
-  if (state_.flow() != nullptr)
+  if (state_.material() != nullptr)
     state_.follow_displacement();
 }
 

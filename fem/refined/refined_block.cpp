@@ -207,8 +207,8 @@ bool is_refined_block(const BlockProblem& problem) {
   return !problem.counter && coarsest_lattice(problem).has_value();
 }
 
-std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
-                                                  const BlockSystem& system) {
+std::unique_ptr<BlockInverse> refined_block_of(const BlockProblem& problem,
+                                               const BlockSystem& system) {
   const auto unknowns = std::make_shared<LocalUnknowns>(
       system.space(), system.contact().needed());
   const auto correction = [&](const MeshUnits& units) {

@@ -84,7 +84,7 @@ bool is_refined_block(const BlockProblem& problem);
 /// The block of a problem that is_refined_block() permits, in either order.
 /// @param problem  whose mesh is the coarsest mesh of the system
 /// @param system   must outlive the result
-std::unique_ptr<MatrixFreeBlock> refined_block_of(const BlockProblem& problem,
-                                                  const BlockSystem& system);
+std::unique_ptr<BlockInverse> refined_block_of(const BlockProblem& problem,
+                                               const BlockSystem& system);
 
 } // namespace asperity::fem

@@ -1,7 +1,7 @@
 #include "fem/solution/block_stress.hpp"
 
 #include "fem/block/all_ranks.hpp"
-#include "fem/block/elastic_response.hpp"
+#include "fem/material/hooke.hpp"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/fe/fe_q.h>
@@ -116,15 +116,15 @@ StressTensor VertexAverages::at(unsigned int vertex,
 BlockStress::BlockStress(
     const BlockSystem& system,
     const dealii::TrilinosWrappers::MPI::Vector& displacement,
-    const PlasticFlow* flow)
+    const MaterialPoints* material)
     : system_(system),
-      flow_(flow),
+      material_(material),
       strains_(system.space()),
       to_vertices_(projection_of(system.space())),
       mass_(vertex_mass_of(system.space())) {
   const BlockSpace& space = system.space();
   strains_.set(displacement);
-  if (flow == nullptr &&
+  if (material == nullptr &&
       space.triangulation().all_reference_cells_are_hyper_cube())
     at_vertices_.emplace(space.element(), space.cell_quadrature(),
                          to_vertices_);
@@ -140,8 +140,8 @@ double BlockStress::volume(const Cell& cell) {
 const std::vector<StressTensor>& BlockStress::at_points(const Cell& cell) {
   const Moduli material = system_.moduli_of(cell);
   stress_ = strains_.at_points(cell);
-  if (flow_ != nullptr)
-    flow_->subtract_from(stress_, cell);
+  if (material_ != nullptr)
+    material_->subtract_from(stress_, cell);
   for (StressTensor& value : stress_)
     value = elastic_stress(value, material);
   return stress_;

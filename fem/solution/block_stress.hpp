@@ -4,7 +4,7 @@
 // maximum. This file is independent of output files and of the contact law.
 // Include this header in .cpp files of fem/ only.
 
-#include "fem/block/plastic_flow.hpp"
+#include "fem/block/material_points.hpp"
 
 #include <functional>
 #include <optional>
@@ -83,11 +83,11 @@ public:
   /// @param system        must outlive this object
   /// @param displacement  u over the owned unknowns [m]; its entries at
   ///                      constrained unknowns are not read
-  /// @param flow          the plastic strain; null in an elastic block, must
-  ///                      outlive this object
+  /// @param material      its state; null in a linear block, must outlive this
+  ///                      object
   BlockStress(const BlockSystem& system,
               const dealii::TrilinosWrappers::MPI::Vector& displacement,
-              const PlasticFlow* flow = nullptr);
+              const MaterialPoints* material = nullptr);
 
   /// The displacement u at all unknowns of this rank's cells, including
   /// constrained ones [m].
@@ -124,13 +124,13 @@ public:
 
 private:
   const BlockSystem& system_;
-  const PlasticFlow* flow_;
+  const MaterialPoints* material_;
   CellStrains strains_;
   std::vector<StressTensor> stress_;
   std::vector<StressTensor> projected_;
   dealii::FullMatrix<double> to_vertices_; ///< n_vertices x n_quadrature_points
   dealii::FullMatrix<double> mass_;        ///< n_vertices x n_vertices
-  std::optional<BoxStrain> at_vertices_;   ///< of elastic hexahedra
+  std::optional<BoxStrain> at_vertices_;   ///< of hexahedra with Hooke's law
 };
 
 } // namespace asperity::fem

@@ -1,6 +1,6 @@
 #include "fem/solution/gap_error.hpp"
 
-#include "fem/block/elastic_response.hpp"
+#include "fem/material/hooke.hpp"
 #include "fem/solution/block_stress.hpp"
 
 #include <deal.II/base/mpi.h>

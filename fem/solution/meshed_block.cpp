@@ -38,11 +38,12 @@ const BlockProblem& checked(const BlockProblem& problem) {
       !is_same_length(problem.mesh.length_y, problem.grid.length_y))
     refuse_argument("length of the mesh", problem.mesh.length_x,
                     "that of the surface");
-  if (problem.plasticity &&
+  if (problem.law &&
       (problem.degree != 2 || problem.counter || problem.adaptive ||
        problem.mesh.shape != meshes::CellShape::hexahedron))
     throw std::domain_error(
-        "a block with a yield stress must be one body of second-order "
+        "a block with a yield stress or another material law must be one body "
+        "of second-order "
         "hexahedra on a mesh that does not follow the contact");
   return problem;
 }
@@ -70,7 +71,7 @@ BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
                           return is_compressible(Moduli{own.lame, own.shear});
                         })
                   : is_compressible(system),
-      .is_plastic = problem.plasticity.has_value()};
+      .is_nonlinear = problem.law != nullptr};
   if (lattice)
     traits.structure = MeshStructure::lattice;
   else if (is_refined_block(problem))
@@ -87,7 +88,7 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
                         bool has_own_mesh) {
   // The direct solver, to which an automatic one turns, has no tangents.
   const LinearSolver requested =
-      problem.plasticity ? LinearSolver::multigrid : problem.linear_solver;
+      problem.law ? LinearSolver::multigrid : problem.linear_solver;
   if (requested == LinearSolver::direct)
     return ContactNewton(system, requested);
   const std::optional<BoxLattice> lattice =
@@ -127,7 +128,7 @@ MeshedBlock::MeshedBlock(
 ContactStiffness MeshedBlock::stiffness() {
   if (system_.has_counter())
     throw std::domain_error("the stiffness of a contact needs one body");
-  if (system_.plasticity())
+  if (system_.law() != nullptr)
     throw std::domain_error(
         "the stiffness of a contact needs elastic material");
   if (far_boundary_ != mechanics::FarBoundary::clamped)
@@ -144,19 +145,19 @@ BlockConduction MeshedBlock::conduction() const {
 
 StressPeak MeshedBlock::strongest_stress() const {
   return BlockStress(system_, newton_.state().displacement,
-                     newton_.state().flow())
+                     newton_.state().material())
       .strongest();
 }
 
 std::vector<double> MeshedBlock::section(const SectionPlane& plane) const {
   BlockStress stress(system_, newton_.state().displacement,
-                     newton_.state().flow());
+                     newton_.state().material());
   return von_mises_in(plane, system_.space(), stress);
 }
 
 void MeshedBlock::write(const std::string& folder_and_stem) {
   BlockStress stress(system_, newton_.state().displacement,
-                     newton_.state().flow());
+                     newton_.state().material());
   output_.write(
       folder_and_stem, system_, stress,
       SurfaceOutput(maps_, newton_.state(), stress.displacement(), heights_),
@@ -201,9 +202,9 @@ void MeshedBlock::require_arguments(std::span<const double> heights,
   require_positive("tolerance", contact.tolerance, "1");
   if (load.control == mechanics::Control::nominal_pressure)
     require_positive("nominal pressure", load.amount, "Pa");
-  else if (system_.plasticity())
-    throw std::domain_error(
-        "a block with a yield stress needs a nominal pressure as its load");
+  else if (system_.law() != nullptr)
+    throw std::domain_error("a block with a yield stress or another material "
+                            "law needs a nominal pressure as its load");
   else if (!std::isfinite(load.amount))
     refuse_argument("mean gap", load.amount, "finite [m]");
   require_field("height", heights, "m");
@@ -244,7 +245,7 @@ BlockSolution MeshedBlock::solve(std::span<const double> heights,
 double MeshedBlock::estimated_gap_error(const BlockSolution& solution,
                                         double ratio) const {
   if (!solution.converged || !(solution.nominal_pressure > 0.0) ||
-      system_.plasticity())
+      system_.law() != nullptr)
     return std::numeric_limits<double>::quiet_NaN();
   const LoadedResponse by_load{newton_.state().displacement,
                                solution.nominal_pressure *

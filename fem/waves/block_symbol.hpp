@@ -14,21 +14,11 @@
 
 namespace asperity::fem {
 
-/// Number of node classes of a surface, by the parity (a, b) of their place;
-/// the index is a + 2 b.
-constexpr std::size_t node_classes_of(std::size_t degree) {
-  return degree * degree;
-}
-
 /// Unknowns of a node plane at one wavevector, in the order (node class,
-/// component) with index 3 node_class + c.
+/// component) with index 3 node_class + c. The node classes of a surface are
+/// those of the parity (a, b) of their place, with index a + 2 b.
 constexpr std::size_t plane_unknowns(std::size_t degree) {
-  return 3 * node_classes_of(degree);
-}
-
-/// Unknowns of a layer without those of its lower plane: `degree` planes.
-constexpr std::size_t layer_unknowns(std::size_t degree) {
-  return degree * plane_unknowns(degree);
+  return 3 * degree * degree;
 }
 
 /// Products f(theta_x) g(theta_y) of 1, cos, cos 2, sin and sin 2, with f the

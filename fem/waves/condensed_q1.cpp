@@ -1,7 +1,7 @@
 #include "fem/waves/condensed_q1.hpp"
 
 #include "base/parallel_rows.hpp"
-#include "fem/waves/layer_elimination.hpp"
+#include "fem/waves/block_symbol.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,56 @@
 namespace asperity::fem {
 namespace {
 
-using Elimination = LayerElimination<1>;
+/// Unknowns of a plane of nodes at one wavevector, and their place in a symbol:
+/// S_bb and S_tt as lower triangles by columns, then S_tb by rows, where b is
+/// the plane below a layer and t the one on its top.
+constexpr std::size_t n_plane_q1 = 3;
+constexpr std::size_t top_packs = triangle(n_plane_q1);
+constexpr std::size_t to_lower_packs = top_packs + triangle(n_plane_q1);
+constexpr std::size_t packs_q1 = to_lower_packs + n_plane_q1 * n_plane_q1;
+
+LayerSymbol::Target layout_q1(std::size_t row, std::size_t column) {
+  if (row < column)
+    return {};
+  if (row < n_plane_q1)
+    return {in_triangle(n_plane_q1, row, column)};
+  if (column >= n_plane_q1)
+    return {top_packs +
+            in_triangle(n_plane_q1, row - n_plane_q1, column - n_plane_q1)};
+  return {to_lower_packs + (row - n_plane_q1) * n_plane_q1 + column};
+}
+
+/// Writes rows of the identity for the components that the far boundary holds.
+void hold_top(mechanics::FarBoundary far_boundary, SimdBatch* matrix,
+              SimdBatch* to_lower) {
+  for (std::size_t row = 0; row < n_plane_q1; ++row) {
+    if (!holds(far_boundary, row))
+      continue;
+    for (std::size_t j = 0; j < n_plane_q1; ++j)
+      matrix[in_triangle(n_plane_q1, std::max(row, j), std::min(row, j))] =
+          SimdBatch{};
+    matrix[in_triangle(n_plane_q1, row, row)] += 1.0;
+    std::fill_n(to_lower + row * n_plane_q1, n_plane_q1, SimdBatch{});
+  }
+}
+
+/// Applies (Q1.2): T_(l+1) in `stiffness` becomes T_l.
+/// @param symbol        of layer l, overwritten
+/// @param far_boundary  the one on the top of this layer, or null
+void take_layer_q1(SimdBatch* symbol,
+                   const mechanics::FarBoundary* far_boundary,
+                   SimdBatch* stiffness) {
+  SimdBatch* const matrix = symbol + top_packs;
+  SimdBatch* const to_lower = symbol + to_lower_packs;
+  for (std::size_t i = 0; i < triangle(n_plane_q1); ++i)
+    matrix[i] += stiffness[i];
+  if (far_boundary)
+    hold_top(*far_boundary, matrix, to_lower);
+  factorise<n_plane_q1>(matrix);
+  solve_lower<n_plane_q1, n_plane_q1>(matrix, to_lower);
+  std::copy_n(symbol, triangle(n_plane_q1), stiffness);
+  take_schur<n_plane_q1, n_plane_q1>(matrix, to_lower, stiffness);
+}
 
 /// The wavenumbers (jx, jy) of four modes.
 struct FourModes {
@@ -28,33 +77,16 @@ void take_compliance(const BlockSymbol& layers,
     theta_y[lane] = 2.0 * std::numbers::pi * modes.y[lane] / grid.points_y;
   }
   const SimdBatches materials = layers.at(theta_x, theta_y);
-  std::array<SimdBatch, Elimination::packs> symbol;
-  std::array<SimdBatch, triangle(Elimination::plane)> stiffness{};
+  std::array<SimdBatch, packs_q1> symbol;
+  std::array<SimdBatch, triangle(n_plane_q1)> stiffness{};
   for (std::size_t l = layers.layers(); l-- > 0;) {
     layers.evaluate(l, materials.data(), symbol.data());
-    Elimination::take_layer(symbol.data(),
-                            layers.is_last(l) ? &far_boundary : nullptr,
-                            SimdBatch{}, stiffness.data());
+    take_layer_q1(symbol.data(), layers.is_last(l) ? &far_boundary : nullptr,
+                  stiffness.data());
   }
-  factorise<Elimination::plane>(stiffness.data());
-  Elimination::face_compliance(stiffness.data(), &compliance);
-}
-
-BlockSymbol symbol_of(const Grid& grid, const LayeredBlock& block) {
-  require_cells(grid, 1);
-  require_block(block);
-  return {grid, 1, block, Elimination::packs, Elimination::layout};
-}
-
-/// Four neighbouring modes in x; those beyond the last column repeat it.
-FourModes along_x(const Grid& grid, int first, int mode_y) {
-  FourModes modes{};
-  for (int lane = 0; lane < static_cast<int>(lanes); ++lane) {
-    modes.x[static_cast<std::size_t>(lane)] =
-        std::min(first + lane, grid.points_x / 2);
-    modes.y[static_cast<std::size_t>(lane)] = mode_y;
-  }
-  return modes;
+  factorise<n_plane_q1>(stiffness.data());
+  // L^-1 e_z is e_z, and the diagonal has the inverse of D.
+  compliance = stiffness[in_triangle(n_plane_q1, 2, 2)];
 }
 
 /// Four neighbouring modes in y up to the last one. On a square grid they are
@@ -73,8 +105,10 @@ FourModes along_y(const Grid& grid, int mode_x, int first, int last) {
 } // namespace
 
 EvenColumn condensed_column_q1(const Grid& grid, const LayeredBlock& block) {
+  require_cells(grid, 1);
+  require_block(block);
   const auto layers =
-      std::make_shared<const BlockSymbol>(symbol_of(grid, block));
+      std::make_shared<const BlockSymbol>(grid, 1, block, packs_q1, layout_q1);
   return [=, far_boundary = block.far_boundary](int mode_x,
                                                 std::span<double> of_jy) {
     const int n = static_cast<int>(of_jy.size());
@@ -93,31 +127,27 @@ EvenColumn condensed_column_q1(const Grid& grid, const LayeredBlock& block) {
 std::vector<double> condensed_compliance_q1(const Grid& grid,
                                             const LayeredBlock& block,
                                             int threads) {
-  const BlockSymbol layers = symbol_of(grid, block);
+  const EvenColumn column = condensed_column_q1(grid, block);
   std::vector<double> compliance(grid.half_spectrum_size());
-  const int columns = grid.points_x / 2 + 1;
+  const int columns = grid.points_x / 2 + 1, rows = grid.points_y / 2 + 1;
   const bool is_square = grid.is_square();
   const auto at = [&](int mode_x, int mode_y) -> double& {
     return compliance[static_cast<std::size_t>(mode_y) *
                           static_cast<std::size_t>(columns) +
                       static_cast<std::size_t>(mode_x)];
   };
-  parallel_rows(grid.points_y / 2 + 1, threads, [&](int mode_y) {
-    constexpr int step = static_cast<int>(lanes);
-    for (int first = is_square ? mode_y : 0; first < columns; first += step) {
-      SimdBatch batch;
-      take_compliance(layers, block.far_boundary, grid,
-                      along_x(grid, first, mode_y), batch);
-      for (int mode_x = first; mode_x < std::min(columns, first + step);
-           ++mode_x) {
-        at(mode_x, mode_y) = grid.cell_area() * batch[mode_x - first];
-        if (is_square) // (x, y) and (y, x) are mirror images
-          at(mode_y, mode_x) = at(mode_x, mode_y);
-      }
+  parallel_rows(columns, threads, [&](int mode_x) {
+    const int n = is_square ? mode_x + 1 : rows;
+    std::vector<double> of_jy(static_cast<std::size_t>(n));
+    column(mode_x, of_jy);
+    for (int mode_y = 0; mode_y < n; ++mode_y) {
+      at(mode_x, mode_y) = of_jy[static_cast<std::size_t>(mode_y)];
+      if (is_square) // (x, y) and (y, x) are mirror images
+        at(mode_y, mode_x) = at(mode_x, mode_y);
     }
   });
   at(0, 0) = 0.0;
-  for (int mode_y = grid.points_y / 2 + 1; mode_y < grid.points_y; ++mode_y)
+  for (int mode_y = rows; mode_y < grid.points_y; ++mode_y)
     for (int mode_x = 0; mode_x < columns; ++mode_x)
       at(mode_x, mode_y) = at(mode_x, grid.points_y - mode_y);
   return compliance;

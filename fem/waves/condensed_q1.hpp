@@ -17,8 +17,14 @@ namespace asperity::fem {
 /// With displacements u_j(q) exp(i q.x) at the nodes of plane j, and u_x and
 /// u_y multiplied by i, a layer couples its two planes by real 3x3 blocks of
 /// deal.II's cell matrix. Their elimination from the far boundary down to the
-/// contact surface (LayerElimination) gives the stiffness T_0 of the surface,
-/// and since the shear tractions are zero,
+/// contact surface,
+///
+///     T_l = S_bb - S_bt (S_tt + T_(l+1))^-1 S_tb                      (Q1.2)
+///
+/// for a layer l between the planes b below and t on its top, gives the
+/// stiffness T_0 of the surface. T is 0 above a free far boundary; components
+/// that are held there have rows of the identity. Since the shear tractions are
+/// zero,
 ///
 ///     C(q) = h_x h_y (T_0^-1)_zz.                                     (Q1.1)
 ///

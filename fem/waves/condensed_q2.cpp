@@ -34,8 +34,6 @@ struct Body {
       : grid(of_nodes),
         layers(of_nodes, block),
         spring(block.layers.back().shear_modulus * of_nodes.spacing_x()) {}
-
-  int columns() const { return grid.points_x / 4 + 1; }
 };
 
 /// Computes the blocks of four cell wavevectors.
@@ -58,17 +56,6 @@ FourBlocks four_blocks(const Body& body, const std::array<int, lanes>& modes_x,
   return blocks;
 }
 
-/// Four neighbouring blocks in jx; those beyond the last column repeat it.
-FourBlocks along_jx(const Body& body, int first, int mode_y) {
-  std::array<int, lanes> modes_x{}, modes_y{};
-  for (std::size_t lane = 0; lane < lanes; ++lane) {
-    modes_x[lane] =
-        std::min(first + static_cast<int>(lane), body.columns() - 1);
-    modes_y[lane] = mode_y;
-  }
-  return four_blocks(body, modes_x, modes_y);
-}
-
 /// Four neighbouring blocks in jy up to the last one. On a square grid those
 /// with jy > jx are mirror images, as in condensed_compliance_q2().
 FourBlocks along_jy(const Body& body, int mode_x, int first, int last) {
@@ -89,36 +76,6 @@ FourBlocks along_jy(const Body& body, int mode_x, int first, int last) {
 
 } // namespace
 
-Q2Compliance condensed_compliance_q2(const Grid& grid,
-                                     const LayeredBlock& block, int threads) {
-  require_cells(grid, 2);
-  require_block(block);
-  const Body body(grid, block);
-  Q2Compliance compliance{grid, {}, relative_nodal_areas(2)};
-  const int columns = compliance.columns();
-  const bool is_square = grid.is_square();
-  compliance.blocks.resize(static_cast<std::size_t>(columns) *
-                           static_cast<std::size_t>(compliance.rows()));
-  const auto at = [&](int mode_x, int mode_y) -> NodeClassBlock& {
-    return compliance.blocks[static_cast<std::size_t>(mode_y) *
-                                 static_cast<std::size_t>(columns) +
-                             static_cast<std::size_t>(mode_x)];
-  };
-  parallel_rows(compliance.rows(), threads, [&](int mode_y) {
-    constexpr int step = static_cast<int>(lanes);
-    for (int first = is_square ? mode_y : 0; first < columns; first += step) {
-      const FourBlocks blocks = along_jx(body, first, mode_y);
-      for (int mode_x = first; mode_x < std::min(columns, first + step);
-           ++mode_x) {
-        at(mode_x, mode_y) = blocks[static_cast<std::size_t>(mode_x - first)];
-        if (is_square && mode_x != mode_y)
-          at(mode_y, mode_x) = mirrored(at(mode_x, mode_y));
-      }
-    }
-  });
-  return compliance;
-}
-
 Q2Column condensed_column_q2(const Grid& grid, const LayeredBlock& block) {
   require_cells(grid, 2);
   require_block(block);
@@ -133,6 +90,32 @@ Q2Column condensed_column_q2(const Grid& grid, const LayeredBlock& block) {
             blocks[static_cast<std::size_t>(mode_y - first)];
     }
   };
+}
+
+Q2Compliance condensed_compliance_q2(const Grid& grid,
+                                     const LayeredBlock& block, int threads) {
+  const Q2Column column = condensed_column_q2(grid, block);
+  Q2Compliance compliance{grid, {}, relative_nodal_areas(2)};
+  const int columns = compliance.columns();
+  const bool is_square = grid.is_square();
+  compliance.blocks.resize(static_cast<std::size_t>(columns) *
+                           static_cast<std::size_t>(compliance.rows()));
+  const auto at = [&](int mode_x, int mode_y) -> NodeClassBlock& {
+    return compliance.blocks[static_cast<std::size_t>(mode_y) *
+                                 static_cast<std::size_t>(columns) +
+                             static_cast<std::size_t>(mode_x)];
+  };
+  parallel_rows(columns, threads, [&](int mode_x) {
+    const int n = is_square ? mode_x + 1 : compliance.rows();
+    std::vector<NodeClassBlock> of_jy(static_cast<std::size_t>(n));
+    column(mode_x, of_jy);
+    for (int mode_y = 0; mode_y < n; ++mode_y) {
+      at(mode_x, mode_y) = of_jy[static_cast<std::size_t>(mode_y)];
+      if (is_square && mode_x != mode_y)
+        at(mode_y, mode_x) = mirrored(at(mode_x, mode_y));
+    }
+  });
+  return compliance;
 }
 
 } // namespace asperity::fem

@@ -7,6 +7,7 @@
 #include "mechanics/far_boundary.hpp"
 #include "mechanics/material.hpp"
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,12 @@ struct LayeredBlock {
   /// contact pressure.
   mechanics::FarBoundary far_boundary = mechanics::FarBoundary::clamped;
 };
+
+/// Whether the far boundary fixes component 0..2 of the displacement to 0.
+inline bool holds(mechanics::FarBoundary far_boundary, std::size_t component) {
+  return far_boundary == mechanics::FarBoundary::clamped ||
+         (far_boundary == mechanics::FarBoundary::sliding && component == 2);
+}
 
 /// Computes lambda [Pa] and mu [Pa] of a material.
 /// @param youngs_modulus  E [Pa] > 0

@@ -1,7 +1,5 @@
 #include "fem/waves/mirrored_q2.hpp"
 
-#include "fem/waves/layer_elimination.hpp"
-
 #include <algorithm>
 #include <array>
 

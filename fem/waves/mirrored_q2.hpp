@@ -18,10 +18,8 @@ namespace asperity::fem {
 ///     X = S_mt of the half-way p, Y of the half-way v,
 ///     T_l = P [ F - H (F + T_(l+1))^-1 H ] P,                       (Q2.5)
 ///
-/// which are all symmetric 12x12 matrices.
-///
-/// LayerElimination<2> computes the same from matrices of twice the size; this
-/// form takes a quarter of its time (bench_fem_condensed).
+/// which are all symmetric 12x12 matrices. This form takes a quarter of the
+/// time of (Q2.2) itself, whose matrices have twice the size.
 class MirroredQ2 {
 public:
   /// @param grid  grid of the nodes of the contact surface

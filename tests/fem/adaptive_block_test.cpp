@@ -1,5 +1,6 @@
 // Tests of fem/adaptive/adaptive_block.hpp: the mesh follows the contact, and
 // the result stays close to that of uniform blocks and of Hertz.
+#include "surfaces/maps/exact_shapes.hpp"
 #include "tests/fem/adaptive_blocks.hpp"
 #include "tests/message_of.hpp"
 #include "theory/exact/hertz.hpp"
@@ -66,17 +67,15 @@ Sphere press_sphere(FullBlock& block) {
   const Grid& grid = block.grid();
   const theory::HertzContact hertz = theory::hertz_contact(
       load * contact_modulus * length * length, radius, contact_modulus);
-  std::vector<double> heights(grid.size());
   std::vector<double> expected(grid.size());
   for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix) {
-      const double r = std::hypot(ix * grid.spacing_x() - 0.5 * length,
-                                  iy * grid.spacing_y() - 0.5 * length);
-      heights[grid.index(ix, iy)] = -0.5 * r * r / radius;
-      expected[grid.index(ix, iy)] = theory::hertz_pressure(hertz, r);
-    }
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      expected[grid.index(ix, iy)] = theory::hertz_pressure(
+          hertz, std::hypot(ix * grid.spacing_x() - 0.5 * length,
+                            iy * grid.spacing_y() - 0.5 * length));
   const BlockSolution found =
-      block.solve(heights, pressed(load), contact_of(grid));
+      block.solve(surfaces::paraboloid(grid, radius).heights, pressed(load),
+                  contact_of(grid));
   EXPECT_TRUE(found.converged) << found.note;
   double difference = 0.0;
   double sum = 0.0;

@@ -1,5 +1,6 @@
 // Tests of the mean gap of blocks whose mesh follows the contact: it can be
 // prescribed, and it is that of all heights.
+#include "surfaces/maps/exact_shapes.hpp"
 #include "tests/fem/adaptive_blocks.hpp"
 
 #include <gtest/gtest.h>
@@ -33,14 +34,10 @@ TEST(AdaptiveGaps, AveragesAllHeights) {
   const Grid grid{64, 64, length, length};
   constexpr double amplitude = 5e-4 * length;
   const std::vector<double> wave = wave_heights(grid, amplitude, 8);
-  std::vector<double> heights(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      heights[grid.index(ix, iy)] =
-          wave[grid.index(ix, iy)] -
-          0.05 / length *
-              (std::pow(ix * grid.spacing_x() - 0.5 * length, 2) +
-               std::pow(iy * grid.spacing_y() - 0.5 * length, 2));
+  std::vector<double> heights =
+      surfaces::paraboloid(grid, 10.0 * length).heights;
+  for (std::size_t i = 0; i < heights.size(); ++i)
+    heights[i] += wave[i];
   const auto block = make_adaptive_block(adaptive_problem(grid, 2, 3));
   const BlockSolution by_load =
       block->solve(heights, pressed(1e-4), contact_of(grid));
@@ -65,12 +62,10 @@ TEST(AdaptiveGaps, AveragesAllHeights) {
 TEST(AdaptiveGaps, ReachesSmallMeanGaps) {
   const Grid grid{16, 16, length, length};
   constexpr double height = 1e-3 * length;
-  std::vector<double> heights(grid.size());
-  for (int iy = 0; iy < grid.points_y; ++iy)
-    for (int ix = 0; ix < grid.points_x; ++ix)
-      heights[grid.index(ix, iy)] =
-          height * (std::pow(2.0 * ix / grid.points_x - 1.0, 2) +
-                    std::pow(2.0 * iy / grid.points_y - 1.0, 2));
+  std::vector<double> heights =
+      surfaces::paraboloid(grid, 0.125 * length * length / height).heights;
+  for (double& value : heights)
+    value = -value;
   for (const int degree : {1, 2}) {
     const auto block =
         make_adaptive_block(adaptive_problem(grid, degree, 3 - degree));

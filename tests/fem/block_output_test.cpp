@@ -1,6 +1,5 @@
 // Tests of the files of FullBlock::write, which an independent reader reads.
 // They run on any number of ranks; each rank checks the files of all.
-#include "fem/parallel/mpi_session.hpp"
 #include "fem/parallel/step_files.hpp"
 #include "fem/solution/block_output.hpp"
 #include "meshes/layered_mesh.hpp"
@@ -22,32 +21,12 @@ using mechanics::FarBoundary;
 namespace mpi = dealii::Utilities::MPI;
 namespace files = std::filesystem;
 
-class BlockFiles : public ::testing::Test {
+class BlockFiles : public OutputFiles {
 protected:
   static constexpr double length_ = 1e-6; // m
   static constexpr double poisson_ = 0.3;
   const Grid grid_{4, 4, length_, length_};
   const std::vector<double> flat_ = std::vector<double>(16, 0.0);
-  files::path folder_;
-
-  void SetUp() override {
-    start_mpi();
-    // All ranks use the folder of rank 0.
-    folder_ = mpi::broadcast(MPI_COMM_WORLD, ::testing::TempDir()) + "block";
-    if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
-      files::remove_all(folder_);
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-
-  void TearDown() override {
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
-      files::remove_all(folder_);
-  }
-
-  static unsigned int n_ranks() { return mpi::n_mpi_processes(MPI_COMM_WORLD); }
-
-  std::string stem() const { return (folder_ / "block").string(); }
 
   BlockProblem problem(int degree) const {
     const int cells = 4 / degree;

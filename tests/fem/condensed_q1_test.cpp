@@ -155,28 +155,6 @@ TEST(Q1, DoesNotDependOnTheNumberOfThreads) {
             condensed_compliance_q1(grid, block, 3));
 }
 
-// Ranks compute columns; tolerance: none.
-TEST(Q1, GivesTheSameBitsByColumns) {
-  for (const Grid& grid : {Grid{24, 24, 1e-6, 1e-6}, Grid{32, 18, 1e-6, 1e-6},
-                           Grid{9, 15, 1e-6, 2e-6}}) {
-    const LayeredBlock block =
-        layered_block(grid.spacing_x(), 1e-6, FarBoundary::sliding);
-    const std::vector<double> whole = condensed_compliance_q1(grid, block);
-    const EvenColumn column = condensed_column_q1(grid, block);
-    for (const int length : {1, 3, grid.points_y / 2 + 1})
-      for (int jx = 0; jx <= grid.points_x / 2; ++jx) {
-        std::vector<double> of_jy(static_cast<std::size_t>(length));
-        column(jx, of_jy);
-        for (int jy = jx == 0 ? 1 : 0; jy < length; ++jy)
-          EXPECT_EQ(of_jy[static_cast<std::size_t>(jy)],
-                    whole[static_cast<std::size_t>(jy) *
-                              grid.half_spectrum_columns() +
-                          static_cast<std::size_t>(jx)])
-              << jx << ", " << jy;
-      }
-  }
-}
-
 TEST(ElasticLayerOf, RefusesImpossibleModuli) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double poisson_ratio : {-1.0, 0.5, nan})

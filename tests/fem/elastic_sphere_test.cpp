@@ -187,8 +187,8 @@ TEST(ElasticBall, IsNearlyARigidOneIfItIsStiff) {
 // A column a thousand times as stiff and the rigid flat punch touch the same
 // nodes, those within the radius. Their pressures differ by the ratio of the
 // moduli times a number of order one (measured: 1.7, at the peak, which is at
-// the edge). The approach is that of the rigid punch, whose error in h/a is
-// tested against 2 E* a by fem/punch.
+// the edge). The approach is that of the rigid punch, whose error in h/a is a
+// claim of the case `punch`.
 TEST(StiffColumn, IsTheRigidPunch) {
   const Grid grid{32, 32, length, length};
   const double radius = 6.9 * grid.spacing_x();

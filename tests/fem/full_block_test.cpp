@@ -100,99 +100,32 @@ protected:
 // Tolerance: the required 1e-7; the projected solver converges to 1e-10 of the
 // rms height and the augmentation to the same, and the loads differ by no more
 // than that times the stiffness. Up to 16 points the systems are solved
-// by the direct solver and by the choice of `auto`, at 32 by the latter.
+// by the direct solver and by the choice of `auto`, which is multigrid, at 32
+// by the latter.
 TEST_P(CondensedAndFullBlock, GiveTheSameContactCurve) {
   expect_same_curve(LinearSolver::automatic);
   if (grid_.points_x <= 16)
     expect_same_curve(LinearSolver::direct);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Cases, CondensedAndFullBlock,
-    ::testing::Values(ContactCase{1,
-                                  FarBoundary::clamped,
-                                  ContactLaw::penalty,
-                                  100.0,
-                                  Control::nominal_pressure,
-                                  {1e5, 1e6, 4e6, 3e7}},
-                      ContactCase{1,
-                                  FarBoundary::clamped,
-                                  ContactLaw::penalty,
-                                  100.0,
-                                  Control::nominal_pressure,
-                                  {1e6, 1e7},
-                                  16},
-                      ContactCase{1,
-                                  FarBoundary::sliding,
-                                  ContactLaw::penalty,
-                                  100.0,
-                                  Control::nominal_pressure,
-                                  {4e6},
-                                  32},
-                      ContactCase{1,
-                                  FarBoundary::sliding,
-                                  ContactLaw::penalty,
-                                  1.0,
-                                  Control::nominal_pressure,
-                                  {1e6, 1e7}},
-                      ContactCase{1,
-                                  FarBoundary::pressure,
-                                  ContactLaw::penalty,
-                                  1e6,
-                                  Control::nominal_pressure,
-                                  {1e6, 1e7}},
-                      ContactCase{1,
-                                  FarBoundary::pressure,
-                                  ContactLaw::penalty,
-                                  10.0,
-                                  Control::mean_gap,
-                                  {1e-9, 2e-10}},
-                      ContactCase{1,
-                                  FarBoundary::clamped,
-                                  ContactLaw::hard,
-                                  100.0,
-                                  Control::nominal_pressure,
-                                  {1e6, 1e7}},
-                      ContactCase{2,
-                                  FarBoundary::clamped,
-                                  ContactLaw::penalty,
-                                  100.0,
-                                  Control::nominal_pressure,
-                                  {1e6, 1e7}},
-                      ContactCase{2,
-                                  FarBoundary::pressure,
-                                  ContactLaw::augmented,
-                                  30.0,
-                                  Control::mean_gap,
-                                  {1e-9}}));
-
-// Verifies that multigrid and the direct solver give the same solution, for
-// first and second order, in penalty and hard contact. Tolerance: forces are
-// balanced to 1e-11 of the largest, times the condition number of the contact
-// surface, some 1e2.
-TEST(FullBlockTest, IsTheSameByMultigrid) {
-  const Grid grid{10, 10, 1e-6, 1e-6};
-  const std::vector<double> heights = rough_heights(grid);
-  for (const int degree : {1, 2})
-    for (const ContactLaw law : {ContactLaw::penalty, ContactLaw::hard}) {
-      const LayeredBlock block =
-          layered_block(degree * grid.spacing_x(), 1e-6, FarBoundary::sliding);
-      const BlockContact contact{law, 100.0 * soft_modulus / grid.spacing_x(),
-                                 1e-11, 50};
-      const auto solve = [&](LinearSolver kind) {
-        return make_full_block(grid, degree, block, kind)
-            ->solve(heights, {Control::nominal_pressure, 4e6}, contact);
-      };
-
-      const BlockSolution direct = solve(LinearSolver::direct);
-      const BlockSolution multigrid = solve(LinearSolver::multigrid);
-
-      ASSERT_TRUE(direct.converged && multigrid.converged)
-          << direct.note << multigrid.note;
-      EXPECT_LT(largest_difference(direct.pressure, multigrid.pressure),
-                1e-9 * largest_magnitude(direct.pressure));
-    }
+std::vector<ContactCase> contact_cases() {
+  using enum mechanics::FarBoundary;
+  using enum mechanics::ContactLaw;
+  using enum mechanics::Control;
+  return {{1, clamped, penalty, 100.0, nominal_pressure, {1e5, 1e6, 4e6, 3e7}},
+          {1, clamped, penalty, 100.0, nominal_pressure, {1e6, 1e7}, 16},
+          {1, sliding, penalty, 100.0, nominal_pressure, {4e6}, 32},
+          {1, sliding, penalty, 1.0, nominal_pressure, {1e6, 1e7}},
+          {1, pressure, penalty, 1e6, nominal_pressure, {1e6, 1e7}},
+          {1, pressure, penalty, 10.0, mean_gap, {1e-9, 2e-10}},
+          {1, clamped, hard, 100.0, nominal_pressure, {1e6, 1e7}},
+          {2, clamped, penalty, 100.0, nominal_pressure, {1e6, 1e7}},
+          {2, clamped, hard, 100.0, nominal_pressure, {4e6}},
+          {2, pressure, augmented, 30.0, mean_gap, {1e-9}}};
 }
+
+INSTANTIATE_TEST_SUITE_P(Cases, CondensedAndFullBlock,
+                         ::testing::ValuesIn(contact_cases()));
 
 // Verifies that a solution satisfies its contact law and balances the load, for
 // every linear solver: p = k (-gap)+ at each node, and the weighted mean of p

@@ -5,6 +5,7 @@
 #include "fem/multigrid/lattice_levels.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 #include "tests/fem/blocks.hpp"
+#include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -267,6 +268,34 @@ TEST(BoxLattice, IsRefusedOutsideOfItsRange) {
   lattice = graded_lattice(1, 4, 1.2);
   lattice.is_periodic = lattice.holds_normal = false;
   EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+}
+
+// Verifies that the memory of a rank falls with the number of ranks. A quarter
+// of the rows takes a quarter of the memory. The image row adds a sixteenth of
+// it, and the coarse lattices that every rank has some per cent.
+TEST_P(LatticeDegrees, DivideTheirMemoryAmongRanks) {
+  BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
+  lattice.cells_y = 64;
+  lattice.length_y = 8.0;
+  const std::size_t alone = LatticeMultigrid(lattice).bytes();
+  tests::on_thread_ranks(4, [&](RankGroup& ranks) {
+    EXPECT_LT(LatticeMultigrid(lattice, &ranks).bytes(), 35 * alone / 100);
+  });
+}
+
+// Verifies that every rank solves a lattice of few rows alone, and that
+// boundaries between ranks are those of coarser rows.
+TEST(LatticeRows, AreSharedIfThereAreMany) {
+  BoxLattice lattice = graded_lattice(1, 8, 1.3);
+  lattice.cells_y = 6;
+  tests::on_thread_ranks(4, [&](RankGroup& ranks) {
+    EXPECT_FALSE(LatticeMultigrid(lattice, &ranks).slab().is_shared());
+  });
+  lattice.cells_y = 64;
+  tests::on_thread_ranks(3, [&](RankGroup& ranks) {
+    EXPECT_EQ(divided(lattice, &ranks).bounds(),
+              std::vector<int>({0, 16, 40, 64}));
+  });
 }
 
 // Verifies the estimate by a few steps of Lanczos' method.

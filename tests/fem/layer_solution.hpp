@@ -1,12 +1,16 @@
 #pragma once
 
-// The exact surface compliance of a homogeneous elastic layer of depth d under
-// a normal pressure cos(q x) without shear traction: the reference solution for
-// long waves.
+// The surface compliance under a normal pressure cos(q x) without shear
+// traction: that of a condensed block, and the exact one of a homogeneous
+// elastic layer of depth d.
 
-#include "mechanics/far_boundary.hpp"
+#include "fem/waves/condensed_q1.hpp"
+#include "fem/waves/condensed_q2.hpp"
+#include "fem/waves/q2_operator.hpp"
 
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace asperity::fem {
 
@@ -36,6 +40,27 @@ inline double layer_compliance(double wavevector, double depth,
   return 0.5 * half_space *
          ((std::cosh(a) - 1) / (std::sinh(a) + a) +
           (std::cosh(a) + 1) / (std::sinh(a) - a));
+}
+
+/// The compliance of `waves` periods along x [m/Pa], of second order by virtual
+/// work.
+inline double condensed_wave(int degree, const Grid& grid,
+                             const LayeredBlock& block, int waves = 1) {
+  if (degree == 1)
+    return condensed_compliance_q1(grid,
+                                   block)[static_cast<std::size_t>(waves)];
+  Q2Operator condensed(condensed_compliance_q2(grid, block));
+  std::vector<double> wave(grid.size()), displacement(grid.size());
+  for (std::size_t i = 0; i < wave.size(); ++i)
+    wave[i] = std::cos(2.0 * std::numbers::pi * waves * static_cast<double>(i) /
+                       grid.points_x);
+  condensed.displacement(wave, displacement);
+  double work = 0.0, square = 0.0;
+  for (std::size_t i = 0; i < wave.size(); ++i) {
+    work += condensed.nodal_weights()[i] * wave[i] * displacement[i];
+    square += condensed.nodal_weights()[i] * wave[i] * wave[i];
+  }
+  return work / square;
 }
 
 } // namespace asperity::fem

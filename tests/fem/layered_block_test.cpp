@@ -2,14 +2,11 @@
 // compliance of bonded layers (contact/operators/layered_compliance.hpp) at its
 // order.
 #include "contact/operators/layered_compliance.hpp"
-#include "fem/waves/condensed_q1.hpp"
-#include "fem/waves/condensed_q2.hpp"
-#include "fem/waves/q2_operator.hpp"
+#include "tests/fem/layer_solution.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace asperity::fem::layered_block_test {
 
@@ -46,31 +43,13 @@ LayeredBlock cells(double thickness, FarBoundary far_boundary) {
 
 class LayeredBlockOfElements : public ::testing::TestWithParam<FarBoundary> {
 protected:
-  /// Relative errors of the compliance of the longest wave with cubic cells.
-  static double error_q1(int points) {
+  /// Relative error of the compliance of the longest wave with cubic cells.
+  static double error(int degree, int points) {
     const Grid grid{points, 4, length, 4 * length / points};
-    const double found =
-        condensed_compliance_q1(grid, cells(grid.spacing_x(), GetParam()))[1];
-    return found / exact() - 1.0;
-  }
-
-  /// The compliance by virtual work.
-  static double error_q2(int points) {
-    const Grid grid{points, 4, length, 4 * length / points};
-    Q2Operator block(condensed_compliance_q2(
-        grid, cells(2.0 * grid.spacing_x(), GetParam())));
-    std::vector<double> wave(grid.size());
-    for (std::size_t i = 0; i < wave.size(); ++i)
-      wave[i] =
-          std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / points);
-    std::vector<double> displacement(grid.size());
-    block.displacement(wave, displacement);
-    double work = 0.0, square = 0.0;
-    for (std::size_t i = 0; i < wave.size(); ++i) {
-      work += block.nodal_weights()[i] * wave[i] * displacement[i];
-      square += block.nodal_weights()[i] * wave[i] * wave[i];
-    }
-    return work / square / exact() - 1.0;
+    return condensed_wave(degree, grid,
+                          cells(degree * grid.spacing_x(), GetParam())) /
+               exact() -
+           1.0;
   }
 
   static double exact() {
@@ -83,8 +62,8 @@ protected:
 // the ratio of errors from 4 by 0.019 here, measured; Richardson extrapolation
 // then leaves 0.02/3 of the error on the fine grid, which is 7e-4.
 TEST_P(LayeredBlockOfElements, OfFirstOrderConvergesAtSecond) {
-  const double coarse = error_q1(64);
-  const double fine = error_q1(128);
+  const double coarse = error(1, 64);
+  const double fine = error(1, 128);
 
   EXPECT_NEAR(coarse / fine, 4.0, 0.03);
   EXPECT_NEAR((4.0 * fine - coarse) / 3.0, 0.0, 1e-5);
@@ -94,8 +73,8 @@ TEST_P(LayeredBlockOfElements, OfFirstOrderConvergesAtSecond) {
 // changes the ratio from 16 by 0.11, measured. The magnitude is a
 // three-hundredth of Q1's.
 TEST_P(LayeredBlockOfElements, OfSecondOrderConvergesAtFourth) {
-  const double coarse = error_q2(64);
-  const double fine = error_q2(128);
+  const double coarse = error(2, 64);
+  const double fine = error(2, 128);
 
   EXPECT_NEAR(coarse / fine, 16.0, 0.2);
   EXPECT_LT(std::abs(fine), 3e-6);

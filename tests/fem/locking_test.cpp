@@ -3,14 +3,10 @@
 // by less.
 #include "cases/reader/locking.hpp"
 #include "contact/operators/layered_compliance.hpp"
-#include "fem/waves/condensed_q1.hpp"
-#include "fem/waves/condensed_q2.hpp"
-#include "fem/waves/q2_operator.hpp"
 #include "tests/fem/blocks.hpp"
+#include "tests/fem/layer_solution.hpp"
 
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 namespace asperity::fem::locking_test {
 
@@ -30,21 +26,7 @@ double error(int degree, double poisson_ratio) {
       wavevector(waves, grid.length_x),
       {soft_modulus / (1.0 - poisson_ratio * poisson_ratio), poisson_ratio,
        grid.length_x, mechanics::FarBoundary::clamped});
-  if (degree == 1)
-    return condensed_compliance_q1(grid, block)[waves] / exact - 1.0;
-  Q2Operator condensed(condensed_compliance_q2(grid, block));
-  std::vector<double> wave(grid.size());
-  for (std::size_t i = 0; i < wave.size(); ++i)
-    wave[i] = std::cos(2.0 * std::numbers::pi * static_cast<double>(i) /
-                       nodes_a_wave);
-  std::vector<double> displacement(grid.size());
-  condensed.displacement(wave, displacement);
-  double work = 0.0, square = 0.0;
-  for (std::size_t i = 0; i < wave.size(); ++i) {
-    work += condensed.nodal_weights()[i] * wave[i] * displacement[i];
-    square += condensed.nodal_weights()[i] * wave[i] * wave[i];
-  }
-  return work / square / exact - 1.0;
+  return condensed_wave(degree, grid, block, waves) / exact - 1.0;
 }
 
 // Verifies that at the ratios of the warning a wave of eight nodes is more than

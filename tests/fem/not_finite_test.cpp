@@ -137,7 +137,7 @@ TEST(ContactNewton, DoesNotConvergeOnStatesThatAreNotFinite) {
 }
 
 /// A solver that never converges.
-class LazyBlock final : public MatrixFreeBlock {
+class LazyBlock final : public BlockInverse {
 public:
   void vmult(Vector&, const Vector&) const override {}
 

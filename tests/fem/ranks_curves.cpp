@@ -1,9 +1,8 @@
 // Contact curves of small blocks of every type, printed by the first rank:
 // ranks_test.py runs this program alone and under mpirun. With the argument
-// "lattice", only those whose ranks share the rows of a lattice of boxes; with
-// "hexahedra", only those of second-order hexahedra without a matrix and of
-// adaptive meshes.
+// "lattice", only those whose ranks share the rows of a lattice of boxes.
 #include "fem/adaptive/adaptive_block.hpp"
+#include "fem/material/j2_plasticity.hpp"
 #include "fem/parallel/mpi_session.hpp"
 #include "meshes/counter_body.hpp"
 #include "meshes/hanging_mesh.hpp"
@@ -209,7 +208,7 @@ void print_matrix_free() {
   problem.far_boundary = mechanics::FarBoundary::pressure;
   print_curve("loaded", problem, mechanics::ContactLaw::augmented);
   problem = hexahedra(mechanics::BlockSides::free);
-  problem.plasticity = Plasticity{3e6, 0.1 * soft_modulus};
+  problem.law = j2_plasticity(3e6, 0.1 * soft_modulus);
   print_curve("plastic", problem, mechanics::ContactLaw::hard);
   print_stiffness(hexahedra(mechanics::BlockSides::free));
   print_adaptive("adaptive", 2, mechanics::BlockSides::periodic);
@@ -220,16 +219,12 @@ void print_matrix_free() {
 
 } // namespace
 
-int main(int n_arguments, char** arguments) {
+int main(int n_arguments, char** /*arguments*/) {
   start_mpi();
-  const std::string which = n_arguments > 1 ? arguments[1] : "";
-  const auto is_asked = [&](const char* blocks) {
-    return which.empty() || which == blocks;
-  };
-  if (which.empty())
+  const bool is_short = n_arguments > 1;
+  if (!is_short)
     print_meshes();
-  if (is_asked("lattice"))
-    print_lattices();
-  if (is_asked("hexahedra"))
+  print_lattices();
+  if (!is_short)
     print_matrix_free();
 }

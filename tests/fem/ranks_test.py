@@ -50,8 +50,7 @@ def main(program, mpirun):
     n_found = 0
     # Three ranks share the rows of a lattice. Five ranks have too few of them.
     for ranks, which, expected in (("2", [], one), ("3", ["lattice"], one[20:40]),
-                                   ("5", ["lattice"], one[20:40]),
-                                   ("3", ["hexahedra"], one[40:])):
+                                   ("5", ["lattice"], one[20:40])):
         several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
         assert all(f"{ranks} ranks" in note for note in notes), notes
         for name, x, y in differences(expected, several):

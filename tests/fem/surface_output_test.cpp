@@ -2,7 +2,6 @@
 // an independent reader reads. They run on any number of ranks; each rank
 // checks the files of all.
 #include "fem/adaptive/adaptive_block.hpp"
-#include "fem/parallel/mpi_session.hpp"
 #include "meshes/hanging_mesh.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
@@ -85,28 +84,8 @@ std::vector<double> at_grid(const Surface& surface,
   return sum;
 }
 
-class SurfaceFiles : public ::testing::Test {
+class SurfaceFiles : public OutputFiles {
 protected:
-  files::path folder_;
-
-  void SetUp() override {
-    start_mpi();
-    // All ranks use the folder of rank 0.
-    folder_ = mpi::broadcast(MPI_COMM_WORLD, ::testing::TempDir()) + "surface";
-    remove_folder();
-  }
-
-  void TearDown() override { remove_folder(); }
-
-  void remove_folder() const {
-    MPI_Barrier(MPI_COMM_WORLD);
-    if (mpi::this_mpi_process(MPI_COMM_WORLD) == 0)
-      files::remove_all(folder_);
-    MPI_Barrier(MPI_COMM_WORLD);
-  }
-
-  std::string stem() const { return (folder_ / "block").string(); }
-
   /// Heights of 4 nm in a smooth bump at one side, with roughness.
   static std::vector<double> heights(const Grid& grid) {
     std::vector<double> heights = random_field(grid.size(), 5);

@@ -1,12 +1,17 @@
 #pragma once
 
-// The numbers of a VTU file, read as ParaView would read them: XML with zlib
-// blocks in base64.
+// The numbers of a VTU file, read as ParaView would read them (XML with zlib
+// blocks in base64), and a folder for such files.
 
+#include "fem/parallel/mpi_session.hpp"
+
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
+#include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <pugixml.hpp>
 #include <stdexcept>
@@ -74,5 +79,35 @@ inline Vtu read_vtu(const std::string& path) {
     take(array.attribute("Name").value(), array);
   return vtu;
 }
+
+/// A folder that all ranks share, removed before and after each test.
+class OutputFiles : public ::testing::Test {
+protected:
+  std::filesystem::path folder_;
+
+  void SetUp() override {
+    start_mpi();
+    folder_ = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD,
+                                                ::testing::TempDir()) +
+              "block";
+    remove_folder();
+  }
+
+  void TearDown() override { remove_folder(); }
+
+  static unsigned int n_ranks() {
+    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  }
+
+  std::string stem() const { return (folder_ / "block").string(); }
+
+private:
+  void remove_folder() const {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::filesystem::remove_all(folder_);
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+};
 
 } // namespace asperity::fem

@@ -1,7 +1,8 @@
 #pragma once
 
-// The response of a material to a strain. This is the only place where the
-// constitutive law of the block's interior is written.
+// Hooke's law of an isotropic material: the linear part of every material law
+// of the block. The matrix-free products (multigrid/, refined/, hexahedra/)
+// apply its stiffness, which the block assembles from elastic_tangent().
 // Include this header in .cpp files of fem/ only.
 
 #include "fem/waves/moduli_field.hpp"
@@ -10,20 +11,21 @@
 
 namespace asperity::fem {
 
-/// Stress and its derivative at a quadrature point.
-struct PointResponse {
-  dealii::SymmetricTensor<2, 3> stress;  ///< sigma [Pa]
-  dealii::SymmetricTensor<4, 3> tangent; ///< d sigma / d epsilon [Pa]
-};
-
-/// The stress sigma = lambda tr(epsilon) 1 + 2 mu epsilon of a small strain
-/// [Pa].
+/// The stress sigma = C : epsilon = lambda tr(epsilon) 1 + 2 mu epsilon of a
+/// small strain [Pa].
 inline dealii::SymmetricTensor<2, 3>
 elastic_stress(const dealii::SymmetricTensor<2, 3>& strain,
                const Moduli& moduli) {
   return moduli.lame_modulus * dealii::trace(strain) *
              dealii::unit_symmetric_tensor<3>() +
          2.0 * moduli.shear_modulus * strain;
+}
+
+/// C = d sigma / d epsilon [Pa].
+inline dealii::SymmetricTensor<4, 3> elastic_tangent(const Moduli& moduli) {
+  const auto one = dealii::unit_symmetric_tensor<3>();
+  return moduli.lame_modulus * dealii::outer_product(one, one) +
+         2.0 * moduli.shear_modulus * dealii::identity_tensor<3>();
 }
 
 /// The product sigma : C^-1 : tau of two stresses, of which twice the energy
@@ -36,20 +38,6 @@ inline double elastic_product(const dealii::SymmetricTensor<2, 3>& stress,
   return (stress * other -
           lateral * dealii::trace(stress) * dealii::trace(other)) /
          (2.0 * moduli.shear_modulus);
-}
-
-/// Evaluates sigma = lambda tr(epsilon) 1 + 2 mu epsilon for small strains in
-/// an isotropic material. A history-dependent law would take its state in
-/// addition to the strain and return the same type.
-inline PointResponse
-elastic_response(const dealii::SymmetricTensor<2, 3>& strain,
-                 const Moduli& moduli) {
-  const auto one = dealii::unit_symmetric_tensor<3>();
-  PointResponse response;
-  response.stress = elastic_stress(strain, moduli);
-  response.tangent = moduli.lame_modulus * dealii::outer_product(one, one) +
-                     2.0 * moduli.shear_modulus * dealii::identity_tensor<3>();
-  return response;
 }
 
 } // namespace asperity::fem
