@@ -1,6 +1,7 @@
 // Tests of contact/certificate/certificate.hpp: the bounds hold for exact and
 // for perturbed solutions, and they are sharp.
 #include "contact/certificate/certificate.hpp"
+#include "contact/solvers/polonsky_keer.hpp"
 #include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
@@ -230,8 +231,7 @@ class FieldCheckOfFlaws : public testing::Test {
 protected:
   Grid grid{16, 16, 1.0, 1.0};
   std::vector<double> heights = problems::rough_heights(grid, {});
-  FourierOperator elasticity = halfspace_operator(
-      grid, {1.0, 0.3, std::numeric_limits<double>::infinity()});
+  FourierOperator elasticity = problems::unit_halfspace(grid);
 };
 
 // Verifies that a wrong load and tension are reported as they were submitted.
