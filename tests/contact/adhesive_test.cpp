@@ -509,36 +509,6 @@ TEST(AdhesiveSphere, HasTheForceOfMaugisTheory) {
   }
 }
 
-// The same with free boundaries, without neighbours, from the equilibrium
-// without a load to the pull-off. Measured at lambda = 0.3 on 64 and 128
-// points: 2.2 and 0.5 % of the pull-off force.
-TEST(AdhesiveSphere, HasTheForceOfMaugisTheoryWithFreeBoundaries) {
-  const MaugisProblem sphere(6.5, 0.3);
-  const double length = sphere.length;
-  double before = 1.0;
-  for (const int points : {64, 128}) {
-    const Grid grid{points, points, length, length};
-    const std::vector<double> heights = MaugisProblem::heights(grid);
-    LoadSequence path(free_halfspace(grid, 1.0).clone(), heights,
-                      sphere.law(grid), 1e-8, 2000);
-    const ContactSolution unloaded = path.solve({Kind::nominal_pressure, 0.0});
-    const double pull_off = sphere.exact.pull_off_force() / (length * length);
-    path.solve({Kind::nominal_pressure, -0.97 * pull_off});
-    const ContactSolution parted =
-        path.solve({Kind::nominal_pressure, -1.03 * pull_off});
-
-    ASSERT_TRUE(parted.is_detached) << parted.note;
-    const double radius =
-        std::sqrt(area_of(unloaded) / std::numbers::pi) * length;
-    EXPECT_NEAR(radius / sphere.exact.contact_at_load(0.0).contact_radius, 1.0,
-                1.28 / points);
-    const double error = std::abs(-parted.jump_pressure / pull_off - 1.0);
-    EXPECT_LT(error, 1.7 / points);
-    EXPECT_LT(error, 0.5 * before);
-    before = error;
-  }
-}
-
 /// The load that law and wall carry: the pressure of closed nodes, and that of
 /// the law elsewhere [Pa].
 double borne_by_law(const ContactSolution& found, const ContactInterface& law) {

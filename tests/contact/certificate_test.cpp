@@ -97,23 +97,6 @@ protected:
   FourierOperator elasticity;
 };
 
-// Verifies that the separation of a solution that is exact to 1e-12 h_rms lies
-// between the bounds, which differ by less than 1e-6 h_rms.
-TEST_P(Certified, EnclosesTheExactSeparation) {
-  const ContactSolution exact = solved(1e-12);
-  ASSERT_TRUE(exact.converged) << exact.note;
-  const double u = separation(exact);
-  const double rms = problems::rms(heights);
-
-  const SeparationBounds bounds =
-      bound_separation(elasticity, submitted(exact.pressure));
-
-  EXPECT_LE(bounds.low, u + 1e-11 * rms);
-  EXPECT_GE(bounds.high, u - 1e-11 * rms);
-  EXPECT_LT(bounds.high - bounds.low, 1e-6 * rms);
-  EXPECT_NEAR(u, exact.mean_gap, 1e-11 * rms);
-}
-
 // Verifies that the mean gap does not depend on the origin of the heights.
 TEST_P(Certified, IgnoresTheMeanOfTheHeights) {
   const ContactSolution exact = solved(1e-9);
