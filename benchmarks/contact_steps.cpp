@@ -54,85 +54,8 @@ double peak_gigabytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024.0 * 1e-9;
 }
 
-double cpu_now() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) +
-         1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// CPU time of all applications of operators [s].
-double transform_seconds = 0.0;
-
-/// An operator whose applications are timed, also on coarser grids.
-class TimedTransforms final : public SurfaceOperator {
-public:
-  explicit TimedTransforms(std::unique_ptr<SurfaceOperator> timed)
-      : timed_(std::move(timed)) {}
-
-  std::unique_ptr<SurfaceOperator> clone() const override {
-    return std::make_unique<TimedTransforms>(timed_->clone());
-  }
-
-  std::unique_ptr<SurfaceOperator> coarsened() const override {
-    std::unique_ptr<SurfaceOperator> coarse = timed_->coarsened();
-    return coarse ? std::make_unique<TimedTransforms>(std::move(coarse))
-                  : nullptr;
-  }
-
-  std::unique_ptr<SurfaceOperator> on_tiles(const Tiles& tiles) const override {
-    std::unique_ptr<SurfaceOperator> part = timed_->on_tiles(tiles);
-    return part ? std::make_unique<TimedTransforms>(std::move(part)) : nullptr;
-  }
-
-  const Grid& grid() const override { return timed_->grid(); }
-
-  std::span<const double> nodal_weights() const override {
-    return timed_->nodal_weights();
-  }
-
-  double short_wave_compliance() const override {
-    return timed_->short_wave_compliance();
-  }
-
-  int threads() const override { return timed_->threads(); }
-
-  bool is_periodic() const override { return timed_->is_periodic(); }
-
-  const Grid& wide_grid() const override { return timed_->wide_grid(); }
-
-  void displacement(std::span<const double> pressure,
-                    std::span<double> displacement) override {
-    const double begin = cpu_now();
-    timed_->displacement(pressure, displacement);
-    transform_seconds += cpu_now() - begin;
-  }
-
-  void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change) override {
-    const double begin = cpu_now();
-    timed_->displacement_change(pressure_change, displacement_change);
-    transform_seconds += cpu_now() - begin;
-  }
-
-  void pressure_estimate(std::span<const float> gap, double local_compliance,
-                         std::span<float> pressure) override {
-    const double begin = cpu_now();
-    timed_->pressure_estimate(gap, local_compliance, pressure);
-    transform_seconds += cpu_now() - begin;
-  }
-
-  void wide_pressure_estimate(std::span<const float> gap,
-                              double local_compliance,
-                              std::span<float> pressure) override {
-    const double begin = cpu_now();
-    timed_->wide_pressure_estimate(gap, local_compliance, pressure);
-    transform_seconds += cpu_now() - begin;
-  }
-
-private:
-  std::unique_ptr<SurfaceOperator> timed_;
-};
+const auto transform_seconds = std::make_shared<double>(0.0);
 
 struct RoughProblem {
   Grid grid;
@@ -151,7 +74,7 @@ struct Totals {
   double cpu = 0.0, most_cpu = 0.0, wall = 0.0, transforms = 0.0;
 
   void take(const char* kind, LoadSequence& sequence, double pressure) {
-    transform_seconds = 0.0;
+    *transform_seconds = 0.0;
     const Clock clock;
     const ContactSolution solution =
         sequence.solve({mechanics::Control::nominal_pressure, pressure});
@@ -165,7 +88,7 @@ struct Totals {
                 static_cast<double>(contacts) /
                     static_cast<double>(solution.pressure.size()),
                 solution.iterations, solution.transforms, seconds, wall_seconds,
-                seconds / transform_seconds, solution.note.c_str());
+                seconds / *transform_seconds, solution.note.c_str());
     ++steps;
     iterations += solution.iterations;
     most = std::max(most, solution.iterations);
@@ -173,7 +96,7 @@ struct Totals {
     cpu += seconds;
     most_cpu = std::max(most_cpu, seconds);
     wall += wall_seconds;
-    transforms += transform_seconds;
+    transforms += *transform_seconds;
   }
 
   void print(const char* kind) const {
@@ -190,8 +113,8 @@ std::unique_ptr<SurfaceOperator> elastic_body(const Grid& grid,
                                               double thickness, int threads) {
   constexpr double modulus = 1.0, ratio = 0.3;
   if (thickness < 0.0)
-    return std::make_unique<FreeHalfspace>(
-        grid, modulus / (1.0 - ratio * ratio), threads);
+    return free_halfspace(grid, modulus / (1.0 - ratio * ratio), threads)
+        .clone();
   const double infinity = std::numeric_limits<double>::infinity();
   return std::make_unique<FourierOperator>(halfspace_operator(
       grid,
@@ -206,8 +129,8 @@ void run(int points, int threads, double thickness, int n_steps,
   RoughProblem problem{grid, problems::rough_heights(grid, {}), 0.0, nullptr};
   problem.gap_tolerance = 1e-8 * problems::rms(problem.heights);
   const Clock clock;
-  problem.elasticity =
-      std::make_unique<TimedTransforms>(elastic_body(grid, thickness, threads));
+  problem.elasticity = elastic_body(grid, thickness, threads);
+  problem.elasticity->measure(transform_seconds);
   std::printf("%d^2, %d threads; set-up CPU %.3f s\n", points, threads,
               clock.cpu_seconds());
   std::printf("%-7s %9s %7s %6s %6s %8s %8s %6s\n", "start", "p0/E*h'", "area",

@@ -158,10 +158,9 @@ std::string description_of(const Submission& submission) {
 /// What a result without its case does not say of the body; empty for the
 /// periodic half-space, which E* determines.
 std::string other_body(const Problem& problem) {
-  return !problem.is_periodic ? "free boundaries"
-         : std::isfinite(problem.body.thickness) || !problem.body.layers.empty()
-             ? "layers or a finite thickness"
-             : "";
+  return !problem.is_periodic()         ? "free boundaries"
+         : !problem.body.is_halfspace() ? "layers or a finite thickness"
+                                        : "";
 }
 
 void write_import(const fs::path& folder, const results::CaseInfo& info,

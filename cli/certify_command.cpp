@@ -148,11 +148,10 @@ private:
         }
       notes_.push_back(fmt::format(
           "{:<16} against the half-space of E* in hard contact", record.name));
-      return Model{std::make_unique<contact::FourierOperator>(
-                       contact::halfspace_operator(
-                           surface.record.grid,
-                           {.contact_modulus = result_.contact_modulus,
-                            .thickness = infinity})),
+      return Model{contact::halfspace_operator(
+                       surface.record.grid,
+                       mechanics::halfspace(result_.contact_modulus))
+                       .clone(),
                    0.0};
     }
     const cases::MethodSpec& method = *known;

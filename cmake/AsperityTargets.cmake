@@ -182,8 +182,8 @@ function(asperity_tests program)
   endforeach()
 endfunction()
 
-# asperity_benchmark(contact/kernels DEPENDS asperity::contact [SMOKE regex]) builds
-# tests/contact/kernels_bench.cpp with Google Benchmark. It is run by hand; ctest runs
+# asperity_benchmark(md/green DEPENDS asperity::md [SMOKE regex]) builds
+# tests/md/green_bench.cpp with Google Benchmark. It is run by hand; ctest runs
 # those that match the regex once, so that it keeps working.
 function(asperity_benchmark path)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SMOKE" "DEPENDS")

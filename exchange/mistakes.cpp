@@ -214,18 +214,19 @@ words_of_boundaries(contact::SurfaceOperator& elasticity,
   const double as_submitted = gap_of(elasticity, problem.heights, load, field);
   // The other operator is not set up for answers that are nearly right.
   if (as_submitted < 1e-3 * load * problem.rms_height ||
-      std::isfinite(problem.body.thickness) || !problem.body.layers.empty())
+      !problem.body.is_halfspace())
     return std::nullopt;
   Problem other;
   other.body = problem.body;
-  other.is_periodic = !problem.is_periodic;
+  other.body.border = problem.is_periodic() ? mechanics::Border::free
+                                            : mechanics::Border::periodic;
   if (gap_of(*surface_operator(other, problem.grid), problem.heights, load,
              field) > far_better * as_submitted)
     return std::nullopt;
   return fmt::format("the field is that of {} boundaries, but those of this "
                      "problem are {}",
-                     other.is_periodic ? "periodic" : "free",
-                     problem.is_periodic ? "periodic" : "free");
+                     other.is_periodic() ? "periodic" : "free",
+                     problem.is_periodic() ? "periodic" : "free");
 }
 
 /// Names another modulus or height unit: in the contact, h and C p then differ

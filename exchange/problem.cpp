@@ -4,7 +4,6 @@
 #include "base/field_sums.hpp"
 #include "base/json.hpp"
 #include "base/plain_text.hpp"
-#include "contact/operators/free_halfspace.hpp"
 #include "exchange/checksums.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -26,7 +25,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::array far_boundary_words{"clamped", "sliding", "pressure"};
 
 Json body_json(const mechanics::ElasticBlock& body) {
-  const bool is_half_space = std::isinf(body.thickness);
   Json layers = Json::array();
   for (const mechanics::BondedLayer& layer : body.layers)
     layers.push_back({{"thickness [m]", layer.thickness},
@@ -37,9 +35,9 @@ Json body_json(const mechanics::ElasticBlock& body) {
                {"thickness [m]", nullptr},
                {"far_boundary", nullptr},
                {"layers", layers}};
-  if (!is_half_space || !body.layers.empty())
+  if (!body.is_halfspace())
     json["poisson_ratio [1]"] = body.poisson_ratio; // E* suffices otherwise
-  if (!is_half_space) {
+  if (!body.is_infinite()) {
     json["thickness [m]"] = body.thickness;
     json["far_boundary"] =
         far_boundary_words.at(static_cast<std::size_t>(body.far_boundary));
@@ -240,11 +238,7 @@ void read_heights(const std::filesystem::path& folder,
 
 std::unique_ptr<contact::SurfaceOperator>
 surface_operator(const Problem& problem, const Grid& grid) {
-  if (!problem.is_periodic)
-    return std::make_unique<contact::FreeHalfspace>(
-        grid, problem.body.contact_modulus);
-  return std::make_unique<contact::FourierOperator>(
-      contact::halfspace_operator(grid, problem.body));
+  return contact::halfspace_operator(grid, problem.body).clone();
 }
 
 std::string
@@ -267,7 +261,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                  {"points_y", grid.points_y},
                  {"length_x [m]", grid.length_x},
                  {"length_y [m]", grid.length_y},
-                 {"is_periodic", problem.is_periodic}}},
+                 {"is_periodic", problem.is_periodic()}}},
                {"heights",
                 {{"files", files},
                  {"rms_height [m]", problem.rms_height},
@@ -279,7 +273,7 @@ problem_json(const Problem& problem, const ProblemAnswer& example,
                {"requested",
                 {"pressure field", "mean_gap", "contact_area_fraction",
                  "elastic_energy"}},
-               {"conventions", conventions(problem.is_periodic)},
+               {"conventions", conventions(problem.is_periodic())},
                {"example",
                 {{"nominal_pressure [Pa]", example.nominal_pressure},
                  {"mean_gap [m]", example.mean_gap},
@@ -314,11 +308,12 @@ Problem read_problem(const std::filesystem::path& folder) {
   const Json& periodic = members.at("/grid/is_periodic", "true or false");
   if (!periodic.is_boolean())
     members.refuse("/grid/is_periodic", "true or false");
-  problem.is_periodic = periodic.get<bool>();
   problem.body = read_body(members);
-  if (!problem.is_periodic && std::isfinite(problem.body.thickness))
+  if (!periodic.get<bool>())
+    problem.body.border = mechanics::Border::free;
+  if (!problem.is_periodic() && std::isfinite(problem.body.thickness))
     members.refuse("/body/thickness [m]", "null without periodic boundaries");
-  if (!problem.is_periodic && !problem.body.layers.empty())
+  if (!problem.is_periodic() && !problem.body.layers.empty())
     members.refuse("/body/layers", "empty without periodic boundaries");
   for (std::size_t i = 0; i < members.list_size("/loads"); ++i)
     problem.loads.push_back(

@@ -24,13 +24,14 @@ struct Problem {
   std::string name;  ///< is_good_name(), not beginning with '.'
   std::string title; ///< one line of at most longest_line bytes
   Grid grid;
-  std::vector<double> heights; ///< [m], positive towards the block, mean 0
-  mechanics::ElasticBlock body;
-  bool is_periodic = true;   ///< false: free boundaries, a uniform half-space
-  std::vector<double> loads; ///< nominal pressures p_0 [Pa] > 0, ascending
-  double rms_height = 0.0;   ///< of the heights [m] > 0
-  double rms_slope = 0.0;    ///< of the heights, both directions [1]
-  std::string heights_hash;  ///< SHA-256 of heights.npy, if read from a folder
+  std::vector<double> heights;  ///< [m], positive towards the block, mean 0
+  mechanics::ElasticBlock body; ///< with its border
+  std::vector<double> loads;    ///< nominal pressures p_0 [Pa] > 0, ascending
+  double rms_height = 0.0;      ///< of the heights [m] > 0
+  double rms_slope = 0.0;       ///< of the heights, both directions [1]
+  std::string heights_hash; ///< SHA-256 of heights.npy, if read from a folder
+
+  bool is_periodic() const { return !body.is_free(); }
 };
 
 /// The solution of the discrete problem at one load.

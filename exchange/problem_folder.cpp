@@ -125,15 +125,11 @@ std::string reference_json(const Problem& problem,
 
 StatedBody stated_body(const Problem& problem) {
   const mechanics::ElasticBlock& body = problem.body;
-  mechanics::ElasticBlock half_space;
-  half_space.contact_modulus = body.contact_modulus;
-  half_space.thickness = infinity;
-  if (!problem.is_periodic)
-    return {free_half_space_text, true, half_space, false};
-  if (std::isinf(body.thickness) && body.layers.empty())
-    return {half_space_text, true, half_space, true};
+  if (body.is_halfspace())
+    return {body.is_free() ? free_half_space_text : half_space_text, true,
+            mechanics::halfspace(body.contact_modulus, body.border)};
   std::string text =
-      std::isinf(body.thickness)
+      body.is_infinite()
           ? std::string("The body is a half-space")
           : fmt::format("The body is a block {:g} m thick", body.thickness);
   if (!body.layers.empty())
@@ -201,18 +197,18 @@ void write_problem(const Problem& problem,
   write("problem.schema.json", std::string(problem_schema));
   if (!case_text.empty())
     write("case.toml", case_text);
-  write(
-      "README.md",
-      fmt::format(fmt::runtime(readme_text), fmt::arg("name", problem.name),
-                  fmt::arg("title", problem.title),
-                  fmt::arg("cell", problem.is_periodic ? "a periodic cell"
-                                                       : "a rectangle"),
-                  fmt::arg("means", problem.is_periodic ? ", mean(w) = 0" : ""),
-                  fmt::arg("points_x", grid.points_x),
-                  fmt::arg("points_y", grid.points_y),
-                  fmt::arg("loads", problem.loads.size()),
-                  fmt::arg("first_load", problem.loads.front()),
-                  fmt::arg("body", stated_body(problem).text)));
+  write("README.md",
+        fmt::format(
+            fmt::runtime(readme_text), fmt::arg("name", problem.name),
+            fmt::arg("title", problem.title),
+            fmt::arg("cell",
+                     problem.is_periodic() ? "a periodic cell" : "a rectangle"),
+            fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
+            fmt::arg("points_x", grid.points_x),
+            fmt::arg("points_y", grid.points_y),
+            fmt::arg("loads", problem.loads.size()),
+            fmt::arg("first_load", problem.loads.front()),
+            fmt::arg("body", stated_body(problem).text)));
   write("problem.json", json);
 }
 

@@ -25,7 +25,6 @@ struct StatedBody {
   /// text refers to `body` in problem.json.
   bool is_complete = false;
   mechanics::ElasticBlock body = {};
-  bool is_periodic = true;
 };
 
 StatedBody stated_body(const Problem& problem);

@@ -202,10 +202,9 @@ PressureBounds tension_at(const ContactInterface& own) {
 }
 
 template <int m, int n>
-constexpr ContactLawTraits lennard_jones_row(ContactLaw law, const char* name,
+constexpr ContactLawTraits lennard_jones_row(const char* name,
                                              const char* words) {
   return {
-      law,
       name,
       words,
       false,
@@ -221,48 +220,65 @@ constexpr ContactLawTraits lennard_jones_row(ContactLaw law, const char* name,
       lennard_jones_strongest<m, n>};
 }
 
-constexpr std::array all_laws{
-    ContactLawTraits{ContactLaw::penalty, "penalty", "penalty", false, true,
+constexpr std::array own_laws{
+    ContactLawTraits{"penalty", "penalty", false, true,
                      SurfaceSolver::complementarity, BlockSolver::springs,
                      spring_energy, spring_pressure, spring_stiffness,
                      without_tension, at_zero, at_no_gap, at_zero},
-    ContactLawTraits{ContactLaw::hard, "hard", "hard (unilateral) contact",
-                     true, false, SurfaceSolver::complementarity,
-                     BlockSolver::wall, nothing, nothing, nothing,
-                     up_to_hardness, at_zero, at_zero, at_zero},
-    ContactLawTraits{ContactLaw::augmented, "augmented",
-                     "augmented Lagrangian with a penalty of", true, true,
-                     SurfaceSolver::multipliers, BlockSolver::springs, nothing,
-                     nothing, nothing, without_tension, at_zero, at_zero,
+    ContactLawTraits{"hard", "hard (unilateral) contact", true, false,
+                     SurfaceSolver::complementarity, BlockSolver::wall, nothing,
+                     nothing, nothing, up_to_hardness, at_zero, at_zero,
                      at_zero},
-    ContactLawTraits{ContactLaw::exponential, "exponential",
-                     "a hard wall with exponential adhesion", true, false,
-                     SurfaceSolver::adhesive, BlockSolver::none,
+    ContactLawTraits{"augmented", "augmented Lagrangian with a penalty of",
+                     true, true, SurfaceSolver::multipliers,
+                     BlockSolver::springs, nothing, nothing, nothing,
+                     without_tension, at_zero, at_zero, at_zero},
+    ContactLawTraits{"exponential", "a hard wall with exponential adhesion",
+                     true, false, SurfaceSolver::adhesive, BlockSolver::none,
                      exponential_energy, exponential_pressure,
                      exponential_stiffness,
                      tension_at<exponential_pressure, at_zero>, everywhere,
                      at_zero, at_zero},
-    ContactLawTraits{
-        ContactLaw::dugdale, "dugdale", "a hard wall with Dugdale's adhesion",
-        true, false, SurfaceSolver::adhesive, BlockSolver::none, dugdale_energy,
-        dugdale_pressure, dugdale_stiffness,
-        tension_at<dugdale_pressure, at_zero>, dugdale_range, at_zero, at_zero},
-    ContactLawTraits{
-        ContactLaw::cubic, "cubic", "a hard wall with cubic adhesion", true,
-        false, SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
-        cubic_pressure, cubic_stiffness, tension_at<cubic_pressure, at_zero>,
-        own_range, at_zero, at_zero},
-    lennard_jones_row<9, 3>(ContactLaw::lennard_jones, "lennard-jones",
+    ContactLawTraits{"dugdale", "a hard wall with Dugdale's adhesion", true,
+                     false, SurfaceSolver::adhesive, BlockSolver::none,
+                     dugdale_energy, dugdale_pressure, dugdale_stiffness,
+                     tension_at<dugdale_pressure, at_zero>, dugdale_range,
+                     at_zero, at_zero},
+    ContactLawTraits{"cubic", "a hard wall with cubic adhesion", true, false,
+                     SurfaceSolver::adhesive, BlockSolver::none, cubic_energy,
+                     cubic_pressure, cubic_stiffness,
+                     tension_at<cubic_pressure, at_zero>, own_range, at_zero,
+                     at_zero},
+    lennard_jones_row<9, 3>("lennard-jones",
                             "the Lennard-Jones law of half-spaces (9-3)"),
     lennard_jones_row<10, 4>(
-        ContactLaw::lennard_jones_layers, "lennard-jones-10-4",
+        "lennard-jones-10-4",
         "the Lennard-Jones law of two layers of atoms (10-4)"),
-    ContactLawTraits{ContactLaw::morse, "morse", "Morse's law", false, false,
+    ContactLawTraits{"morse", "Morse's law", false, false,
                      SurfaceSolver::adhesive, BlockSolver::none, morse_energy,
                      morse_pressure, morse_stiffness,
                      tension_at<morse_pressure, morse_strongest>, everywhere,
                      at_no_gap, morse_strongest},
 };
+
+/// The laws, in the order of their numbers.
+struct LawList {
+  std::array<ContactLawTraits, 32> rows{};
+  std::size_t count = 0;
+
+  constexpr LawList() {
+    for (const ContactLawTraits& law : own_laws)
+      add(law);
+  }
+
+  constexpr ContactLaw add(ContactLawTraits law) {
+    law.law = static_cast<ContactLaw>(count);
+    rows.at(count++) = law;
+    return law.law;
+  }
+};
+
+constinit LawList all_laws;
 
 double behind_wall(const ContactInterface& own, double gap,
                    ContactLawTraits::Function ContactLawTraits::*function) {
@@ -305,17 +321,23 @@ double ContactInterface::local_compliance() const {
 }
 
 std::span<const ContactLawTraits> contact_laws() {
-  return all_laws;
+  return std::span(all_laws.rows).first(all_laws.count);
+}
+
+RegisteredLaw::RegisteredLaw(const ContactLawTraits& row)
+    : law_(all_laws.add(row)) {}
+
+RegisteredLaw::~RegisteredLaw() {
+  --all_laws.count;
 }
 
 const ContactLawTraits& traits_of(ContactLaw law) {
-  return all_laws.at(static_cast<std::size_t>(law));
+  return all_laws.rows.at(static_cast<std::size_t>(law));
 }
 
 std::vector<const char*> contact_law_names() {
   std::vector<const char*> names;
-  names.reserve(all_laws.size());
-  for (const ContactLawTraits& traits : all_laws)
+  for (const ContactLawTraits& traits : contact_laws())
     names.push_back(traits.name);
   return names;
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 // The contact laws of block and counter-surface: what pressure acts at a gap,
-// and which solver finds the contact. This file and its .cpp are the only ones
-// that name them all; docs/extending.md tells how to add one.
+// and which solver finds the contact. A law is a row of functions in the list
+// of the .cpp, or a RegisteredLaw; docs/extending.md tells how to add one.
 
 #include "mechanics/quantity.hpp"
 
@@ -14,7 +14,8 @@
 
 namespace asperity::mechanics {
 
-/// The contact laws, in the order of contact_laws().
+/// The number of a law in contact_laws(). The names are those of which other
+/// files speak; a law needs none.
 enum class ContactLaw {
   penalty,     ///< p = k * penetration
   hard,        ///< unilateral contact, complementarity conditions
@@ -135,20 +136,38 @@ enum class BlockSolver {
 
 /// What is known of a contact law without its parameters.
 struct ContactLawTraits {
-  ContactLaw law;
-  const char* name;   ///< in cases
-  const char* words;  ///< in reports, before the penalty if it needs one
-  bool has_wall;      ///< whether its solution is free of penetration
-  bool needs_penalty; ///< whether a case must give k
-  SurfaceSolver surface_solver;
-  BlockSolver block_solver;
+  const char* name = nullptr; ///< in cases
+  const char* words =
+      nullptr;           ///< in reports, before the penalty if it needs one
+  bool has_wall = false; ///< whether its solution is free of penetration
+  bool needs_penalty = false; ///< whether a case must give k
+  SurfaceSolver surface_solver = SurfaceSolver::none;
+  BlockSolver block_solver = BlockSolver::none;
 
   using Function = double (*)(const ContactInterface&, double gap);
-  Function energy, pressure, stiffness; ///< where the wall admits the gap
-  PressureBounds (*pressure_bounds)(const ContactInterface&);
-  double (*range)(const ContactInterface&);
-  double (*least_gap)(const ContactInterface&);
-  double (*strongest_gap)(const ContactInterface&);
+  using OfLaw = double (*)(const ContactInterface&);
+  /// Where the wall admits the gap.
+  Function energy = nullptr, pressure = nullptr, stiffness = nullptr;
+  PressureBounds (*pressure_bounds)(const ContactInterface&) = nullptr;
+  OfLaw range = nullptr, least_gap = nullptr, strongest_gap = nullptr;
+  ContactLaw law = {}; ///< its number, given by the list
+};
+
+/// A law that a file of its own adds to the list while this object exists. It
+/// is made before other threads ask for laws and before the first case is read;
+/// the one made last ends first.
+class RegisteredLaw {
+public:
+  /// @throws std::out_of_range  there are 32 laws
+  explicit RegisteredLaw(const ContactLawTraits& row);
+  RegisteredLaw(const RegisteredLaw&) = delete;
+  RegisteredLaw& operator=(const RegisteredLaw&) = delete;
+  ~RegisteredLaw();
+
+  operator ContactLaw() const { return law_; }
+
+private:
+  ContactLaw law_;
 };
 
 /// All contact laws.

@@ -5,17 +5,14 @@
 // the perimeter, spots, conductance, flow, friction, certificates, the maps of
 // a report, and, by the attributes of a result file, for Python.
 
+#include "mechanics/far_boundary.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace asperity::mechanics {
-
-/// What lies beyond the border of a map: its periodic continuation, which also
-/// continues a cell that is mirrored into itself, or a surface that carries no
-/// pressure and lets no fluid pass.
-enum class Border { periodic, free };
 
 /// The field by which contact is decided.
 enum class ContactField {

@@ -4,7 +4,7 @@
 // the Winkler foundation.
 
 #include "mechanics/contact_law.hpp"
-#include "mechanics/far_boundary.hpp"
+#include "mechanics/elastic_block.hpp"
 #include "mechanics/quantity.hpp"
 
 #include <optional>
@@ -54,6 +54,17 @@ struct HalfspaceSettings {
   bool needs_surface() const { return true; }
 
   bool needs_poisson_ratio() const { return thickness.has_value(); }
+
+  /// The block without its material. Whether it is infinite, its name and its
+  /// border do not depend on the scales.
+  ElasticBlock block(const Scales& scales = unit_scales) const {
+    ElasticBlock own =
+        halfspace(0.0, has_free_boundaries ? Border::free : Border::periodic);
+    if (thickness)
+      own.thickness = thickness->in_si(scales);
+    own.far_boundary = far_boundary;
+    return own;
+  }
 
   bool uses_layers() const { return true; }
 

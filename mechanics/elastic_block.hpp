@@ -5,6 +5,8 @@
 
 #include "mechanics/far_boundary.hpp"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace asperity::mechanics {
@@ -17,6 +19,9 @@ struct BondedLayer {
 };
 
 /// An isotropic elastic block with a frictionless surface and bonded layers.
+/// The operators of a half-space or slab are made from it, and the texts, the
+/// problems for other programs and the certificates that state what was solved
+/// ask it.
 struct ElasticBlock {
   double contact_modulus = 0.0; ///< E* = E/(1 - nu^2) below the layers [Pa] > 0
   /// Below the layers [1]; read if there are layers or if the far boundary is
@@ -25,6 +30,29 @@ struct ElasticBlock {
   double thickness = 0.0; ///< with layers [m] > 0; infinite for a half-space
   FarBoundary far_boundary = FarBoundary::clamped;
   std::vector<BondedLayer> layers = {}; ///< from the contact surface downwards
+  /// Of the contact surface; free only if is_halfspace().
+  Border border = Border::periodic;
+
+  bool is_infinite() const { return std::isinf(thickness); }
+
+  /// Whether C(q) = 2/(E* q): E* and the border are then all that counts.
+  bool is_halfspace() const { return is_infinite() && layers.empty(); }
+
+  bool is_free() const { return border == Border::free; }
+
+  /// "half-space" or "slab".
+  const char* name() const { return is_infinite() ? "half-space" : "slab"; }
 };
+
+/// The uniform half-space.
+/// @param contact_modulus  E* [Pa] > 0
+inline ElasticBlock halfspace(double contact_modulus,
+                              Border border = Border::periodic) {
+  ElasticBlock block;
+  block.contact_modulus = contact_modulus;
+  block.thickness = std::numeric_limits<double>::infinity();
+  block.border = border;
+  return block;
+}
 
 } // namespace asperity::mechanics

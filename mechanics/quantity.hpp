@@ -24,6 +24,9 @@ struct Scales {
   double rms_slope = 0.0;       ///< h', both directions [1]
 };
 
+/// For what does not depend on the scales.
+inline constexpr Scales unit_scales{1.0, 1.0, 1.0, 1.0, 1.0};
+
 /// A number with its reference unit: "0.3 E*" is {0.3, contact_modulus}. It is
 /// converted when the reference value is known, for measured maps only after
 /// the surface is read.

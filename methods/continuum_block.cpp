@@ -2,7 +2,6 @@
 
 #include "contact/operators/layered_compliance.hpp"
 
-#include <limits>
 #include <numbers>
 
 namespace asperity::methods {
@@ -19,22 +18,18 @@ double own_modulus(const mechanics::MaterialSpec& material) {
 mechanics::ElasticBlock continuum_of(const cases::MethodSpec& method,
                                      const mechanics::MaterialSpec& material,
                                      const mechanics::Scales& scales) {
-  mechanics::ElasticBlock block;
+  mechanics::ElasticBlock block = mechanics::halfspace(0.0, method.border());
+  if (const auto* half =
+          std::get_if<mechanics::HalfspaceSettings>(&method.settings))
+    block = half->block(scales);
   block.contact_modulus = material.contact_modulus;
   block.poisson_ratio = material.poisson_ratio.value_or(0.0);
-  block.thickness = std::numeric_limits<double>::infinity();
-  if (const auto* half =
-          std::get_if<mechanics::HalfspaceSettings>(&method.settings)) {
-    if (half->thickness)
-      block.thickness = half->thickness->in_si(scales);
-    block.far_boundary = half->far_boundary;
-  } else if (const auto* fem =
-                 std::get_if<mechanics::FemSettings>(&method.settings)) {
+  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings)) {
     block.thickness = fem->block.depth.in_si(scales);
     block.far_boundary = fem->block.far_boundary;
-  } else {
-    return block; // the atomistic block has no layers
   }
+  if (!method.uses_layers())
+    return block;
   if (!material.layers.empty())
     block.contact_modulus = own_modulus(material);
   for (const mechanics::MaterialLayer& layer : material.layers)

@@ -9,7 +9,9 @@
 namespace asperity::methods {
 
 /// Returns the block for the half-space solver and for the subsurface stress: a
-/// half-space or slab as set for the method, with the layers of the case.
+/// half-space or slab as set for the method, with the layers of the case and
+/// the border of the method. All that is stated of the operator of a method
+/// follows from it.
 /// Atomistic blocks become a half-space without layers. With layers the moduli
 /// are those of the block itself; otherwise they are the combined moduli of the
 /// pair if there is a second body.

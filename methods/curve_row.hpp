@@ -3,7 +3,7 @@
 // Evaluates a solved load step as a row of the curve. All elastic methods use
 // the same observables.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 #include "mechanics/contact_law.hpp"
 #include "methods/step_solver.hpp"
 #include "methods/surfaces_of_case.hpp"

@@ -1,7 +1,6 @@
 #include "methods/elastic_method.hpp"
 
 #include "base/cpu_clock.hpp"
-#include "contact/operators/free_halfspace.hpp"
 #include "fem/plugin.hpp"
 #include "mechanics/adhesion_scales.hpp"
 #include "methods/cache/cache.hpp"
@@ -87,7 +86,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
   observation.contact_modulus =
       boundary_modulus(continuum, surface.scales.spacing);
   observation.has_middle = surface.has_middle;
-  observation.border = method.border();
+  observation.border = continuum.border;
   observation.criterion = method.contact_criterion(surface.scales.rms_height);
   observation.hardness = setting.interface.hardness;
   if (method.is_adhesive()) {
@@ -96,7 +95,7 @@ std::unique_ptr<StepSolver> SolverFactory::make(const cases::MethodSpec& method,
         setting.interface.grid_number(scales.contact_modulus, scales.spacing);
   }
   const Grid& grid = surface.record.grid;
-  if (method.border() == mechanics::Border::free)
+  if (continuum.is_free())
     observation.area_coefficients = results::free_area_coefficients;
   if (workforce.ranks != nullptr &&
       is_shared_by_ranks(method, grid, workforce.ranks->size())) {
@@ -144,17 +143,11 @@ SolverFactory::shared_operator(const cases::MethodSpec& method,
 SolverFactory::Face
 SolverFactory::build_operator(const cases::MethodSpec& method,
                               const SurfaceOfCase& surface, int threads) {
-  const Grid& grid = surface.record.grid;
-  if (method.border() == mechanics::Border::free)
-    return {std::make_unique<contact::FreeHalfspace>(
-                grid, material_.contact_modulus, threads),
-            0.0};
   if (std::holds_alternative<HalfspaceSettings>(method.settings))
-    return {std::make_unique<contact::FourierOperator>(
-                grid,
-                contact::compliance_column(
-                    grid, continuum_of(method, material_, surface.scales)),
-                threads),
+    return {contact::halfspace_operator(
+                surface.record.grid,
+                continuum_of(method, material_, surface.scales), threads)
+                .clone(),
             0.0};
   // Loading is not part of the cached set-up time.
   const fem::FemModule& fem_module = fem::load_fem_module();

@@ -97,9 +97,8 @@ MethodDescription describe(const FemSettings& settings) {
 
 MethodDescription describe(const HalfspaceSettings& settings) {
   return {"halfspace",
-          fmt::format("continuum {}, spectral, {}{}",
-                      settings.thickness ? "slab" : "half-space",
-                      settings.has_free_boundaries ? "free boundaries, " : "",
+          fmt::format("continuum {}, spectral, {}{}", settings.block().name(),
+                      settings.block().is_free() ? "free boundaries, " : "",
                       in_words(settings.contact)),
           false};
 }

@@ -4,7 +4,6 @@
 #include "base/cpu_clock.hpp"
 #include "base/field_sums.hpp"
 #include "contact/certificate/certificate.hpp"
-#include "methods/timed_operator.hpp"
 #include "ranks/node_sums.hpp"
 #include "ranks/rank_sums.hpp"
 #include "results/types/method_columns.hpp"
@@ -37,18 +36,6 @@ std::vector<double> of_each_field(const std::vector<double>& memory,
 /// Of the mean of many numbers, relative to the largest.
 constexpr double rounding_of_sums = 1e-13;
 
-/// The largest absolute value on all ranks.
-double largest_of(std::span<const double> field, const Workers& workers) {
-  return chunked_sum<Largest>(field.size(), workers,
-                              [=](std::size_t begin, std::size_t end) {
-                                Largest own{0.0};
-                                for (std::size_t i = begin; i < end; ++i)
-                                  own += {std::abs(field[i])};
-                                return own;
-                              })
-      .value;
-}
-
 class LoadSteps final : public StepSolver {
 public:
   LoadSteps(std::unique_ptr<contact::SurfaceOperator> elasticity,
@@ -57,9 +44,8 @@ public:
         gap_tolerance_(setting.gap_tolerance),
         saved_setup_time_(setting.saved_setup_time),
         observation_(setting.observation),
-        sequence_(std::make_unique<TimedOperator>(std::move(elasticity), tally_,
-                                                  setting.threads),
-                  std::move(heights), setting.interface, setting.gap_tolerance,
+        sequence_(measured(std::move(elasticity)), std::move(heights),
+                  setting.interface, setting.gap_tolerance,
                   setting.max_iterations) {
     const contact::SurfaceOperator& c = sequence_.elasticity();
     surface_.record.grid = c.grid();
@@ -73,10 +59,10 @@ public:
   }
 
   StepAnswer find(const StepTarget& target) override {
-    tally_->cpu_time = 0.0;
+    *transform_time_ = 0.0;
     contact::ContactSolution solution = sequence_.solve(target.load);
     const int transforms = solution.transforms;
-    const double transform_time = tally_->cpu_time;
+    const double transform_time = *transform_time_;
     const CpuClock clock(threads_);
     gather(solution);
     const Reached reached = reached_by(solution);
@@ -105,6 +91,12 @@ public:
   double saved_setup_time() const override { return saved_setup_time_; }
 
 private:
+  std::unique_ptr<contact::SurfaceOperator>
+  measured(std::unique_ptr<contact::SurfaceOperator> elasticity) const {
+    elasticity->measure(transform_time_);
+    return elasticity;
+  }
+
   /// Lets every rank have the whole fields. Collective.
   void gather(contact::ContactSolution& solution) const {
     if (rows_.ranks() == nullptr)
@@ -125,10 +117,11 @@ private:
              static_cast<double>(solution.pressure.size());
     };
     const double borne = mean_of([=](std::size_t i) { return std::abs(p[i]); });
-    const double height = largest_of(heights, sequence_.elasticity().workers());
+    const double height =
+        largest_size(heights, sequence_.elasticity().workers());
     const double depth = std::max(std::abs(solution.mean_gap),
                                   observation_.local_compliance *
-                                      largest_of(solution.pressure, threads));
+                                      largest_size(solution.pressure, threads));
     Reached reached;
     reached.nominal_pressure = solution.nominal_pressure;
     reached.mean_gap = solution.mean_gap;
@@ -173,8 +166,8 @@ private:
   double saved_setup_time_;
   Observation observation_;
   SurfaceOfCase surface_; ///< grid and rms height only
-  std::shared_ptr<TimedOperator::Tally> tally_ =
-      std::make_shared<TimedOperator::Tally>();
+  /// CPU time of the operator in this step [s].
+  std::shared_ptr<double> transform_time_ = std::make_shared<double>(0.0);
   contact::LoadSequence sequence_;
   SharedRows rows_{Grid{}};          ///< of this rank
   std::vector<double> weights_ = {}; ///< of all nodes, on ranks

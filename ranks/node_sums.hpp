@@ -1,11 +1,12 @@
 #pragma once
 
-// Computes weighted sums over all nodes of a field.
+// Computes weighted sums, and maxima, over all nodes of a field.
 
 #include "ranks/chunked_sum.hpp"
 #include "ranks/node_weights.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -63,6 +64,48 @@ inline double weighted_dot(std::span<const double> weights,
                       [a = left.data(), b = right.data()](std::size_t i) {
                         return a[i] * b[i];
                       });
+}
+
+/// Sums over the nodes 0..nodes-1 of each rank: add(i, values) adds the terms
+/// of one node.
+template <std::size_t n, class Add>
+std::array<double, n> several_sums(std::size_t nodes, const Workers& workers,
+                                   const Add& add) {
+  return chunked_sum<SeveralSums<n>>(nodes, workers,
+                                     [&](std::size_t begin, std::size_t end) {
+                                       SeveralSums<n> own;
+                                       for (std::size_t i = begin; i < end; ++i)
+                                         add(i, own.values);
+                                       return own;
+                                     })
+      .values;
+}
+
+/// The largest term(i) over the nodes 0..nodes-1 of each rank; NaN if one is.
+template <class Term>
+double largest_term(std::size_t nodes, const Workers& workers,
+                    const Term& term) {
+  return chunked_sum<Largest>(nodes, workers,
+                              [&](std::size_t begin, std::size_t end) {
+                                Largest own;
+                                for (std::size_t i = begin; i < end; ++i)
+                                  own += Largest{term(i)};
+                                return own;
+                              })
+      .value;
+}
+
+/// max_i field_i, and max_i |field_i|.
+inline double largest_of(std::span<const double> field,
+                         const Workers& workers) {
+  return largest_term(field.size(), workers,
+                      [=](std::size_t i) { return field[i]; });
+}
+
+inline double largest_size(std::span<const double> field,
+                           const Workers& workers) {
+  return largest_term(field.size(), workers,
+                      [=](std::size_t i) { return std::abs(field[i]); });
 }
 
 } // namespace asperity

@@ -5,6 +5,7 @@
 #include "contact/solvers/adhesive.hpp"
 #include "fem/plugin.hpp"
 #include "methods/chosen.hpp"
+#include "methods/continuum_block.hpp"
 #include "methods/methods.hpp"
 #include "results/types/method_columns.hpp"
 #include "robustness/verify_adhesive.hpp"
@@ -108,23 +109,14 @@ double softest_compliance(const MethodOfCase& what, const Grid& grid) {
 /// and lock.
 bool may_lose_contact(const MethodOfCase& what, const Grid& grid) {
   constexpr double plate = 0.05; // thickness [lengths]
-  const mechanics::Scales scales{what.contact_case.material.contact_modulus,
-                                 grid.length_x, grid.spacing_x()};
-  std::optional<double> thickness;
-  mechanics::FarBoundary far{};
-  const auto* fem = std::get_if<FemSettings>(&what.method.settings);
-  if (const auto* half =
-          std::get_if<HalfspaceSettings>(&what.method.settings)) {
-    if (half->thickness)
-      thickness = half->thickness->in_si(scales);
-    far = half->far_boundary;
-  } else if (fem != nullptr) {
-    thickness = fem->block.depth.in_si(scales);
-    far = fem->block.far_boundary;
-  }
-  if (thickness && *thickness < plate * grid.length_x &&
-      far == mechanics::FarBoundary::pressure)
+  const mechanics::ElasticBlock block =
+      methods::continuum_of(what.method, what.contact_case.material,
+                            {what.contact_case.material.contact_modulus,
+                             grid.length_x, grid.spacing_x()});
+  if (block.thickness < plate * grid.length_x &&
+      block.far_boundary == mechanics::FarBoundary::pressure)
     return true;
+  const auto* fem = std::get_if<FemSettings>(&what.method.settings);
   return fem != nullptr &&
          (what.contact_case.material.variation.has_value() ||
           what.contact_case.material.inclusion.has_value() ||

@@ -307,17 +307,31 @@ void draw_full_block(Draft& draft, const Problem& problem) {
                  {"multigrid", problem.poisson_ratio > 0.49 ? 0.0 : 1.0}})));
 }
 
+/// The share of a law without adhesion. Two bodies need springs.
+double weight_of(const mechanics::ContactLawTraits& law,
+                 const Problem& problem) {
+  switch (law.block_solver) {
+  case mechanics::BlockSolver::wall:
+    return problem.counter == "none" ? 3.0 : 0.0;
+  case mechanics::BlockSolver::springs:
+    return law.has_wall ? 2.0 : 4.0;
+  case mechanics::BlockSolver::none:
+    break;
+  }
+  return problem.family == "full-block" ? 0.0 : 2.0;
+}
+
 std::vector<std::pair<std::string, double>> laws(const Draft& draft,
                                                  const Problem& problem) {
-  std::vector<std::pair<std::string, double>> weighted{
-      {"penalty", 4.0},
-      {"hard", problem.counter == "none" ? 3.0 : 0.0},
-      {"augmented", 2.0}};
-  if (draft.base() == nullptr && !draft.has_label("family", "flawed") &&
-      problem.is({"halfspace", "slab", "condensed-q1"}))
-    for (const mechanics::ContactLawTraits& law : mechanics::contact_laws())
-      if (mechanics::is_adhesive(law.law))
-        weighted.emplace_back(law.name, 9.0 / 24.0);
+  const bool may_stick = draft.base() == nullptr &&
+                         !draft.has_label("family", "flawed") &&
+                         problem.is({"halfspace", "slab", "condensed-q1"});
+  std::vector<std::pair<std::string, double>> weighted;
+  for (const mechanics::ContactLawTraits& law : mechanics::contact_laws())
+    if (!mechanics::is_adhesive(law.law))
+      weighted.emplace_back(law.name, weight_of(law, problem));
+    else if (may_stick)
+      weighted.emplace_back(law.name, 9.0 / 24.0);
   return weighted;
 }
 

@@ -3,7 +3,7 @@
 // The checks that a solution must pass. Each is separate, and none of them is
 // the convergence criterion of the solver. The file owns their tolerances.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 #include "results/observables/observables.hpp"
 #include "results/types/result.hpp"
 

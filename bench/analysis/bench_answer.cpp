@@ -137,7 +137,7 @@ FreeMethods free_methods(const cases::Case& contact_case) {
   const auto is_free = [](const cases::MethodSpec& method) {
     const auto* half =
         std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-    return half != nullptr && half->has_free_boundaries;
+    return half != nullptr && half->block().is_free();
   };
   return std::ranges::all_of(contact_case.methods, is_free) ? FreeMethods::all
          : std::ranges::any_of(contact_case.methods, is_free)

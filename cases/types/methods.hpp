@@ -102,7 +102,7 @@ struct MethodSpec {
   mechanics::Border border() const {
     const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings);
     const auto* fem = std::get_if<mechanics::FemSettings>(&settings);
-    const bool is_free = (half != nullptr && half->has_free_boundaries) ||
+    const bool is_free = (half != nullptr && half->block().is_free()) ||
                          (fem != nullptr && fem->has_free_sides());
     return is_free ? mechanics::Border::free : mechanics::Border::periodic;
   }

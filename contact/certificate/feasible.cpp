@@ -86,16 +86,6 @@ double separation_above(const Feasible& answer, const Weighted& weighted,
 
 } // namespace
 
-double largest_of(std::span<const double> values, const Workers& workers) {
-  return largest_term(values.size(), workers,
-                      [&](std::size_t i) { return values[i]; });
-}
-
-double largest_size(std::span<const double> values, const Workers& workers) {
-  return largest_term(values.size(), workers,
-                      [&](std::size_t i) { return std::abs(values[i]); });
-}
-
 Defects sound_or_refused(const SurfaceOperator& elasticity,
                          const SubmittedField& submitted) {
   const std::size_t nodes = elasticity.n_nodes();

@@ -5,31 +5,13 @@
 
 #include "contact/certificate/certificate.hpp"
 #include "contact/certificate/weighted.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace asperity::contact {
-
-/// The largest of term(i) over the nodes of all ranks.
-template <class Term>
-double largest_term(std::size_t nodes, const Workers& workers,
-                    const Term& term) {
-  return chunked_sum<Largest>(nodes, workers,
-                              [&](std::size_t begin, std::size_t end) {
-                                Largest largest;
-                                for (std::size_t i = begin; i < end; ++i)
-                                  largest += Largest{term(i)};
-                                return largest;
-                              })
-      .value;
-}
-
-double largest_of(std::span<const double> values, const Workers& workers);
-
-/// The largest size of a value.
-double largest_size(std::span<const double> values, const Workers& workers);
 
 /// Defects of a submitted field that are seen without the operator.
 struct Defects {

@@ -5,6 +5,7 @@
 #include "base/grid.hpp"
 #include "ranks/convolution.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -62,6 +63,13 @@ private:
   SpectrumColumns own_;
   std::vector<double> values_; ///< height() of each own column
 };
+
+/// The columns of a symbol, which must outlive them.
+inline EvenColumn columns_of(const EvenSymbol& symbol) {
+  return [&symbol](int jx, std::span<double> of_jy) {
+    std::ranges::copy(symbol.column(jx).first(of_jy.size()), of_jy.begin());
+  };
+}
 
 /// All columns of the half spectrum of a grid.
 inline SpectrumColumns all_columns(const Grid& grid) {

@@ -33,15 +33,48 @@ EvenColumn column_of(const Grid& grid, const std::vector<double>& compliance) {
   };
 }
 
+/// Points per side of a coarse grid, at least.
+constexpr int least_coarse_points = 32;
+
+/// The points of the wide grid along a line of n: a quarter more, which was as
+/// good as twice as many, see docs/numerics/solver.md. The wide grid of a
+/// coarse grid is the coarse one of the wide grid.
+int with_margin(int n) {
+  int halvings = 1;
+  while (n % (2 * halvings) == 0 && n / (2 * halvings) >= least_coarse_points)
+    halvings *= 2;
+  return n + (n / halvings + 3) / 4 * halvings;
+}
+
 } // namespace
 
+Grid padded_grid(const Grid& grid) {
+  return {2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
+          2.0 * grid.length_y};
+}
+
+Grid grid_with_margin(const Grid& grid) {
+  const int x = with_margin(grid.points_x);
+  const int y = with_margin(grid.points_y);
+  return {x, y, x * grid.spacing_x(), y * grid.spacing_y()};
+}
+
 struct FourierOperator::Shared {
+  /// Finds the symbol of some columns of a grid.
+  using Make = std::function<EvenSymbol(const Grid&, SpectrumColumns)>;
+
+  /// With free boundaries: the grid of the preconditioner.
+  struct Wide {
+    Convolution<float> convolution;
+    EvenSymbol compliance;
+  };
+
   SharedRows rows;
   Convolution<double> exact;
   Convolution<float> convolution;
-  EvenSymbol
-      compliance;    ///< C(q) of the columns of this rank [m/Pa]; 0 at q = 0
-  double softest;    ///< largest C(q) [m/Pa], that of the longest wavelength
+  EvenSymbol compliance; ///< [m/Pa]; with free boundaries of the padded grid
+  std::optional<Wide> wide;
+  double softest;    ///< largest compliance [m/Pa]
   double short_wave; ///< C at half the Nyquist wavevector [m/Pa]
   Convolution<float>::Symbol symbol;
   mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
@@ -49,30 +82,46 @@ struct FourierOperator::Shared {
   mutable std::once_flag tiles_are_made;
   mutable std::shared_ptr<const TileOperator::Symbols> tiles = nullptr;
 
-  /// @param make  finds the symbol of some columns of the grid
-  template <class Make>
+  /// On a periodic surface.
   Shared(SharedRows rows_, int threads, const Make& make)
       : rows(std::move(rows_)),
         exact(rows, threads),
         convolution(rows, threads),
-        compliance(make(convolution.columns())),
+        compliance(make(rows.grid(), convolution.columns())),
         softest(largest()),
         short_wave(at_half_nyquist()),
-        symbol(convolution.arranged(columns())) {}
+        symbol(convolution.arranged(columns_of(compliance))) {}
+
+  /// On a surface with free boundaries.
+  Shared(const Grid& grid, int threads, const Make& make)
+      : rows(grid),
+        exact(grid, padded_grid(grid), threads),
+        convolution(grid, padded_grid(grid), threads),
+        compliance(make(padded_grid(grid), all_columns(padded_grid(grid)))),
+        wide(Wide{
+            Convolution<float>(grid_with_margin(grid), threads),
+            make(grid_with_margin(grid), all_columns(grid_with_margin(grid)))}),
+        softest(largest()),
+        short_wave(at_half_nyquist()),
+        symbol(convolution.arranged(columns_of(compliance))) {}
+
+  SurfaceTraits traits() const {
+    return {.rows = rows,
+            .short_wave_compliance = short_wave,
+            .threads = convolution.threads(),
+            .is_periodic = !wide,
+            .is_shift_invariant = !wide,
+            .has_inverse = !wide,
+            .wide_grid =
+                wide ? std::optional(wide->compliance.grid()) : std::nullopt};
+  }
 
   double largest() const {
     const std::span<const double> own = compliance.values();
-    return rows.grid().size() == 1 // there is only the uniform mode
+    return compliance.grid().size() == 1 // there is only the uniform mode
                ? 1.0
                : rank_max(rows.ranks(),
                           own.empty() ? 0.0 : std::ranges::max(own));
-  }
-
-  EvenColumn columns() const {
-    return [this](int jx, std::span<double> of_jy) {
-      std::ranges::copy(compliance.column(jx).first(of_jy.size()),
-                        of_jy.begin());
-    };
   }
 
   /// C(q) of the waves of a window of 128^2 nodes, all of which are waves of
@@ -107,7 +156,7 @@ struct FourierOperator::Shared {
 
   /// (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.
   double at_half_nyquist() const {
-    const Grid& grid = rows.grid();
+    const Grid& grid = compliance.grid();
     const bool is_along_x = grid.points_x >= 4;
     const int quarter = (is_along_x ? grid.points_x : grid.points_y) / 4;
     if (quarter == 0)
@@ -137,82 +186,121 @@ FourierOperator::FourierOperator(const Grid& grid, RankGroup& ranks,
 FourierOperator::FourierOperator(SharedRows rows, const EvenColumn& compliance,
                                  int threads)
     : FourierOperator(std::make_shared<const Shared>(
-          rows, threads, [&](SpectrumColumns own) {
-            return EvenSymbol(rows.grid(), checked(compliance), own, threads);
+          rows, threads, [&](const Grid& grid, SpectrumColumns own) {
+            return EvenSymbol(grid, checked(compliance), own, threads);
+          })) {}
+
+FourierOperator::FourierOperator(const Grid& grid, const FreeKernel& kernel,
+                                 int threads)
+    : FourierOperator(std::make_shared<const Shared>(
+          grid, threads, [&](const Grid& padded, SpectrumColumns /*all*/) {
+            return EvenSymbol(padded, kernel(padded), threads);
           })) {}
 
 FourierOperator::FourierOperator(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)),
+    : SurfaceOperator(shared->traits()),
+      shared_(std::move(shared)),
       exact_(shared_->exact),
-      convolution_(shared_->convolution) {}
+      convolution_(shared_->convolution) {
+  if (shared_->wide)
+    wide_convolution_ = shared_->wide->convolution;
+}
 
-std::unique_ptr<SurfaceOperator> FourierOperator::clone() const {
+std::unique_ptr<SurfaceOperator> FourierOperator::do_clone() const {
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_));
 }
 
-const Grid& FourierOperator::grid() const {
-  return shared_->rows.grid();
-}
-
-const SharedRows* FourierOperator::shared_rows() const {
-  return shared_->rows.ranks() != nullptr ? &shared_->rows : nullptr;
-}
-
-double FourierOperator::short_wave_compliance() const {
-  return shared_->short_wave;
-}
-
-std::unique_ptr<SurfaceOperator> FourierOperator::coarsened() const {
+std::unique_ptr<SurfaceOperator> FourierOperator::do_coarsened() const {
   const std::optional<Grid> coarse = coarse_grid(grid());
   if (!coarse || shared_rows() != nullptr)
     return nullptr;
   std::call_once(shared_->coarse_is_made, [&] {
-    shared_->coarse = std::make_shared<const Shared>(
-        SharedRows(*coarse), threads(), [&](SpectrumColumns) {
-          return shared_->compliance.coarsened(*coarse);
-        });
+    if (is_periodic())
+      shared_->coarse = std::make_shared<const Shared>(
+          SharedRows(*coarse), threads(), [&](const Grid& grid, auto) {
+            return shared_->compliance.coarsened(grid);
+          });
+    else
+      shared_->coarse = std::make_shared<const Shared>(
+          *coarse, threads(), [&](const Grid& grid, auto) {
+            return (grid == padded_grid(*coarse) ? shared_->compliance
+                                                 : shared_->wide->compliance)
+                .coarsened(grid);
+          });
   });
   return std::unique_ptr<SurfaceOperator>(new FourierOperator(shared_->coarse));
 }
 
 std::unique_ptr<SurfaceOperator>
-FourierOperator::on_tiles(const Tiles& tiles) const {
-  if (!has_tiles(grid()) || shared_rows() != nullptr)
+FourierOperator::do_on_tiles(const Tiles& tiles) const {
+  if (!is_periodic() || !has_tiles(grid()) || shared_rows() != nullptr)
     return nullptr;
   std::call_once(shared_->tiles_are_made,
                  [&] { shared_->tiles = shared_->of_tiles(); });
   return std::make_unique<TileOperator>(shared_->tiles, tiles);
 }
 
-void FourierOperator::displacement(std::span<const double> pressure,
-                                   std::span<double> displacement) {
-  exact_.apply(pressure, shared_->columns(), displacement);
+std::unique_ptr<SurfaceOperator>
+FourierOperator::do_periodic_extension() const {
+  if (is_periodic())
+    return nullptr;
+  return std::make_unique<FourierOperator>(
+      shared_->compliance.grid(), columns_of(shared_->compliance), threads());
 }
 
-void FourierOperator::pressure_of(std::span<const double> displacement,
-                                  std::span<double> pressure) {
+void FourierOperator::do_displacement(std::span<const double> pressure,
+                                      std::span<double> displacement) {
+  if (is_periodic()) {
+    exact_.apply(pressure, columns_of(shared_->compliance), displacement);
+    return;
+  }
+  // A step needs it two or three times: its spectrum, of 16 bytes per node, and
+  // those in single precision are not kept at the same time.
+  convolution_.free_scratch();
+  wide_convolution_->free_scratch();
+  exact_.apply(pressure, columns_of(shared_->compliance), displacement);
+  exact_.free_scratch();
+}
+
+void FourierOperator::do_pressure_of(std::span<const double> displacement,
+                                     std::span<double> pressure) {
+  if (!has_inverse()) {
+    SurfaceOperator::do_pressure_of(displacement, pressure);
+    return;
+  }
+  const EvenColumn compliance = columns_of(shared_->compliance);
   const EvenColumn inverse = [&](int jx, std::span<double> of_jy) {
-    shared_->columns()(jx, of_jy);
+    compliance(jx, of_jy);
     for (double& value : of_jy)
       value = value > 0.0 ? 1.0 / value : 0.0; // 0 of the uniform mode
   };
   exact_.apply(displacement, inverse, pressure);
 }
 
-void FourierOperator::displacement_change(
+void FourierOperator::do_displacement_change(
     std::span<const float> pressure_change,
     std::span<float> displacement_change) {
   convolution_.apply(pressure_change, shared_->symbol, displacement_change);
 }
 
-void FourierOperator::pressure_estimate(std::span<const float> gap,
-                                        double local_compliance,
-                                        std::span<float> pressure) {
-  // The compliance of the uniform mode is undefined here; that of the longest
-  // wavelength replaces it.
+void FourierOperator::do_pressure_estimate(std::span<const float> gap,
+                                           double local_compliance,
+                                           std::span<float> pressure) {
+  if (!is_periodic() && gap.size() == wide_grid().size()) {
+    wide_convolution_->apply(
+        gap,
+        wide_inverse_.of(*wide_convolution_,
+                         columns_of(shared_->wide->compliance),
+                         local_compliance),
+        pressure);
+    return;
+  }
+  // The compliance of the uniform mode is undefined on a periodic surface; that
+  // of the longest wavelength replaces it.
+  const EvenColumn known = columns_of(shared_->compliance);
   const EvenColumn compliance = [&](int jx, std::span<double> of_jy) {
-    shared_->columns()(jx, of_jy);
-    if (jx == 0)
+    known(jx, of_jy);
+    if (jx == 0 && is_periodic())
       of_jy[0] = shared_->softest;
   };
   convolution_.apply(

@@ -1,26 +1,64 @@
 #pragma once
 
 // The surface operator of a laterally homogeneous block: a convolution with one
-// real compliance per wavevector.
+// real compliance per wavevector, periodic or with free boundaries.
 
+#include "base/require.hpp"
 #include "contact/operators/even_symbol.hpp"
-#include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "ranks/convolution.hpp"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace asperity::contact {
 
+/// Twice the points and lengths in both directions: the grid of the convolution
+/// without periodic images.
+Grid padded_grid(const Grid& grid);
+
+/// A quarter more points and lengths in both directions, for the preconditioner
+/// with free boundaries. That of a coarse grid is the coarse one of this.
+Grid grid_with_margin(const Grid& grid);
+
+/// The symbol of (C + c)^-1, which is found again when c changes.
+class InverseSymbol {
+public:
+  using Symbol = Convolution<float>::Symbol;
+
+  /// @param convolution       always the same one
+  /// @param compliance        C [m/Pa] > 0 of the columns of this rank
+  /// @param local_compliance  c [m/Pa] >= 0
+  const Symbol& of(const Convolution<float>& convolution,
+                   const EvenColumn& compliance, double local_compliance) {
+    require_not_negative("local_compliance", local_compliance, "m/Pa");
+    if (local_compliance_ != local_compliance) {
+      symbol_ = convolution.arranged([&](int jx, std::span<double> of_jy) {
+        compliance(jx, of_jy);
+        for (double& value : of_jy)
+          value = 1.0 / (value + local_compliance);
+      });
+      local_compliance_ = local_compliance;
+    }
+    return symbol_;
+  }
+
+private:
+  double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
+  Symbol symbol_;
+};
+
 /// The operator displacement(q) = C(q) pressure(q), used for the half-space,
 /// the elastic slab and the condensed linear finite-element block. C is even in
-/// q_x and q_y.
+/// q_x and q_y. With free boundaries it is the convolution without periodic
+/// images on padded_grid(), and its preconditioner that on grid_with_margin().
 ///
 /// If ranks share the rows, each holds its rows of the fields and C(q) of its
-/// columns of the spectrum. All calls but grid(), shared_rows(),
-/// short_wave_compliance() and threads() are then collective, also the
-/// construction; there are no operators on coarser grids or tiles.
+/// columns of the spectrum. The calls that transform fields are then
+/// collective, also the construction; there are no operators on coarser grids
+/// or tiles.
 class FourierOperator final : public SurfaceOperator {
 public:
   /// All rows in this process.
@@ -48,37 +86,33 @@ public:
   FourierOperator(const Grid& grid, RankGroup& ranks,
                   const EvenColumn& compliance, int threads = 1);
 
-  std::unique_ptr<SurfaceOperator> clone() const override;
+  /// The displacement by a unit pressure on the cell of a node of a grid
+  /// [m/Pa], on the periodic continuation of that grid.
+  using FreeKernel = std::function<EvenSymbol::KernelRow(const Grid&)>;
 
-  const Grid& grid() const override;
-  const SharedRows* shared_rows() const override;
+  /// With free boundaries, all rows in this process.
+  FourierOperator(const Grid& grid, const FreeKernel& kernel, int threads);
 
-  std::span<const double> nodal_weights() const override { return {}; }
-
-  void displacement(std::span<const double> pressure,
-                    std::span<double> displacement) override;
-  void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change) override;
-  void pressure_estimate(std::span<const float> gap, double local_compliance,
-                         std::span<float> pressure) override;
-
-  bool has_inverse() const override { return true; }
-
-  void pressure_of(std::span<const double> displacement,
-                   std::span<double> pressure) override;
-  double short_wave_compliance() const override;
-
-  bool is_shift_invariant() const override { return true; }
-
-  int threads() const override { return convolution_.threads(); }
+protected:
+  std::unique_ptr<SurfaceOperator> do_clone() const override;
+  void do_displacement(std::span<const double> pressure,
+                       std::span<double> displacement) override;
+  void do_displacement_change(std::span<const float> pressure_change,
+                              std::span<float> displacement_change) override;
+  void do_pressure_estimate(std::span<const float> gap, double local_compliance,
+                            std::span<float> pressure) override;
+  void do_pressure_of(std::span<const double> displacement,
+                      std::span<double> pressure) override;
+  std::unique_ptr<SurfaceOperator> do_periodic_extension() const override;
 
   /// The operator on half the points per side, which keeps C(q) of the
   /// wavevectors that the coarse grid resolves. Null if the number of points is
   /// odd or the coarse grid would have fewer than 32 points per side.
-  std::unique_ptr<SurfaceOperator> coarsened() const override;
+  std::unique_ptr<SurfaceOperator> do_coarsened() const override;
 
   /// See tile_operator.hpp. Null if the grid has no tiles.
-  std::unique_ptr<SurfaceOperator> on_tiles(const Tiles& tiles) const override;
+  std::unique_ptr<SurfaceOperator>
+  do_on_tiles(const Tiles& tiles) const override;
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
@@ -88,7 +122,8 @@ private:
   std::shared_ptr<const Shared> shared_;
   Convolution<double> exact_;
   Convolution<float> convolution_;
-  InverseSymbol inverse_;
+  std::optional<Convolution<float>> wide_convolution_; ///< free boundaries
+  InverseSymbol inverse_, wide_inverse_;
 };
 
 } // namespace asperity::contact

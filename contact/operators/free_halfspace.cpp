@@ -1,31 +1,13 @@
 #include "contact/operators/free_halfspace.hpp"
 
 #include "base/require.hpp"
-#include "contact/operators/fourier_operator.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <mutex>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 namespace asperity::contact {
 namespace {
-
-/// Points per side of a coarse grid, at least.
-constexpr int least_coarse_points = 32;
-
-/// The points of the wide grid along a line of n: a quarter more, which was as
-/// good as twice as many, see docs/numerics/solver.md. The wide
-/// grid of a coarse grid is the coarse one of the wide grid.
-int with_margin(int n) {
-  int halvings = 1;
-  while (n % (2 * halvings) == 0 && n / (2 * halvings) >= least_coarse_points)
-    halvings *= 2;
-  return n + (n / halvings + 3) / 4 * halvings;
-}
 
 /// Distance of the centre of a rectangle, in its longer sides, from which its
 /// moments are used. The sum over corners is of the order of the distance r,
@@ -87,17 +69,6 @@ double rectangle_displacement(double x, double y, double side_x, double side_y,
          (std::numbers::pi * contact_modulus);
 }
 
-Grid padded_grid(const Grid& grid) {
-  return {2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
-          2.0 * grid.length_y};
-}
-
-Grid grid_with_margin(const Grid& grid) {
-  const int x = with_margin(grid.points_x);
-  const int y = with_margin(grid.points_y);
-  return {x, y, x * grid.spacing_x(), y * grid.spacing_y()};
-}
-
 EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
                                        double contact_modulus) {
   return [=](int iy, std::span<double> of_ix) {
@@ -108,122 +79,12 @@ EvenSymbol::KernelRow rectangle_kernel(const Grid& wide,
   };
 }
 
-struct FreeHalfspace::Shared {
-  Grid grid, wide;
-  Convolution<double> exact;
-  Convolution<float> convolution, wide_convolution;
-  EvenSymbol compliance;      ///< symbol on the padded grid [m/Pa] > 0
-  EvenSymbol wide_compliance; ///< the same on the wide grid
-  double short_wave;          ///< C at half the Nyquist wavevector [m/Pa]
-  Convolution<float>::Symbol symbol;
-  mutable std::once_flag coarse_is_made; ///< by the first clone that needs it
-  mutable std::shared_ptr<const Shared> coarse = nullptr;
-
-  /// @param make  make(grid, is_wide) finds the symbol on the padded grid or on
-  ///              the wide grid
-  template <class Make>
-  Shared(const Grid& grid_, int threads, const Make& make)
-      : grid(grid_),
-        wide(grid_with_margin(grid)),
-        exact(grid, padded_grid(grid), threads),
-        convolution(grid, padded_grid(grid), threads),
-        wide_convolution(wide, threads),
-        compliance(make(padded_grid(grid), false)),
-        wide_compliance(make(wide, true)),
-        // A quarter of the points of the padded grid.
-        short_wave(compliance.column(grid.points_x / 2)[0]),
-        symbol(convolution.arranged(columns(compliance))) {}
-
-  static EvenColumn columns(const EvenSymbol& of) {
-    return [&of](int jx, std::span<double> of_jy) {
-      std::ranges::copy(of.column(jx).first(of_jy.size()), of_jy.begin());
-    };
-  }
-};
-
-FreeHalfspace::FreeHalfspace(const Grid& grid, double contact_modulus,
-                             int threads)
-    : FreeHalfspace(std::make_shared<const Shared>(
-          grid, threads, [&](const Grid& wide, bool /*is_wide*/) {
-            return EvenSymbol(wide, rectangle_kernel(wide, contact_modulus),
-                              threads);
-          })) {}
-
-FreeHalfspace::FreeHalfspace(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)),
-      exact_(shared_->exact),
-      convolution_(shared_->convolution),
-      wide_convolution_(shared_->wide_convolution) {}
-
-std::unique_ptr<SurfaceOperator> FreeHalfspace::clone() const {
-  return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_));
-}
-
-const Grid& FreeHalfspace::grid() const {
-  return shared_->grid;
-}
-
-const Grid& FreeHalfspace::wide_grid() const {
-  return shared_->wide;
-}
-
-double FreeHalfspace::short_wave_compliance() const {
-  return shared_->short_wave;
-}
-
-std::unique_ptr<SurfaceOperator> FreeHalfspace::coarsened() const {
-  const std::optional<Grid> coarse = coarse_grid(grid());
-  if (!coarse)
-    return nullptr;
-  std::call_once(shared_->coarse_is_made, [&] {
-    shared_->coarse = std::make_shared<const Shared>(
-        *coarse, threads(), [&](const Grid& grid, bool is_wide) {
-          return (is_wide ? shared_->wide_compliance : shared_->compliance)
-              .coarsened(grid);
-        });
-  });
-  return std::unique_ptr<SurfaceOperator>(new FreeHalfspace(shared_->coarse));
-}
-
-std::unique_ptr<SurfaceOperator> FreeHalfspace::periodic_extension() const {
-  return std::make_unique<FourierOperator>(
-      padded_grid(grid()), Shared::columns(shared_->compliance), threads());
-}
-
-void FreeHalfspace::displacement(std::span<const double> pressure,
-                                 std::span<double> displacement) {
-  // A step needs it two or three times: its spectrum, of 16 bytes per node, and
-  // those in single precision are not kept at the same time.
-  convolution_.free_scratch();
-  wide_convolution_.free_scratch();
-  exact_.apply(pressure, Shared::columns(shared_->compliance), displacement);
-  exact_.free_scratch();
-}
-
-void FreeHalfspace::displacement_change(std::span<const float> pressure_change,
-                                        std::span<float> displacement_change) {
-  convolution_.apply(pressure_change, shared_->symbol, displacement_change);
-}
-
-void FreeHalfspace::pressure_estimate(std::span<const float> gap,
-                                      double local_compliance,
-                                      std::span<float> pressure) {
-  convolution_.apply(gap,
-                     inverse_.of(convolution_,
-                                 Shared::columns(shared_->compliance),
-                                 local_compliance),
-                     pressure);
-}
-
-void FreeHalfspace::wide_pressure_estimate(std::span<const float> gap,
-                                           double local_compliance,
-                                           std::span<float> pressure) {
-  wide_convolution_.apply(
-      gap,
-      wide_inverse_.of(wide_convolution_,
-                       Shared::columns(shared_->wide_compliance),
-                       local_compliance),
-      pressure);
+FourierOperator free_halfspace(const Grid& grid, double contact_modulus,
+                               int threads) {
+  return FourierOperator(
+      grid,
+      [=](const Grid& wide) { return rectangle_kernel(wide, contact_modulus); },
+      threads);
 }
 
 } // namespace asperity::contact

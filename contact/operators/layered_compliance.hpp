@@ -5,7 +5,7 @@
 // surface. It contains the recursion that carries the response of the far
 // boundary, or of a half-space, up through the layers.
 
-#include "contact/operators/halfspace.hpp"
+#include "mechanics/elastic_block.hpp"
 
 #include <array>
 #include <span>

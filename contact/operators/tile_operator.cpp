@@ -104,6 +104,13 @@ Grid coarse_of(const Grid& fine) {
           fine.length_y};
 }
 
+/// The tiles one below the other.
+Grid grid_of(const Grid& fine, const Tiles& tiles) {
+  const int n = static_cast<int>(tiles.numbers.size());
+  const double length = tile_points * fine.spacing_x();
+  return {tile_points, n * tile_points, length, n * length};
+}
+
 /// Calls do_node(coarse node, place in the patch) for each coarse node of the
 /// patch of a tile.
 template <class DoNode>
@@ -164,16 +171,17 @@ TileOperator::symbols(const Grid& fine, const EvenColumn& coarse,
                                          short_wave, threads);
 }
 
-TileOperator::TileOperator(std::shared_ptr<const Symbols> symbols, Tiles tiles)
-    : symbols_(std::move(symbols)),
+TileOperator::TileOperator(const std::shared_ptr<const Symbols>& symbols,
+                           Tiles tiles)
+    : SurfaceOperator({.rows = SharedRows(grid_of(symbols->fine, tiles)),
+                       .short_wave_compliance = symbols->short_wave,
+                       .threads = symbols->threads}),
+      symbols_(symbols),
       tiles_(std::move(tiles)),
       smooth_(symbols_->smooth),
       windows_(static_cast<std::size_t>(symbols_->threads),
                symbols_->convolution),
       exact_windows_(windows_.size(), symbols_->exact) {
-  const int n = static_cast<int>(tiles_.numbers.size());
-  const double length = tile_points * symbols_->fine.spacing_x();
-  grid_ = {tile_points, n * tile_points, length, n * length};
   around_.reserve(tiles_.numbers.size());
   for (const int tile : tiles_.numbers) {
     std::array<int, 9>& places = around_.emplace_back();
@@ -188,31 +196,24 @@ TileOperator::TileOperator(std::shared_ptr<const Symbols> symbols, Tiles tiles)
   }
 }
 
-std::unique_ptr<SurfaceOperator> TileOperator::clone() const {
+std::unique_ptr<SurfaceOperator> TileOperator::do_clone() const {
   return std::make_unique<TileOperator>(symbols_, tiles_);
 }
 
-double TileOperator::short_wave_compliance() const {
-  return symbols_->short_wave;
-}
-
-int TileOperator::threads() const {
-  return symbols_->threads;
-}
-
-void TileOperator::displacement(std::span<const double> pressure,
-                                std::span<double> displacement) {
+void TileOperator::do_displacement(std::span<const double> pressure,
+                                   std::span<double> displacement) {
   displace(pressure, symbols_->exact_sharp, exact_windows_, displacement);
 }
 
-void TileOperator::displacement_change(std::span<const float> pressure_change,
-                                       std::span<float> displacement_change) {
+void TileOperator::do_displacement_change(
+    std::span<const float> pressure_change,
+    std::span<float> displacement_change) {
   displace(pressure_change, symbols_->sharp, windows_, displacement_change);
 }
 
-void TileOperator::pressure_estimate(std::span<const float> gap,
-                                     double local_compliance,
-                                     std::span<float> pressure) {
+void TileOperator::do_pressure_estimate(std::span<const float> gap,
+                                        double local_compliance,
+                                        std::span<float> pressure) {
   const EvenColumn compliance = [&](int jx, std::span<double> of_jy) {
     window_column(symbols_->compliance)(jx, of_jy);
     if (jx == 0)

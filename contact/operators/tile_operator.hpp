@@ -4,7 +4,6 @@
 // contact that covers a small part of the surface.
 
 #include "contact/operators/fourier_operator.hpp"
-#include "contact/operators/inverse_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "contact/operators/tiles.hpp"
 #include "ranks/convolution.hpp"
@@ -52,26 +51,19 @@ public:
                                                 std::vector<double> window,
                                                 double short_wave, int threads);
 
-  TileOperator(std::shared_ptr<const Symbols> symbols, Tiles tiles);
+  TileOperator(const std::shared_ptr<const Symbols>& symbols, Tiles tiles);
 
-  std::unique_ptr<SurfaceOperator> clone() const override;
-
-  const Grid& grid() const override { return grid_; }
-
-  std::span<const double> nodal_weights() const override { return {}; }
-
-  void displacement(std::span<const double> pressure,
-                    std::span<double> displacement) override;
-  void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change) override;
+protected:
+  std::unique_ptr<SurfaceOperator> do_clone() const override;
+  void do_displacement(std::span<const double> pressure,
+                       std::span<double> displacement) override;
+  void do_displacement_change(std::span<const float> pressure_change,
+                              std::span<float> displacement_change) override;
 
   /// By a convolution in the window of each tile, in which other tiles have no
   /// gap.
-  void pressure_estimate(std::span<const float> gap, double local_compliance,
-                         std::span<float> pressure) override;
-
-  double short_wave_compliance() const override;
-  int threads() const override;
+  void do_pressure_estimate(std::span<const float> gap, double local_compliance,
+                            std::span<float> pressure) override;
 
 private:
   template <class Real>
@@ -96,7 +88,6 @@ private:
 
   std::shared_ptr<const Symbols> symbols_;
   Tiles tiles_;
-  Grid grid_;
   /// The places of the tiles around each tile, row by row; -1: not there.
   std::vector<std::array<int, 9>> around_;
   FourierOperator smooth_;

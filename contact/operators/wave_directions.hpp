@@ -22,7 +22,7 @@ namespace asperity::contact {
 ///
 /// @param is_periodic  otherwise the half-space is pressed inside the grid
 /// only,
-///                     as by FreeHalfspace, where T is y^2/(pi E* r^3)
+///                     as by free_halfspace(), where T is y^2/(pi E* r^3)
 /// @return  0..1; NaN for a uniform pressure on a periodic grid
 double energy_along_x(const Grid& grid, std::span<const double> pressure,
                       bool is_periodic, int threads = 1);

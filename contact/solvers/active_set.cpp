@@ -3,7 +3,7 @@
 #include "base/maximum.hpp"
 #include "contact/solvers/active_system.hpp"
 #include "contact/solvers/contact_state.hpp"
-#include "ranks/chunked_sum.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,18 +29,6 @@ constexpr int tries_without_progress = 10;
 /// need very many.
 constexpr int most_iterations = 200;
 
-/// The largest size of a value; NaN if any is NaN.
-double largest_size_of(std::span<const double> values, const Workers& workers) {
-  return chunked_sum<Largest>(values.size(), workers,
-                              [&](std::size_t begin, std::size_t end) {
-                                Largest own{0.0};
-                                for (std::size_t i = begin; i < end; ++i)
-                                  own += {std::abs(values[i])};
-                                return own;
-                              })
-      .value;
-}
-
 /// C [m/Pa] of the longest wavelength along the longer side.
 double long_wave_compliance(SurfaceOperator& elasticity) {
   const Grid& grid = elasticity.grid();
@@ -55,7 +43,7 @@ double long_wave_compliance(SurfaceOperator& elasticity) {
                                 : static_cast<double>(iy) / grid.points_y));
   }
   elasticity.displacement(wave, answer);
-  return largest_size_of(answer, elasticity.workers());
+  return largest_size(answer, elasticity.workers());
 }
 
 class ActiveSet {
@@ -161,9 +149,9 @@ private:
 double gap_rounding(const ContactState& state, double long_wave) {
   const Workers workers = state.elasticity.workers();
   return rounding_of_a_field *
-         (largest_size_of(state.problem.heights, workers) +
+         (largest_size(state.problem.heights, workers) +
           std::abs(state.rigid_distance) +
-          largest_size_of(state.pressure, workers) *
+          largest_size(state.pressure, workers) *
               (long_wave + state.problem.local_compliance));
 }
 

@@ -4,15 +4,11 @@
 // stagnates: it finds the set of nodes in contact by exact solutions for fixed
 // sets. It is limited to problems with few nodes.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 
 #include <span>
 
 namespace asperity::contact {
-
-/// Order of the largest matrix that active_set() factorises; it takes 34 MB. A
-/// grid of 64^2 nodes is always within this limit.
-inline constexpr std::size_t most_active_nodes = 2048;
 
 /// Solves the problem of solve_contact by an active-set method, block principal
 /// pivoting. With n of N nodes active, each iteration finds the pressure, of

@@ -1,7 +1,6 @@
 #include "contact/solvers/active_system.hpp"
 
 #include "base/maximum.hpp"
-#include "contact/solvers/active_set.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <Eigen/Cholesky>
@@ -60,6 +59,24 @@ std::size_t at(std::span<const std::size_t> nodes, Eigen::Index i) {
 }
 
 } // namespace
+
+double Columns::between(std::size_t node, std::size_t other) {
+  if (columns_.size() == 1) { // that of the node 0, shifted
+    const auto nx = static_cast<std::size_t>(grid_.points_x);
+    const auto ny = static_cast<std::size_t>(grid_.points_y);
+    node = (node / nx + ny - other / nx) % ny * nx +
+           (node % nx + nx - other % nx) % nx;
+    other = 0;
+  }
+  std::vector<double>& column = columns_[other];
+  if (column.empty()) {
+    std::vector<double> unit(grid_.size());
+    unit[other] = 1.0;
+    column.resize(grid_.size());
+    take_(unit, column);
+  }
+  return column[node];
+}
 
 /// M = (C + c)^-1 restricted to the active nodes, in single precision.
 class ActiveSystem::Preconditioner {
@@ -138,19 +155,13 @@ ActiveSystem::ActiveSystem(SurfaceOperator& elasticity, double local_compliance,
       local_compliance_(local_compliance),
       keeps_load_(keeps_load),
       weights_(elasticity.nodal_weights()),
-      compliance_(elasticity.grid(), elasticity.is_shift_invariant(),
-                  [this](std::size_t node, std::vector<double>& column) {
-                    std::vector<double> unit(column.size());
-                    unit[node] = 1.0;
+      compliance_(elasticity,
+                  [this](auto unit, auto column) {
                     elasticity_.displacement(unit, column);
                     ++transforms_;
                   }),
-      stiffness_(elasticity.grid(), elasticity.is_shift_invariant(),
-                 [this](std::size_t node, std::vector<double>& column) {
-                   std::vector<double> unit(column.size());
-                   unit[node] = 1.0;
-                   estimate(unit, column);
-                 }),
+      stiffness_(elasticity,
+                 [this](auto unit, auto column) { estimate(unit, column); }),
       gap_(elasticity.grid().size()),
       pressure_(elasticity.grid().size()) {}
 

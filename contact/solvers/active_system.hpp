@@ -3,21 +3,49 @@
 // Solves the linear problem of a fixed set of nodes in contact, by dense
 // factorisation of the smaller of two matrices.
 
-#include "contact/operators/columns.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "ranks/node_weights.hpp"
 
+#include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::contact {
+
+/// Order of the largest matrix that is factorised; it takes 34 MB. A grid of
+/// 64^2 nodes is always within this limit.
+inline constexpr std::size_t most_active_nodes = 2048;
 
 /// Why the system of a set of nodes is not solved: it exceeds most_active_nodes
 /// or the memory of its columns. Empty if it is solved.
 /// @param n_free, n_nodes  active nodes, all nodes
 std::string refusal_of_system(const SurfaceOperator& elasticity,
                               std::size_t n_free, std::size_t n_nodes);
+
+/// Entries of a linear operator on the contact surface. Each column is computed
+/// when it is first needed and then kept. A translation-invariant operator has
+/// a single one.
+class Columns {
+public:
+  /// Writes the column of the operator for a unit value at a node.
+  using Take = std::function<void(std::span<const double> unit,
+                                  std::span<double> column)>;
+
+  Columns(const SurfaceOperator& elasticity, Take take)
+      : grid_(elasticity.grid()),
+        take_(std::move(take)),
+        columns_(elasticity.is_shift_invariant() ? 1 : grid_.size()) {}
+
+  /// Value at `node` that results from a unit value at `other`.
+  double between(std::size_t node, std::size_t other);
+
+private:
+  Grid grid_;
+  Take take_;
+  std::vector<std::vector<double>> columns_;
+};
 
 /// Computes the step d on the active nodes F (`free`), with d = 0 on the
 /// inactive nodes Z, from
@@ -66,8 +94,7 @@ private:
   double local_compliance_;
   bool keeps_load_;
   std::span<const double> weights_;
-  Columns compliance_;
-  Columns stiffness_;
+  Columns compliance_, stiffness_;
   std::vector<float> gap_;
   std::vector<float> pressure_;
   int transforms_ = 0;

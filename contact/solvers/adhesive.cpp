@@ -132,22 +132,17 @@ private:
   /// The products of a pair as restrict_to_free() would leave it.
   static Products products(const AdhesiveState& state, const Pair& pair) {
     const auto [product, step, bend] =
-        chunked_sum<SeveralSums<3>>(
-            pair.step.size(), state.workers,
-            [f = state.free.data(), s = pair.step.data(),
-             y = pair.bend.data()](std::size_t begin, std::size_t end) {
-              SeveralSums<3> own;
-              for (std::size_t i = begin; i < end; ++i)
-                if (f[i] != 0) {
-                  const double own_step = s[i];
-                  const double own_bend = y[i];
-                  own.values[0] += own_step * own_bend;
-                  own.values[1] += own_step;
-                  own.values[2] += own_bend;
-                }
-              return own;
-            })
-            .values;
+        several_sums<3>(pair.step.size(), state.workers,
+                        [f = state.free.data(), s = pair.step.data(),
+                         y = pair.bend.data()](std::size_t i, auto& own) {
+                          if (f[i] != 0) {
+                            const double own_step = s[i];
+                            const double own_bend = y[i];
+                            own[0] += own_step * own_bend;
+                            own[1] += own_step;
+                            own[2] += own_bend;
+                          }
+                        });
     if (state.by_spring()) {
       const double load = state.target.spring * step / state.n_nodes();
       return {product + load * step, 0.0, -load, 0.0};
@@ -194,15 +189,7 @@ bool falls(AdhesiveState& state, std::span<const double> direction,
 
 /// Leaves a saddle along the eigenvector, to the side where the energy falls.
 bool leave_saddle(AdhesiveState& state, std::vector<double>& mode) {
-  const double largest =
-      chunked_sum<Largest>(mode.size(), state.workers,
-                           [&](std::size_t begin, std::size_t end) {
-                             Largest own;
-                             for (std::size_t i = begin; i < end; ++i)
-                               own += {std::abs(mode[i])};
-                             return own;
-                           })
-          .value;
+  const double largest = largest_size(mode, state.workers);
   const double leap =
       leap_from_saddle * state.problem.law.adhesion_range / largest;
   for (const double sign : {1.0, -1.0})
@@ -315,15 +302,7 @@ ContactSolution solution_of(AdhesiveState&& state) {
   const double mean_height = state.sum([=](std::size_t i) { return h[i]; }) / n;
   if (answer.is_detached) {
     const double level =
-        state.least_gap +
-        chunked_sum<Largest>(nodes, state.workers,
-                             [=](std::size_t begin, std::size_t end) {
-                               Largest own;
-                               for (std::size_t i = begin; i < end; ++i)
-                                 own += {h[i]};
-                               return own;
-                             })
-            .value;
+        state.least_gap + largest_of(state.problem.heights, state.workers);
     state.each([&](std::size_t i) { state.gap[i] = level - h[i]; });
   }
   answer.mean_gap =

@@ -3,7 +3,7 @@
 // The contact of an elastic surface and a rigid counter-surface that attract
 // each other: local minima of the energy over the gap.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 #include "mechanics/contact_law.hpp"
 
 #include <cstdint>

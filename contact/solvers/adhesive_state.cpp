@@ -1,6 +1,7 @@
 #include "contact/solvers/adhesive_state.hpp"
 
 #include "base/require.hpp"
+#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -121,14 +122,8 @@ void AdhesiveState::find_free() {
   });
   n_free = sum(
       [f = free.data()](std::size_t i) { return static_cast<double>(f[i]); });
-  least_gap = -chunked_sum<Largest>(gap.size(), workers,
-                                    [=](std::size_t begin, std::size_t end) {
-                                      Largest own;
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        own += {-g[i]};
-                                      return own;
-                                    })
-                   .value;
+  least_gap =
+      -largest_term(gap.size(), workers, [=](std::size_t i) { return -g[i]; });
   uniform_stiffness_ = by_gap() || by_spring()
                            ? problem.preconditioner_stiffness
                            : stiffness_of_mean_gap();
@@ -136,40 +131,28 @@ void AdhesiveState::find_free() {
 
 double AdhesiveState::mean_load() const {
   const auto [open, total] =
-      chunked_sum<SeveralSums<2>>(
-          gap.size(), workers,
-          [g = gap.data(), r = gradient.data(),
-           closed = wall()](std::size_t begin, std::size_t end) {
-            SeveralSums<2> own;
-            for (std::size_t i = begin; i < end; ++i)
-              if (g[i] > closed) {
-                own.values[0] += 1.0;
-                own.values[1] += r[i];
-              }
-            return own;
-          })
-          .values;
+      several_sums<2>(gap.size(), workers,
+                      [g = gap.data(), r = gradient.data(),
+                       closed = wall()](std::size_t i, auto& own) {
+                        if (g[i] > closed) {
+                          own[0] += 1.0;
+                          own[1] += r[i];
+                        }
+                      });
   return -total / open;
 }
 
 double AdhesiveState::stiffness_of_mean_gap() const {
   const auto [missing, total] =
-      chunked_sum<SeveralSums<2>>(
-          gap.size(), workers,
-          [&](std::size_t begin, std::size_t end) {
-            SeveralSums<2> own;
-            for (std::size_t i = begin; i < end; ++i) {
-              if (free[i] == 0) {
-                own.values[1] += stiffest_waves;
-                continue;
-              }
-              const double repelled = repulsion(i);
-              own.values[0] += gradient[i] + load;
-              own.values[1] += repelled / (1.0 + repelled / stiffest_waves);
-            }
-            return own;
-          })
-          .values;
+      several_sums<2>(gap.size(), workers, [&](std::size_t i, auto& own) {
+        if (free[i] == 0) {
+          own[1] += stiffest_waves;
+          return;
+        }
+        const double repelled = repulsion(i);
+        own[0] += gradient[i] + load;
+        own[1] += repelled / (1.0 + repelled / stiffest_waves);
+      });
   const double most = problem.preconditioner_stiffness;
   return std::clamp(
       std::max(total, std::abs(missing) / problem.law.adhesion_range) /
@@ -283,18 +266,13 @@ void AdhesiveState::restore_mean(std::span<double> moved, double mean,
                         });
   double shift = 0.0;
   for (int step = 0; step < most_steps; ++step) {
-    const auto [total, open] = chunked_sum<SeveralSums<2>>(
-                                   moved.size(), workers,
-                                   [=](std::size_t begin, std::size_t end) {
-                                     SeveralSums<2> own;
-                                     for (std::size_t i = begin; i < end; ++i)
-                                       if (f[i] != 0 && g[i] - shift > closed) {
-                                         own.values[0] += g[i] - shift;
-                                         own.values[1] += 1.0;
-                                       }
-                                     return own;
-                                   })
-                                   .values;
+    const auto [total, open] =
+        several_sums<2>(moved.size(), workers, [=](std::size_t i, auto& own) {
+          if (f[i] != 0 && g[i] - shift > closed) {
+            own[0] += g[i] - shift;
+            own[1] += 1.0;
+          }
+        });
     const double change = (total - wanted) / std::max(1.0, open);
     shift += change;
     if (std::abs(change) <= 1e-15 * (std::abs(mean) + std::abs(shift)))
@@ -339,23 +317,15 @@ AdhesiveState::Change AdhesiveState::try_step(std::span<const double> direction,
     return law.energy(next_gap_[i]) - law.energy(gap[i]);
   };
   const auto [energy, slope, shift] =
-      chunked_sum<SeveralSums<3>>(
-          gap.size(), workers,
-          [&](std::size_t begin, std::size_t end) {
-            SeveralSums<3> own;
-            for (std::size_t i = begin; i < end; ++i) {
-              const double by = next_gap_[i] - gap[i];
-              if (by == 0.0)
-                continue;
-              own.values[0] +=
-                  by * (0.5 * (elastic[i] + next_elastic_[i]) + load) +
+      several_sums<3>(gap.size(), workers, [&](std::size_t i, auto& own) {
+        const double by = next_gap_[i] - gap[i];
+        if (by == 0.0)
+          return;
+        own[0] += by * (0.5 * (elastic[i] + next_elastic_[i]) + load) +
                   change_of_law(i, by);
-              own.values[1] += by * (gradient[i] + load);
-              own.values[2] += by;
-            }
-            return own;
-          })
-          .values;
+        own[1] += by * (gradient[i] + load);
+        own[2] += by;
+      });
   const double n = n_nodes();
   const double of_spring =
       by_spring() ? 0.5 * target.spring * (shift / n) * (shift / n) : 0.0;
@@ -386,37 +356,24 @@ double AdhesiveState::missing_load() const {
   const std::uint8_t* const has_counter =
       problem.opposed.empty() ? nullptr : problem.opposed.data();
   const auto [opposed, alone] =
-      chunked_sum<SeveralSums<2>>(
-          gap.size(), workers,
-          [&](std::size_t begin, std::size_t end) {
-            SeveralSums<2> own;
-            for (std::size_t i = begin; i < end; ++i)
-              if (free[i] != 0) {
-                const bool is_alone =
-                    has_counter != nullptr && has_counter[i] == 0;
-                own.values[is_alone ? 1 : 0] += gradient[i] + load;
-              }
-            return own;
-          })
-          .values;
+      several_sums<2>(gap.size(), workers, [&](std::size_t i, auto& own) {
+        if (free[i] != 0) {
+          const bool is_alone = has_counter != nullptr && has_counter[i] == 0;
+          own[is_alone ? 1 : 0] += gradient[i] + load;
+        }
+      });
   // A prescribed mean gap has the load that leaves none.
   return std::max(by_gap() ? 0.0 : std::abs(opposed), std::abs(alone)) /
          n_nodes();
 }
 
 double AdhesiveState::accepted_load() const {
-  const auto [borne, height] =
-      chunked_sum<SeveralSums<2>>(
-          gap.size(), workers,
-          [&, h = problem.heights.data()](std::size_t begin, std::size_t end) {
-            SeveralSums<2> own;
-            for (std::size_t i = begin; i < end; ++i) {
-              own.values[0] += std::abs(elastic[i] + load);
-              own.values[1] += (gap[i] + h[i]) * (gap[i] + h[i]);
-            }
-            return own;
-          })
-          .values;
+  const auto [borne, height] = several_sums<2>(
+      gap.size(), workers,
+      [&, h = problem.heights.data()](std::size_t i, auto& own) {
+        own[0] += std::abs(elastic[i] + load);
+        own[1] += (gap[i] + h[i]) * (gap[i] + h[i]);
+      });
   const double n = n_nodes();
   // The errors of the nodes are independent; a spring has those of its length.
   const double of_spring =

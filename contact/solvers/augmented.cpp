@@ -1,5 +1,6 @@
 #include "base/require.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/solver.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <algorithm>
@@ -17,15 +18,11 @@ constexpr double largest_reduced_compliance = 0.01;
 
 /// Largest gap in contact, or overlap at any node [m].
 double wall_error(const ContactSolution& solution, const Workers& workers) {
-  const auto error = chunked_sum<Largest>(
-      solution.gap.size(), workers, [&](std::size_t begin, std::size_t end) {
-        Largest own{0.0};
-        for (std::size_t i = begin; i < end; ++i)
-          if (!(solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0))
-            own += {std::abs(solution.gap[i])};
-        return own;
-      });
-  return error.value;
+  return largest_term(solution.gap.size(), workers, [&](std::size_t i) {
+    return solution.pressure[i] <= 0.0 && solution.gap[i] >= 0.0
+               ? 0.0
+               : std::abs(solution.gap[i]);
+  });
 }
 
 /// Near full contact under gap control the multipliers may converge too slowly.

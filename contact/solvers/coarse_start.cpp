@@ -1,5 +1,6 @@
 #include "base/parallel_rows.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/solver.hpp"
 #include "contact/solvers/starting_pressure.hpp"
 #include "contact/solvers/tile_start.hpp"
 #include "ranks/node_sums.hpp"
@@ -65,77 +66,49 @@ void widen(std::span<const double> coarse, std::span<double> fine) {
   }
 }
 
-/// The rows of a field and those beyond its ends.
-class RowsWithGhosts {
-public:
-  /// @param own  must outlive this
-  RowsWithGhosts(const Grid& grid, std::span<const double> own,
-                 bool is_periodic)
-      : count_(grid.points_y),
-        width_(static_cast<std::size_t>(grid.points_x)),
-        own_(own),
-        ghosts_(n_ghosts * width_) {
-    set_ghost_rows(is_periodic);
-  }
-
-  /// @param iy  from ghosts_before rows before the first to ghosts_after rows
-  ///            after the last one
-  const double* row(int iy) const {
-    if (iy < 0)
-      return ghosts_.data();
-    if (iy >= count_)
-      return ghosts_.data() +
-             static_cast<std::size_t>(iy - count_ + 1) * width_;
-    return own_.data() + static_cast<std::size_t>(iy) * width_;
-  }
-
-private:
-  void set_ghost_rows(bool is_periodic) {
-    const auto n = static_cast<std::size_t>(count_);
-    std::vector<double> line(n + n_ghosts); // its inner values are not needed
-    for (std::size_t ix = 0; ix < width_; ++ix) {
-      line[1] = own_[ix];
-      line[2] = own_[width_ + ix];
-      line[n - 1] = own_[(n - 2) * width_ + ix];
-      line[n] = own_[(n - 1) * width_ + ix];
-      set_ghosts(n, is_periodic,
-                 [&](std::size_t i) -> double& { return line[i]; });
-      ghosts_[ix] = line[0];
-      ghosts_[width_ + ix] = line[n + 1];
-      ghosts_[2 * width_ + ix] = line[n + 2];
-    }
-  }
-
-  int count_;
-  std::size_t width_;
-  std::span<const double> own_;
-  std::vector<double> ghosts_; ///< the row before and the two after
-};
-
-/// The cubic interpolation of the coarse rows.
-std::vector<double> interpolated(const RowsWithGhosts& coarse,
+/// The cubic interpolation of a coarse field.
+std::vector<double> interpolated(std::span<const double> coarse,
                                  const SurfaceOperator& elasticity) {
   const Grid& fine_grid = elasticity.grid();
+  const bool is_periodic = elasticity.is_periodic();
   const auto width = static_cast<std::size_t>(fine_grid.points_x) / 2;
+  const auto count = static_cast<std::size_t>(fine_grid.points_y) / 2;
+  std::vector<std::vector<double>> ghosts; // beyond the rows, if they end
+  const auto row = [&](std::size_t iy) {   // from that before the first
+    return &coarse[(iy + count - ghosts_before) % count * width];
+  };
+  const auto beyond_rows = [&](std::size_t end, std::size_t inner, double n) {
+    std::vector<double>& ghost = ghosts.emplace_back(width);
+    for (std::size_t ix = 0; ix < width; ++ix)
+      ghost[ix] = beyond(row(end)[ix], row(inner)[ix], n);
+  };
+  std::vector<const double*> rows(count + n_ghosts);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i] = row(i);
+  if (!is_periodic) {
+    beyond_rows(1, 2, 1.0);
+    beyond_rows(count, count - 1, 1.0);
+    beyond_rows(count, count - 1, 2.0);
+    rows[0] = ghosts[0].data();
+    rows[count + 1] = ghosts[1].data();
+    rows[count + 2] = ghosts[2].data();
+  }
   std::vector<double> result(fine_grid.size());
   parallel_rows(fine_grid.points_y / 2, elasticity.threads(), [&](int iy) {
-    const double *const before = coarse.row(iy - 1),
-                        *const row = coarse.row(iy),
-                        *const after = coarse.row(iy + 1),
-                        *const next = coarse.row(iy + 2);
+    const double* const* const near = &rows[static_cast<std::size_t>(iy)];
     const auto fine =
         std::span(result).subspan(fine_grid.index(0, 2 * iy), 4 * width);
     std::vector<double> line(width + n_ghosts);
     double* const own = line.data() + ghosts_before;
     const auto put = [&](std::span<double> to) {
-      set_ghosts(width, elasticity.is_periodic(),
+      set_ghosts(width, is_periodic,
                  [&](std::size_t i) -> double& { return line[i]; });
       widen(line, to);
     };
-    std::copy_n(row, width, own);
+    std::copy_n(near[1], width, own);
     put(fine.first(2 * width));
     for (std::size_t i = 0; i < width; ++i)
-      own[i] = between(before[i], row[i], after[i], next[i]);
+      own[i] = between(near[0][i], near[1][i], near[2][i], near[3][i]);
     put(fine.last(2 * width));
   });
   return result;
@@ -243,7 +216,7 @@ std::vector<double> coarse_start(const SurfaceOperator& elasticity,
   const bool is_periodic = elasticity.is_periodic();
   const int threads = elasticity.threads();
   const auto on_fine_grid = [&](std::span<const double> values) {
-    return interpolated(RowsWithGhosts(grid, values, is_periodic), elasticity);
+    return interpolated(values, elasticity);
   };
   if (!is_periodic)
     multiply_by_punch(grid, true, threads, field);

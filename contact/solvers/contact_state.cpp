@@ -1,5 +1,6 @@
 #include "contact/solvers/contact_state.hpp"
 
+#include "base/special_numbers.hpp"
 #include "contact/solvers/starting_pressure.hpp"
 #include "ranks/node_sums.hpp"
 
@@ -220,7 +221,7 @@ double ContactState::load_factor(const NodeFields& all, double step) const {
   const double wanted =
       target.amount * static_cast<double>(workers.all_nodes(pressure.size()));
   double low = 0.0;
-  double high = std::numeric_limits<double>::infinity();
+  double high = infinity;
   Advance way{step};
   for (int round = 0; round < most_rounds; ++round) {
     const AdvancedLoad now = load_after(all, way);
@@ -255,16 +256,11 @@ void ContactState::press_more_nodes() {
 /// the former do not overlap and the latter have no gap.
 double ContactState::separation_at_bounds() const {
   const auto largest_of = [&](bool is_open) {
-    return chunked_sum<Largest>(pressure.size(), workers,
-                                [&](std::size_t begin, std::size_t end) {
-                                  Largest own;
-                                  for (std::size_t i = begin; i < end; ++i)
-                                    if ((pressure[i] <= 0.0) == is_open)
-                                      own +=
-                                          {is_open ? -raw_gap[i] : raw_gap[i]};
-                                  return own;
-                                })
-        .value;
+    return largest_term(pressure.size(), workers, [&](std::size_t i) {
+      return (pressure[i] <= 0.0) != is_open ? -infinity
+             : is_open                       ? -raw_gap[i]
+                                             : raw_gap[i];
+    });
   };
   const double least = largest_of(true);
   const double most = -largest_of(false);

@@ -3,9 +3,9 @@
 // The state of one contact problem: pressure and gap in double precision,
 // residual and changes in single precision.
 
+#include "contact/solvers/contact_problem.hpp"
 #include "contact/solvers/node_blocks.hpp"
 #include "contact/solvers/node_kernels.hpp"
-#include "contact/solvers/solver.hpp"
 
 #include <cstdint>
 #include <memory>

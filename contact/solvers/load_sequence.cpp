@@ -2,6 +2,7 @@
 
 #include "base/require.hpp"
 #include "contact/solvers/adhesive.hpp"
+#include "contact/solvers/solver.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <fmt/format.h>
@@ -358,15 +359,7 @@ LoadSequence::first_contact(const mechanics::LoadTarget& target) {
   const bool by_spring = std::isfinite(target.spring);
   if (by_spring || (target.control == mechanics::Control::nominal_pressure &&
                     target.amount <= 0.0)) {
-    double level =
-        chunked_sum<Largest>(heights_.size(), elasticity_->workers(),
-                             [&](std::size_t begin, std::size_t end) {
-                               Largest own;
-                               for (std::size_t i = begin; i < end; ++i)
-                                 own += {heights_[i]};
-                               return own;
-                             })
-            .value;
+    double level = largest_of(heights_, elasticity_->workers());
     if (by_spring) // not nearer than without a load
       level = std::max(level,
                        target.amount +

@@ -4,8 +4,8 @@
 // initial guess of each step, its solution and the saved state of earlier
 // steps.
 
+#include "contact/solvers/contact_problem.hpp"
 #include "contact/solvers/free_adhesion.hpp"
-#include "contact/solvers/solver.hpp"
 #include "mechanics/contact_law.hpp"
 
 #include <memory>

@@ -79,8 +79,8 @@ void Preconditioner::apply(SurfaceOperator& elasticity, double local_compliance,
   const BoundaryExtension::Active wide_active{wide_.freedom, wide_.blocks};
   widen<float>(residual, wide_.residual);
   extension_.extend(wide_active, wide_.residual, wide_.extended);
-  elasticity.wide_pressure_estimate(wide_.extended, local_compliance,
-                                    wide_.extended);
+  elasticity.pressure_estimate(wide_.extended, local_compliance,
+                               wide_.extended);
   extension_.fold(wide_active, wide_.extended);
   copy_rows(grid_, threads_, wide_.extended.data(), wide_grid_.points_x,
             estimate.data(), grid_.points_x);

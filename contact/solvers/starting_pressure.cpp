@@ -1,6 +1,7 @@
 #include "contact/solvers/starting_pressure.hpp"
 
 #include "base/require.hpp"
+#include "base/special_numbers.hpp"
 #include "ranks/node_sums.hpp"
 
 #include <algorithm>
@@ -14,8 +15,6 @@ namespace asperity::contact {
 namespace {
 
 using TwoLoads = SeveralSums<2>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void require_size(const char* name, std::size_t size, std::size_t expected) {
   if (size != expected)
@@ -108,17 +107,6 @@ TwoLoads loads_by_hardness(std::span<const double> weights,
   });
 }
 
-double largest_value(std::span<const double> field, const Workers& workers) {
-  return chunked_sum<Largest>(field.size(), workers,
-                              [&](std::size_t begin, std::size_t end) {
-                                Largest own;
-                                for (std::size_t i = begin; i < end; ++i)
-                                  own += {field[i]};
-                                return own;
-                              })
-      .value;
-}
-
 /// The load of the positive part of field - level up to the hardness, and the
 /// number of nodes below it.
 TwoLoads load_above(const SurfaceOperator& elasticity,
@@ -170,7 +158,7 @@ double level_of_load(const SurfaceOperator& elasticity,
     else if (std::isfinite(high - low))
       level = 0.5 * (low + high);
     else { // none carries any load, or on from here some carry at least all
-      const double highest = largest_value(field, workers);
+      const double highest = largest_of(field, workers);
       level = load > wanted
                   ? highest
                   : highest - std::max(wanted, 2.0 * (highest - level));
@@ -186,7 +174,7 @@ bool stays_below(double hardness, double factor, std::span<const double> field,
                  const Workers& workers) {
   if (!std::isfinite(hardness))
     return true;
-  return largest_value(field, workers) * std::max(1.0, factor) < hardness;
+  return largest_of(field, workers) * std::max(1.0, factor) < hardness;
 }
 
 /// True if no node overlaps at the prescribed mean gap without pressure, which
@@ -199,7 +187,7 @@ bool is_apart(std::span<const double> heights, std::span<const double> weights,
     return false;
   const double mean = weighted_sum(weights, heights, workers) /
                       static_cast<double>(workers.all_nodes(heights.size()));
-  return target.amount >= largest_value(heights, workers) - mean;
+  return target.amount >= largest_of(heights, workers) - mean;
 }
 
 } // namespace
@@ -297,7 +285,7 @@ void press_to_load(const SurfaceOperator& elasticity,
                    std::span<double> pressure) {
   double level = level_of_load(elasticity, target, pressure, infinity);
   constexpr double near = 0.9; // to 1e-3 of the load, without the hardness
-  if (largest_value(pressure, elasticity.workers()) - level > near * hardness)
+  if (largest_of(pressure, elasticity.workers()) - level > near * hardness)
     level = level_of_load(elasticity, target, pressure, hardness);
   double* const values = pressure.data();
   chunked(pressure.size(), elasticity.threads(),

@@ -3,7 +3,7 @@
 // What every solver of the contact problem begins with: the checks of its
 // arguments and a pressure at the prescribed load.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 
 #include <span>
 #include <vector>

@@ -1,5 +1,6 @@
 #include "contact/solvers/tile_start.hpp"
 
+#include "contact/solvers/iteration.hpp"
 #include "contact/solvers/starting_pressure.hpp"
 
 #include <algorithm>
@@ -96,8 +97,9 @@ struct TileProblem {
         std::max(0.5 * problem.gap_tolerance, gap_tolerance);
     problem.max_iterations =
         std::min(most_tile_iterations, problem.max_iterations);
-    ContactSolution solution =
-        solve_contact_from(std::move(pressure), *elasticity, problem, target);
+    ContactState state(*elasticity, problem, target, std::move(pressure));
+    state.update_residual();
+    ContactSolution solution = iterated(std::move(state));
     pressure = std::move(solution.pressure);
     return solution;
   }

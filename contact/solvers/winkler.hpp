@@ -3,13 +3,13 @@
 // Contact with a Winkler foundation: independent linear springs, one under each
 // node, without elastic coupling. Solved exactly, without iterations.
 
-#include "contact/solvers/solver.hpp"
+#include "contact/solvers/contact_problem.hpp"
 
 #include <span>
 
 namespace asperity::contact {
 
-/// Solves the contact problem of solver.hpp for C p = (p - <p>)/k: the
+/// Solves a ContactProblem for C p = (p - <p>)/k: the
 /// displacement of each spring less the uniform compression, so that the
 /// displacement has mean 0 and the mean gap u is that of an elastic block with
 /// the same pressure. The contact is hard: the pressure is k max(0, h - s) and

@@ -73,7 +73,7 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
   // The displacement of a periodic surface has no mean.
   const double separation =
       solution.mean_gap -
-      (problem.is_periodic ? 0.0 : mean(solution.displacement));
+      (problem.is_periodic() ? 0.0 : mean(solution.displacement));
   for (std::size_t i = 0; i < load.pressure.size(); ++i) {
     const double gap =
         separation + solution.displacement[i] - problem.heights[i];
@@ -85,8 +85,8 @@ methods::StepAnswer answer_of(contact::SurfaceOperator& elasticity,
       std::move(solution),
       {{},
        0.0,
-       problem.is_periodic ? results::halfspace_area_coefficients
-                           : results::free_area_coefficients,
+       problem.is_periodic() ? results::halfspace_area_coefficients
+                             : results::free_area_coefficients,
        methods::boundary_modulus(problem.body, problem.grid.spacing_x())},
       surface);
   answer.row.step = static_cast<int>(load.load);

@@ -75,7 +75,7 @@ std::string broken_claims_of(const fs::path& answer, const Problem& problem,
 
 /// Whether what a README says is what problem.json says, which is certified.
 bool is_same(const StatedBody& readme, const Problem& stated) {
-  return readme.is_periodic == stated.is_periodic &&
+  return readme.body.border == stated.body.border &&
          readme.body.contact_modulus == stated.body.contact_modulus &&
          readme.body.thickness == stated.body.thickness &&
          readme.body.layers.empty() && stated.body.layers.empty();
@@ -92,7 +92,6 @@ std::string broken_reference(const AnsweredProblem& answered,
   if (const StatedBody body = stated_body(answered.problem);
       body.is_complete && !is_same(body, stated)) {
     stated.body = body.body;
-    stated.is_periodic = body.is_periodic;
     broken += broken_claims_of(scratch.path(), stated, "README.md");
   }
   return broken;

@@ -189,10 +189,10 @@ std::pair<double, double> limit_of(const Refined& refined, std::size_t load,
 std::string exact_source(const cases::Case& contact_case,
                          const Problem& problem) {
   using enum mechanics::SurfaceKind;
-  if (std::isfinite(problem.body.thickness) || !problem.body.layers.empty())
+  if (!problem.body.is_halfspace())
     return "";
   const mechanics::SurfaceKind kind = contact_case.surface.kind;
-  if (problem.is_periodic)
+  if (problem.is_periodic())
     return kind == wave_1d ? "Westergaard (1939)" : "";
   return kind == sphere  ? "Hertz (1881), mean over the nodes"
          : kind == punch ? "Johnson (1985), Sec. 3.8, mean over the nodes"
@@ -211,7 +211,7 @@ continuum_answers(const cases::Case& contact_case,
       const reports::ExactPoint exact = reports::exact_point(
           contact_case.surface, answered.problem.body.contact_modulus,
           answer.nominal_pressure, std::ranges::max(answered.problem.heights),
-          !answered.problem.is_periodic);
+          !answered.problem.is_periodic());
       continuum.push_back({answer.nominal_pressure, exact.mean_gap, 0.0,
                            exact.area_fraction, 0.0, exact_by});
     }
@@ -252,9 +252,7 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
     throw input::InputError(
         fmt::format("{}: {} has a hardness, which no problem can describe",
                     contact_case.path, method.name));
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  if (half != nullptr && half->has_free_boundaries &&
+  if (method.border() == mechanics::Border::free &&
       contact_case.surface.kind == mechanics::SurfaceKind::measured)
     throw input::InputError(fmt::format(
         "{}: {} presses a measured map without its mirror images, of which no "
@@ -283,7 +281,6 @@ AnsweredProblem answered_problem(const cases::Case& contact_case,
   problem.rms_slope = surface.record.rms_slope;
   problem.body =
       methods::continuum_of(method, contact_case.material, surface.scales);
-  problem.is_periodic = half == nullptr || !half->has_free_boundaries;
   ReferenceSolver solver(problem, problem.grid, problem.heights);
   for (const mechanics::LoadTarget& target :
        targets_of(contact_case, surface.scales)) {

@@ -45,7 +45,7 @@ const BoardEntry* leading(const BoardProblem& problem,
 
 std::string body_words(const mechanics::ElasticBlock& body) {
   std::string words = fmt::format("E* = {:.4g} Pa", body.contact_modulus);
-  words += std::isinf(body.thickness)
+  words += body.is_infinite()
                ? ", half-space"
                : fmt::format(", block of {:.4g} m", body.thickness);
   if (!body.layers.empty())
@@ -256,8 +256,8 @@ std::string problem_page(const BoardProblem& problem, const fs::path& folder) {
                    problem.problem.name, problem.problem.grid.points_x,
                    problem.problem.grid.points_y, problem.problem.loads.size(),
                    body_words(problem.problem.body),
-                   problem.problem.is_periodic ? "on a periodic cell"
-                                               : "with free boundaries")},
+                   problem.problem.is_periodic() ? "on a periodic cell"
+                                                 : "with free boundaries")},
       {"ranked", ranking(problem)},
       {"unranked", unranked_tables(problem)},
       {"reference", reference_table(problem)},

@@ -195,39 +195,31 @@ Q2Operator::Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
       }()) {}
 
 Q2Operator::Q2Operator(std::shared_ptr<const Shared> shared)
-    : shared_(std::move(shared)),
+    : SurfaceOperator({.rows = shared->nodes,
+                       .short_wave_compliance = shared->shortest,
+                       .threads = shared->threads,
+                       .nodal_weights = shared->nodal_weights}),
+      shared_(std::move(shared)),
       exact_(shared_->nodes, shared_->cells, shared_->threads),
       convolution_(shared_->nodes, shared_->cells, shared_->threads) {}
 
-std::unique_ptr<contact::SurfaceOperator> Q2Operator::clone() const {
+std::unique_ptr<contact::SurfaceOperator> Q2Operator::do_clone() const {
   return std::unique_ptr<contact::SurfaceOperator>(new Q2Operator(shared_));
 }
 
-const Grid& Q2Operator::grid() const {
-  return shared_->nodes.grid();
-}
-
-const SharedRows* Q2Operator::shared_rows() const {
-  return shared_->nodes.ranks() != nullptr ? &shared_->nodes : nullptr;
-}
-
-std::span<const double> Q2Operator::nodal_weights() const {
-  return shared_->nodal_weights;
-}
-
-void Q2Operator::displacement(std::span<const double> pressure,
-                              std::span<double> displacement) {
+void Q2Operator::do_displacement(std::span<const double> pressure,
+                                 std::span<double> displacement) {
   exact_.apply(shared_->blocks, pressure, displacement);
 }
 
-void Q2Operator::displacement_change(std::span<const float> pressure_change,
-                                     std::span<float> displacement_change) {
+void Q2Operator::do_displacement_change(std::span<const float> pressure_change,
+                                        std::span<float> displacement_change) {
   convolution_.apply(shared_->rounded, pressure_change, displacement_change);
 }
 
-void Q2Operator::pressure_estimate(std::span<const float> gap,
-                                   double local_compliance,
-                                   std::span<float> pressure) {
+void Q2Operator::do_pressure_estimate(std::span<const float> gap,
+                                      double local_compliance,
+                                      std::span<float> pressure) {
   require_not_negative("local_compliance", local_compliance, "m/Pa");
   if (inverted_compliance_ != local_compliance) {
     const std::vector<NodeClassBlock>& blocks = shared_->blocks;
@@ -244,15 +236,7 @@ void Q2Operator::pressure_estimate(std::span<const float> gap,
   convolution_.apply(inverse_, gap, pressure);
 }
 
-int Q2Operator::threads() const {
-  return shared_->threads;
-}
-
-double Q2Operator::short_wave_compliance() const {
-  return shared_->shortest;
-}
-
-std::unique_ptr<contact::SurfaceOperator> Q2Operator::coarsened() const {
+std::unique_ptr<contact::SurfaceOperator> Q2Operator::do_coarsened() const {
   const Grid& coarse = shared_->cells.grid();
   if (coarse.points_x < 32 || coarse.points_y < 32 || shared_rows() != nullptr)
     return nullptr;

@@ -12,10 +12,10 @@
 namespace asperity::fem {
 
 /// Computes displacement = C pressure on all nodes of a Q2 surface by
-/// Q2Convolution. If ranks share its rows, each holds its rows of the fields
-/// and the blocks of its columns of cell wavevectors, and all calls but grid(),
-/// shared_rows(), nodal_weights(), short_wave_compliance() and threads() are
-/// collective, also the construction.
+/// Q2Convolution. The nodal weights are the relative areas: 4/9, 8/9, 8/9, 16/9
+/// at vertices, edges and face centres. If ranks share its rows, each holds its
+/// rows of the fields and the blocks of its columns of cell wavevectors, and
+/// the calls that transform fields are collective, also the construction.
 class Q2Operator final : public contact::SurfaceOperator {
 public:
   /// All rows in this process.
@@ -30,28 +30,19 @@ public:
   Q2Operator(const Grid& grid, RankGroup& ranks, Q2Column blocks,
              int threads = 1);
 
-  std::unique_ptr<contact::SurfaceOperator> clone() const override;
-
-  const Grid& grid() const override;
-  const SharedRows* shared_rows() const override;
-
-  /// The relative nodal areas: 4/9, 8/9, 8/9, 16/9 at vertices, edges and face
-  /// centres.
-  std::span<const double> nodal_weights() const override;
-
-  void displacement(std::span<const double> pressure,
-                    std::span<double> displacement) override;
-  void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change) override;
-  void pressure_estimate(std::span<const float> gap, double local_compliance,
-                         std::span<float> pressure) override;
-  double short_wave_compliance() const override;
-  int threads() const override;
+protected:
+  std::unique_ptr<contact::SurfaceOperator> do_clone() const override;
+  void do_displacement(std::span<const double> pressure,
+                       std::span<double> displacement) override;
+  void do_displacement_change(std::span<const float> pressure_change,
+                              std::span<float> displacement_change) override;
+  void do_pressure_estimate(std::span<const float> gap, double local_compliance,
+                            std::span<float> pressure) override;
 
   /// The operator on the vertices of the cells only, accurate for waves longer
   /// than a cell; null below 64 points per side, if the cells cannot be halved,
   /// or if ranks share the rows.
-  std::unique_ptr<contact::SurfaceOperator> coarsened() const override;
+  std::unique_ptr<contact::SurfaceOperator> do_coarsened() const override;
 
 private:
   struct Shared;

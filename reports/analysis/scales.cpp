@@ -124,7 +124,7 @@ bool has_free_boundaries(const cases::Case& contact_case,
                          const results::MethodRecord& method) {
   const auto* const half =
       settings_of<mechanics::HalfspaceSettings>(contact_case, method);
-  return half != nullptr && half->has_free_boundaries;
+  return half != nullptr && half->block().is_free();
 }
 
 bool has_free_sides(const cases::Case& contact_case,

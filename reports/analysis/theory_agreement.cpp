@@ -104,7 +104,7 @@ std::string block_causes(const Comparison& compared) {
   if (fem != nullptr && (material.inclusion || material.variation))
     causes += " The theory assumes a uniform material, which this block is "
               "not.";
-  if (halfspace != nullptr && halfspace->thickness)
+  if (halfspace != nullptr && !halfspace->block().is_infinite())
     causes += " The theory assumes a half-space, but this block has a finite "
               "thickness.";
   if (std::holds_alternative<mechanics::WinklerSettings>(spec->settings))

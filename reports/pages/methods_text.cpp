@@ -133,7 +133,7 @@ std::string continuum_words(const ReportEntry& entry) {
   for (const cases::MethodSpec& method : entry.contact_case->methods)
     if (const auto* const halfspace =
             std::get_if<mechanics::HalfspaceSettings>(&method.settings))
-      (halfspace->thickness ? has_slab : has_infinite) = true;
+      (halfspace->block().is_infinite() ? has_infinite : has_slab) = true;
   return !has_slab      ? "half-space"
          : has_infinite ? "half-space, and a slab of finite thickness,"
                         : "slab of finite thickness";

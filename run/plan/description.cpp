@@ -69,9 +69,9 @@ mechanics::Roughness roughness_of(const cases::Case& contact_case,
 }
 
 bool is_pressed_once(const MethodSpec& method) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-  return half != nullptr && half->has_free_boundaries;
+  return std::holds_alternative<mechanics::HalfspaceSettings>(
+             method.settings) &&
+         method.border() == mechanics::Border::free;
 }
 
 bool has_formula(const cases::Case& contact_case) {

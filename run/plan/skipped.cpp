@@ -125,7 +125,7 @@ void Skips::add_of_settings(const MethodSpec& method,
   add(method.name + ": two tangential displacements per node",
       "the contact surface is frictionless and has no shear traction");
   add(method.name + ": the block below the contact surface",
-      settings.thickness
+      !settings.block().is_infinite()
           ? "the compliance of a slab has a closed form"
           : "no thickness is given: the compliance of a half-space "
             "has a closed form");

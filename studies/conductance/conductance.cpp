@@ -1,7 +1,6 @@
 #include "studies/conductance/conductance.hpp"
 
 #include "base/special_numbers.hpp"
-#include "contact/operators/free_halfspace.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/punch_stiffness.hpp"
 #include "methods/chosen.hpp"
@@ -39,19 +38,18 @@ results::Observed stiffness_of(contact::SurfaceOperator& elasticity,
 
 /// Whether the operator of a method is that of the half-space with E*.
 bool is_halfspace(const Step& step) {
-  const mechanics::ElasticBlock block = methods::continuum_of(
-      step.method, step.contact_case.material, step.surface.scales);
   return std::holds_alternative<mechanics::HalfspaceSettings>(
              step.method.settings) &&
-         block.layers.empty() && std::isinf(block.thickness);
+         methods::continuum_of(step.method, step.contact_case.material,
+                               step.surface.scales)
+             .is_halfspace();
 }
 
 /// The half-space with E* = 1 Pa.
 std::unique_ptr<contact::SurfaceOperator>
 unit_halfspace(const Grid& grid, mechanics::Border border, int threads) {
-  if (border == mechanics::Border::free)
-    return std::make_unique<contact::FreeHalfspace>(grid, 1.0, threads);
-  return contact::halfspace_operator(grid, {1.0, 0.0, infinity}, threads)
+  return contact::halfspace_operator(grid, mechanics::halfspace(1.0, border),
+                                     threads)
       .clone();
 }
 

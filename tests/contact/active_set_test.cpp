@@ -2,6 +2,7 @@
 // the other solvers, from few nodes in contact to nearly all of them, and
 // converges for thin slabs for which both other solvers stagnate.
 #include "contact/solvers/active_set.hpp"
+#include "contact/solvers/polonsky_keer.hpp"
 #include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>

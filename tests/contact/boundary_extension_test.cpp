@@ -1,13 +1,10 @@
 // Tests of contact/solvers/boundary_extension.hpp.
-#include "contact/operators/halfspace.hpp"
 #include "contact/solvers/boundary_extension.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace asperity::contact::boundary_extension_test {
@@ -134,115 +131,6 @@ TEST(BoundaryExtension, FoldIsItsTranspose) {
       }
       EXPECT_NEAR(left, right, 1e-6 * size);
       EXPECT_GT(size, 0.0);
-    }
-}
-
-/// The masked compliance and its preconditioner E^T (C + c)^-1 E.
-struct Preconditioned {
-  FourierOperator elasticity;
-  double local_compliance; ///< c [m/Pa]
-  std::vector<std::uint8_t> is_free;
-  BoundaryExtension extension;
-
-  Preconditioned(const Grid& grid, double relative_c,
-                 std::vector<std::uint8_t> is_free_)
-      : elasticity(halfspace_operator(
-            grid, {1.0, 0.3, std::numeric_limits<double>::infinity(),
-                   mechanics::FarBoundary::pressure})),
-        local_compliance(relative_c * elasticity.short_wave_compliance()),
-        is_free(std::move(is_free_)),
-        extension(grid, 1) {
-    extension.build(1.0 / (1.0 + relative_c), is_free);
-  }
-
-  /// Removes the mean over the active nodes, and everything elsewhere.
-  void project(std::vector<float>& field) const {
-    double sum = 0.0, n = 0.0;
-    for (std::size_t i = 0; i < field.size(); ++i)
-      if (is_free[i] > 0) {
-        sum += static_cast<double>(field[i]);
-        n += 1.0;
-      }
-    for (std::size_t i = 0; i < field.size(); ++i)
-      field[i] = is_free[i] > 0 ? field[i] - static_cast<float>(sum / n) : 0.0F;
-  }
-
-  std::vector<float> residual(const std::vector<float>& pressure) {
-    std::vector<float> r(pressure.size());
-    elasticity.displacement_change(pressure, r);
-    for (std::size_t i = 0; i < r.size(); ++i)
-      r[i] += static_cast<float>(local_compliance) * pressure[i];
-    project(r);
-    return r;
-  }
-
-  std::vector<float> precondition(const std::vector<float>& r) {
-    std::vector<float> field(r.size()), z(r.size());
-    const BlockFlags blocks = blocks_with(is_free);
-    extension.extend({is_free, blocks}, r, field);
-    elasticity.pressure_estimate(field, local_compliance, z);
-    extension.fold({is_free, blocks}, z);
-    project(z);
-    return z;
-  }
-
-  /// Ratio of the energy of the continuation E r to the least one, for the
-  /// residual r of a pressure.
-  double energy_ratio(const std::vector<float>& pressure) {
-    const std::vector<float> r = residual(pressure);
-    const std::vector<float> z = precondition(r);
-    double continued = 0.0, least = 0.0;
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      continued += static_cast<double>(r[i]) * static_cast<double>(z[i]);
-      least += static_cast<double>(r[i]) * static_cast<double>(pressure[i]);
-    }
-    return continued / least;
-  }
-
-  /// The largest such ratio, by 30 power iterations.
-  double largest_energy_ratio() {
-    std::vector<float> pressure = random_field(is_free.size(), 3);
-    project(pressure);
-    EXPECT_GT(energy_ratio(pressure), 1.0 - 1e-4);
-    for (int i = 0; i < 30; ++i) {
-      pressure = precondition(residual(pressure));
-      double square = 0.0;
-      for (const float value : pressure)
-        square += static_cast<double>(value) * static_cast<double>(value);
-      for (float& value : pressure)
-        value /= static_cast<float>(std::sqrt(square));
-    }
-    return energy_ratio(pressure);
-  }
-};
-
-/// A hole of a quarter of the length in both directions.
-std::vector<std::uint8_t> hole(const Grid& grid) {
-  const int n = grid.points_x;
-  std::vector<std::uint8_t> is_free(grid.size(), 2);
-  for (int iy = 3 * n / 8; iy < 5 * n / 8; ++iy)
-    for (int ix = 3 * n / 8; ix < 5 * n / 8; ++ix)
-      is_free[grid.index(ix, iy)] = 0;
-  return is_free;
-}
-
-// No continuation has less energy than that which corresponds to the inverse on
-// the active nodes: the ratio is at least 1, and its largest value, over all
-// residuals, is the condition number of the iteration. It must not grow with
-// the number of nodes in a hole or between contacts, nor with the compliance of
-// a penalty.
-TEST(BoundaryExtension, HasNearlyTheLeastEnergyOnAnyGrid) {
-  for (const double relative_c : {0.0, 1.0, 30.0})
-    for (const int n : {32, 128, 512}) {
-      const Grid grid{n, n, 1.0, 1.0};
-      for (const std::vector<std::uint8_t>& is_free :
-           {hole(grid), patches(grid)}) {
-        const double ratio =
-            Preconditioned(grid, relative_c, is_free).largest_energy_ratio();
-
-        EXPECT_GT(ratio, 1.0 - 1e-4);
-        EXPECT_LT(ratio, 1.6) << n << " " << relative_c;
-      }
     }
 }
 

@@ -23,40 +23,37 @@ struct Fault {
 class FaultyOperator final : public SurfaceOperator {
 public:
   FaultyOperator(FourierOperator exact, const Fault& fault)
-      : exact_(std::move(exact)), fault_(fault) {}
+      : SurfaceOperator(
+            {.rows = exact.rows(),
+             .short_wave_compliance = exact.short_wave_compliance()}),
+        exact_(std::move(exact)),
+        fault_(fault) {}
 
-  std::unique_ptr<SurfaceOperator> clone() const override {
+protected:
+  std::unique_ptr<SurfaceOperator> do_clone() const override {
     return std::make_unique<FaultyOperator>(*this);
   }
 
-  const Grid& grid() const override { return exact_.grid(); }
-
-  std::span<const double> nodal_weights() const override { return {}; }
-
-  void displacement(std::span<const double> pressure,
-                    std::span<double> displacement) override {
+  void do_displacement(std::span<const double> pressure,
+                       std::span<double> displacement) override {
     exact_.displacement(pressure, displacement);
     inject(Fault::Call::displacement, displacement);
   }
 
-  void displacement_change(std::span<const float> pressure_change,
-                           std::span<float> displacement_change) override {
+  void do_displacement_change(std::span<const float> pressure_change,
+                              std::span<float> displacement_change) override {
     exact_.displacement_change(pressure_change, displacement_change);
     inject(Fault::Call::change, displacement_change);
   }
 
-  void pressure_estimate(std::span<const float> gap, double local_compliance,
-                         std::span<float> pressure) override {
+  void do_pressure_estimate(std::span<const float> gap, double local_compliance,
+                            std::span<float> pressure) override {
     exact_.pressure_estimate(gap, local_compliance, pressure);
     inject(Fault::Call::estimate, pressure);
   }
 
-  double short_wave_compliance() const override {
-    return exact_.short_wave_compliance();
-  }
-
   /// Fails in the same way.
-  std::unique_ptr<SurfaceOperator> coarsened() const override {
+  std::unique_ptr<SurfaceOperator> do_coarsened() const override {
     const std::unique_ptr<SurfaceOperator> coarse = exact_.coarsened();
     if (!coarse)
       return nullptr;

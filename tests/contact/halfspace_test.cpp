@@ -3,6 +3,7 @@
 #include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/operators/halfspace.hpp"
+#include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,83 +16,6 @@
 namespace asperity::contact::halfspace_test {
 
 using std::numbers::pi;
-
-// Source: reference/contact.md, nu = 0.3, to its printed digits.
-TEST(SlabFactor, HasThePublishedValuesForTheLongestWave) {
-  const double nu = 0.3;
-  EXPECT_NEAR(
-      slab_compliance_factor(2 * pi, mechanics::FarBoundary::clamped, nu),
-      .9996, 5e-5);
-  EXPECT_NEAR(
-      slab_compliance_factor(2 * pi, mechanics::FarBoundary::sliding, nu),
-      .9999, 5e-5);
-  EXPECT_NEAR(
-      slab_compliance_factor(2 * pi, mechanics::FarBoundary::pressure, nu),
-      1.0006, 5e-5);
-  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::clamped, nu),
-              .944, 5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::sliding, nu),
-              .973, 5e-4);
-  EXPECT_NEAR(slab_compliance_factor(pi, mechanics::FarBoundary::pressure, nu),
-              1.109, 5e-4);
-  EXPECT_NEAR(
-      slab_compliance_factor(pi / 2, mechanics::FarBoundary::clamped, nu), .632,
-      5e-4);
-  EXPECT_NEAR(
-      slab_compliance_factor(pi / 2, mechanics::FarBoundary::sliding, nu), .721,
-      5e-4);
-  EXPECT_NEAR(
-      slab_compliance_factor(pi / 2, mechanics::FarBoundary::pressure, nu),
-      2.60, 5e-3);
-}
-
-// A thin clamped layer is an oedometer, C = d (1+nu)(1-2nu)/(E (1-nu)); a thin
-// sliding one is in plane strain, d/E*; a thin free one is a plate, 12/(E* d^3
-// q^4). The next terms are of order x^2 = 1e-6 (clamped: times (1-nu)/(1-2nu)).
-TEST(SlabFactor, ThinLayersAreOedometerStripAndPlate) {
-  const double x = 1e-3;
-  const double nu = 0.3;
-  const double oedometer = x * (1 - 2 * nu) / (2 * (1 - nu) * (1 - nu));
-  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::clamped, nu) /
-                  oedometer,
-              1.0, 5e-6);
-  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::sliding, nu) /
-                  (x / 2),
-              1.0, 5e-6);
-  EXPECT_NEAR(slab_compliance_factor(x, mechanics::FarBoundary::pressure, nu) *
-                  x * x * x / 6,
-              1.0, 5e-6);
-}
-
-// The branches of the formula for the free slab agree where they meet, at 0.5
-// (series) and at 20.
-TEST(SlabFactor, IsContinuousWhereItsFormulaChanges) {
-  for (const double x : {0.5, 20.0}) {
-    const double below = slab_compliance_factor(
-        x * (1 - 1e-12), mechanics::FarBoundary::pressure, 0.3);
-    const double above = slab_compliance_factor(
-        x * (1 + 1e-12), mechanics::FarBoundary::pressure, 0.3);
-    EXPECT_NEAR(below / above, 1.0, 1e-11) << x; // slope -3 times 2e-12
-  }
-}
-
-TEST(SlabFactor, TendsToTheHalfspace) {
-  for (const mechanics::FarBoundary boundary :
-       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
-        mechanics::FarBoundary::pressure}) {
-    EXPECT_NEAR(slab_compliance_factor(25.0, boundary, 0.45), 1.0, 1e-14);
-    EXPECT_NEAR(slab_compliance_factor(1e6, boundary, 0.45), 1.0, 1e-14);
-  }
-}
-
-TEST(SlabFactor, RefusesAnInvalidSlab) {
-  EXPECT_THROW(
-      slab_compliance_factor(0.0, mechanics::FarBoundary::clamped, 0.3),
-      std::domain_error);
-  EXPECT_THROW(
-      slab_compliance_factor(1.0, mechanics::FarBoundary::clamped, 0.6),
-      std::domain_error);
-}
 
 // A pressure cos(q x) gives the displacement 2/(E* q) cos(q x), and a uniform
 // pressure gives none. Tolerance: roundoff of sums over 128 nodes.
@@ -168,8 +92,7 @@ TEST(FourierOperator, ChangeIsTheDisplacementInSinglePrecision) {
 // Verifies that a long wave has the same compliance on the coarse grid.
 TEST(FourierOperator, CoarseFormKeepsTheLongWaves) {
   const Grid grid{64, 64, 1.0, 1.0};
-  const FourierOperator fine =
-      halfspace_operator(grid, {1.0, 0.0, infinity, {}});
+  const FourierOperator fine = problems::unit_halfspace(grid);
 
   const std::unique_ptr<SurfaceOperator> coarse = fine.coarsened();
 

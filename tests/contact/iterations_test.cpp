@@ -18,9 +18,9 @@ enum class Borders { periodic, free };
 std::unique_ptr<SurfaceOperator> half_space(const Grid& grid, Borders borders,
                                             int threads) {
   if (borders == Borders::free)
-    return std::make_unique<FreeHalfspace>(grid, 1.0, threads);
+    return free_halfspace(grid, 1.0, threads).clone();
   return std::make_unique<FourierOperator>(
-      halfspace_operator(grid, {1.0, 0.0, infinity, {}}, threads));
+      problems::unit_halfspace(grid, threads));
 }
 
 ContactSolution step_on(int points, double pressure, int threads,
@@ -75,8 +75,8 @@ TEST(Iterations, StayFewWithWavesThatTheCoarseGridDoesNotHold) {
   }
 }
 
-// A step that is long for an extrapolation starts from the coarse grid: from the
-// extrapolation these took 9, 11 and 10 iterations, now 7 at most.
+// A step that is long for an extrapolation starts from the coarse grid: from
+// the extrapolation these took 9, 11 and 10 iterations, now 7 at most.
 TEST(Iterations, StayFewAlongAPathOfLongSteps) {
   const Grid grid{256, 256, 1.0, 1.0};
   const std::vector<double> heights = problems::rough_heights(grid, {});

@@ -2,6 +2,7 @@
 // slabs and of a coating in fifty digits, against limits, and against the
 // monotonicity in the moduli of the layers.
 #include "base/special_numbers.hpp"
+#include "contact/operators/halfspace.hpp"
 #include "contact/operators/layered_compliance.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -46,8 +47,9 @@ mechanics::ElasticBlock coated_halfspace(double coating, double coating_nu,
           {{thickness, coating, coating_nu}}};
 }
 
-/// The closed forms of slab_compliance_factor in a precision in which
-/// cancellation does no harm.
+/// The compliance of a slab relative to the half-space, x = q d, in a precision
+/// in which cancellation does no harm. See K. L. Johnson, Contact Mechanics
+/// (1985), ch. 5; G. Carbone et al., J. Mech. Phys. Solids 56, 684 (2008).
 Digits50 slab_factor(Digits50 x, mechanics::FarBoundary far_boundary,
                      Digits50 nu) {
   const Digits50 twice = 2 * x;
@@ -79,25 +81,26 @@ constexpr std::array reduced_wavevectors{1e-8, 1e-5, 1e-3, 0.03, 0.4,
                                          1.3,  2.2,  4.5,  9.0,  12.5,
                                          30.0, 55.0, 90.0, 1e3,  1e4};
 
-// Verifies that layers of one material equal the homogeneous block, for every
-// far boundary and every wave. Tolerance: some ten roundings in each of four
-// layers.
-TEST(LayeredCompliance, OfEqualLayersEqualsTheSlab) {
+// Verifies the closed forms of a slab, whole and cut into layers of its
+// material, for every far boundary and every wave. Tolerance: some ten
+// roundings in each of four layers.
+TEST(LayeredCompliance, OfASlabAndOfEqualLayersIsItsClosedForm) {
   for (const double nu : {-0.3, 0.0, 0.3, 0.45, 0.4999, 0.5})
     for (const mechanics::FarBoundary boundary : far_boundaries)
       for (const double x : reduced_wavevectors) {
         const double thickness = 0.7;
         const double q = x / thickness;
-        const mechanics::ElasticBlock block =
-            cut_block(3.0, nu, thickness, boundary);
-
-        const double found = layered_compliance(q, block);
+        mechanics::ElasticBlock block = cut_block(3.0, nu, thickness, boundary);
+        const double cut = layered_compliance(q, block);
+        block.layers.clear();
+        const double whole = compliance_function(block)(q);
 
         const Digits50 exact =
             2 * slab_factor(Digits50(q) * thickness, boundary, nu) /
             (Digits50(block.contact_modulus) * q);
-        EXPECT_NEAR(static_cast<double>(found / exact), 1.0, 1e-14)
-            << nu << " " << static_cast<int>(boundary) << " " << x;
+        for (const double found : {cut, whole})
+          EXPECT_NEAR(static_cast<double>(found / exact), 1.0, 1e-14)
+              << nu << " " << static_cast<int>(boundary) << " " << x;
       }
 }
 

@@ -20,8 +20,7 @@ protected:
   std::vector<double> heights = problems::rough_heights(grid, {});
   double rms_height = problems::rms(heights);
   double tolerance = 1e-9 * rms_height;
-  FourierOperator elasticity = halfspace_operator(
-      grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+  FourierOperator elasticity = problems::unit_halfspace(grid);
 
   LoadSequence sequence(mechanics::ContactLaw law, double penalty = 0.0) const {
     return {elasticity.clone(), heights, {law, penalty}, tolerance, 2000};

@@ -239,27 +239,6 @@ TEST_P(NodeKernels, ConjugatesWithinTheChangesAllowed) {
   EXPECT_NEAR(found, expected, single_roundoff);
 }
 
-TEST_P(NodeKernels, AdvanceSetsNegativePressuresToZero) {
-  Fields fields(GetParam());
-  const Fields before = fields;
-
-  const auto found = advance_nodes(fields.view(), all, {0.4}).values;
-
-  std::array<double, 2> expected{};
-  for (std::size_t i = 0; i < Fields::nodes; ++i) {
-    const double wish =
-        before.pressure[i] - 0.4 * static_cast<double>(before.direction[i]);
-    const double kept = std::max(0.0, wish);
-    EXPECT_EQ(fields.pressure[i], kept);
-    EXPECT_EQ(fields.change[i], static_cast<float>(kept - before.pressure[i]));
-    expected[0] += fields.weight_at(i) * kept;
-    expected[1] += kept - wish;
-  }
-  EXPECT_NEAR(found[0], expected[0], roundoff);
-  EXPECT_NEAR(found[1], expected[1], roundoff);
-  EXPECT_GT(found[1], 0.0);
-}
-
 /// Pressures of 0, below the hardness and of the hardness; steps of 0 too.
 Fields bounded_fields(bool is_weighted) {
   Fields fields(is_weighted);
@@ -271,37 +250,41 @@ Fields bounded_fields(bool is_weighted) {
   return fields;
 }
 
-TEST_P(NodeKernels, AdvanceCutsPressuresOffAtTheHardness) {
-  Fields fields = bounded_fields(GetParam());
-  const Fields before = fields;
-  NodeFields view = fields.view();
-  view.hardness = hardness;
-  const Advance way{0.4, 1.3};
+TEST_P(NodeKernels, AdvanceCutsPressuresOffAtZeroAndAtTheHardness) {
+  for (const auto& [bound, way] : {std::pair(infinity, Advance{0.4}),
+                                   std::pair(hardness, Advance{0.4, 1.3})}) {
+    Fields fields = bounded_fields(GetParam());
+    const Fields before = fields;
+    NodeFields view = fields.view();
+    view.hardness = bound;
 
-  const AdvancedLoad foreseen = sum_advanced(view, all, way);
-  EXPECT_EQ(fields.pressure, before.pressure);
-  const auto found = advance_nodes(view, all, way).values;
+    const AdvancedLoad foreseen = sum_advanced(view, all, way);
+    EXPECT_EQ(fields.pressure, before.pressure);
+    const auto found = advance_nodes(view, all, way).values;
 
-  std::array<double, 3> expected{};
-  for (std::size_t i = 0; i < Fields::nodes; ++i) {
-    const double wish =
-        before.pressure[i] - 0.4 * static_cast<double>(before.direction[i]);
-    const bool moves = before.direction[i] != 0.0F;
-    const double kept = std::clamp(moves ? 1.3 * wish : wish, 0.0, hardness);
-    EXPECT_EQ(fields.pressure[i], kept);
-    EXPECT_EQ(fields.change[i], static_cast<float>(kept - before.pressure[i]));
-    expected[0] += fields.weight_at(i) * kept;
-    expected[1] += std::abs(kept - wish);
-    expected[2] += moves && kept > 0.0 && kept < hardness
-                       ? fields.weight_at(i) * wish
-                       : 0.0;
+    AdvancedLoad expected;
+    for (std::size_t i = 0; i < Fields::nodes; ++i) {
+      const double wish = before.pressure[i] -
+                          way.step * static_cast<double>(before.direction[i]);
+      const bool moves = before.direction[i] != 0.0F;
+      const double kept =
+          std::clamp(moves ? way.factor * wish : wish, 0.0, bound);
+      EXPECT_EQ(fields.pressure[i], kept);
+      EXPECT_EQ(fields.change[i],
+                static_cast<float>(kept - before.pressure[i]));
+      const double weight = fields.weight_at(i);
+      expected +=
+          {weight * kept, std::abs(kept - wish),
+           moves && kept > 0.0 && kept < bound ? weight * wish : 0.0, kept};
+    }
+    EXPECT_NEAR(foreseen.load, expected.load, roundoff);
+    EXPECT_NEAR(foreseen.cut, expected.cut, roundoff);
+    EXPECT_NEAR(foreseen.slope, expected.slope, roundoff);
+    EXPECT_EQ(foreseen.largest, expected.largest);
+    EXPECT_EQ(found[0], foreseen.load);
+    EXPECT_EQ(found[1], foreseen.cut);
+    EXPECT_GT(found[1], 0.0);
   }
-  EXPECT_NEAR(foreseen.load, expected[0], roundoff);
-  EXPECT_NEAR(foreseen.cut, expected[1], roundoff);
-  EXPECT_NEAR(foreseen.slope, expected[2], roundoff);
-  EXPECT_EQ(foreseen.largest, hardness);
-  EXPECT_EQ(found[0], foreseen.load);
-  EXPECT_EQ(found[1], foreseen.cut);
 }
 
 TEST_P(NodeKernels, NodesSinkAtTheHardness) {

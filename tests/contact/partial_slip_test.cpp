@@ -113,8 +113,7 @@ protected:
     return found;
   }
 
-  FourierOperator elasticity = halfspace_operator(
-      grid, {1.0, 0.0, std::numeric_limits<double>::infinity(), {}});
+  FourierOperator elasticity = problems::unit_halfspace(grid);
   ContactSolution eased, pressed;
 };
 
@@ -266,7 +265,7 @@ double complete_ratio(SurfaceOperator& elasticity,
 // 1/(1 - nu) along them for any nu; for an ellipse by the mean of the
 // directions of its waves, with weights 1/sqrt(a^2 cos^2 + b^2 sin^2).
 TEST(StickingContact, HasTheRatiosOfItsShape) {
-  FourierOperator periodic = halfspace_operator(grid, {1.0, 0.0, infinity, {}});
+  FourierOperator periodic = problems::unit_halfspace(grid);
   const auto strips =
       set_of(grid, [](double x, double) { return std::abs(x) < 0.2; });
   for (const double nu : {0.0, 0.3, 0.5}) {
@@ -274,7 +273,7 @@ TEST(StickingContact, HasTheRatiosOfItsShape) {
     EXPECT_NEAR(of_strips.x, 1.0, 1e-12);
     EXPECT_NEAR(of_strips.y, 1.0 / (1.0 - nu), 1e-12);
   }
-  FreeHalfspace free(grid, 1.0);
+  FourierOperator free = free_halfspace(grid, 1.0);
   for (const double aspect : {1.0, 2.0}) {
     const auto ellipse = set_of(grid, [aspect](double x, double y) {
       return std::hypot(aspect * x, y) < 0.4;
@@ -300,8 +299,7 @@ TEST(StickingContact, HasTheRatiosOfItsShape) {
 // without one across, and the true ones have less energy. The errors are those
 // of docs/numerics/friction.md, beside those of Mindlin's ratio.
 TEST(StickingContact, RemainsWithoutTheTractionAcross) {
-  FourierOperator elasticity =
-      halfspace_operator(grid, {1.0, 0.0, infinity, {}});
+  FourierOperator elasticity = problems::unit_halfspace(grid);
   LoadSequence path(elasticity.clone(), problems::rough_heights(grid, {}), {},
                     1e-9, 1000);
 

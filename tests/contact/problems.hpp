@@ -22,6 +22,11 @@ struct Roughness {
   unsigned seed = 1;
 };
 
+/// The operator of the half-space with E* = 1 Pa.
+inline FourierOperator unit_halfspace(const Grid& grid, int threads = 1) {
+  return halfspace_operator(grid, mechanics::halfspace(1.0), threads);
+}
+
 /// Numbers between -1 and 1.
 inline std::vector<double> random_field(std::size_t size) {
   std::mt19937_64 random(7);

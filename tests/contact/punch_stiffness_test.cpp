@@ -20,10 +20,6 @@ namespace asperity::contact::punch_stiffness_test {
 
 using std::numbers::pi;
 
-FourierOperator unit_halfspace(const Grid& grid, int threads = 1) { // E* = 1 Pa
-  return halfspace_operator(grid, {1.0, 0.3, infinity, {}}, threads);
-}
-
 template <class IsInside>
 std::vector<std::uint8_t> set_where(const Grid& grid,
                                     const IsInside& is_inside) {
@@ -55,7 +51,7 @@ TEST(PunchStiffness, OfPeriodicStripsIsThatOfTheirArray) {
     std::vector<double> errors;
     for (const int points : {128, 256, 512}) {
       const Grid grid{points, 2, 1.0, 2.0 / points};
-      FourierOperator elasticity = unit_halfspace(grid);
+      FourierOperator elasticity = problems::unit_halfspace(grid);
 
       const double found =
           stiffness(elasticity, set_where(grid, [&](double x, double) {
@@ -81,7 +77,7 @@ struct Disc {
 
 double free_stiffness(int points, const std::vector<Disc>& discs) {
   const Grid grid{points, points, 1.0, 1.0};
-  FreeHalfspace elasticity(grid, 1.0);
+  FourierOperator elasticity = free_halfspace(grid, 1.0);
   return stiffness(elasticity, set_where(grid,
                                          [&](double x, double y) {
                                            return std::ranges::any_of(
@@ -133,7 +129,7 @@ protected:
   static constexpr Grid grid{64, 64, 1.0, 1.0};
   std::vector<double> heights = problems::rough_heights(grid, {});
   double rms_height = problems::rms(heights);
-  FourierOperator elasticity = unit_halfspace(grid);
+  FourierOperator elasticity = problems::unit_halfspace(grid);
 
   ContactSolution solved(double pressure, double compliance = 0.0) {
     return solve_contact(elasticity,
@@ -229,8 +225,8 @@ TEST(PunchStiffness, HasTheSameBitsOnThreads) {
   std::ranges::transform(heights, set.begin(), [=](double height) {
     return static_cast<std::uint8_t>(height > level);
   });
-  FourierOperator on_one = unit_halfspace(grid);
-  FourierOperator on_threads = unit_halfspace(grid, 3);
+  FourierOperator on_one = problems::unit_halfspace(grid);
+  FourierOperator on_threads = problems::unit_halfspace(grid, 3);
 
   EXPECT_EQ(stiffness(on_threads, set), stiffness(on_one, set));
 }
@@ -249,7 +245,7 @@ std::vector<double> uneven_film(std::size_t nodes) {
 // A uniform film between flat faces has the conductance of parallel plates.
 TEST(PunchStiffness, OfAFilmBetweenFlatFacesIsThatOfPlates) {
   const Grid grid{16, 16, 1.0, 1.0};
-  FourierOperator elasticity = unit_halfspace(grid);
+  FourierOperator elasticity = problems::unit_halfspace(grid);
 
   const double found =
       punch_stiffness(elasticity, std::vector<std::uint8_t>(grid.size()), 0.0,
@@ -311,7 +307,7 @@ std::vector<double> times(std::vector<double> film, double factor) {
 // The equations of all nodes as a dense matrix, solved by factors.
 TEST(PunchStiffness, OfContactAndFilmSolvesTheEquations) {
   const Grid grid{12, 12, 1.0, 1.0};
-  FourierOperator elasticity = unit_halfspace(grid);
+  FourierOperator elasticity = problems::unit_halfspace(grid);
   const std::vector<double> film = uneven_film(grid.size());
   const std::vector<std::uint8_t> set = set_where(grid, [](double x, double y) {
     return std::hypot(x - 0.5, y - 0.4) < 0.2;
@@ -329,8 +325,8 @@ TEST(PunchStiffness, OfContactAndFilmSolvesTheEquations) {
 // leaves nothing when the film is weak: here it is 1e-11 of each.
 TEST(FilmStiffness, IsTheDifferenceHoweverWeakTheFilm) {
   const Grid grid{12, 12, 1.0, 1.0};
-  FourierOperator periodic = unit_halfspace(grid);
-  FreeHalfspace free(grid, 1.0);
+  FourierOperator periodic = problems::unit_halfspace(grid);
+  FourierOperator free = free_halfspace(grid, 1.0);
   const std::vector<std::uint8_t> set = set_where(grid, [](double x, double y) {
     return std::hypot(x - 0.5, y - 0.4) < 0.2;
   });
@@ -363,8 +359,8 @@ TEST(FilmStiffness, IsTheDifferenceHoweverWeakTheFilm) {
 
 TEST(FilmStiffness, WithoutContactAndInFullContact) {
   const Grid grid{12, 12, 1.0, 1.0};
-  FourierOperator periodic = unit_halfspace(grid);
-  FreeHalfspace free(grid, 1.0);
+  FourierOperator periodic = problems::unit_halfspace(grid);
+  FourierOperator free = free_halfspace(grid, 1.0);
   const std::vector<std::uint8_t> none(grid.size(), 0), all(grid.size(), 1);
   const std::vector<double> film = uneven_film(grid.size());
 

@@ -1,6 +1,6 @@
-// Tests of contact/operators/stress_inside.hpp: the stress agrees with Hertz's,
-// is in balance, satisfies the conditions of the far boundary, and stores the
-// work done on the surface.
+// Tests of contact/operators/stress_inside.hpp: the stress agrees with Hertz's
+// and satisfies the conditions of the far boundary. Balance and energy are
+// those of layers, stress_layers_test.cpp.
 #include "base/special_numbers.hpp"
 #include "contact/operators/stress_inside.hpp"
 #include "tests/theory/hertz_stress.hpp"
@@ -26,13 +26,6 @@ std::vector<double> oblique_wave(const Grid& grid, int jx, int jy) {
           2.0 * pi *
           (jx * ix / double(grid.points_x) + jy * iy / double(grid.points_y)));
   return pressure;
-}
-
-double mean(const std::vector<double>& field) {
-  double sum = 0.0;
-  for (const double value : field)
-    sum += value;
-  return sum / static_cast<double>(field.size());
 }
 
 std::vector<double> hertz_map(const Grid& grid,
@@ -94,75 +87,6 @@ TEST(StressInside, IsHubersFieldInAPlane) {
                   exact.largest_shear() / contact.peak_pressure, 0.01);
     }
   }
-}
-
-// Verifies the balance of forces along z at every node: d zx/dx + d yz/dy + d
-// zz/dz = 0. For one wave the derivatives along the plane are i q. Tolerance:
-// central differences over 1e-4, h^2/6 of a third derivative of (q = 14)^3.
-TEST(StressInside, IsInBalance) {
-  const Grid grid{32, 32, 1.0, 1.0};
-  const double h = 1e-4;
-  for (const mechanics::FarBoundary boundary :
-       {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
-        mechanics::FarBoundary::pressure}) {
-    const StressInside inside(grid, {modulus, 0.3, 0.3, boundary},
-                              oblique_wave(grid, 1, 2));
-    for (const double z : {0.05, 0.2}) {
-      const StressPlane here = inside.at_depth(z);
-      const StressPlane below = inside.at_depth(z + h);
-      const StressPlane above = inside.at_depth(z - h);
-      // A quarter wave along x is a shift by an eighth of 32 points, so that
-      // d/dx f(x) = q_x f(x + pi/(2 q_x)) for a pure wave.
-      for (const int ix : {0, 3, 7}) {
-        const double along = 2.0 * pi * here.zx[grid.index(ix + 8, 5)] +
-                             4.0 * pi * here.yz[grid.index(ix, 5 + 4)];
-        const double down =
-            (below.zz[grid.index(ix, 5)] - above.zz[grid.index(ix, 5)]) /
-            (2.0 * h);
-        EXPECT_NEAR(along + down, 0.0, 1e-5) << z;
-      }
-    }
-  }
-}
-
-// The strain energy in the block is the work done on its surface, p w/2 with w
-// from slab_compliance_factor; no far boundary takes up any work. This relates
-// the stress to the compliance that the solver uses. Tolerance: Simpson over
-// 400 intervals of a function of exp(-2 q z), q d < 6: 1e-8.
-TEST(StressInside, StoresTheWorkDoneOnTheSurface) {
-  const Grid grid{16, 16, 1.0, 1.0};
-  const double nu = 0.35;
-  const double youngs = modulus * (1.0 - nu * nu);
-  const double q = 2.0 * pi * std::sqrt(2.0);
-  for (const double thickness : {0.05, 0.3, 0.6})
-    for (const mechanics::FarBoundary boundary :
-         {mechanics::FarBoundary::clamped, mechanics::FarBoundary::sliding,
-          mechanics::FarBoundary::pressure}) {
-      const StressInside inside(grid, {modulus, nu, thickness, boundary},
-                                oblique_wave(grid, 1, 1));
-      const int n = 400;
-      double energy = 0.0;
-      for (int k = 0; k <= n; ++k) {
-        const double depth = std::min(thickness * k / n, thickness);
-        const StressPlane s = inside.at_depth(depth);
-        std::vector<double> density(grid.size());
-        for (std::size_t i = 0; i < density.size(); ++i) {
-          const double trace = s.xx[i] + s.yy[i] + s.zz[i];
-          const double square =
-              s.xx[i] * s.xx[i] + s.yy[i] * s.yy[i] + s.zz[i] * s.zz[i] +
-              2.0 * (s.xy[i] * s.xy[i] + s.yz[i] * s.yz[i] + s.zx[i] * s.zx[i]);
-          density[i] =
-              ((1.0 + nu) * square - nu * trace * trace) / (2.0 * youngs);
-        }
-        const double weight = k == 0 || k == n ? 1.0 : k % 2 == 1 ? 4.0 : 2.0;
-        energy += weight * mean(density) * thickness / (3.0 * n);
-      }
-      const double compliance =
-          2.0 * slab_compliance_factor(q * thickness, boundary, nu) /
-          (modulus * q);
-      EXPECT_NEAR(energy / (0.25 * compliance), 1.0, 1e-7)
-          << thickness << " " << static_cast<int>(boundary);
-    }
 }
 
 // Verifies that a free far boundary carries no traction and a sliding one no

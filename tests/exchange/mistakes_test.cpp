@@ -169,7 +169,9 @@ std::vector<Fault> faults_of_scale() {
               "or of heights 0.6667 times"),
           another(
               "free boundaries",
-              [](Problem& problem) { problem.is_periodic = false; },
+              [](Problem& problem) {
+                problem.body.border = mechanics::Border::free;
+              },
               "that of free boundaries, but those of this problem are "
               "periodic"),
           {"tension",
@@ -238,7 +240,7 @@ TEST_F(Mistakes, AreNoneInAnAnswer) {
 // With free boundaries, the answer on a periodic cell is one.
 TEST_F(Mistakes, AreThoseOfTheBoundariesOfTheProblem) {
   const Field periodic = right(problem);
-  problem.is_periodic = false;
+  problem.body.border = mechanics::Border::free;
   EXPECT_EQ(found(right(problem)), std::vector<std::string>{});
   EXPECT_EQ(found(periodic),
             std::vector<std::string>{

@@ -186,11 +186,11 @@ TEST_F(ProblemFolder, IsReadAsWritten) {
 // With free boundaries the body is a half-space, and the README states its
 // kernel.
 TEST_F(ProblemFolder, HasFreeBoundaries) {
-  EXPECT_TRUE(read_problem(folder).is_periodic);
+  EXPECT_TRUE(read_problem(folder).is_periodic());
   problem = problems::rough_problem();
-  problem.is_periodic = false;
+  problem.body.border = mechanics::Border::free;
   write();
-  EXPECT_FALSE(read_problem(folder).is_periodic);
+  EXPECT_FALSE(read_problem(folder).is_periodic());
   const std::string readme = text_of(folder / "README.md");
   EXPECT_NE(readme.find("On a rectangle of 64"), std::string::npos);
   EXPECT_NE(readme.find("w vanishes at infinity"), std::string::npos);

@@ -2,6 +2,7 @@
 // fails by its own name on a solution with exactly that error.
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "contact/solvers/solver.hpp"
 #include "robustness/verify.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #pragma once
 
-// The state of a contact problem in the methods without a preconditioner.
+// The reference solver of the contact problem, without a preconditioner, and
+// its state.
 
 #include "contact/solvers/contact_state.hpp"
 
@@ -8,8 +9,8 @@
 
 namespace asperity::contact {
 
-/// The same state, with search directions in double precision that need not
-/// preserve the load.
+/// A state of a contact problem with search directions in double precision that
+/// need not preserve the load.
 class ProjectedState : public ContactState {
 public:
   ProjectedState(SurfaceOperator& elasticity_, const ContactProblem& problem_,
@@ -28,5 +29,13 @@ public:
   /// Sum of weight * a * b over all nodes.
   double dot(std::span<const double> a, std::span<const double> b) const;
 };
+
+/// The reference solver: the conjugate gradients of Polonsky and Keer without a
+/// preconditioner. It has the arguments and the return value of solve_contact.
+/// It is slow, but it always terminates.
+ContactSolution polonsky_keer(SurfaceOperator& elasticity,
+                              const ContactProblem& problem,
+                              const mechanics::LoadTarget& target,
+                              std::span<const double> initial_pressure = {});
 
 } // namespace asperity::contact
