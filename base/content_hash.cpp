@@ -1,35 +1,13 @@
 #include "base/content_hash.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <openssl/evp.h>
 #include <stdexcept>
 
 namespace asperity {
-
-namespace {
-
-using Digest = std::array<unsigned char, EVP_MAX_MD_SIZE>;
-
-std::string digits_of(const Digest& digest, unsigned int length) {
-  std::string digits;
-  for (unsigned int i = 0; i < length; ++i)
-    digits += fmt::format("{:02x}", digest[i]);
-  return digits;
-}
-
-std::string hash_of(std::string_view text, const EVP_MD* method,
-                    const char* method_name) {
-  Digest digest{};
-  unsigned int length = 0;
-  if (EVP_Digest(text.data(), text.size(), digest.data(), &length, method,
-                 nullptr) != 1)
-    throw std::runtime_error(fmt::format("OpenSSL has no {}", method_name));
-  return digits_of(digest, length);
-}
-
-} // namespace
 
 struct ContentHash::State {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{
@@ -55,20 +33,25 @@ void ContentHash::add(std::string_view bytes) {
 
 std::string ContentHash::text() const {
   const State copy; // the digest of OpenSSL ends its context
-  Digest digest{};
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
   if (EVP_MD_CTX_copy_ex(copy.context.get(), state_->context.get()) != 1 ||
       EVP_DigestFinal_ex(copy.context.get(), digest.data(), &length) != 1)
     throw std::runtime_error("OpenSSL failed to hash bytes");
-  return digits_of(digest, length);
+  return fmt::format("{:02x}",
+                     fmt::join(digest.begin(), digest.begin() + length, ""));
 }
 
 std::string content_hash(std::string_view text) {
-  return hash_of(text, EVP_sha256(), "SHA-256");
+  ContentHash hash;
+  hash.add(text);
+  return hash.text();
 }
 
 std::string md5_hash(std::string_view text) {
-  return hash_of(text, EVP_md5(), "MD5");
+  ContentHash hash(HashMethod::md5);
+  hash.add(text);
+  return hash.text();
 }
 
 } // namespace asperity

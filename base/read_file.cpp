@@ -1,5 +1,7 @@
 #include "base/read_file.hpp"
 
+#include "base/file_descriptor.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,28 +37,15 @@ const char* description(fs::file_type type) {
   }
 }
 
-/// Owner of an open file, which is closed by the destructor.
-class OpenFile {
-public:
-  /// Opens the file. O_NONBLOCK prevents waiting for a writer if a pipe has
-  /// just replaced the file.
-  explicit OpenFile(const fs::path& path)
-      : id_(::open(path.c_str(),
-                   O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
-    if (id_ < 0)
-      refuse_system(path, errno);
-  }
-
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-
-  ~OpenFile() { ::close(id_); }
-
-  int id() const { return id_; }
-
-private:
-  int id_;
-};
+/// O_NONBLOCK prevents waiting for a writer if a pipe has just replaced the
+/// file.
+FileDescriptor opened(const fs::path& path) {
+  FileDescriptor file(
+      ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (file.get() < 0)
+    refuse_system(path, errno);
+  return file;
+}
 
 } // namespace
 
@@ -83,14 +72,14 @@ void require_regular_file(const fs::path& path, std::uintmax_t largest) {
 
 std::string read_file(const fs::path& path, std::uintmax_t largest) {
   require_regular_file(path, largest);
-  const OpenFile file(path);
+  const FileDescriptor file = opened(path);
   std::string content(std::min(fs::file_size(path), largest), '\0');
   std::size_t length = 0;
   for (;;) {
     if (length == content.size()) // an extra byte detects the end of the file
       content.resize(length + 4096);
     const ssize_t count =
-        ::read(file.id(), content.data() + length, content.size() - length);
+        ::read(file.get(), content.data() + length, content.size() - length);
     if (count < 0 && errno != EINTR)
       refuse_system(path, errno);
     if (count == 0)

@@ -78,26 +78,6 @@ private:
   std::thread thread_; // last, because it uses the other members
 };
 
-/// The first exception thrown by any of several threads.
-class FirstFailure {
-public:
-  void keep() {
-    const std::lock_guard lock(mutex_);
-    if (!first_)
-      first_ = std::current_exception();
-  }
-
-  /// To be called after all threads have ended.
-  void rethrow() const {
-    if (first_)
-      std::rethrow_exception(first_);
-  }
-
-private:
-  std::mutex mutex_;
-  std::exception_ptr first_;
-};
-
 using Helpers = std::vector<std::unique_ptr<Helper>>;
 
 /// The idle helper threads of the process.
@@ -157,12 +137,13 @@ void work_together(int threads, const std::function<void(int)>& work) {
   }
   Helpers helpers =
       Park::instance().take(static_cast<std::size_t>(threads - 1));
-  FirstFailure failure;
+  std::exception_ptr failure;
+  std::once_flag is_kept;
   const auto caught = [&](int worker) {
     try {
       work(worker);
     } catch (...) {
-      failure.keep();
+      std::call_once(is_kept, [&] { failure = std::current_exception(); });
     }
   };
   const std::function<void(int)> call = std::ref(caught);
@@ -173,7 +154,8 @@ void work_together(int threads, const std::function<void(int)>& work) {
   for (const auto& helper : helpers)
     helper->release();
   Park::instance().put_back(std::move(helpers));
-  failure.rethrow();
+  if (failure)
+    std::rethrow_exception(failure);
 }
 
 } // namespace asperity

@@ -178,6 +178,10 @@ struct Bench {
   std::vector<TargetOutcome> targets; ///< zero or one entry
 };
 
+/// The number of a quantity, such as its error; NaN if there is none.
+double number_of(const std::map<std::string, double>& numbers,
+                 const std::string& quantity);
+
 /// Describes the error of a quantity and its norm for the reader.
 std::string error_words(const std::string& quantity);
 

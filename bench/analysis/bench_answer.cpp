@@ -264,6 +264,12 @@ bool TargetOutcome::is_met() const {
                      [](const TargetCheck& check) { return check.is_met; });
 }
 
+double number_of(const std::map<std::string, double>& numbers,
+                 const std::string& quantity) {
+  const auto found = numbers.find(quantity);
+  return found == numbers.end() ? not_a_number : found->second;
+}
+
 bool is_area(const std::string& quantity) {
   return quantity.starts_with("area_fraction") &&
          !cases::names_a_load(quantity);

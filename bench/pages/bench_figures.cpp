@@ -20,14 +20,9 @@ std::vector<std::string> methods_of(const Bench& bench) {
   return methods;
 }
 
-reports::CurveStyle sign_of(std::size_t method, double width) {
+reports::CurveStyle sign_of(std::size_t method, double size, double width) {
   return reports::markers(reports::method_color(method),
-                          4 + 2 * static_cast<int>(method % 5), 0.7, width);
-}
-
-double error_of(const BenchPoint& point, const std::string& quantity) {
-  const auto found = point.errors.find(quantity);
-  return found == point.errors.end() ? not_a_number : found->second;
+                          4 + 2 * static_cast<int>(method % 5), size, width);
 }
 
 std::string front_words(const Bench& bench,
@@ -55,13 +50,13 @@ reports::Figure front_figure(const Bench& bench, const std::string& quantity,
   for (std::size_t m = 0; m < methods.size(); ++m)
     for (const BenchPoint& point : bench.points)
       if (point.method == methods[m] && !point.is_reference &&
-          error_of(point, quantity) > 0.0)
+          number_of(point.errors, quantity) > 0.0)
         table.add(point.method, {static_cast<double>(m), point.cpu.median,
-                                 error_of(point, quantity)});
+                                 number_of(point.errors, quantity)});
   for (const std::size_t i : front)
     table.add("front",
               {static_cast<double>(methods.size()), bench.points[i].cpu.median,
-               error_of(bench.points[i], quantity)});
+               number_of(bench.points[i].errors, quantity)});
   reports::ChartPanel panel{
       .x = {.label = "CPU time of the run [s]", .is_log = true},
       .y = {.label = "error", .is_log = true, .has_powers = true},
@@ -69,53 +64,87 @@ reports::Figure front_figure(const Bench& bench, const std::string& quantity,
                                 methods.size(), 3, 4)}};
   panel.curves.front().has_steps = true;
   for (std::size_t m = 0; m < methods.size(); ++m)
-    panel.add(methods[m], sign_of(m, 1.4), m, 3, 4);
+    panel.add(methods[m], sign_of(m, 0.7, 1.4), m, 3, 4);
   figure.data = table.text();
   figure.panels = {std::move(panel)};
   return figure;
 }
 
-/// The definition of a plot against the number of points.
-struct AgainstPoints {
+/// A plot of series: a curve for each of them, with a marker per setting.
+struct SeriesPlot {
   std::string name;
   std::string title;
   std::string caption;
-  std::string label; ///< label of the vertical axis
+  std::vector<const BenchSeries*> series;
+  std::string x_column;
+  std::string y_column;
+  reports::ChartAxis x;
+  reports::ChartAxis y;
+  std::function<double(const BenchPoint&)> x_of;
+  std::function<double(const BenchPoint&)> y_of;
+  std::function<std::string(const BenchSeries&)> curve_of; ///< its name
+  std::function<reports::CurveStyle(std::size_t)> style_of;
+};
+
+reports::Figure series_figure(const Bench& bench, const SeriesPlot& plot) {
+  reports::Figure figure;
+  figure.name = plot.name;
+  figure.title = plot.title;
+  figure.caption = plot.caption;
+  reports::CsvTable table({"curve", "index", plot.x_column, plot.y_column});
+  reports::ChartPanel panel{.x = plot.x, .y = plot.y};
+  std::size_t index = 0;
+  for (const BenchSeries* series : plot.series) {
+    for (const std::size_t i : series->points)
+      if (const BenchPoint& point = bench.points[i]; point.problem.empty())
+        table.add(series->method, {static_cast<double>(index), plot.x_of(point),
+                                   plot.y_of(point)});
+    panel.add(plot.curve_of(*series), reports::joined(plot.style_of(index)),
+              index, 3, 4);
+    ++index;
+  }
+  figure.data = table.text();
+  figure.panels = {std::move(panel)};
+  return figure;
+}
+
+/// What is drawn against the points per side.
+struct AgainstPoints {
+  std::string name;
+  std::string title;
+  std::string caption; ///< in front of the fitted exponents
+  std::string label;   ///< label of the vertical axis
   std::function<double(const BenchPoint&)> value;
   std::function<reports::PowerLaw(const BenchSeries&)> law;
 };
 
 reports::Figure against_points(const Bench& bench, const AgainstPoints& what) {
-  reports::Figure figure;
-  figure.name = what.name;
-  figure.title = what.title;
-  reports::CsvTable table({"curve", "index", "points a side [1]", what.label});
-  reports::ChartPanel panel{
-      .x = {.label = "points per side", .is_log = true, .base = 2},
-      .y = {.label = reports::as_markup(what.label),
-            .is_log = true,
-            .has_powers = true}};
+  std::vector<const BenchSeries*> drawn;
   std::string exponents;
-  std::size_t index = 0;
   for (const BenchSeries& series : bench.series) {
     if (series.axis != points_axis)
       continue;
-    for (const std::size_t i : series.points)
-      if (bench.points[i].problem.empty())
-        table.add(series.method, {static_cast<double>(index),
-                                  static_cast<double>(bench.points[i].points),
-                                  what.value(bench.points[i])});
-    panel.add(series.method, reports::joined(sign_of(index, 1.0)), index, 3, 4);
+    drawn.push_back(&series);
     if (const double exponent = what.law(series).determined_exponent();
         std::isfinite(exponent))
       exponents += fmt::format("{}{} {:.2f}", exponents.empty() ? "" : ", ",
                                series.method, exponent);
-    ++index;
   }
-  figure.caption = what.caption + exponents + ".";
-  figure.data = table.text();
-  figure.panels = {std::move(panel)};
-  return figure;
+  return series_figure(
+      bench, {what.name,
+              what.title,
+              what.caption + exponents + ".",
+              std::move(drawn),
+              "points a side [1]",
+              what.label,
+              {.label = "points per side", .is_log = true, .base = 2},
+              {.label = reports::as_markup(what.label),
+               .is_log = true,
+               .has_powers = true},
+              [](const BenchPoint& point) { return double(point.points); },
+              what.value,
+              [](const BenchSeries& series) { return series.method; },
+              [](std::size_t index) { return sign_of(index, 0.7, 1.0); }});
 }
 
 reports::Figure convergence_figure(const Bench& bench,
@@ -128,13 +157,86 @@ reports::Figure convergence_figure(const Bench& bench,
                   "of the error in the node spacing: ",
               "error",
               [&quantity](const BenchPoint& point) {
-                return error_of(point, quantity);
+                return number_of(point.errors, quantity);
               },
               [&quantity](const BenchSeries& series) {
                 const auto order = series.orders.find(quantity);
                 return order == series.orders.end() ? reports::PowerLaw{}
                                                     : order->second.error;
               }});
+}
+
+/// The series over points of finite elements that have errors in the quantity.
+std::vector<const BenchSeries*> block_series(const Bench& bench,
+                                             const std::string& quantity) {
+  std::vector<const BenchSeries*> found;
+  for (const BenchSeries& series : bench.series) {
+    const auto law = series.against_unknowns.find(quantity);
+    if (!series.points.empty() &&
+        bench.points[series.points.front()].kind == "fem" &&
+        law != series.against_unknowns.end() && law->second.is_known())
+      found.push_back(&series);
+  }
+  return found;
+}
+
+/// Whether the series has more unknowns than the surface has nodes.
+bool is_full(const Bench& bench, const BenchSeries& series) {
+  return std::ranges::any_of(series.points, [&](std::size_t i) {
+    const BenchPoint& point = bench.points[i];
+    return point.unknowns > double(point.points) * point.points;
+  });
+}
+
+/// Returns the first quantity that shows the convergence of all blocks; empty
+/// if no full block has errors in any.
+std::string compared_quantity(const Bench& bench) {
+  for (const char* quantity :
+       {pressure_field, "elastic_energy", "mean_gap", "nominal_pressure"}) {
+    const std::vector<const BenchSeries*> found = block_series(bench, quantity);
+    if (std::ranges::any_of(found, [&](const BenchSeries* series) {
+          return is_full(bench, *series);
+        }))
+      return quantity;
+  }
+  return "";
+}
+
+/// What the errors of blocks are drawn against.
+struct Cost {
+  std::string name;
+  std::string title;
+  std::string label;
+  std::string caption;
+  double (*value)(const BenchPoint&);
+  std::map<std::string, reports::PowerLaw> BenchSeries::*laws;
+};
+
+reports::Figure block_figure(const Bench& bench, const std::string& quantity,
+                             const Cost& cost) {
+  const auto curve_of = [&](const BenchSeries& series) {
+    const double exponent =
+        (series.*cost.laws).at(quantity).determined_exponent();
+    return std::isfinite(exponent)
+               ? fmt::format("{}, order {:.2f}", series.method, -exponent)
+               : series.method;
+  };
+  return series_figure(
+      bench,
+      {cost.name,
+       cost.title,
+       error_words(quantity) + ". " + cost.caption,
+       block_series(bench, quantity),
+       cost.label,
+       "error [1]",
+       {.label = reports::as_markup(cost.label),
+        .is_log = true,
+        .has_powers = true},
+       {.label = "error", .is_log = true, .has_powers = true},
+       cost.value,
+       [&](const BenchPoint& point) { return point.errors.at(quantity); },
+       curve_of,
+       [](std::size_t index) { return sign_of(index, 0.8, 1.4); }});
 }
 
 reports::Figure phases_figure(const Bench& bench) {
@@ -223,6 +325,31 @@ std::vector<reports::Figure> bench_figures(const Bench& bench) {
   }
   figures.push_back(phases_figure(bench));
   return figures;
+}
+
+std::vector<reports::Figure> block_figures(const Bench& bench) {
+  const std::string quantity = compared_quantity(bench);
+  if (quantity.empty())
+    return {};
+  return {
+      block_figure(
+          bench, quantity,
+          {"blocks-unknowns", "Blocks: error against unknowns", "unknowns [1]",
+           "The largest number of unknowns over the load steps; the "
+           "condensed block counts the nodes of its surface. The order "
+           "r is a decrease as (unknowns)^-r.",
+           [](const BenchPoint& point) { return point.unknowns; },
+           &BenchSeries::against_unknowns}),
+      block_figure(
+          bench, quantity,
+          {"blocks-cpu", "Blocks: error against CPU time", "CPU time [s]",
+           "CPU time of set-up and load steps, without the start of "
+           "the program and its files. The order r means a decrease as "
+           "(CPU time)^-r.",
+           [](const BenchPoint& point) {
+             return point.phases.setup + point.phases.steps();
+           },
+           &BenchSeries::against_cpu_time})};
 }
 
 } // namespace asperity::bench

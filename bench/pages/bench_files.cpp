@@ -128,12 +128,6 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
-double error_in(const std::map<std::string, double>& errors,
-                const std::string& quantity) {
-  const auto found = errors.find(quantity);
-  return found == errors.end() ? not_a_number : found->second;
-}
-
 } // namespace
 
 Json bench_json(const Bench& bench) {
@@ -191,8 +185,8 @@ std::string bench_csv(const Bench& bench) {
         [&] {
           std::vector<double> errors;
           for (const std::string& quantity : bench.quantities) {
-            errors.push_back(error_in(point.errors, quantity));
-            errors.push_back(error_in(point.own_errors, quantity));
+            errors.push_back(number_of(point.errors, quantity));
+            errors.push_back(number_of(point.own_errors, quantity));
           }
           return fmt::format("{}", fmt::join(errors, ","));
         }());

@@ -17,11 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double in(const std::map<std::string, double>& table, const std::string& key) {
-  const auto found = table.find(key);
-  return found == table.end() ? not_a_number : found->second;
-}
-
 /// Returns the order of an error in a cost: minus the fitted exponent.
 double exponent_in(const std::map<std::string, reports::PowerLaw>& laws,
                    const std::string& quantity) {
@@ -38,7 +33,7 @@ std::string need_of(const Bench& bench, const std::string& method,
   const BenchPoint* cheapest = nullptr;
   const BenchPoint* best = nullptr;
   const auto error = [&](const BenchPoint& point) {
-    return in(point.errors, quantity);
+    return number_of(point.errors, quantity);
   };
   for (const BenchPoint& point : bench.points) {
     if (point.method != method || !std::isfinite(error(point)))
@@ -85,7 +80,7 @@ Json reference_rows(const Bench& bench) {
     const auto exact = bench.reference.is_exact.find(quantity);
     const bool is_exact =
         exact != bench.reference.is_exact.end() && exact->second;
-    const double order = in(bench.reference.order, quantity);
+    const double order = number_of(bench.reference.order, quantity);
     rows.push_back(
         {{"quantity", quantity},
          {"meaning", error_words(quantity)},
@@ -95,9 +90,9 @@ Json reference_rows(const Bench& bench) {
               ? "Richardson limit"
               : "the finest grid, because the series converges irregularly"},
          {"order", is_exact ? not_a_number : order},
-         {"uncertainty", is_exact
-                             ? not_a_number
-                             : in(bench.reference.uncertainty, quantity)}});
+         {"uncertainty",
+          is_exact ? not_a_number
+                   : number_of(bench.reference.uncertainty, quantity)}});
   }
   return rows;
 }
@@ -121,7 +116,7 @@ Json series_rows(const Bench& bench) {
            {"order", order->second.by_differences},
            {"slope", order->second.error.determined_exponent()},
            {"unknowns_slope", exponent_in(series.against_unknowns, quantity)},
-           {"theory", in(series.theoretical_orders, quantity)},
+           {"theory", number_of(series.theoretical_orders, quantity)},
            {"cost", series.cost.determined_exponent()},
            {"step_cost", series.step_cost.determined_exponent()}});
     }
@@ -159,8 +154,9 @@ Json setting_row(const Bench& bench, const BenchPoint& point, Json row) {
     row["transforms"] = nullptr;
   row["cells"] = Json::array();
   for (const std::string& quantity : bench.quantities)
-    row["cells"].push_back({{"error", in(point.errors, quantity)},
-                            {"own_error", in(point.own_errors, quantity)}});
+    row["cells"].push_back(
+        {{"error", number_of(point.errors, quantity)},
+         {"own_error", number_of(point.own_errors, quantity)}});
   return row;
 }
 

@@ -4,7 +4,6 @@
 #include "bench/pages/bench_report.hpp"
 #include "bench/runs/bench_runner.hpp"
 #include "bench/runs/target_error.hpp"
-#include "bench/runs/target_text.hpp"
 #include "bench/settings/bench_plan.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"

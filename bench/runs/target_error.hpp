@@ -79,4 +79,12 @@ private:
   std::string problem_;
 };
 
+/// Prints one line per quantity: "target 1 %, predicted 0.4 %, found 0.7 %:
+/// met".
+void print_outcome(const TargetOutcome& outcome);
+
+/// Returns the same for the provenance of a result, including the earlier
+/// attempts.
+results::Provenance facts_of(const TargetOutcome& outcome);
+
 } // namespace asperity::bench

@@ -2,7 +2,6 @@
 
 #include "bench/analysis/bench_answer.hpp"
 #include "bench/pages/bench_report.hpp"
-#include "bench/runs/target_text.hpp"
 #include "bench/settings/bench_plan.hpp"
 #include "cases/reader/case_hash.hpp"
 #include "cases/reader/read_case.hpp"

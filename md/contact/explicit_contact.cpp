@@ -51,7 +51,6 @@ private:
 
   const System& system() const override { return system_; }
 
-  void lift(std::span<double> state, double change) const override;
   Relaxation approach(std::vector<double>& state,
                       const RelaxationSettings& settings) override;
   Balance balance(const Load& load, int step, std::vector<double>& state,
@@ -67,17 +66,19 @@ private:
 
 std::string label_of(const AtomRequest& request) {
   const mechanics::MdSettings& settings = request.settings;
-  return Fingerprint()
-      .add(std::array{request.youngs_modulus, request.poisson_ratio,
-                      settings.interaction_energy,
-                      settings.interaction_distance, settings.cutoff,
-                      request.layer.length_x, request.layer.length_y})
-      .add(fmt::format("{} {} {} {} {} {}", static_cast<int>(settings.lattice),
-                       static_cast<int>(settings.potential), settings.levels,
-                       settings.layers, request.layer.points_x,
-                       request.layer.points_y))
-      .add(request.heights)
-      .text();
+  const std::array numbers = {request.youngs_modulus,
+                              request.poisson_ratio,
+                              settings.interaction_energy,
+                              settings.interaction_distance,
+                              settings.cutoff,
+                              request.layer.length_x,
+                              request.layer.length_y};
+  return fingerprint(
+      fmt::format("{} {} {} {} {} {}", static_cast<int>(settings.lattice),
+                  static_cast<int>(settings.potential), settings.levels,
+                  settings.layers, request.layer.points_x,
+                  request.layer.points_y),
+      {numbers, request.heights});
 }
 
 ExplicitContact::ExplicitContact(AtomRequest given)
@@ -94,18 +95,6 @@ ExplicitContact::ExplicitContact(AtomRequest given)
           crystal_of(request()), request().settings.levels,
           request().settings.layers)) {
   start();
-}
-
-void ExplicitContact::lift(std::span<double> state, double change) const {
-  const BlockShape& shape = system_.block().shape();
-  for (int level = 0; level < shape.levels; ++level)
-    for (int layer = 0; layer < shape.layers; ++layer) {
-      const std::size_t n = system_.block().level_grid(level).size();
-      for (double& height :
-           state.subspan(system_.block().begin_of(level, layer) + 2 * n, n))
-        height += change;
-    }
-  state[system_.block().plate()] += change;
 }
 
 Relaxation ExplicitContact::approach(std::vector<double>& state,

@@ -54,7 +54,6 @@ private:
 
   const System& system() const override { return system_; }
 
-  void lift(std::span<double> state, double change) const override;
   Relaxation approach(std::vector<double>& state,
                       const RelaxationSettings& settings) override;
   Balance balance(const Load& load, int step, std::vector<double>& state,
@@ -76,11 +75,6 @@ GreenContact::GreenContact(AtomRequest given)
                         request().substrate, request().heights,
                         request().threads)) {
   start();
-}
-
-void GreenContact::lift(std::span<double> state, double change) const {
-  for (double& height : state.subspan(2 * request().layer.size()))
-    height += change;
 }
 
 Relaxation GreenContact::approach(std::vector<double>& state,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace asperity::md {
@@ -59,7 +60,9 @@ RelaxationSettings LoadStepDriver::settings_for(double contact_force) const {
 
 /// Translates the block so that its lowest layer has the given mean height.
 void LoadStepDriver::raise_to(double height) {
-  lift(state_, height - mean(layer_of(system(), state_).z));
+  const std::vector<double> translation =
+      system().undeformed(height - mean(layer_of(system(), state_).z));
+  std::ranges::transform(state_, translation, state_.begin(), std::plus<>());
 }
 
 /// Returns the contact force of the present state [N], which is 0 without

@@ -44,9 +44,6 @@ protected:
   virtual System& system() = 0;
   virtual const System& system() const = 0;
 
-  /// Adds `change` [m] to the height of every atom of the block.
-  virtual void lift(std::span<double> state, double change) const = 0;
-
   /// Relaxes `state` to an approximate equilibrium at the prescribed height.
   virtual Relaxation approach(std::vector<double>& state,
                               const RelaxationSettings& settings) = 0;

@@ -8,12 +8,10 @@
 
 namespace asperity::md {
 
-void read_step(const System& system, std::span<const double> state,
-               std::span<const double> normal_forces,
+void read_maps(const Interface& interface, const Grid& layer,
+               const LayerView& atoms, std::span<const double> normal_forces,
                const ReadingDistances& distances, AtomStep& step) {
-  const Grid& layer = system.layer();
-  const LayerView atoms = layer_of(system, state);
-  const std::vector<double> surface = system.interface().heights_below(atoms);
+  const std::vector<double> surface = interface.heights_below(atoms);
   step.pressure.resize(layer.size());
   step.gap.resize(layer.size());
   for (std::size_t i = 0; i < layer.size(); ++i) {
@@ -21,11 +19,19 @@ void read_step(const System& system, std::span<const double> state,
     step.gap[i] = atoms.z[i] - surface[i] - distances.contact;
   }
   step.nominal_pressure = mean(step.pressure);
-  step.mean_gap = mean(atoms.z) - distances.contact;
   step.inspection =
-      system.interface().inspect(atoms, distances.close, distances.contact);
+      interface.inspect(atoms, distances.close, distances.contact);
   step.contact_count =
       step.inspection.in_contact / static_cast<double>(layer.size());
+}
+
+void read_step(const System& system, std::span<const double> state,
+               std::span<const double> normal_forces,
+               const ReadingDistances& distances, AtomStep& step) {
+  const Grid& layer = system.layer();
+  const LayerView atoms = layer_of(system, state);
+  read_maps(system.interface(), layer, atoms, normal_forces, distances, step);
+  step.mean_gap = mean(atoms.z) - distances.contact;
   step.elastic_energy = system.elastic_energy(state) / layer.area();
 
   std::vector<double> forces(3 * layer.size());

@@ -17,9 +17,16 @@ struct ReadingDistances {
   double close = 0.0;   ///< of a penetrating pair [m]
 };
 
-/// Sets the maps, the nominal pressure (the mean of the pressure map), the mean
-/// gap, the contact count, the energies and the inspection of `step`, and
-/// leaves its other members unchanged.
+/// Sets the maps, the nominal pressure (the mean of the pressure map), the
+/// contact count and the inspection of `step`, and leaves its other members
+/// unchanged.
+/// @param atoms          of the lowest layer of the block
+/// @param normal_forces  on them [N]
+void read_maps(const Interface& interface, const Grid& layer,
+               const LayerView& atoms, std::span<const double> normal_forces,
+               const ReadingDistances& distances, AtomStep& step);
+
+/// Sets the mean gap and the energies, too.
 /// @param state          of the system [m]
 /// @param normal_forces  on the atoms of the lowest layer [N]
 void read_step(const System& system, std::span<const double> state,

@@ -1,9 +1,7 @@
 #include "md/dynamics/checkpoint.hpp"
 
 #include "base/atomic_file.hpp"
-
-#include <boost/uuid/detail/sha1.hpp>
-#include <fmt/format.h>
+#include "base/content_hash.hpp"
 
 #include <array>
 #include <cstring>
@@ -13,10 +11,10 @@
 namespace asperity::md {
 namespace {
 
-constexpr std::size_t hash_digits = 40;
+constexpr std::size_t hash_digits = 64;
 
 struct Header {
-  std::array<char, 8> magic = {'A', 'S', 'P', 'M', 'O', 'T', '0', '1'};
+  std::array<char, 8> magic = {'A', 'S', 'P', 'M', 'O', 'T', '0', '2'};
   std::uint64_t known_word = 0x0102030405060708U;
   std::array<char, hash_digits> fingerprint{};
   std::int64_t step = 0;
@@ -47,36 +45,14 @@ Header header_of(const std::string& fingerprint, std::size_t n_unknowns,
 
 } // namespace
 
-struct Fingerprint::Hash {
-  boost::uuids::detail::sha1 sha1;
-};
-
-Fingerprint::Fingerprint() : hash_(std::make_unique<Hash>()) {}
-
-Fingerprint::~Fingerprint() = default;
-
-Fingerprint& Fingerprint::add(std::span<const double> values) {
-  hash_->sha1.process_bytes(values.data(), values.size_bytes());
-  return *this;
-}
-
-Fingerprint& Fingerprint::add(double value) {
-  return add(std::span(&value, 1));
-}
-
-Fingerprint& Fingerprint::add(std::string_view text) {
-  hash_->sha1.process_bytes(text.data(), text.size());
-  return *this;
-}
-
-std::string Fingerprint::text() const {
-  boost::uuids::detail::sha1 copy = hash_->sha1;
-  boost::uuids::detail::sha1::digest_type digest = {};
-  copy.get_digest(digest);
-  std::string text;
-  for (const unsigned int word : digest)
-    text += fmt::format("{:08x}", word);
-  return text;
+std::string
+fingerprint(std::string_view text,
+            std::initializer_list<std::span<const double>> numbers) {
+  ContentHash hash;
+  hash.add(text);
+  for (const std::span<const double> part : numbers)
+    hash.add({reinterpret_cast<const char*>(part.data()), part.size_bytes()});
+  return hash.text();
 }
 
 void write_checkpoint(const std::filesystem::path& path,

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,23 +17,10 @@
 
 namespace asperity::md {
 
-/// SHA-1 hash of everything that defines a run, in the order in which it is
-/// added.
-class Fingerprint {
-public:
-  Fingerprint();
-  ~Fingerprint();
-  Fingerprint& add(std::span<const double> values);
-  Fingerprint& add(double value);
-  Fingerprint& add(std::string_view text);
-
-  /// Returns the 40 hexadecimal digits of the hash of everything added so far.
-  std::string text() const;
-
-private:
-  struct Hash;
-  std::unique_ptr<Hash> hash_;
-};
+/// SHA-256 hash, as 64 hexadecimal digits, of everything that defines a run:
+/// a text, and the bits of numbers.
+std::string fingerprint(std::string_view text,
+                        std::initializer_list<std::span<const double>> numbers);
 
 struct Checkpoint {
   Motion motion;
@@ -42,7 +29,7 @@ struct Checkpoint {
 
 /// Writes a checkpoint through base/atomic_file.hpp, so that a reader finds
 /// either the old or the new file. The file is binary, in the byte order of the
-/// machine: the 8 bytes "ASPMOT01", a constant that identifies the byte order,
+/// machine: the 8 bytes "ASPMOT02", a constant that identifies the byte order,
 /// the fingerprint, the step, the two sizes, and the numbers.
 /// @throws std::system_error  naming the path
 void write_checkpoint(const std::filesystem::path& path,

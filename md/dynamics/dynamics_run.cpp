@@ -84,13 +84,12 @@ private:
 std::string fingerprint_of(const InertialSystem& system, const Load& load,
                            const DynamicsRun& run) {
   const DynamicsSettings& settings = run.dynamics;
-  return Fingerprint()
-      .add(run.label)
-      .add(fmt::format("{} {}", settings.seed, static_cast<int>(load.kind)))
-      .add(std::array{load.amount, settings.time_step, settings.damping,
-                      settings.temperature, run.duration, run.tolerance})
-      .add(system.masses())
-      .text();
+  const std::array numbers = {load.amount,      settings.time_step,
+                              settings.damping, settings.temperature,
+                              run.duration,     run.tolerance};
+  return fingerprint(fmt::format("{} {} {}", run.label, settings.seed,
+                                 static_cast<int>(load.kind)),
+                     {numbers, system.masses()});
 }
 
 std::int64_t steps_of(const DynamicsRun& run) {

@@ -163,17 +163,13 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
   const std::size_t n = block_.layer.size();
   const double area = block_.layer.area();
   const Layer layer = lowest_layer(block_, answer.positions);
-  const std::vector<double> surface = interface_.heights_below(layer.view());
-  result.pressure.resize(n);
-  result.gap.resize(n);
-  double contact_force = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    result.pressure[i] = answer.contact[i][2] / block_.layer.cell_area();
-    result.gap[i] =
-        layer.z[i] - surface[i] - request_.settings.contact_distance;
-    result.nominal_pressure += result.pressure[i] / static_cast<double>(n);
-    contact_force += std::abs(answer.contact[i][2]);
-  }
+  std::vector<double> forces;
+  for (std::size_t i = 0; i < n; ++i)
+    forces.push_back(answer.contact[i][2]);
+  read_maps(
+      interface_, block_.layer, layer.view(), forces,
+      {request_.settings.contact_distance, close_distance(request_.settings)},
+      result);
   result.mean_gap = mean_height(block_, answer.positions) -
                     request_.settings.contact_distance;
   // |sum r| <= sqrt(M) |r| of the M atoms that move, see residual().
@@ -182,10 +178,6 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
       std::sqrt(static_cast<double>(answer.positions.size()) /
                 static_cast<double>(n));
   result.gap_tolerance = gap_accuracy * request_.settings.contact_distance;
-  result.inspection =
-      interface_.inspect(layer.view(), close_distance(request_.settings),
-                         request_.settings.contact_distance);
-  result.contact_count = result.inspection.in_contact / static_cast<double>(n);
   result.elastic_energy = answer.bond_energy / area;
   result.interface_energy = answer.pair_energy / area;
   // Under a prescribed height, a block beyond the range of the interaction is
@@ -193,8 +185,10 @@ void LammpsContact::fill(const LammpsAnswer& answer, Control control,
   // supports the load.
   const bool is_free = control == Control::mean_gap &&
                        std::isinf(result.inspection.shortest_distance);
-  result.residual =
-      is_free ? 0.0 : residual(block_, norm(answer.forces), contact_force);
+  result.residual = is_free
+                        ? 0.0
+                        : residual(block_, norm(answer.forces),
+                                   mean_size(forces) * static_cast<double>(n));
 }
 
 void LammpsContact::set_convergence(AtomStep& result) const {

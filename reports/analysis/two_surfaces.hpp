@@ -10,8 +10,8 @@
 namespace asperity::reports {
 
 /// Returns h_0 + h_1, the equivalent roughness that a flat block sees in place
-/// of both surfaces; see tests/theory/two_bodies.hpp. The result must have two
-/// surfaces on one grid, both with their heights, and no method other than
+/// of both surfaces (Sec. 2 of Yang and Persson, 2008). The result must have
+/// two surfaces on one grid, both with their heights, and no method other than
 /// theory; otherwise nothing is returned.
 std::optional<results::SurfaceRecord>
 sum_of_two_surfaces(const results::Result& result);

@@ -64,30 +64,6 @@ void expect_same_bits(const DynamicsOutcome& a, const DynamicsOutcome& b) {
   EXPECT_EQ(a.average.force_spread, b.average.force_spread);
 }
 
-// A run that the user stops at any step resumes there.
-TEST_F(Runs, StoppedAndResumedEqualUninterrupted) {
-  std::vector<double> whole = start();
-  const DynamicsOutcome expected =
-      run_dynamics(system, load, whole, hot_run(false));
-
-  std::vector<double> state = start();
-  int n_stops = 0;
-  DynamicsOutcome outcome;
-  do {
-    state = start();
-    outcome = run_dynamics(system, load, state, hot_run(true),
-                           [&](const Progress& progress) {
-                             return progress.evaluations < 61 * (n_stops + 1);
-                           });
-    ++n_stops;
-  } while (outcome.relaxation.note == "stopped");
-
-  EXPECT_EQ(n_stops, 4);
-  EXPECT_EQ(state, whole);
-  expect_same_bits(outcome, expected);
-  EXPECT_FALSE(std::filesystem::exists(folder / "motion"));
-}
-
 // A run that is killed, in the first half and in the second, resumes from the
 // last checkpoint, at steps 80 and 160.
 TEST_F(Runs, KilledAndResumedEqualUninterrupted) {
@@ -115,6 +91,7 @@ TEST_F(Runs, KilledAndResumedEqualUninterrupted) {
 
   EXPECT_EQ(state, whole);
   expect_same_bits(outcome, expected);
+  EXPECT_FALSE(std::filesystem::exists(folder / "motion"));
 }
 
 // A checkpoint of another run, a truncated one and one with a byte changed in

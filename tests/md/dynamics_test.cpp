@@ -1,4 +1,5 @@
 // Tests of md/dynamics/dynamics.hpp: energy, temperature and spread.
+#include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/physical_constants.hpp"
 #include "md/dynamics/dynamics.hpp"
@@ -7,9 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -27,12 +26,9 @@ struct Estimate {
 };
 
 Estimate estimate(const std::vector<double>& values) {
-  const auto n = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
-  double square = 0.0;
-  for (const double value : values)
-    square += (value - mean) * (value - mean);
-  return {mean, std::sqrt(square / (n * (n - 1.0)))};
+  return {mean(values),
+          rms_height(values) /
+              std::sqrt(static_cast<double>(values.size()) - 1.0)};
 }
 
 /// Independent oscillators about 0, each with its own stiffness and mass.
@@ -233,18 +229,10 @@ TEST(Dynamics, LeavesPrescribedMeansUnchanged) {
   for (int i = 0; i < 100; ++i)
     dynamics.step();
 
-  const std::vector<double>& state = dynamics.motion().state;
-  const std::size_t n = system.layer().size();
-  const auto mean = [&](std::size_t axis) {
-    return std::accumulate(
-               state.begin() + static_cast<std::ptrdiff_t>(axis * n),
-               state.begin() + static_cast<std::ptrdiff_t>((axis + 1) * n),
-               0.0) /
-           static_cast<double>(n);
-  };
-  EXPECT_NEAR(mean(0), 0.0, 1e-12 * angstrom);
-  EXPECT_NEAR(mean(1), 0.0, 1e-12 * angstrom);
-  EXPECT_NEAR(mean(2), height, 1e-12 * height);
+  const LayerView layer = layer_of(system, dynamics.motion().state);
+  EXPECT_NEAR(mean(layer.x), 0.0, 1e-12 * angstrom);
+  EXPECT_NEAR(mean(layer.y), 0.0, 1e-12 * angstrom);
+  EXPECT_NEAR(mean(layer.z), height, 1e-12 * height);
 }
 
 // The noise is normal: mean, variance and fourth moment within three standard

@@ -1,5 +1,6 @@
 // Tests of md/contact/explicit_system.hpp: forces, loads, and the comparison
 // with the Green's function block.
+#include "base/field_sums.hpp"
 #include "md/contact/explicit_system.hpp"
 #include "md/contact/green_system.hpp"
 #include "md/minimise/relaxation.hpp"
@@ -8,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -38,15 +39,11 @@ RoughContact rough_contact(int levels, int layers) {
 }
 
 double mean_height(const System& system, std::span<const double> state) {
-  const LayerView atoms = layer_of(system, state);
-  return std::accumulate(atoms.z.begin(), atoms.z.end(), 0.0) /
-         static_cast<double>(atoms.z.size());
+  return mean(layer_of(system, state).z);
 }
 
 double mean_force(const System& system, std::span<const double> state) {
-  const std::vector<double> forces = normal_forces(system, state);
-  return std::accumulate(forces.begin(), forces.end(), 0.0) /
-         static_cast<double>(forces.size());
+  return mean(normal_forces(system, state));
 }
 
 struct Balance {
@@ -78,18 +75,14 @@ TEST(ExplicitSystem, ForcesAreMinusTheGradient) {
   for (const Load& load : {Load{Load::Kind::nominal_pressure, 3e9},
                            Load{Load::Kind::height, 4.0 * angstrom}}) {
     system.set_load(load);
-    std::vector<double> state = system.undeformed(4.0 * angstrom);
-    const std::vector<double> noise =
-        problems::random_numbers(state.size(), -3e-12, 3e-12, 1);
-    for (std::size_t i = 0; i < state.size(); ++i)
-      state[i] += noise[i];
+    const std::vector<double> state =
+        problems::disturbed(system.undeformed(4.0 * angstrom), 3e-12, 1);
     std::vector<double> direction =
         problems::random_numbers(state.size(), -1.0, 1.0, 2);
     system.hold(direction);
     std::vector<double> forces(state.size());
     system.energy_and_forces(state, forces);
-    const double slope = std::inner_product(forces.begin(), forces.end(),
-                                            direction.begin(), 0.0);
+    const double slope = dot(forces, direction);
 
     const auto energy_at = [&](double step) {
       std::vector<double> moved = state;
@@ -119,13 +112,10 @@ TEST(ExplicitSystem, PrescribedMeansHaveNoForce) {
   EXPECT_GT(evaluation.contact_force, 0.0);
   const std::size_t n = system.layer().size();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto begin = static_cast<std::ptrdiff_t>(axis * n);
-    const auto end = begin + static_cast<std::ptrdiff_t>(n);
-    EXPECT_NEAR(
-        std::accumulate(forces.begin() + begin, forces.begin() + end, 0.0), 0.0,
-        1e-12 * static_cast<double>(n) * evaluation.contact_force);
-    EXPECT_NEAR(std::accumulate(step.begin() + begin, step.begin() + end, 0.0),
-                0.0, 1e-12 * static_cast<double>(n) * angstrom);
+    EXPECT_NEAR(mean(std::span(forces).subspan(axis * n, n)), 0.0,
+                1e-12 * evaluation.contact_force);
+    EXPECT_NEAR(mean(std::span(step).subspan(axis * n, n)), 0.0,
+                1e-12 * angstrom);
   }
 }
 

@@ -257,25 +257,6 @@ Inspection inspected(const GreenSystem& system, const AtomRequest& request,
                                     request.settings.contact_distance);
 }
 
-// After a start in overlap atoms stay below the substrate, which is reported
-// for any residual.
-TEST(GreenContact, FlagsAStartInOverlap) {
-  const AtomRequest request = rough_request();
-  GreenSystem system = system_of(request);
-  system.set_load({Load::Kind::nominal_pressure, 0.01 * modulus});
-  std::vector<double> state = system.undeformed(1.5 * rms_height);
-  RelaxationSettings settings;
-  settings.max_evaluations = 200;
-
-  relax(system, state, settings);
-
-  const Inspection found = inspected(system, request, state);
-  EXPECT_GT(found.below_substrate, 0);
-  EXPECT_NE(invalidity_reason(found, request.layer.size())
-                .find("below the substrate"),
-            std::string::npos);
-}
-
 // A small residual is not sufficient: below a surface with a wide spacing of
 // atoms the layer is in balance, with every pair far enough apart.
 TEST(GreenContact, FlagsABalanceOnTheWrongSide) {

@@ -1,13 +1,16 @@
 // Tests of md/contact/green_system.hpp: forces are minus the gradient of the
 // energy under every load, and what the load prescribes stays unchanged.
+#include "base/field_sums.hpp"
 #include "md/contact/green_system.hpp"
+#include "tests/md/small_interface.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::md::green_system_test {
 
@@ -34,23 +37,6 @@ GreenSystem system_of(AtomModes modes, const Load& load) {
   return system;
 }
 
-std::vector<double> random_vector(std::size_t size, double most,
-                                  unsigned seed) {
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<double> uniform(-most, most);
-  std::vector<double> values(size);
-  for (double& value : values)
-    value = uniform(generator);
-  return values;
-}
-
-double mean(std::span<const double> values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += value;
-  return sum / static_cast<double>(values.size());
-}
-
 struct GreenProblem {
   AtomModes modes;
   Load load;
@@ -62,11 +48,9 @@ protected:
       : system(system_of(GetParam().modes, GetParam().load)),
         state(system.undeformed(height)),
         forces(system.size()) {
-    const std::vector<double> noise = random_vector(state.size(), 3e-11, 1);
-    const bool is_normal = GetParam().modes == AtomModes::normal;
-    for (std::size_t i = is_normal ? 2 * layer.size() : 0; i < state.size();
-         ++i)
-      state[i] += noise[i];
+    state = problems::disturbed(std::move(state), 3e-11, 1);
+    if (GetParam().modes == AtomModes::normal)
+      std::fill_n(state.begin(), 2 * layer.size(), 0.0);
   }
 
   /// Removes from a displacement what the load prescribes.
@@ -85,14 +69,6 @@ protected:
     return displacement;
   }
 
-  static double dot(const std::vector<double>& left,
-                    const std::vector<double>& right) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < left.size(); ++i)
-      sum += left[i] * right[i];
-    return sum;
-  }
-
   GreenSystem system;
   std::vector<double> state;
   std::vector<double> forces;
@@ -104,7 +80,7 @@ protected:
 TEST_P(EveryProblem, ForcesAreMinusTheGradient) {
   const double length = 1e-14;
   const std::vector<double> along =
-      allowed(random_vector(state.size(), 1.0, 2));
+      allowed(problems::random_numbers(state.size(), -1.0, 1.0, 2));
   std::vector<double> unused(forces.size());
   std::vector<double> ahead = state;
   std::vector<double> behind = state;
@@ -133,9 +109,9 @@ TEST_P(EveryProblem, PrescribedComponentsHaveNoForce) {
 TEST_P(EveryProblem, PreconditionerIsSymmetricAndPositive) {
   system.energy_and_forces(state, forces);
   const std::vector<double> first =
-      allowed(random_vector(state.size(), 1e-10, 3));
+      allowed(problems::random_numbers(state.size(), -1e-10, 1e-10, 3));
   const std::vector<double> second =
-      allowed(random_vector(state.size(), 1e-10, 4));
+      allowed(problems::random_numbers(state.size(), -1e-10, 1e-10, 4));
   std::vector<double> from_first(state.size());
   std::vector<double> from_second(state.size());
 
@@ -165,10 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(GreenSystem, PreconditionerInvertsTheFreeBlock) {
   GreenSystem system =
       system_of(AtomModes::vector, {Load::Kind::height, 100e-10});
-  std::vector<double> state = system.undeformed(100e-10);
-  const std::vector<double> noise = random_vector(state.size(), 1e-11, 5);
-  for (std::size_t i = 0; i < state.size(); ++i)
-    state[i] += noise[i];
+  std::vector<double> state =
+      problems::disturbed(system.undeformed(100e-10), 1e-11, 5);
   std::vector<double> forces(state.size());
   std::vector<double> step(state.size());
   std::vector<double> after(state.size());
@@ -211,10 +185,8 @@ TEST(GreenSystem, SumsItsEnergies) {
   const double pressure = 2e9;
   GreenSystem system =
       system_of(AtomModes::vector, {Load::Kind::nominal_pressure, pressure});
-  std::vector<double> state = system.undeformed(height);
-  const std::vector<double> noise = random_vector(state.size(), 1e-11, 6);
-  for (std::size_t i = 0; i < state.size(); ++i)
-    state[i] += noise[i];
+  std::vector<double> state =
+      problems::disturbed(system.undeformed(height), 1e-11, 6);
   std::vector<double> forces(state.size());
   std::vector<double> pairs(state.size());
   const std::size_t n = layer.size();

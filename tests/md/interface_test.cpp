@@ -20,7 +20,6 @@ namespace asperity::md::interface_test {
 using problems::angstrom;
 using problems::InterfaceProblem;
 using problems::paper_atoms;
-using problems::plane_repulsion_pressure;
 using problems::Planes;
 
 struct Answer {
@@ -126,49 +125,6 @@ TEST(InterfaceKernel, TakesAnyDisplacement) {
   EXPECT_TRUE(std::isfinite(answer.forces.x[8]));
 }
 
-// Force = -grad U. Tolerance: steps of 1e-4 A are accurate to 13 14/6
-// (1e-4/2)^2 = 8e-8 of the steepest pair; roundoff is eps U/step, 1e-10.
-TEST(InterfaceKernel, ForceIsMinusTheGradient) {
-  for (const double attraction : {0.0, 1.0}) {
-    const InterfaceProblem problem(10, 16, 2.0 * angstrom, 5);
-    const Interface interface = problem.interface(paper_atoms(attraction));
-    const Answer answer = answer_of(interface, problem.atoms);
-    Planes slopes(problem.layer.size());
-    const double step = 1e-4 * angstrom;
-
-    for (const auto plane : {&Planes::x, &Planes::y, &Planes::z})
-      for (std::size_t i = 0; i < problem.layer.size(); ++i) {
-        Planes moved = problem.atoms;
-        (moved.*plane)[i] += step;
-        const double up = answer_of(interface, moved).energy;
-        (moved.*plane)[i] -= 2.0 * step;
-        const double down = answer_of(interface, moved).energy;
-        (slopes.*plane)[i] = (down - up) / (2.0 * step);
-      }
-
-    EXPECT_LT(force_difference(answer.forces, slopes), 1e-6);
-  }
-}
-
-// Over a flat surface nothing changes when the layer moves by a period of the
-// substrate. Tolerance: 12 eps L/r_0, as above.
-TEST(InterfaceKernel, HasThePeriodOfAFlatSurface) {
-  InterfaceProblem problem(10, 16, angstrom, 9);
-  std::fill(problem.heights.begin(), problem.heights.end(), 0.0);
-  const Interface interface = problem.interface(paper_atoms());
-  const Answer before = answer_of(interface, problem.atoms);
-  Planes moved = problem.atoms;
-  for (std::size_t i = 0; i < problem.layer.size(); ++i) {
-    moved.x[i] += 3.0 * problem.substrate.spacing_x();
-    moved.y[i] -= problem.substrate.spacing_y();
-  }
-
-  const Answer after = answer_of(interface, moved);
-
-  EXPECT_NEAR(after.energy / before.energy, 1.0, 1e-12);
-  EXPECT_LT(force_difference(after.forces, before.forces), 1e-12);
-}
-
 TEST(InterfaceKernel, GivesTheSameBitsForAnyNumberOfThreads) {
   const InterfaceProblem problem(24, 38, angstrom, 11);
   const Answer one =
@@ -205,40 +161,6 @@ TEST(InterfaceKernel, IsZeroBeyondTheCutOff) {
   EXPECT_LT(touched, 100);
   std::fill(problem.atoms.z.begin(), problem.atoms.z.end(), 14.1 * angstrom);
   EXPECT_EQ(answer_of(problem.interface(law), problem.atoms).energy, 0.0);
-}
-
-/// The pressure of the sum over pairs relative to that of the continuous wall
-/// at a height, for 34 over 55 atoms: neighbours in the Fibonacci sequence, so
-/// that every atom is over another place of the substrate's cell.
-double shown_pressure(const Interaction& law, double height) {
-  InterfaceProblem problem(34, 55, 0.0, 1);
-  std::fill(problem.heights.begin(), problem.heights.end(), 0.0);
-  std::fill(problem.atoms.z.begin(), problem.atoms.z.end(), height);
-  const Answer answer = answer_of(problem.interface(law), problem.atoms);
-  double force = 0.0;
-  for (const double each : answer.forces.z)
-    force += each;
-  return force / problem.layer.area() /
-         plane_repulsion_pressure(law, problem.layer.cell_area(),
-                                  problem.substrate.cell_area(), height);
-}
-
-// The mean pressure over an incommensurate flat surface is that of the
-// continuous wall at d_c. Tolerance: the effect of a sharp cut-off at the start
-// of the taper.
-TEST(InterfaceKernel, HasThePressureOfAContinuousWall) {
-  for (const double cutoff : {8.0, 10.0}) {
-    Interaction law = paper_atoms();
-    law.cutoff = cutoff * angstrom;
-    law.taper_begin = 0.9 * law.cutoff;
-
-    const double lost = 1.0 - shown_pressure(law, problems::contact_distance);
-
-    EXPECT_GT(lost, std::pow(problems::contact_distance / law.cutoff, 12));
-    EXPECT_LT(lost, std::pow(problems::contact_distance / law.taper_begin, 12));
-  }
-  EXPECT_NEAR(shown_pressure(paper_atoms(), problems::contact_distance), 1.0,
-              1e-3);
 }
 
 } // namespace asperity::md::interface_test

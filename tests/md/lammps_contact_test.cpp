@@ -53,28 +53,6 @@ TEST_F(LammpsContactTest, BothControlsGiveOneCurve) {
   EXPECT_NEAR(held.nominal_pressure / pressed.nominal_pressure, 1.0, 3e-4);
 }
 
-// The energy stored between one gap and a smaller one is the work of the
-// pressure, dE/du = -p. Tolerance: the residual, 1e-4, of p; Simpson's rule
-// over two steps of 0.1 angstrom has the error (2.3 * 0.1)^4 / 180.
-TEST_F(LammpsContactTest, EnergyIsTheWorkOfThePressure) {
-  const auto contact = make_lammps_contact(request);
-  constexpr double step = 0.1e-10;
-
-  std::vector<AtomStep> curve;
-  for (int i = 0; i < 3; ++i)
-    curve.push_back(contact->solve({Control::mean_gap, gap - i * step}, i));
-
-  const auto energy = [&](int i) {
-    return curve[static_cast<std::size_t>(i)].elastic_energy +
-           curve[static_cast<std::size_t>(i)].interface_energy;
-  };
-  const double work =
-      step / 3.0 *
-      (curve[0].nominal_pressure + 4.0 * curve[1].nominal_pressure +
-       curve[2].nominal_pressure);
-  EXPECT_NEAR((energy(2) - energy(0)) / work, 1.0, 2e-4);
-}
-
 // Tolerance: two solutions within the residual of the same one.
 TEST_F(LammpsContactTest, TwoProcessesFindTheSameAnswer) {
   if (program_on_path("mpirun").empty())

@@ -1,6 +1,7 @@
 // Tests of md/minimise/newton.hpp and of the second derivatives of
 // md/contact/green_system.hpp: Newton's method converges to the state of L-BFGS
 // with far fewer evaluations.
+#include "base/field_sums.hpp"
 #include "base/maximum.hpp"
 #include "base/special_numbers.hpp"
 #include "md/contact/green_system.hpp"
@@ -50,13 +51,6 @@ protected:
   problems::RoughContact contact{.rms_height = 1.5 * problems::angstrom};
   GreenSystem system;
 };
-
-double dot(std::span<const double> left, std::span<const double> right) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    sum += left[i] * right[i];
-  return sum;
-}
 
 // The curvature times a step is the reduction of the forces by the step.
 // Tolerance: of the largest force, as in interface_curvature_test.

@@ -180,20 +180,6 @@ TEST(IsotropicCrystal, AgreesWithTheContinuumUpToATenthOfTheSpacing) {
   EXPECT_NEAR(ratio(0.4, 0.0), 0.996, 0.001);
 }
 
-// A slab as deep as its longest wave equals the half-space to 0.04 %:
-// corrections of the type tanh, 4 (2 pi)^2 exp(-4 pi) = 5e-4.
-TEST(IsotropicCrystal, IsAHalfSpaceAtTheDepthOfItsLongestWave) {
-  const SlabSymbol symbol(crystal_of(mechanics::AtomLattice::isotropic));
-  const double angle = 2.0 * std::numbers::pi / 400.0;
-
-  const double excess = symbol.contact_modulus(angle, 0.0, 400) /
-                            symbol.contact_modulus(angle, 0.0, half_space) -
-                        1.0;
-
-  EXPECT_GT(excess, 0.0004);
-  EXPECT_LT(excess, 0.0006);
-}
-
 TEST(SymmetricBlock, IsInvertedByItsInverse) {
   const SymmetricBlock block{4.0, 3.0, 5.0, 0.5, -1.0, 0.75};
 

@@ -56,6 +56,16 @@ inline std::vector<double> random_numbers(std::size_t count, double low,
   return numbers;
 }
 
+/// Values, each changed at random by up to `most`.
+inline std::vector<double> disturbed(std::vector<double> values, double most,
+                                     unsigned seed) {
+  const std::vector<double> changes =
+      random_numbers(values.size(), -most, most, seed);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += changes[i];
+  return values;
+}
+
 /// Three planes of a layer, of positions or of forces.
 struct Planes {
   std::vector<double> x, y, z;

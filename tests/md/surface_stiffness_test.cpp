@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -99,43 +98,25 @@ private:
   CellStiffness stiffness_;
 };
 
-// With one layer of cells nothing is eliminated, so that K u is the force of
-// the cells on the lower atoms, summed cell by cell: this verifies every sign,
-// permutation and position of the symbol.
-TEST(SurfaceStiffness, IsTheSumOverCellsForOneLayer) {
-  const Grid layer = layer_of(8);
-  SurfaceStiffness stiffness(crystal, layer, 1, AtomModes::vector);
-  Planes u = random_planes(layer, 7);
-  Planes forces(layer);
+class EveryDepth : public ::testing::TestWithParam<int> {};
 
-  const double energy = stiffness.apply(u.view(), forces.target());
-
-  std::vector<double> block(2 * u.values.size(), 0.0);
-  std::ranges::copy(u.values, block.begin());
-  const std::vector<double> expected = PlainBlock(8, 1).forces(block);
-  double work = 0.0;
-  for (std::size_t i = 0; i < u.values.size(); ++i) {
-    EXPECT_NEAR(forces.values[i], expected[i], rounding * 20.0 * 1e-11);
-    work += 0.5 * u.values[i] * expected[i];
-  }
-  EXPECT_NEAR(energy / work, 1.0, rounding);
-}
-
-// Over three layers of cells K is the Schur complement: with the inner atoms
-// relaxed (conjugate gradients on the plain block, to 1e-14), the forces on the
-// lower ones are K u. Tolerance: that of the inner solution.
-TEST(SurfaceStiffness, IsTheBlockWithItsInsideRelaxed) {
+// K is the Schur complement: with the inner atoms relaxed (conjugate gradients
+// on the plain block, to 1e-14), the forces on the lower ones are K u.
+// Tolerance: that of the inner solution. With one layer of cells nothing is
+// relaxed, and K u is the sum over the cells.
+TEST_P(EveryDepth, IsTheBlockWithItsInsideRelaxed) {
   const Grid layer = layer_of(6);
-  const int cells = 3;
+  const int cells = GetParam();
   SurfaceStiffness stiffness(crystal, layer, cells, AtomModes::vector);
   Planes u = random_planes(layer, 3);
   Planes forces(layer);
-  stiffness.apply(u.view(), forces.target());
+  const double energy = stiffness.apply(u.view(), forces.target());
 
   const PlainBlock block(6, cells);
   const std::size_t first = u.values.size();
-  const std::size_t end = cells * first; // the top plane is clamped
-  std::vector<double> all((cells + 1) * first, 0.0);
+  const std::size_t end = static_cast<std::size_t>(cells) * first;
+  // The top plane, beyond the end, is clamped.
+  std::vector<double> all(end + first, 0.0);
   std::ranges::copy(u.values, all.begin());
   std::vector<double> residual = block.forces(all);
   std::vector<double> direction(all.size(), 0.0);
@@ -170,7 +151,10 @@ TEST(SurfaceStiffness, IsTheBlockWithItsInsideRelaxed) {
                   residual[axis * u.n + i] - sum / static_cast<double>(u.n),
                   1e-10 * 20.0 * 1e-11);
   }
+  EXPECT_NEAR(energy / (0.5 * dot(u, forces)), 1.0, rounding);
 }
+
+INSTANTIATE_TEST_SUITE_P(Depths, EveryDepth, ::testing::Values(1, 3));
 
 class BothModes : public ::testing::TestWithParam<AtomModes> {};
 

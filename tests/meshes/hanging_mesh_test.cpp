@@ -1,6 +1,7 @@
 // Tests of meshes/hanging_mesh.hpp.
 #include "meshes/hanging_mesh.hpp"
 #include "tests/meshes/mesh_measures.hpp"
+#include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -116,12 +117,9 @@ TEST(HangingMesh, StopsWhereTheBlockEnds) {
 
 TEST(HangingMesh, RefusesOddCounts) {
   const auto refusal = [](int points_x, int points_y, int cells_a_level) {
-    try {
+    return tests::message_of<std::domain_error>([&] {
       hanging_mesh({points_x, points_y, 1.0, 1.0}, 1.0, cells_a_level);
-    } catch (const std::domain_error& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+    });
   };
 
   EXPECT_NE(refusal(16, 15, 4).find("= 15, but must be even"),

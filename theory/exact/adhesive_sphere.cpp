@@ -1,7 +1,6 @@
 #include "theory/exact/adhesive_sphere.hpp"
 
 #include "base/require.hpp"
-#include "theory/exact/hertz.hpp"
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -26,64 +25,6 @@ void check(const AdhesiveSphere& sphere) {
 double force_unit(const AdhesiveSphere& sphere) {
   return pi * sphere.work_of_adhesion * sphere.sphere_radius;
 }
-
-} // namespace
-
-AdhesiveContact jkr_contact(const AdhesiveSphere& sphere,
-                            double contact_radius) {
-  check(sphere);
-  const auto& [radius, modulus, work] = sphere;
-  const double a = contact_radius;
-  const double hertz = hertz_load(a, radius, modulus); // refuses a < 0
-  return {a, a, a * a / radius - std::sqrt(2.0 * pi * work * a / modulus),
-          hertz - a * std::sqrt(8.0 * pi * work * modulus * a)};
-}
-
-AdhesiveContact jkr_contact_at_load(const AdhesiveSphere& sphere, double load) {
-  const double least = -jkr_pull_off_force(sphere);
-  if (!(load >= least && std::isfinite(load)))
-    refuse_argument("load", load, "finite and not below -(3/2) pi w R [N]");
-  const double unit = 3.0 * force_unit(sphere);
-  const double cube = 0.75 * sphere.sphere_radius / sphere.contact_modulus *
-                      (load + unit + std::sqrt(unit * (2.0 * load + unit)));
-  AdhesiveContact contact = jkr_contact(sphere, std::cbrt(cube));
-  contact.load = load;
-  return contact;
-}
-
-double jkr_pressure(const AdhesiveSphere& sphere, double contact_radius,
-                    double radius) {
-  check(sphere);
-  require_positive("contact_radius", contact_radius, "m");
-  require_not_negative("radius", radius, "m");
-  if (radius > contact_radius)
-    return 0.0;
-  const double a = contact_radius, modulus = sphere.contact_modulus;
-  const double root = std::sqrt((1.0 - radius / a) * (1.0 + radius / a));
-  return 2.0 * modulus * a / (pi * sphere.sphere_radius) * root -
-         std::sqrt(2.0 * modulus * sphere.work_of_adhesion / (pi * a)) / root;
-}
-
-double jkr_pull_off_force(const AdhesiveSphere& sphere) {
-  check(sphere);
-  return 1.5 * force_unit(sphere);
-}
-
-AdhesiveContact dmt_contact(const AdhesiveSphere& sphere,
-                            double contact_radius) {
-  const double pull = dmt_pull_off_force(sphere);
-  const double hertz =
-      hertz_load(contact_radius, sphere.sphere_radius, sphere.contact_modulus);
-  return {contact_radius, contact_radius,
-          contact_radius * contact_radius / sphere.sphere_radius, hertz - pull};
-}
-
-double dmt_pull_off_force(const AdhesiveSphere& sphere) {
-  check(sphere);
-  return 2.0 * force_unit(sphere);
-}
-
-namespace {
 
 // The cohesive (Dugdale) zone, with t = arcsec(c/a), s = tan t, n = 1/cos t.
 struct Zone {

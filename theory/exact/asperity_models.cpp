@@ -21,7 +21,13 @@ void check(const ProfileMoments& moments, double contact_modulus,
   require_positive("contact_modulus", contact_modulus, "Pa");
   if (!std::isfinite(mean_gap))
     refuse_argument("mean_gap", mean_gap, "finite [m]");
-  summit_statistics(moments); // checks the moments
+  require_positive("height moment", moments.height, "m^2");
+  require_positive("slope moment", moments.slope, "1");
+  require_positive("curvature moment", moments.curvature, "1/m^2");
+  const double nayak =
+      moments.height * moments.curvature / (moments.slope * moments.slope);
+  if (!(nayak > 1.5))
+    refuse_argument("nayak", nayak, "above 3/2, that of a single wavelength");
 }
 
 // int_0^inf x^power e^{-(x + distance)^2/2} dx/sqrt(2 pi), integrated over
@@ -90,32 +96,6 @@ AsperityLoad shape_means(double y) {
 }
 
 } // namespace
-
-SummitStatistics summit_statistics(const ProfileMoments& moments) {
-  const double m0 = moments.height, m2 = moments.slope, m4 = moments.curvature;
-  require_positive("height moment", m0, "m^2");
-  require_positive("slope moment", m2, "1");
-  require_positive("curvature moment", m4, "1/m^2");
-  const double nayak = m0 * m4 / (m2 * m2);
-  if (!(nayak > 1.5))
-    refuse_argument("nayak", nayak, "above 3/2, that of a single wavelength");
-  return {nayak, m4 / (6.0 * std::numbers::sqrt3 * pi * m2),
-          0.375 * std::sqrt(pi / m4), 4.0 * std::sqrt(m0 / (pi * nayak)),
-          std::sqrt(m0 * (1.0 - 0.8968 / nayak))};
-}
-
-AsperityLoad greenwood_williamson(const ProfileMoments& moments,
-                                  double contact_modulus, double mean_gap) {
-  check(moments, contact_modulus, mean_gap);
-  const SummitStatistics summits = summit_statistics(moments);
-  const double deviation = summits.height_deviation;
-  const double distance = (mean_gap - summits.mean_height) / deviation;
-  return {4.0 / 3.0 * contact_modulus * summits.density *
-              std::sqrt(summits.radius * deviation) * deviation *
-              gaussian_excess(1.5, distance),
-          pi * summits.density * summits.radius * deviation *
-              gaussian_excess(1.0, distance)};
-}
 
 AsperityLoad bush_gibson_thomas(const ProfileMoments& moments,
                                 double contact_modulus, double mean_gap) {

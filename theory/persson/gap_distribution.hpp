@@ -14,9 +14,9 @@ namespace asperity::theory {
 ///     Psi(u) = A(zeta(u))/A_0,  u = u_1(zeta(u)),   P_u = dPsi/du   (27)
 ///
 /// with a delta function of weight A(zeta_1)/A_0 at u = 0. Eq. (28) has
-/// zeta = e^{-mu}, whose sign must be reversed to zeta = e^{mu}; the integrals
-/// over mu = ln zeta are those of opening_rates(). This distribution is
-/// narrower than that of u(x) itself, Eq. (26), because u_1 is a mean of u(x).
+/// zeta = e^{-mu}, whose sign must be reversed to zeta = e^{mu}. This
+/// distribution is narrower than that of u(x) itself, Eq. (26), because u_1 is
+/// a mean of u(x).
 ///
 /// The moments are int P_u du = 1 including the delta function, and
 /// int u P_u du = u(zeta_0), the mean gap. The tail falls as 1/(u^2 ln^2 u), so
@@ -25,7 +25,6 @@ namespace asperity::theory {
 /// @par Accuracy  1e-9 relative up to about 5 h_rms: zeta(u) is a root, and
 ///            near zeta_0 the digits of q - q_L are lost. Model: as
 ///            MagnifiedContact.
-///      digits of q - q_L are lost. Model: as MagnifiedContact.
 class GapDistribution {
 public:
   /// @throws std::domain_error  the spectrum consists of shells, for which u_1

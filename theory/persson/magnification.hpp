@@ -11,12 +11,6 @@
 
 namespace asperity::theory {
 
-/// Loss of contact with increasing magnification, per ln zeta and nominal area.
-struct OpeningRates {
-  double area = 0.0;   ///< -dA/dln zeta over A_0 [1] >= 0
-  double volume = 0.0; ///< -d(A u)/dln zeta over A_0 [m] >= 0
-};
-
 /// A contact under one pressure p, at magnifications zeta = q/q_ref.
 ///
 /// At zeta the roughness up to q is resolved, with M_z = M(q), and the rest is
@@ -79,12 +73,12 @@ public:
 
   /// u_1(zeta) [m], Eq. (25): the mean separation where contact is lost as the
   /// magnification passes zeta. With D = -du/dln p, beta = -du/dM_z
-  /// (OpeningSums) and x_0 = p/(E* sqrt(pi M_z)),
+  /// and x_0 = p/(E* sqrt(pi M_z)),
   ///
   ///     u_1 = u + D + pi M_z^{3/2} A beta e^{x_0^2} E*/p.
   ///
-  /// It is infinite where e^{x_0^2} overflows, near zeta_0, where
-  /// opening_rates() remains finite. It is 0 for magnifications >= zeta_1.
+  /// It is infinite where e^{x_0^2} overflows, near zeta_0, and 0 for
+  /// magnifications >= zeta_1.
   /// @throws std::domain_error  also for a spectrum of shells, because A is
   ///                            discontinuous
   double opening_gap(double magnification) const;
@@ -97,12 +91,6 @@ public:
   ///
   /// @throws std::domain_error  no contact is lost between them
   double opening_gap(double from_magnification, double to_magnification) const;
-
-  /// Contact area lost and volume opened per ln zeta: u_1 is their quotient,
-  /// and volume = [(u + D) dA/dM_z + A beta] q^4 C with the absolute value of
-  /// dA/dM_z.
-  /// @throws std::domain_error  also for a spectrum of shells
-  OpeningRates opening_rates(double magnification) const;
 
   /// The density of Eq. (27) at u = u_1(zeta), P_u = (dA/dM_z)/(du_1/dM_z)
   /// [1/m], for a spectrum of any smoothness, because C(q) cancels.

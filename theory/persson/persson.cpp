@@ -1,14 +1,176 @@
 #include "theory/persson/persson.hpp"
 
 #include "base/require.hpp"
-#include "theory/persson/gap_sums.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace asperity::theory {
+
+/// Evaluates the outer integrals of Eqs. (9) and (14) and of their derivative
+/// at one pressure, from quantities that are computed once per spectrum: a
+/// point of u(p) takes microseconds. Sums over the nodes, x_k = p/(E* sqrt(pi)
+/// m_k). Nodes with x_k < sqrt(1/2) enter together through their power moments;
+/// only the others, about three octaves of m, are summed one by one.
+class GapSums {
+public:
+  /// @param nodes  in descending order of root_moment
+  explicit GapSums(std::span<const RoughnessNode> nodes);
+
+  /// Both parts of u(p), Eq. (14) [m].
+  /// @param pressure_ratio  p/E* [1] > 0
+  GammaParts mean_gap(double pressure_ratio) const;
+
+  /// Both parts of D = -du/dln p [m].
+  GammaParts mean_gap_slope(double pressure_ratio) const;
+
+  /// Both parts of U_el/(A_0 E*), Eq. (9) [m].
+  GammaParts elastic_energy(double pressure_ratio) const;
+
+  /// Sum of the weights = 2 int dm/q = u_0/gamma of Eq. (18) [m].
+  double weight_sum() const { return weight_sum_; }
+
+  /// Weighted mean of ln w, the quotient of the integrals in Eq. (19) [1].
+  double mean_log_factor() const { return mean_log_factor_; }
+
+private:
+  using Moments = std::array<double, SmallPressureSeries::n_terms>;
+
+  struct Node {
+    double factor;      ///< w = 1/(sqrt(pi) m) [1], ascending
+    double weight;      ///< [m]
+    double log_sum;     ///< cumulative sum of weight * ln w [m]
+    Moments power_sums; ///< cumulative sums of weight_i (w_i/w)^{2n} [m]
+  };
+
+  /// Number of nodes with x < limit, which come first.
+  std::size_t n_small(double pressure_ratio) const;
+
+  /// Adds the terms of all other nodes.
+  template <class Kernel>
+  GammaParts beyond_small(GammaParts sum, double pressure_ratio,
+                          const Kernel& kernel) const;
+
+  std::vector<Node> nodes_;
+  double weight_sum_ = 0.0;
+  double mean_log_factor_ = 0.0;
+};
+
+namespace {
+
+using Series = SmallPressureSeries;
+
+template <class Moments>
+GammaParts contract(const Series::Coefficients& linear,
+                    const Series::Coefficients& cubic, const Moments& moments,
+                    double square) {
+  GammaParts sum;
+  double power = 1.0;
+  for (std::size_t n = 0; n < moments.size(); ++n) {
+    sum.linear += linear[n] * power * moments[n];
+    sum.cubic += cubic[n] * power * moments[n];
+    power *= square;
+  }
+  return sum;
+}
+
+// Both kernels fall at least as fast as e^{-x^2}: beyond this value the
+// remaining terms are below roundoff, even compared with the first term alone.
+bool is_negligible(double x, double smallest_x) {
+  const double exponent_of_rounding = 45.0; // e^{-45} = 3e-20
+  return x * x > smallest_x * smallest_x + exponent_of_rounding;
+}
+
+} // namespace
+
+GapSums::GapSums(std::span<const RoughnessNode> nodes) {
+  nodes_.reserve(nodes.size());
+  Moments sums{};
+  double log_sum = 0.0;
+  double last_factor = 0.0;
+  for (const RoughnessNode& node : nodes) {
+    const double factor =
+        1.0 / (std::sqrt(std::numbers::pi) * node.root_moment);
+    const double square = (last_factor / factor) * (last_factor / factor);
+    double power = 1.0;
+    for (double& sum : sums) {
+      sum = sum * power + node.weight;
+      power *= square;
+    }
+    log_sum += node.weight * std::log(factor);
+    nodes_.push_back({factor, node.weight, log_sum, sums});
+    last_factor = factor;
+  }
+  weight_sum_ = sums[0];
+  mean_log_factor_ = log_sum / weight_sum_;
+}
+
+std::size_t GapSums::n_small(double pressure_ratio) const {
+  const auto end =
+      std::partition_point(nodes_.begin(), nodes_.end(), [&](const Node& node) {
+        return node.factor * pressure_ratio < Series::limit;
+      });
+  return static_cast<std::size_t>(end - nodes_.begin());
+}
+
+template <class Kernel>
+GammaParts GapSums::beyond_small(GammaParts sum, double pressure_ratio,
+                                 const Kernel& kernel) const {
+  const double smallest = nodes_.front().factor * pressure_ratio;
+  for (std::size_t k = n_small(pressure_ratio); k < nodes_.size(); ++k) {
+    const double x = nodes_[k].factor * pressure_ratio;
+    if (is_negligible(x, smallest))
+      break;
+    const GammaParts at = kernel(x);
+    sum.linear += nodes_[k].weight * at.linear;
+    sum.cubic += nodes_[k].weight * at.cubic;
+  }
+  return sum;
+}
+
+GammaParts GapSums::mean_gap(double pressure_ratio) const {
+  const Series& series = small_pressure_series();
+  GammaParts gap;
+  if (const std::size_t small = n_small(pressure_ratio); small > 0) {
+    const Node& last = nodes_[small - 1];
+    const double x = last.factor * pressure_ratio;
+    gap = contract(series.gap_linear, series.gap_cubic, last.power_sums, x * x);
+    gap.linear -= last.log_sum + std::log(pressure_ratio) * last.power_sums[0];
+  }
+  return beyond_small(gap, pressure_ratio, gap_kernel);
+}
+
+GammaParts GapSums::mean_gap_slope(double pressure_ratio) const {
+  const Series& series = small_pressure_series();
+  GammaParts slope;
+  if (const std::size_t small = n_small(pressure_ratio); small > 0) {
+    const Node& last = nodes_[small - 1];
+    const double x = last.factor * pressure_ratio;
+    slope = contract(series.slope_linear, series.slope_cubic, last.power_sums,
+                     x * x);
+  }
+  return beyond_small(slope, pressure_ratio, gap_kernel_slope);
+}
+
+GammaParts GapSums::elastic_energy(double pressure_ratio) const {
+  GammaParts energy;
+  for (const Node& node : nodes_) { // (pi/2) weight m = (sqrt(pi)/2) weight/w
+    const double part =
+        0.5 * std::sqrt(std::numbers::pi) * node.weight / node.factor;
+    const double probability =
+        std::erf(node.factor * pressure_ratio); // Eq. (11)
+    energy.linear += part * probability;
+    energy.cubic += part * probability * probability * probability;
+  }
+  return energy;
+}
+
 namespace {
 
 void require_gamma(double gamma) {
@@ -194,21 +356,6 @@ double PerssonContact::nominal_pressure(double mean_gap) const {
     log_ratio = next;
   }
   return contact_modulus_ * std::exp(log_ratio);
-}
-
-double fit_gamma(const PerssonContact& contact,
-                 std::span<const GapPoint> points) {
-  if (points.empty())
-    refuse_argument("number of points", 0.0, ">= 1");
-  double above = 0.0;
-  double below = 0.0;
-  for (const GapPoint& point : points) {
-    const GammaParts gap = contact.mean_gap_parts(point.nominal_pressure);
-    const double lever = gap.linear - gap.cubic; // du/dgamma
-    above += lever * (point.mean_gap - gap.cubic);
-    below += lever * lever;
-  }
-  return above / below;
 }
 
 } // namespace asperity::theory

@@ -147,21 +147,4 @@ private:
   std::shared_ptr<const GapSums> sums_;
 };
 
-/// One measured point of a separation curve.
-struct GapPoint {
-  double nominal_pressure = 0.0; ///< p [Pa] > 0
-  double mean_gap = 0.0;         ///< u [m]
-};
-
-/// Fits gamma of Eq. (10) so that u(p), Eq. (14), approximates the points in
-/// the least-squares sense. The solution has a closed form, because
-/// u = gamma u_1(p) + (1 - gamma) u_3(p).
-///
-/// @param contact  surface and modulus; its own gamma is not used
-/// @param points   at least one
-/// @return         gamma [1], not restricted to 0..1
-/// @throws std::domain_error  no points, or a pressure not positive
-double fit_gamma(const PerssonContact& contact,
-                 std::span<const GapPoint> points);
-
 } // namespace asperity::theory

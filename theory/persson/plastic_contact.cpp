@@ -18,14 +18,6 @@ constexpr double series_from = 0.05;
 constexpr int n_terms = 10;
 constexpr int n_images = 6;
 
-void require_arguments(double nominal_pressure, double variance,
-                       double hardness) {
-  require_positive("variance", variance, "Pa^2");
-  if (!(hardness > 0.0))
-    refuse_argument("hardness", hardness, "> 0 [Pa]");
-  require_between("nominal_pressure", nominal_pressure, 0.0, hardness, "Pa");
-}
-
 PlasticShares shares_by_series(double x, double reduced) {
   PlasticShares shares{0.0, x};
   for (int n = 1; n <= n_terms; ++n) {
@@ -56,35 +48,14 @@ PlasticShares plastic_shares(double nominal_pressure, double variance,
                              double hardness) {
   if (std::isinf(hardness) && hardness > 0.0)
     return {area_fraction(nominal_pressure, variance), 0.0};
-  require_arguments(nominal_pressure, variance, hardness);
+  require_positive("variance", variance, "Pa^2");
+  if (!(hardness > 0.0))
+    refuse_argument("hardness", hardness, "> 0 [Pa]");
+  require_between("nominal_pressure", nominal_pressure, 0.0, hardness, "Pa");
   const double x = nominal_pressure / hardness;
   const double reduced = variance / (hardness * hardness);
   return reduced > series_from ? shares_by_series(x, reduced)
                                : shares_by_images(x, reduced);
-}
-
-double plastic_pressure_density(double contact_pressure,
-                                double nominal_pressure, double variance,
-                                double hardness) {
-  require_arguments(nominal_pressure, variance, hardness);
-  require_between("contact_pressure", contact_pressure, 0.0, hardness, "Pa");
-  const double x = nominal_pressure / hardness;
-  const double y = contact_pressure / hardness;
-  const double reduced = variance / (hardness * hardness);
-  double density = 0.0;
-  if (reduced > series_from) {
-    for (int n = 1; n <= n_terms; ++n)
-      density += 2.0 * std::sin(n * pi * x) * std::sin(n * pi * y) *
-                 std::exp(-n * n * pi * pi * reduced);
-  } else {
-    const auto free = [reduced](double distance) {
-      return std::exp(-distance * distance / (4.0 * reduced)) /
-             (2.0 * std::sqrt(pi * reduced));
-    };
-    for (int k = -n_images; k <= n_images; ++k)
-      density += free(y - x - 2 * k) - free(y + x - 2 * k);
-  }
-  return std::max(0.0, density) / hardness;
 }
 
 } // namespace asperity::theory

@@ -30,12 +30,4 @@ struct PlasticShares {
 PlasticShares plastic_shares(double nominal_pressure, double variance,
                              double hardness);
 
-/// P at a contact pressure.
-/// @param contact_pressure  sigma [Pa] 0..H
-/// @return                  P [1/Pa] >= 0, normalised to the elastic share
-/// @throws std::domain_error  as plastic_shares()
-double plastic_pressure_density(double contact_pressure,
-                                double nominal_pressure, double variance,
-                                double hardness);
-
 } // namespace asperity::theory
