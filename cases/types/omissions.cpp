@@ -15,12 +15,12 @@ using mechanics::FemSettings;
 using mechanics::TheorySettings;
 
 bool is_full_block(const MethodSpec& method) {
-  const auto* const fem = std::get_if<FemSettings>(&method.settings);
+  const auto* const fem = method.as<mechanics::FemSettings>();
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 
 std::string no_flow(const Case&, const MethodSpec& method) {
-  const auto* const theory = std::get_if<TheorySettings>(&method.settings);
+  const auto* const theory = method.as<mechanics::TheorySettings>();
   return theory != nullptr &&
                  theory->loss_factor != mechanics::LossFactor::yang_persson
              ? "needs loss_factor = \"yang-persson\""
@@ -39,7 +39,7 @@ std::string no_partial_slip(const Case& contact_case,
 /// Surface methods whose pressures are the answer of one operator in a convex
 /// problem have the stiffness of [conductance], full blocks their own.
 std::string no_normal_stiffness(const Case&, const MethodSpec& method) {
-  if (const auto* const fem = std::get_if<FemSettings>(&method.settings);
+  if (const auto* const fem = method.as<mechanics::FemSettings>();
       fem != nullptr && is_full_block(method))
     return fem->full.has_stiffness ? "" : "needs stiffness = true";
   if (method.contact() == nullptr)

@@ -68,8 +68,7 @@ mechanics::Roughness roughness_of(const cases::Case& contact_case,
 }
 
 bool is_pressed_once(const MethodSpec& method) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  const auto* half = method.as<mechanics::HalfspaceSettings>();
   return half != nullptr && half->has_free_boundaries;
 }
 

@@ -3,7 +3,6 @@
 #include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/resolved_keys.hpp"
 #include "cases/text/node.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "fem/plugin.hpp"
@@ -82,9 +81,7 @@ constexpr std::size_t most_nodes = std::size_t{1} << 20;
 class Preparation {
 public:
   Preparation(const cases::Case& contact_case, const Grid& grid)
-      : case_(contact_case),
-        file_(cases::parsed_case(contact_case)),
-        grid_(grid) {}
+      : case_(contact_case), grid_(grid) {}
 
   void examine(const MethodSpec& method) {
     method_ = &method;
@@ -118,7 +115,7 @@ public:
   void examine_linear_solver(const MethodSpec& method) {
     method_ = &method;
     const Grid pressed = methods::pressed_grid(case_, method, grid_);
-    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    const auto* const fem = method.as<FemSettings>();
     if (fem != nullptr && fem->solver == mechanics::FemSolver::full)
       attempt([&] { fem::solver_of(block_of(case_, method, pressed, 1)); });
   }
@@ -198,7 +195,7 @@ private:
       return;
     attempt([&] { examine_moduli(fem); });
     if (fem.full.bodies == 2 && case_.mesh.counter)
-      cases::check_counter_body(file_, case_, fem, pressed_, mistakes_);
+      cases::check_counter_body(*case_.file, case_, fem, pressed_, mistakes_);
   }
 
   void examine(const mechanics::MdSettings& md) {
@@ -288,7 +285,7 @@ private:
     } catch (const RefusedArgument& refused) {
       add(refused);
     } catch (const std::domain_error& error) {
-      const Node& table = cases::entry_of(file_, method_->name, "");
+      const Node& table = cases::entry_of(*case_.file, method_->name, "");
       mistakes_.add(table.place, method_->name + ": " + error.what());
     }
   }
@@ -306,10 +303,10 @@ private:
     if (path == "surface.points" &&
         case_.surface.kind == mechanics::SurfaceKind::measured)
       path = "surface.file"; // determines the points
-    const Node& node =
-        known != argument_keys.end() && known->table.empty()
-            ? cases::entry_of(file_, method_->name, std::string(known->key))
-            : nearest_node(path);
+    const Node& node = known != argument_keys.end() && known->table.empty()
+                           ? cases::entry_of(*case_.file, method_->name,
+                                             std::string(known->key))
+                           : nearest_node(path);
     const bool is_own = path.ends_with("." + refused.name);
     const std::string value = number_text(refused.value);
     const std::string found = node.is_table()
@@ -331,7 +328,7 @@ private:
 
   /// The node of a path, or the last table on the way to it.
   const Node& nearest_node(const std::string& path) const {
-    const Node* node = &file_;
+    const Node* node = case_.file.get();
     for (std::size_t begin = 0; begin <= path.size();) {
       const std::size_t end = std::min(path.find('.', begin), path.size());
       const Node* const next = node->find(path.substr(begin, end - begin));
@@ -344,7 +341,6 @@ private:
   }
 
   const cases::Case& case_;
-  Node file_;
   Grid grid_;
   const MethodSpec* method_ = nullptr; ///< that is examined
   Grid pressed_;                       ///< by it
