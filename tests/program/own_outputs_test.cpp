@@ -173,17 +173,6 @@ TEST_F(OwnOutputs, OnlyRegularFilesAreReplaced) {
                  "is a pipe");
 }
 
-TEST_F(OwnOutputs, PicturesOfTheUserStayAmongOurs) {
-  expect_good("run small.toml " + quick + "--out a");
-  write("a/figures/mine.png", foreign);
-
-  expect_good("run small.toml " + quick + "--no-cache --no-report --out a");
-
-  EXPECT_EQ(text_of(folder / "a/figures/mine.png"), foreign);
-  EXPECT_FALSE(fs::exists(folder / "a/figures/cost.svg"));
-  EXPECT_FALSE(fs::exists(folder / "a/figures/cost.csv"));
-}
-
 // A folder "points" of the user is not that of a sweep.
 TEST_F(OwnOutputs, ResultsThatTheUserPutsBesideOursStay) {
   ASSERT_EQ(run("run small.toml --no-report --out f").exit_code, 0);
