@@ -306,6 +306,7 @@ void add_problem(CommandLine& line) {
                     "write the block as hexahedra, too, for\n"
                     "gmsh (mesh.msh) and Abaqus (mesh.inp)");
   add_quiet(command, line.output);
+  line.on_cases.insert("problem");
   add_example(command, "problem wave-1d --out wave-1d-problem");
 }
 

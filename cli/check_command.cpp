@@ -2,7 +2,7 @@
 // CI jobs.
 #include "cli/case_run.hpp"
 #include "cli/checks.hpp"
-#include "cli/commands.hpp"
+#include "cli/run_command.hpp"
 #include "cli/sweep_commands.hpp"
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
@@ -239,6 +239,7 @@ void add_check(CommandLine& line) {
                     "print only expectations that are not met, and\n"
                     "errors");
   add_json(command, line.output, "the summaries");
+  line.on_cases.insert("check");
   add_example(command, "check polymer --junit check.xml");
 }
 

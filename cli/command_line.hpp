@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +21,8 @@ struct CommandLine {
   CLI::App program;
   run::OutputOptions output = {};             ///< of the chosen command
   std::function<run::ExitCode()> action = {}; ///< the chosen command
+  /// Commands whose arguments are cases, which the completion of a shell lists.
+  std::set<std::string> on_cases = {};
 
   /// Adds a command, with an object for its options that `run` gets if the
   /// command is chosen.
@@ -35,17 +38,6 @@ struct CommandLine {
     return {command, *options};
   }
 };
-
-// The commands of this folder, each beside its implementation.
-void add_part_commands(CommandLine& line);
-void add_check(CommandLine& line);
-void add_certify(CommandLine& line);
-void add_answer_commands(CommandLine& line);
-void add_surface(CommandLine& line);
-void add_cache(CommandLine& line);
-void add_robustness(CommandLine& line);
-void add_small_commands(CommandLine& line);
-void add_inspect_commands(CommandLine& line);
 
 /// In which forms a report is written besides its page.
 struct ReportForms {
@@ -129,5 +121,31 @@ inline void add_threads(CLI::App* command, int& threads) {
                    "number of threads (default: all cores)")
       ->check(CLI::Range(1, 1024));
 }
+
+/// Describes a command: its name, options and help, and the function that does
+/// its work.
+using AddCommand = void (*)(CommandLine& line);
+
+// The commands, each in its own file. A command is added here, in these two
+// places; its help, its manual page and its completion follow from its
+// description.
+void add_run(CommandLine& line);
+void add_bench(CommandLine& line);
+void add_report(CommandLine& line);
+void add_part_commands(CommandLine& line); ///< plan, merge
+void add_check(CommandLine& line);
+void add_certify(CommandLine& line);
+void add_answer_commands(CommandLine& line); ///< problem, import, board
+void add_surface(CommandLine& line);
+void add_cache(CommandLine& line);
+void add_robustness(CommandLine& line);
+void add_small_commands(CommandLine& line);   ///< new, list, schema
+void add_inspect_commands(CommandLine& line); ///< describe, diff, hidden ones
+
+/// In the order of the help.
+inline constexpr AddCommand all_commands[] = {
+    add_run,   add_bench,      add_report,          add_part_commands,
+    add_check, add_certify,    add_answer_commands, add_surface,
+    add_cache, add_robustness, add_small_commands,  add_inspect_commands};
 
 } // namespace asperity::cli

@@ -126,6 +126,7 @@ void add_describe(CommandLine& line) {
   add_threads(command, describe.threads);
   add_quiet(command, line.output);
   add_json(command, line.output, "everything");
+  line.on_cases.insert("describe");
   add_example(command, "describe polymer --set surface.points=1024");
 }
 
@@ -149,6 +150,7 @@ void add_diff(CommandLine& line) {
       ->capture_default_str();
   add_quiet(command, line.output);
   add_json(command, line.output, "all differences");
+  line.on_cases.insert("diff");
   add_example(command, "diff out/polymer old/polymer --tolerance 1e-6");
 }
 
@@ -159,11 +161,11 @@ struct ManualCommand {
 };
 
 void add_generators(CommandLine& line) {
-  const CLI::App& program = line.program;
   auto [completion, shell] = line.add<std::string>(
       "completion", "Print the completion script of a shell.",
-      [&program](const std::string& name) {
-        run::emit_answer(completion_script(model_of(program), name));
+      [&line](const std::string& name) {
+        run::emit_answer(
+            completion_script(model_of(line.program, line.on_cases), name));
         return run::exit_good;
       });
   completion->add_option("shell", shell, "bash, zsh or fish")
@@ -172,8 +174,8 @@ void add_generators(CommandLine& line) {
   completion->group("");
   auto [manual, pages] = line.add<ManualCommand>(
       "man", "Print the manual page of the program or of a command.",
-      [&program](const ManualCommand& command) {
-        const ProgramModel model = model_of(program);
+      [&line](const ManualCommand& command) {
+        const ProgramModel model = model_of(line.program, line.on_cases);
         if (command.folder.empty())
           run::emit_answer(manual_page(model, command.page));
         else

@@ -2,7 +2,7 @@
 
 // Runs that are distributed over many machines: `run --part`, and by mpirun.
 
-#include "cli/commands.hpp"
+#include "cli/run_command.hpp"
 #include "methods/cache/cache.hpp"
 #include "run/arguments/named_cases.hpp"
 

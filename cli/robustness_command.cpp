@@ -184,7 +184,8 @@ run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
 
 /// Runs a single instance in this process, for use with a debugger, and prints
 /// everything known about it.
-run::ExitCode run_one(const Source& source, const RobustnessCommand& command) {
+run::ExitCode run_instance_alone(const Source& source,
+                                 const RobustnessCommand& command) {
   const Instance instance = source.draw(command.seed, *command.instance);
   fmt::print("{}\n", text_of(instance));
   const robustness::InstanceReport report = robustness::run_instance(instance);
@@ -217,7 +218,7 @@ run::ExitCode run_robustness(const RobustnessCommand& command) {
   std::string json; // of each source
   for (const Source& source : sources_of(command))
     worst =
-        std::max(worst, command.instance ? run_one(source, command)
+        std::max(worst, command.instance ? run_instance_alone(source, command)
                                          : run_source(source, command, json));
   if (run::wants_json() && !command.instance)
     run::emit_answer(command.cases.size() > 1 ? "[" + json + "]\n" : json);
@@ -254,6 +255,7 @@ void add_robustness(CommandLine& line) {
   add_threads(command, robustness.threads);
   add_quiet(command, line.output);
   add_json(command, line.output, "stress.json");
+  line.on_cases.insert("robustness");
   add_example(command, "robustness --instances 500 --only law=hard");
 }
 

@@ -3,7 +3,7 @@
 #include "base/json.hpp"
 #include "base/plain_text.hpp"
 #include "base/read_file.hpp"
-#include "cli/commands.hpp"
+#include "cli/run_command.hpp"
 #include "cli/surface_input.hpp"
 #include "input/input_error.hpp"
 #include "reports/analysis/summary.hpp"

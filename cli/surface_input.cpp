@@ -23,14 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A TOML string, whatever the text: a channel may be called 2.
-std::string as_text(const std::string& text) {
-  cases::Node node;
-  node.type = cases::NodeType::text;
-  node.text = text;
-  return cases::toml_value(node);
-}
-
 /// The case that `asperity run MAP` would run, with the options as overrides.
 cases::Case case_of_file(const std::string& file,
                          const SurfaceCommand& command) {
@@ -38,16 +30,17 @@ cases::Case case_of_file(const std::string& file,
   if (command.is_periodic)
     overrides.emplace_back("surface.edges=periodic");
   if (!command.channel.empty())
-    overrides.push_back("surface.channel=" + as_text(command.channel));
+    overrides.push_back("surface.channel=" +
+                        cases::toml_value(command.channel));
   for (std::string& entry :
        run::map_overrides(command.length, command.height_unit))
     overrides.push_back(std::move(entry));
   if (!command.missing_value.empty())
     overrides.push_back("surface.missing_value=" + command.missing_value);
   if (!command.length_unit.empty())
-    overrides.push_back(
-        "surface.length_unit=" +
-        as_text(run::length_unit_text("--length-unit", command.length_unit)));
+    overrides.push_back("surface.length_unit=" +
+                        cases::toml_value(run::length_unit_text(
+                            "--length-unit", command.length_unit)));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
   return cases::read_case_text(run::map_case_text({file, "1 Pa"}), file,

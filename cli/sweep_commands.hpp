@@ -3,7 +3,7 @@
 // What the commands run, check and report do with a sweep.
 
 #include "cli/checks.hpp"
-#include "cli/commands.hpp"
+#include "cli/run_command.hpp"
 #include "run/arguments/named_cases.hpp"
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 // The parameters of a block that gmsh meshes, and the number of its nodes. They
 // are apart from gmsh_block.cpp, because the program examines them without
 // gmsh.
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "meshes/gmsh_geometries.hpp"
 
@@ -18,24 +19,26 @@ void check_geometry(const GmshBlock& block) {
   if (block.geometry == MeshGeometry::file)
     throw std::domain_error("gmsh_block: the geometry is that of a file");
   if (block.geometry == MeshGeometry::indentation)
-    require_between("fine_radius", block.fine_radius, block.size_at_contact,
+    require_between(Argument{"fine_radius", "mesh.fine_radius"},
+                    block.fine_radius, block.size_at_contact,
                     0.8 * std::min(half, block.depth), "m");
   if (block.geometry == MeshGeometry::layered) {
     double above = 0.0;
     for (const double interface : block.interfaces) {
-      require_between("depth of an interface", interface,
-                      above + 1e-6 * block.depth, block.depth * (1.0 - 1e-6),
-                      "m");
+      require_between(Argument{"depth of an interface", "material.layers"},
+                      interface, above + 1e-6 * block.depth,
+                      block.depth * (1.0 - 1e-6), "m");
       above = interface;
     }
   }
   if (block.geometry == MeshGeometry::inclusion) {
-    require_positive("inclusion_radius", block.inclusion_radius, "m");
+    require_positive(Argument{"inclusion_radius", "material.inclusion.radius"},
+                     block.inclusion_radius, "m");
     const double radius = block.inclusion_radius * (1.0 + 1e-3);
-    require_between("inclusion_radius", block.inclusion_radius, 0.0,
-                    half / (1.0 + 1e-3), "m");
-    require_between("inclusion_depth", block.inclusion_depth, radius,
-                    block.depth - radius, "m");
+    require_between(Argument{"inclusion_radius", "material.inclusion.radius"},
+                    block.inclusion_radius, 0.0, half / (1.0 + 1e-3), "m");
+    require_between(Argument{"inclusion_depth", "material.inclusion.depth"},
+                    block.inclusion_depth, radius, block.depth - radius, "m");
   }
 }
 
@@ -77,11 +80,13 @@ void require_gmsh_block(const GmshBlock& block) {
   require_positive("length_y", block.length_y, "m");
   require_positive("depth", block.depth, "m");
   const double least = std::min({block.length_x, block.length_y, block.depth});
-  require_positive("size_at_contact", block.size_at_contact, "m");
-  require_between("size_at_contact", block.size_at_contact, 1e-4 * least,
-                  0.25 * least, "m");
-  require_positive("size_far", block.size_far, "m");
-  require_between("size_far", block.size_far, block.size_at_contact,
+  require_positive(Argument{"size_at_contact", "mesh.size_at_contact"},
+                   block.size_at_contact, "m");
+  require_between(Argument{"size_at_contact", "mesh.size_at_contact"},
+                  block.size_at_contact, 1e-4 * least, 0.25 * least, "m");
+  require_positive(Argument{"size_far", "mesh.size_far"}, block.size_far, "m");
+  require_between(Argument{"size_far", "mesh.size_far"}, block.size_far,
+                  block.size_at_contact,
                   std::max({block.length_x, block.length_y, block.depth}), "m");
   check_geometry(block);
 }

@@ -1,5 +1,6 @@
 #include "meshes/hanging_mesh.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "meshes/layered_mesh.hpp"
 #include "meshes/layers/halvable_layers.hpp"
@@ -30,7 +31,8 @@ std::vector<long> level_bottoms(int n_levels, int cells_a_level) {
 int n_layers_of(const Grid& face, double depth) {
   const double mean_edge = 0.5 * (face.spacing_x() + face.spacing_y());
   const double n_layers = std::round(depth / mean_edge);
-  require_between("ratio of depth to cell edge", n_layers, 0.0, 1e6, "1");
+  require_between(Argument{"ratio of depth to cell edge", "method.depth"},
+                  n_layers, 0.0, 1e6, "1");
   return std::max(1, static_cast<int>(n_layers));
 }
 
@@ -66,7 +68,9 @@ void check(const Grid& face, double depth, int cells_a_level) {
   require_between("cells_a_level", cells_a_level, 1, 64, "1");
   for (const int points : {face.points_x, face.points_y})
     if (points < 2 || points % 2 != 0)
-      refuse_argument("cells per side of a mesh with hanging nodes", points,
+      refuse_argument(Argument{"cells per side of a mesh with hanging nodes",
+                               "surface.points"},
+                      points,
                       "even, preferably a power of two times a small number");
 }
 
@@ -128,11 +132,12 @@ Grid halvable_columns(const Grid& nodes, int degree, int halvings) {
   const int step = degree << halvings;
   for (const int points : {nodes.points_x, nodes.points_y})
     if (points % step != 0 || points / step < 2)
-      refuse_argument("points per side of an adaptive mesh", points,
-                      "a multiple of " + std::to_string(step) +
-                          ", the node spacings of a cell that is halved " +
-                          std::to_string(halvings) +
-                          " times, and at least twice as many");
+      refuse_argument(
+          Argument{"points per side of an adaptive mesh", "mesh.halvings"},
+          points,
+          "a multiple of " + std::to_string(step) +
+              ", the node spacings of a cell that is halved " +
+              std::to_string(halvings) + " times, and at least twice as many");
   return {nodes.points_x / step, nodes.points_y / step, nodes.length_x,
           nodes.length_y};
 }

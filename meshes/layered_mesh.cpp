@@ -1,5 +1,6 @@
 #include "meshes/layered_mesh.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 
 #include <numeric>
@@ -28,7 +29,8 @@ void check(const Grid& face, const std::vector<double>& thickness) {
     require_positive("thickness", layer, "m");
   const double n_vertices =
       (face.points_x + 1.0) * (face.points_y + 1.0) * (n_layers + 1.0);
-  require_between("number of vertices", n_vertices, 8.0, 2147483648.0, "1");
+  require_between(Argument{"number of vertices", "surface.points"}, n_vertices,
+                  8.0, 2147483648.0, "1");
 }
 
 /// Coordinate i of n equal steps from 0 to length; both ends are exact.

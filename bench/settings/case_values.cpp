@@ -1,6 +1,5 @@
 #include "bench/settings/case_values.hpp"
 
-#include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
 #include "cases/types/units.hpp"
@@ -17,16 +16,6 @@ namespace {
 
 using cases::Node;
 using cases::NodeType;
-
-const Node* table_at(const Node& file, const std::string& path) {
-  const Node* table = &file;
-  for (std::size_t from = 0; table != nullptr && from <= path.size();) {
-    const std::size_t dot = std::min(path.find('.', from), path.size());
-    table = table->find(path.substr(from, dot - from));
-    from = dot + 1;
-  }
-  return table;
-}
 
 /// Splits a text into its leading number and the remainder.
 std::pair<double, std::string> split(const std::string& text) {
@@ -66,16 +55,12 @@ void add_without_spacings(const Node& table, const std::string& path,
 } // namespace
 
 CaseValues::CaseValues(const cases::Case& contact_case)
-    : file_(cases::parse_toml(contact_case.text, contact_case.path)) {
-  input::Mistakes mistakes;
-  for (const std::string& one : cases::overrides_in(contact_case.text))
-    cases::apply_override(file_, one, mistakes);
-}
+    : file_(contact_case.file) {}
 
 std::optional<Node> CaseValues::value(const std::string& table,
                                       const std::string& key) const {
   for (std::string path = table;; path = path.substr(0, path.rfind('.'))) {
-    if (const Node* home = table_at(file_, path))
+    if (const Node* home = file_->at(path))
       if (const Node* found = home->find(key))
         return *found;
     if (path.find('.') == std::string::npos)
@@ -89,13 +74,13 @@ std::optional<Node> CaseValues::value(const std::string& table,
 
 bool CaseValues::is_set(const std::string& table,
                         const std::string& key) const {
-  const Node* home = table_at(file_, table);
+  const Node* home = file_->at(table);
   return home != nullptr && home->find(key) != nullptr;
 }
 
 std::vector<std::string> CaseValues::without_spacings(double spacing) const {
   std::vector<std::string> overrides;
-  for (const cases::NodeEntry& entry : file_.entries)
+  for (const cases::NodeEntry& entry : file_->entries)
     if (entry.node.is_table() && entry.key != "mesh")
       add_without_spacings(entry.node, entry.key, spacing, overrides);
   return overrides;

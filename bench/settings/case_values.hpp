@@ -6,6 +6,7 @@
 #include "cases/text/node.hpp"
 #include "cases/types/case.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ public:
   std::vector<std::string> without_spacings(double spacing) const;
 
 private:
-  cases::Node file_;
+  std::shared_ptr<const cases::Node> file_;
 };
 
 /// Returns "fem" for "fem.hard".

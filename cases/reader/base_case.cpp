@@ -54,22 +54,13 @@ void flatten(const Node& table, const std::string& prefix,
   }
 }
 
-// Returns the table of that name, for "material.variation" the one inside
-// "material"; null if there is none.
-const Node* table_in(const Node& file, const std::string& name) {
-  const std::size_t dot = name.find('.');
-  const Node* const outer = file.find(name.substr(0, dot));
-  return dot == std::string::npos || !outer ? outer
-                                            : outer->find(name.substr(dot + 1));
-}
-
 // Adds overrides that rewrite the relative paths of the base as seen from the
 // other folder.
 void move_paths(const Node& base, const fs::path& base_folder,
                 std::vector<LaidOver>& overrides) {
   for (const Table& table : vocabulary())
     for (const Key& key : table.keys) {
-      const Node* const holder = table_in(base, table.name);
+      const Node* const holder = base.at(table.name);
       const Node* const path =
           holder && key.type == ValueType::path && key.name != "base"
               ? holder->find(key.name)
@@ -96,7 +87,7 @@ StackedText read_level(const std::string& path, const Place& asked_at,
                               most_files));
   above.push_back(file_path);
   StackedText stacked{text_of_file(path, asked_at), path, {}};
-  Node file = parse_toml(stacked.text, path);
+  Node file = parsed_file(stacked.text, path);
   const Node* const base = file.find("base");
   if (!base)
     return stacked;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <charconv>
+#include <stdexcept>
 
 namespace asperity::cases {
 namespace {
@@ -71,6 +72,13 @@ Key key(std::string name, Values values, std::string description, Given given) {
           .fallback = std::move(given.fallback),
           .example = is_string ? '"' + text + '"' : text,
           .description = std::move(description)};
+}
+
+void require_owner(const Key& key, std::type_index owner) {
+  if (key.owner != owner)
+    throw std::logic_error(
+        fmt::format("the key {} is a member of {}, not of {}", key.name,
+                    key.owner.name(), owner.name()));
 }
 
 std::string default_text(double value) {

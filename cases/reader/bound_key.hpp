@@ -111,6 +111,9 @@ void read_value(TableReader& table, const Key& key, Value& value) {
   }
 }
 
+/// @throws std::logic_error  the key is not a member of this struct
+void require_owner(const Key& key, std::type_index owner);
+
 /// A default as TOML.
 std::string default_text(double value);
 std::string default_text(const mechanics::Quantity& value);
@@ -148,13 +151,10 @@ void describe(Key& key, const Value& value) {
 /// before they become a member.
 template <class Settings>
 Key read_by(void (*read)(TableReader&, const Key&, Settings&), Key key) {
-  key.read = [read](TableReader& table, const Key& own,
-                    const std::any& settings) {
-    auto* const* const owner = std::any_cast<Settings*>(&settings);
-    if (owner == nullptr)
-      return;
+  key.owner = typeid(Settings);
+  key.read = [read](TableReader& table, const Key& own, void* settings) {
     if (table.has(own.name))
-      read(table, own, **owner);
+      read(table, own, *static_cast<Settings*>(settings));
     else if (own.need == Need::always)
       table.complain_missing(own.name);
   };
@@ -178,12 +178,13 @@ Key key(std::string name, Values values, std::string description,
 
 /// Lets a key be read only if this holds for the settings, as far as their
 /// other keys come before it. A key with a condition is needed then.
+/// @throws std::logic_error  the key is a member of another struct
 template <class Settings>
 Key where(bool (*holds)(const Settings&), Key key) {
+  require_owner(key, typeid(Settings));
   key.read = [holds, read = std::move(key.read)](
-                 TableReader& table, const Key& own, const std::any& settings) {
-    auto* const* const owner = std::any_cast<Settings*>(&settings);
-    if (owner == nullptr || !holds(**owner))
+                 TableReader& table, const Key& own, void* settings) {
+    if (!holds(*static_cast<const Settings*>(settings)))
       return;
     if (own.need == Need::conditional && !table.has(own.name))
       table.complain_missing(own.name);

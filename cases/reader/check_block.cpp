@@ -18,8 +18,7 @@ void check_layers(const Node& file, const Case& read, Mistakes& mistakes) {
   if (!read.material.counter)
     return;
   for (const MethodSpec& method : read.methods) {
-    const auto* const fem =
-        std::get_if<mechanics::FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (std::holds_alternative<mechanics::HalfspaceSettings>(method.settings) ||
         (fem != nullptr && fem->full.bodies == 1))
       mistakes.add(entry_of(file, "material", "layers").place,
@@ -64,8 +63,7 @@ void check_counter_mesh(const Node& file, const Case& read,
   const Node& place = entry_of(file, "mesh", "counter");
   bool is_used = false;
   for (const MethodSpec& method : read.methods) {
-    const auto* const fem =
-        std::get_if<mechanics::FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (fem == nullptr || fem->full.bodies != 2)
       continue;
     is_used = true;
@@ -136,8 +134,7 @@ void check_block(const Node& file, const Case& read, Mistakes& mistakes) {
   if (read.surface.form_radius)
     check_form(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
-    const auto* const fem =
-        std::get_if<mechanics::FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (!fem)
       continue;
     const Node& place = entry_of(file, method.name, "solver");

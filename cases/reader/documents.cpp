@@ -1,6 +1,7 @@
 #include "cases/reader/documents.hpp"
 
 #include "cases/reader/vocabulary.hpp"
+#include "cases/text/toml_text.hpp"
 #include "cases/types/quantity_at_load.hpp"
 
 #include <fmt/format.h>
@@ -26,16 +27,6 @@ std::string wrapped(const std::string& text, const std::string& prefix) {
     line += " " + word;
   }
   return page + line + "\n";
-}
-
-std::string toml_string(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\')
-      quoted += '\\';
-    quoted += letter;
-  }
-  return quoted + "\"";
 }
 
 bool is_needed(const Key& key) {
@@ -228,7 +219,7 @@ std::string case_template(const std::string& name) {
                           table.name);
     for (const Key& key : table.keys)
       if (key.show != Show::no)
-        text += template_key(key, key.name == "title" ? toml_string(name)
+        text += template_key(key, key.name == "title" ? toml_value(name)
                                                       : key.example);
   }
   return text;

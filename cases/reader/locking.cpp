@@ -33,8 +33,7 @@ locking_warnings(const mechanics::MaterialSpec& material,
                  std::span<const MethodSpec> methods) {
   std::vector<std::string> warnings;
   for (const MethodSpec& method : methods) {
-    const auto* const fem =
-        std::get_if<mechanics::FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (fem == nullptr)
       continue;
     const double ratio = largest_ratio(material, *fem);
@@ -62,8 +61,7 @@ interpolation_warnings(const Case& contact_case,
   if (contact_case.surface.kind != mechanics::SurfaceKind::punch)
     return warnings;
   for (const MethodSpec& method : methods) {
-    const auto* const fem =
-        std::get_if<mechanics::FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (fem == nullptr || fem->solver != mechanics::FemSolver::full)
       continue;
     if (fem->full.uses_case_mesh &&

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 namespace asperity::cases {
 namespace {
@@ -75,7 +77,7 @@ void read_tables(TableReader& file, Case& read, Mistakes& mistakes) {
     part(*report).read(read.report);
   if (read.report.stress_inside && material != nullptr &&
       !read.material.poisson_ratio)
-    mistakes.add(file.node().find("report")->find("stress_inside")->place,
+    mistakes.add(file.node().at("report.stress_inside")->place,
                  "report.stress_inside needs material.poisson_ratio, which is "
                  "missing");
   if (const Node* const expect = table("expect"))
@@ -105,8 +107,8 @@ void require_files(const Node& file, const Case& read) {
   require_file(file.find("surface"), "surface.file", read.surface.file);
   require_file(file.find("mesh"), "mesh.file", read.mesh.file);
   if (read.material.variation)
-    require_file(file.find("material")->find("variation"),
-                 "material.variation.file", read.material.variation->file);
+    require_file(file.at("material.variation"), "material.variation.file",
+                 read.material.variation->file);
 }
 
 enum class FilesOfCase { required, not_looked_for };
@@ -145,6 +147,7 @@ Case read_text(const StackedText& stacked, const std::string& path,
   mistakes.throw_if_any();
   if (files == FilesOfCase::required)
     require_files(file, read);
+  read.file = std::make_shared<const Node>(std::move(file));
   return read;
 }
 

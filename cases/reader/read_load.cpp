@@ -103,7 +103,7 @@ enum class Cycle { load, load_unload };
 
 /// Whether the answer at a load depends on the loads before it.
 bool remembers_loads(const MethodSpec& method) {
-  const auto* const fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  const auto* const fem = method.as<mechanics::FemSettings>();
   return method.is_adhesive() || method.hardness() ||
          (fem != nullptr && fem->full.yield_stress) ||
          std::holds_alternative<mechanics::MdSettings>(method.settings);

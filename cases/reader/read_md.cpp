@@ -77,21 +77,11 @@ void check_md(TableReader& table, const mechanics::MdSettings& md) {
 
 namespace {
 
-const Node* method_node(const Node& file, const std::string& name) {
-  const std::size_t dot = name.find('.');
-  const Node* const base = file.find(name.substr(0, dot));
-  const Node* const variant = dot == std::string::npos || !base
-                                  ? nullptr
-                                  : base->find(name.substr(dot + 1));
-  return variant ? variant : base;
-}
-
 /// Reports what a half-space with free boundaries cannot have.
 void check_free_boundaries(const Node& file, const Case& read,
                            Mistakes& mistakes) {
   for (const MethodSpec& method : read.methods) {
-    const auto* const half =
-        std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+    const auto* const half = method.as<mechanics::HalfspaceSettings>();
     if (!half || !half->has_free_boundaries)
       continue;
     const auto refuse = [&](const char* what) {
@@ -117,18 +107,19 @@ void check_free_boundaries(const Node& file, const Case& read,
 
 const Node& entry_of(const Node& file, const std::string& name,
                      const std::string& key) {
-  const Node& method = *method_node(file, name);
+  const Node& base = *file.find(name.substr(0, name.find('.')));
+  const Node* const variant = file.at(name);
+  const Node& method = variant ? *variant : base;
   const Node* const own = method.find(key);
-  const Node* const inherited =
-      own ? own : file.find(name.substr(0, name.find('.')))->find(key);
-  return inherited ? *inherited : method;
+  const Node* const found = own ? own : base.find(key);
+  return found ? *found : method;
 }
 
 void check_together(const Node& file, const Case& read, Mistakes& mistakes) {
   check_block(file, read, mistakes);
   check_free_boundaries(file, read, mistakes);
   for (const MethodSpec& method : read.methods) {
-    const auto* const md = std::get_if<mechanics::MdSettings>(&method.settings);
+    const auto* const md = method.as<mechanics::MdSettings>();
     const double nu = read.material.poisson_ratio.value_or(0.25);
     if (md && md->lattice == mechanics::AtomLattice::central &&
         std::abs(nu - 0.25) > 1e-12) {

@@ -13,8 +13,7 @@ namespace asperity::cases {
 namespace {
 
 bool has_free_edges(const Node& file) {
-  const Node* const surface = file.find("surface");
-  const Node* const edges = surface ? surface->find("edges") : nullptr;
+  const Node* const edges = file.at("surface.edges");
   return edges && edges->text == "free";
 }
 

@@ -1,7 +1,5 @@
 #include "cases/reader/resolved_keys.hpp"
 
-#include "cases/reader/base_case.hpp"
-#include "cases/reader/case_text.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
 
@@ -115,9 +113,8 @@ std::string unit_of(const Key& key, const Node& value) {
 class KeyLister {
 public:
   KeyLister(const Case& read, const Scales& scales)
-      : file_(parsed_case(read)), resolver_(read, scales) {
-    const Node* const surface = file_.find("surface");
-    const Node* const kind = surface ? surface->find("kind") : nullptr;
+      : file_(*read.file), resolver_(read, scales) {
+    const Node* const kind = file_.at("surface.kind");
     kind_ = kind ? kind->text : "";
   }
 
@@ -125,7 +122,7 @@ public:
     for (const Table& table : vocabulary()) {
       if (table.is_part)
         continue;
-      const Node* const node = find(table.name);
+      const Node* const node = file_.at(table.name);
       const bool is_always = std::ranges::all_of(
           table.keys, [](const Key& key) { return !key.fallback.empty(); });
       if (node == nullptr && is_always)
@@ -140,14 +137,6 @@ public:
   }
 
 private:
-  const Node* find(const std::string& name) const {
-    const Node* node = &file_;
-    std::istringstream words(name);
-    for (std::string word; node && std::getline(words, word, '.');)
-      node = node->find(word);
-    return node;
-  }
-
   void add(const std::string& path, Node value, const std::string& unit,
            const std::string& written) {
     keys_.push_back({path, std::move(value), unit, written});
@@ -189,21 +178,13 @@ private:
     }
   }
 
-  Node file_;
+  const Node& file_;
   Resolver resolver_;
   std::string kind_;
   std::vector<ResolvedKey> keys_;
 };
 
 } // namespace
-
-Node parsed_case(const Case& read) {
-  Node file = parsed_file(read.text, read.path);
-  input::Mistakes none;
-  for (const std::string& entry : overrides_in(read.text))
-    apply_override(file, entry, none);
-  return file;
-}
 
 std::vector<ResolvedKey> resolved_keys(const Case& read,
                                        const mechanics::Scales& scales) {

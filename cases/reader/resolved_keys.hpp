@@ -20,9 +20,6 @@ struct ResolvedKey {
   std::string written; ///< as TOML, as the case gives it; "" for a default
 };
 
-/// Returns the syntax tree of the text of a case with its overrides applied.
-Node parsed_case(const Case& read);
-
 /// Returns the keys of a case in the order of the reference of the case file.
 /// Tables that the case does not have are left out, except those whose keys all
 /// have defaults. A variant of a method lists the keys that it inherits, too.

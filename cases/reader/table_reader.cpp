@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 namespace asperity::cases {
 namespace {
@@ -46,11 +47,19 @@ TableReader TableReader::part(const Node& node,
   return reader;
 }
 
-void TableReader::read_members(const std::any& settings) {
+void TableReader::read_members(std::type_index owner, void* settings) {
   const std::string& kind = said_by("kind").text;
+  bool has_any = false;
   for (const Key& key : vocabulary_.keys)
-    if (key.read && key.applies_to(kind))
-      key.read(*this, key, settings);
+    if (key.owner == owner) {
+      has_any = true;
+      if (key.applies_to(kind))
+        key.read(*this, key, settings);
+    }
+  if (!has_any)
+    throw std::logic_error(
+        fmt::format("no key of [{}] is a member of the settings {}",
+                    vocabulary_.name, owner.name()));
 }
 
 std::string TableReader::path_of(const std::string& key) const {

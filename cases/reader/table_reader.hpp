@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace asperity::cases {
@@ -30,9 +31,10 @@ public:
   TableReader part(const Node& node, const std::string& vocabulary) const;
 
   /// Reads all keys whose values are members of these settings.
+  /// @throws std::logic_error  the table has no key with such a member
   template <class Settings>
   void read(Settings& settings) {
-    read_members(std::any(&settings));
+    read_members(typeid(Settings), &settings);
   }
 
   /// Returns the table itself, with its place.
@@ -99,7 +101,7 @@ public:
   void refuse_unknown(const std::vector<std::string>& also_known = {});
 
 private:
-  void read_members(const std::any& settings);
+  void read_members(std::type_index owner, void* settings);
   std::string path_of(const std::string& key) const;
 
   const Node& node_;

@@ -134,6 +134,11 @@ std::vector<Table> all_tables() {
   return tables;
 }
 
+std::vector<Table>& mutable_vocabulary() {
+  static std::vector<Table> tables = all_tables();
+  return tables;
+}
+
 } // namespace
 
 bool Range::contains(double value) const {
@@ -223,8 +228,16 @@ Key Key::shown() const {
 }
 
 const std::vector<Table>& vocabulary() {
-  static const std::vector<Table> tables = all_tables();
-  return tables;
+  return mutable_vocabulary();
+}
+
+AddedKey::AddedKey(const std::string& table, const Key& key)
+    : table_(*std::ranges::find(mutable_vocabulary(), table, &Table::name)) {
+  table_.keys.push_back(key);
+}
+
+AddedKey::~AddedKey() {
+  table_.keys.pop_back();
 }
 
 const Table& vocabulary_table(const std::string& name) {

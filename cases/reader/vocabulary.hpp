@@ -8,9 +8,9 @@
 #include "cases/types/case.hpp"
 #include "cases/types/units.hpp"
 
-#include <any>
 #include <functional>
 #include <string>
+#include <typeindex>
 #include <vector>
 
 namespace asperity::cases {
@@ -85,13 +85,14 @@ struct Key {
   Show show = Show::as_comment;
   std::string description = {}; ///< one sentence
 
-  /// Reads the value into its member if `settings` points to the struct that
-  /// has this member, and does nothing otherwise. A key that is not given
-  /// leaves the member as it is, its default, and is a mistake if it is needed.
-  /// Empty for a key that the reader of its table reads.
-  using Read = std::function<void(TableReader& table, const Key& key,
-                                  const std::any& settings)>;
+  /// Reads the value into its member. A key that is not given leaves the member
+  /// as it is, its default, and is a mistake if it is needed. Empty for a key
+  /// that the reader of its table reads.
+  /// @param settings  the struct that has the member, which is an `owner`
+  using Read =
+      std::function<void(TableReader& table, const Key& key, void* settings)>;
   Read read = {};
+  std::type_index owner = typeid(void); ///< type of the struct
 
   /// Whether surfaces of this kind have the key.
   bool applies_to(const std::string& surface_kind) const;
@@ -114,6 +115,19 @@ struct Table {
 /// Returns all tables in the order of a case file. "load.sweep" and
 /// "expect.band" are tables inside values.
 const std::vector<Table>& vocabulary();
+
+/// Adds a row to a table as long as this object lives. For a program or a test
+/// that extends the vocabulary, while no case is being read.
+class AddedKey {
+public:
+  AddedKey(const std::string& table, const Key& key);
+  ~AddedKey();
+  AddedKey(const AddedKey&) = delete;
+  AddedKey& operator=(const AddedKey&) = delete;
+
+private:
+  Table& table_;
+};
 
 /// Return a table or a key of the vocabulary.
 ///

@@ -35,13 +35,6 @@ choices_of(const std::vector<WrittenKey>& keys, Combine combine) {
   return choices;
 }
 
-std::string title_text(const std::string& title) {
-  Node text;
-  text.type = NodeType::text;
-  text.text = title;
-  return toml_value(text);
-}
-
 /// The words of an error after its first line, "1 mistake in the case file:".
 std::string mistakes_in(const input::InputError& error) {
   const std::string whole = error.what();
@@ -82,7 +75,7 @@ private:
       add(sweep_.keys[k].key + "=" + sweep_.keys[k].values[choice[k]],
           written_[k].values[choice[k]].place);
     const std::string label = point_label(sweep_.keys, choice);
-    add("title=" + title_text(sweep_.title + ": " + label), {sweep_.path, 0});
+    add("title=" + toml_value(sweep_.title + ": " + label), {sweep_.path, 0});
     try {
       point.contact_case = read_stacked_case(whole, sweep_.path);
     } catch (const input::InputError& error) {

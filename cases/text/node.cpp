@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
+
 namespace asperity::cases {
 
 double Node::number() const {
@@ -20,6 +22,14 @@ Node* Node::find(const std::string& key) {
     if (entry.key == key)
       return &entry.node;
   return nullptr;
+}
+
+const Node* Node::at(const std::string& key_path) const {
+  const Node* node = this;
+  std::istringstream keys(key_path);
+  for (std::string key; node != nullptr && std::getline(keys, key, '.');)
+    node = node->find(key);
+  return node;
 }
 
 std::string written(const Node& node) {

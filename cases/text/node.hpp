@@ -46,6 +46,10 @@ struct Node {
   /// not a table.
   const Node* find(const std::string& key) const;
   Node* find(const std::string& key);
+
+  /// Returns the node at a path such as "material.variation"; nullptr if there
+  /// is none, this node for "".
+  const Node* at(const std::string& key_path) const;
 };
 
 struct NodeEntry {

@@ -290,6 +290,13 @@ std::string toml_value(const Node& node) {
   }
 }
 
+std::string toml_value(const std::string& text) {
+  Node node;
+  node.type = NodeType::text;
+  node.text = text;
+  return toml_value(node);
+}
+
 void apply_override(Node& file, const std::string& override_text,
                     Mistakes& mistakes, const Place& place) {
   if (const auto broken = broken_limit(override_text)) {

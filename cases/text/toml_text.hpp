@@ -30,6 +30,7 @@ Node parse_toml_value(const std::string& text, const Place& place,
 /// parse_toml_value() reads.
 std::string toml_key(const std::string& key);
 std::string toml_value(const Node& node);
+std::string toml_value(const std::string& text);
 
 /// Applies the override "key.path=value" to the file. A key in double quotes
 /// may contain dots and equals signs. The value is read as TOML, or as a string

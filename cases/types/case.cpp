@@ -6,8 +6,7 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
                                const std::vector<MethodSpec>& methods) {
   const bool is_measured = surface.kind == mechanics::SurfaceKind::measured;
   for (const MethodSpec& method : methods)
-    if (const auto* theory =
-            std::get_if<mechanics::TheorySettings>(&method.settings);
+    if (const auto* theory = method.as<mechanics::TheorySettings>();
         theory &&
         (is_measured ||
          theory->spectrum == mechanics::TheorySpectrum::formula) &&
@@ -18,8 +17,7 @@ const MethodSpec* study_theory(const mechanics::SurfaceSpec& surface,
 
 std::string obstacle_to_partial_slip(const MethodSpec& method,
                                      const mechanics::MaterialSpec& material) {
-  const auto* half =
-      std::get_if<mechanics::HalfspaceSettings>(&method.settings);
+  const auto* half = method.as<mechanics::HalfspaceSettings>();
   if (half == nullptr &&
       !std::holds_alternative<mechanics::TheorySettings>(method.settings))
     return "needs a [halfspace] or a [theory]";

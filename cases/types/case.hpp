@@ -4,6 +4,7 @@
 // It consists of the physical problem (mechanics/), the methods that solve it,
 // and what is computed, saved and expected besides.
 
+#include "cases/text/node.hpp"
 #include "cases/types/methods.hpp"
 #include "mechanics/loading.hpp"
 #include "mechanics/material.hpp"
@@ -13,6 +14,7 @@
 #include <any>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <typeindex>
@@ -74,6 +76,9 @@ struct Case {
   std::string text; ///< the file byte for byte, then one line
                     ///< "#--set key=value" per override; reading it again
                     ///< gives the same case
+  /// The text, parsed once when it is read, with its overrides applied: what is
+  /// asked of the keys as they are written.
+  std::shared_ptr<const Node> file = std::make_shared<const Node>();
   std::string name; ///< from the folder or file, e.g. "polymer"
   std::string title;
   mechanics::SurfaceSpec surface;

@@ -35,6 +35,12 @@ struct MethodSpec {
   /// first; the surface may have fewer. Default: all.
   std::optional<int> realizations = {};
 
+  /// Returns the settings of this kind of method; null for another one.
+  template <class Settings>
+  const Settings* as() const {
+    return std::get_if<Settings>(&settings);
+  }
+
   /// Returns whether the method solves for a pressure and gap field.
   bool has_fields() const {
     return std::visit([](const auto& own) { return own.has_fields(); },
@@ -62,15 +68,15 @@ struct MethodSpec {
 
   /// Returns the contact of a half-space or block; null for others.
   const mechanics::ContactSettings* contact() const {
-    if (const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings))
+    if (const auto* half = as<mechanics::HalfspaceSettings>())
       return &half->contact;
-    const auto* const block = std::get_if<mechanics::FemSettings>(&settings);
+    const auto* const block = as<mechanics::FemSettings>();
     return block != nullptr ? &block->contact : nullptr;
   }
 
   /// Returns whether the faces attract each other.
   bool is_adhesive() const {
-    if (const auto* const md = std::get_if<mechanics::MdSettings>(&settings))
+    if (const auto* const md = as<mechanics::MdSettings>())
       return md->is_adhesive();
     return contact() != nullptr && mechanics::is_adhesive(contact()->law);
   }
@@ -80,7 +86,7 @@ struct MethodSpec {
   /// @param scales  with a length and a spacing > 0
   std::optional<mechanics::ContactInterface>
   adhesion(const mechanics::Scales& scales) const {
-    if (const auto* const md = std::get_if<mechanics::MdSettings>(&settings))
+    if (const auto* const md = as<mechanics::MdSettings>())
       return md->flat_law(scales.length, static_cast<int>(std::lround(
                                              scales.length / scales.spacing)));
     return is_adhesive() ? std::optional(contact()->in_si(scales))
@@ -100,8 +106,8 @@ struct MethodSpec {
 
   /// Returns what lies beyond the border of the fields of the method.
   mechanics::Border border() const {
-    const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings);
-    const auto* fem = std::get_if<mechanics::FemSettings>(&settings);
+    const auto* half = as<mechanics::HalfspaceSettings>();
+    const auto* fem = as<mechanics::FemSettings>();
     const bool is_free = (half != nullptr && half->block().is_free()) ||
                          (fem != nullptr && fem->has_free_sides());
     return is_free ? mechanics::Border::free : mechanics::Border::periodic;
@@ -109,10 +115,9 @@ struct MethodSpec {
 
   /// Returns the largest pressure of the method; none if it is elastic.
   std::optional<mechanics::Quantity> hardness() const {
-    if (const auto* half = std::get_if<mechanics::HalfspaceSettings>(&settings))
+    if (const auto* half = as<mechanics::HalfspaceSettings>())
       return half->contact.hardness;
-    const auto* const theory =
-        std::get_if<mechanics::TheorySettings>(&settings);
+    const auto* const theory = as<mechanics::TheorySettings>();
     return theory != nullptr ? theory->hardness : std::nullopt;
   }
 

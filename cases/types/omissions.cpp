@@ -15,7 +15,7 @@ using mechanics::FemSettings;
 using mechanics::TheorySettings;
 
 bool is_full_block(const MethodSpec& method) {
-  const auto* const fem = std::get_if<FemSettings>(&method.settings);
+  const auto* const fem = method.as<mechanics::FemSettings>();
   return fem != nullptr && fem->solver == mechanics::FemSolver::full;
 }
 

@@ -44,7 +44,8 @@ CommandModel model_of_command(const CLI::App& command) {
   CommandModel model{command.get_name(),
                      on_one_line(command.get_description()),
                      example_of(command),
-                     {}};
+                     {},
+                     false};
   for (const CLI::Option* option : command.get_options())
     if (!option->get_group().empty())
       model.options.push_back(model_of_option(*option));
@@ -53,11 +54,14 @@ CommandModel model_of_command(const CLI::App& command) {
 
 } // namespace
 
-ProgramModel model_of(const CLI::App& program) {
+ProgramModel model_of(const CLI::App& program,
+                      const std::set<std::string>& on_cases) {
   ProgramModel model{model_of_command(program), program.version(), {}};
   for (const CLI::App* command : program.get_subcommands(
-           [](const CLI::App* one) { return !one->get_group().empty(); }))
+           [](const CLI::App* one) { return !one->get_group().empty(); })) {
     model.commands.push_back(model_of_command(*command));
+    model.commands.back().is_on_cases = on_cases.contains(command->get_name());
+  }
   return model;
 }
 

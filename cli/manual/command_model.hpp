@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct CommandModel {
   std::string description; ///< one line
   std::string example;     ///< without the name of the program; may be empty
   std::vector<OptionModel> options;
+  bool is_on_cases = false; ///< its arguments are cases
 };
 
 /// The whole program. Hidden commands are left out.
@@ -34,7 +36,9 @@ struct ProgramModel {
   std::vector<CommandModel> commands;
 };
 
-ProgramModel model_of(const CLI::App& program);
+/// @param on_cases  commands whose arguments are cases
+ProgramModel model_of(const CLI::App& program,
+                      const std::set<std::string>& on_cases);
 
 /// Names the values of options in the help texts: --out DIR.
 void name_values(CLI::App& program);

@@ -1,5 +1,6 @@
 #include "fem/linear/solver_choice.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,8 @@ BlockSolverKind solver_of(const BlockTraits& block) {
                                        : most_direct_stiff_unknowns_on_ranks;
   if (block.unknowns > most)
     refuse_argument(
-        "unknowns of a full block with a Poisson's ratio above 0.49",
+        Argument{"unknowns of a full block with a Poisson's ratio above 0.49",
+                 "method.solver"},
         block.unknowns,
         fmt::format("at most {}, the most of the direct solver; choose solver "
                     "= \"condensed\" (layers, periodic sides), or "

@@ -1,5 +1,6 @@
 #include "fem/waves/elastic_layers.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "mechanics/limits.hpp"
 
@@ -69,7 +70,7 @@ void require_cells(const Grid& grid, int nodes_per_cell) {
   const int fewest = 2 * nodes_per_cell;
   for (const int points : {grid.points_x, grid.points_y})
     if (points < fewest || points % nodes_per_cell != 0)
-      refuse_argument("points", points,
+      refuse_argument(Argument{"points", "surface.points"}, points,
                       "a multiple of " + std::to_string(nodes_per_cell) +
                           " and at least " + std::to_string(fewest));
 }

@@ -1,5 +1,6 @@
 #include "fem/waves/moduli_field.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "meshes/facets.hpp"
 
@@ -60,9 +61,10 @@ double ModuliField::factor(const meshes::Place& place) const {
     return 1.0;
   const double factor = factor_(place);
   if (!std::isfinite(factor) || factor <= 0.0)
-    refuse_argument("material.variation: factor of the modulus at " +
-                        meshes::place_text(place),
-                    factor, "finite and > 0 [1]");
+    throw RefusedArgument("material.variation: factor of the modulus at " +
+                              meshes::place_text(place),
+                          factor, "finite and > 0 [1]",
+                          "material.variation.factor");
   return factor;
 }
 

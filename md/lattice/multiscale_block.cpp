@@ -1,6 +1,7 @@
 #include "md/lattice/multiscale_block.hpp"
 
 #include "base/parallel_rows.hpp"
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "md/lattice/level_transfer.hpp"
 
@@ -19,7 +20,8 @@ void require(const BlockShape& shape, double spacing) {
   const int side = 1 << (shape.levels - 1);
   for (const int points : {shape.layer.points_x, shape.layer.points_y})
     if (points < side || points % side != 0)
-      refuse_argument("atoms per side", points, "a multiple of 2^(levels - 1)");
+      refuse_argument(Argument{"atoms per side", "method.atoms"}, points,
+                      "a multiple of 2^(levels - 1)");
   for (const double length : {shape.layer.spacing_x(), shape.layer.spacing_y()})
     if (!(std::abs(length - spacing) <= 1e-9 * spacing))
       refuse_argument("spacing of the layer", length,

@@ -1,5 +1,6 @@
 #include "meshes/layers/graded_layers.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 
 #include <cmath>
@@ -68,7 +69,8 @@ void fill(double thickest, double growth, double top, double bottom,
 
 std::vector<double> graded_layers(double surface_thickness, double growth,
                                   double depth) {
-  require_positive("surface_thickness", surface_thickness, "m");
+  require_positive(Argument{"surface_thickness", "method.surface_cell_depth"},
+                   surface_thickness, "m");
   require_between("growth", growth, 1.0, 10.0, "1");
   require_positive("depth", depth, "m");
   const double ratio = depth / surface_thickness;
@@ -106,7 +108,8 @@ graded_layers_with_interfaces(double surface_thickness, double growth,
                               double depth) {
   if (interfaces.empty())
     return graded_layers(surface_thickness, growth, depth);
-  require_positive("surface_thickness", surface_thickness, "m");
+  require_positive(Argument{"surface_thickness", "method.surface_cell_depth"},
+                   surface_thickness, "m");
   require_between("growth", growth, 1.0, 10.0, "1");
   require_positive("depth", depth, "m");
   std::vector<double> bottoms(interfaces.begin(), interfaces.end());
@@ -115,7 +118,7 @@ graded_layers_with_interfaces(double surface_thickness, double growth,
   double top = 0.0;
   for (const double bottom : bottoms) {
     if (!(bottom > top && bottom <= depth))
-      refuse_argument("interfaces", bottom,
+      refuse_argument(Argument{"interfaces", "material.layers"}, bottom,
                       "above 0, deeper than the previous interface and "
                       "shallower than the block, " +
                           number_text(depth) + " m");

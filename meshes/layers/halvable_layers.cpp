@@ -1,5 +1,6 @@
 #include "meshes/layers/halvable_layers.hpp"
 
+#include "base/refused_argument.hpp"
 #include "base/require.hpp"
 
 #include <algorithm>
@@ -62,14 +63,15 @@ std::vector<double> halvable_layers(double edge, int halvings,
   require_positive("edge", edge, "m");
   require_positive("depth", depth, "m");
   require_between("halvings", halvings, 0, 12, "1");
-  require_between("ratio of depth to cell edge", depth / edge, 0.0, 1e6, "1");
+  require_between(Argument{"ratio of depth to cell edge", "method.depth"},
+                  depth / edge, 0.0, 1e6, "1");
   std::vector<double> boundaries(interfaces.begin(), interfaces.end());
   boundaries.push_back(depth);
   double above = 0.0;
   for (const double boundary : boundaries) {
     if (!(boundary > above))
-      refuse_argument("interface between layers", boundary,
-                      "increasing, > 0 and less than the depth [m]");
+      refuse_argument(Argument{"interface between layers", "material.layers"},
+                      boundary, "increasing, > 0 and less than the depth [m]");
     above = boundary;
   }
 

@@ -2,7 +2,6 @@
 
 #include "base/content_hash.hpp"
 #include "base/read_file.hpp"
-#include "cases/reader/resolved_keys.hpp"
 #include "cases/reader/study_keys.hpp"
 #include "cases/reader/vocabulary.hpp"
 #include "cases/text/toml_text.hpp"
@@ -101,19 +100,18 @@ CaseKeys::CaseKeys(const cases::Case& contact_case, std::string program,
                    std::map<std::string, std::string> inputs)
     : case_(contact_case),
       program_(std::move(program)),
-      file_(cases::parsed_case(contact_case)),
       inputs_(std::move(inputs)),
-      problem_text_(fmt::format("{}\n{}{}\n{}{}", program_, surface_text(file_),
-                                hash_in(inputs_, surface_file),
-                                text_of(file_, "material"),
-                                hash_in(inputs_, variation_file))) {}
+      problem_text_(fmt::format(
+          "{}\n{}{}\n{}{}", program_, surface_text(*case_.file),
+          hash_in(inputs_, surface_file), text_of(*case_.file, "material"),
+          hash_in(inputs_, variation_file))) {}
 
 /// Merges the keys of a variant such as [fem.hard] into those of [fem]. The
 /// tables of the other variants are left out.
 Node CaseKeys::table_of(const cases::MethodSpec& method) const {
   const std::size_t dot = method.name.find('.');
   const std::string kind = method.name.substr(0, dot);
-  const Node& base = *file_.find(kind);
+  const Node& base = *case_.file->find(kind);
   Node merged;
   if (dot != std::string::npos)
     merged = *base.find(method.name.substr(dot + 1));
@@ -133,11 +131,11 @@ std::string CaseKeys::method_text(const cases::MethodSpec& method) const {
   });
   std::string text =
       method.name.substr(0, method.name.find('.')) + canonical(table);
-  if (const auto* md = std::get_if<mechanics::MdSettings>(&method.settings))
+  if (const auto* md = method.as<mechanics::MdSettings>())
     text += md::engine_identity(*md);
-  if (const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  if (const auto* fem = method.as<mechanics::FemSettings>();
       fem != nullptr && fem->full.uses_case_mesh)
-    text += text_of(file_, "mesh") + hash_in(inputs_, mesh_file);
+    text += text_of(*case_.file, "mesh") + hash_in(inputs_, mesh_file);
   return text;
 }
 
@@ -159,9 +157,10 @@ std::vector<std::string> CaseKeys::steps(const cases::MethodSpec& method,
 
 std::string CaseKeys::table(const cases::MethodSpec& theory,
                             const std::string& name) const {
-  return content_hash(fmt::format(
-      "{}\n{}\n{}\n{}\n{}", problem_text_, method_text(theory),
-      text_of(file_, "magnification"), text_of(file_, "adhesion"), name));
+  return content_hash(fmt::format("{}\n{}\n{}\n{}\n{}", problem_text_,
+                                  method_text(theory),
+                                  text_of(*case_.file, "magnification"),
+                                  text_of(*case_.file, "adhesion"), name));
 }
 
 std::string CaseKeys::operator_text(const cases::MethodSpec& method,
@@ -174,10 +173,10 @@ std::string CaseKeys::operator_text(const cases::MethodSpec& method,
            entry.key == "max_iterations" || entry.key == "magnification" ||
            entry.key == "realizations";
   });
-  return fmt::format("{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y,
-                     grid.length_x, grid.length_y, text_of(file_, "material"),
-                     method.name.substr(0, method.name.find('.')),
-                     canonical(table));
+  return fmt::format(
+      "{} {} {} {}\n{}\n{} {}", grid.points_x, grid.points_y, grid.length_x,
+      grid.length_y, text_of(*case_.file, "material"),
+      method.name.substr(0, method.name.find('.')), canonical(table));
 }
 
 std::string CaseKeys::of_operator(const std::string& text) const {

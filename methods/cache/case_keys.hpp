@@ -59,7 +59,6 @@ private:
 
   const cases::Case& case_;
   std::string program_;
-  cases::Node file_;
   std::map<std::string, std::string> inputs_; ///< input_hashes()
   std::string problem_text_;                  ///< text of surface and material
 };

@@ -1,6 +1,5 @@
 #include "methods/cache/file_mesh.hpp"
 
-#include "cases/reader/resolved_keys.hpp"
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/counter_body.hpp"
@@ -25,9 +24,7 @@ using meshes::BlockMesh;
 
 [[noreturn]] void refuse(const cases::Case& contact_case,
                          const std::string& what) {
-  const cases::Node file = cases::parsed_case(contact_case);
-  const cases::Node* const mesh = file.find("mesh");
-  const cases::Node* const key = mesh == nullptr ? nullptr : mesh->find("file");
+  const cases::Node* const key = contact_case.file->at("mesh.file");
   input::throw_mistake(key == nullptr ? input::Place{contact_case.path, 0}
                                       : key->place,
                        "mesh.file: " + what);
@@ -143,7 +140,7 @@ std::string hash_of_mesh(const cases::Case& contact_case) {
 std::optional<BlockMesh> file_mesh(const cases::Case& contact_case,
                                    const cases::MethodSpec& method,
                                    const Grid& grid) {
-  const auto* fem = std::get_if<mechanics::FemSettings>(&method.settings);
+  const auto* fem = method.as<mechanics::FemSettings>();
   if (fem == nullptr || fem->solver != mechanics::FemSolver::full ||
       !fem->full.uses_case_mesh || contact_case.mesh.file.empty())
     return std::nullopt;

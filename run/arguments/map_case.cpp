@@ -1,6 +1,5 @@
 #include "run/arguments/map_case.hpp"
 
-#include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
@@ -57,13 +56,6 @@ fs::path map_path(const MapOfCase& map) {
              : fs::relative(fs::absolute(map.file), fs::absolute(map.folder));
 }
 
-std::string quoted(const std::string& text) {
-  cases::Node node;
-  node.type = cases::NodeType::text;
-  node.text = text;
-  return cases::toml_value(node);
-}
-
 std::string titled_case_text(const MapOfCase& map, const std::string& title) {
   if (map.contact_modulus.empty())
     throw input::InputError(fmt::format(
@@ -73,10 +65,10 @@ std::string titled_case_text(const MapOfCase& map, const std::string& title) {
         map.file));
   (void)positive_quantity("--contact-modulus", map.contact_modulus,
                           input::Dimension::pressure);
-  return fmt::format(fmt::runtime(text_of_case),
-                     fmt::arg("title", quoted(title)),
-                     fmt::arg("file", quoted(map_path(map).string())),
-                     fmt::arg("modulus", quoted(map.contact_modulus)));
+  return fmt::format(
+      fmt::runtime(text_of_case), fmt::arg("title", cases::toml_value(title)),
+      fmt::arg("file", cases::toml_value(map_path(map).string())),
+      fmt::arg("modulus", cases::toml_value(map.contact_modulus)));
 }
 
 /// Refuses an entry of a folder that is neither a file nor a folder. Left out,
@@ -128,11 +120,12 @@ std::vector<std::string> map_overrides(const std::string& length,
   std::vector<std::string> overrides;
   if (!length.empty()) {
     (void)positive_quantity("--length", length, input::Dimension::length);
-    overrides.push_back("surface.length=" + quoted(length));
+    overrides.push_back("surface.length=" + cases::toml_value(length));
   }
   if (!height_unit.empty())
-    overrides.push_back("surface.height_unit=" +
-                        quoted(length_unit_text("--height-unit", height_unit)));
+    overrides.push_back(
+        "surface.height_unit=" +
+        cases::toml_value(length_unit_text("--height-unit", height_unit)));
   return overrides;
 }
 
@@ -161,7 +154,7 @@ std::string maps_sweep_text(const std::vector<fs::path>& files,
                        fmt::format("{} measured maps", files.size())) +
       fmt::format("\n{}\n[sweep]\n\"surface.file\" = [\n", reports::maps_mark);
   for (const fs::path& file : files)
-    text += "  " + quoted(file.string()) + ",\n";
+    text += "  " + cases::toml_value(file.string()) + ",\n";
   return text + "]\n";
 }
 

@@ -3,7 +3,6 @@
 #include "base/atomic_file.hpp"
 #include "cases/reader/base_case.hpp"
 #include "cases/reader/read_case.hpp"
-#include "cases/text/node.hpp"
 #include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "reports/pages/paper_report.hpp"
@@ -19,11 +18,19 @@
 namespace asperity::run {
 namespace {
 
-std::string title_override(const std::string& title) {
-  cases::Node text;
-  text.type = cases::NodeType::text;
-  text.text = title;
-  return "title=" + cases::toml_value(text);
+/// Adds the overrides of quick.set before the others, and a title that says so.
+/// @param title  of the whole case
+void add_quick(std::vector<std::string>& overrides, const FoundCase& found,
+               const std::string& name, const char* what,
+               const std::string& title) {
+  std::vector<std::string> quick = quick_overrides(found.file);
+  if (quick.empty())
+    fmt::print("{}: there is no quick.set next to the case file; the full {} "
+               "runs\n",
+               name, what);
+  else
+    quick.push_back("title=" + cases::toml_value(title + reports::quick_mark));
+  overrides.insert(overrides.begin(), quick.begin(), quick.end());
 }
 
 ReadCase read_with_reference(const FoundCase& found,
@@ -32,14 +39,7 @@ ReadCase read_with_reference(const FoundCase& found,
   const std::string file = found.file.string();
   if (is_quick) {
     const cases::Case whole = cases::read_case(file);
-    std::vector<std::string> quick = quick_overrides(found.file);
-    if (quick.empty())
-      fmt::print("{}: there is no quick.set next to the case file; the full "
-                 "case runs\n",
-                 whole.name);
-    else
-      quick.push_back(title_override(whole.title + reports::quick_mark));
-    overrides.insert(overrides.begin(), quick.begin(), quick.end());
+    add_quick(overrides, found, whole.name, "case", whole.title);
   }
   ReadCase read{found, cases::read_case(file, overrides), "", overrides};
   read.reference = reference_text_of(read.contact_case);
@@ -75,17 +75,8 @@ NamedSweep read_sweep_called(const FoundCase& found,
                              std::vector<std::string> overrides,
                              bool is_quick) {
   const std::string file = found.file.string();
-  if (is_quick) {
-    std::vector<std::string> quick = quick_overrides(found.file);
-    if (quick.empty())
-      fmt::print("{}: there is no quick.set next to the case file; the full "
-                 "sweep runs\n",
-                 file);
-    else
-      quick.push_back(
-          title_override(cases::read_sweep(file).title + reports::quick_mark));
-    overrides.insert(overrides.begin(), quick.begin(), quick.end());
-  }
+  if (is_quick)
+    add_quick(overrides, found, file, "sweep", cases::read_sweep(file).title);
   NamedSweep named{found, cases::read_sweep(file, overrides), overrides};
   if (is_of_maps(named))
     named.sweep.name = name_of_folder(found.file.parent_path());

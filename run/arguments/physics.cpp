@@ -21,16 +21,9 @@ namespace {
 
 /// The hardness of the first method that has one.
 std::optional<mechanics::Quantity> hardness_of(const cases::Case& read) {
-  for (const cases::MethodSpec& method : read.methods) {
-    if (const auto* half =
-            std::get_if<mechanics::HalfspaceSettings>(&method.settings);
-        half != nullptr && half->contact.hardness)
-      return half->contact.hardness;
-    if (const auto* theory =
-            std::get_if<mechanics::TheorySettings>(&method.settings);
-        theory != nullptr && theory->hardness)
-      return theory->hardness;
-  }
+  for (const cases::MethodSpec& method : read.methods)
+    if (const auto hardness = method.hardness())
+      return hardness;
   return std::nullopt;
 }
 

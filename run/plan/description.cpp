@@ -69,8 +69,7 @@ mechanics::Roughness roughness_of(const cases::Case& contact_case,
 }
 
 bool is_pressed_once(const MethodSpec& method) {
-  return std::holds_alternative<mechanics::HalfspaceSettings>(
-             method.settings) &&
+  return method.as<mechanics::HalfspaceSettings>() != nullptr &&
          method.border() == mechanics::Border::free;
 }
 

@@ -172,7 +172,7 @@ MethodNeeds needs_of(const cases::Case& contact_case,
 
 double memory_of_rank(const cases::MethodSpec& method, const Grid& grid,
                       int ranks) {
-  const auto* block = std::get_if<mechanics::FemSettings>(&method.settings);
+  const auto* block = method.as<mechanics::FemSettings>();
   double arrays = arrays_per_rank;
   if (block != nullptr && block->block.element == Element::q2)
     arrays += more_arrays_of_q2;

@@ -3,7 +3,7 @@
 #include "base/refused_argument.hpp"
 #include "base/require.hpp"
 #include "cases/reader/read_parts.hpp"
-#include "cases/reader/resolved_keys.hpp"
+#include "cases/reader/vocabulary.hpp"
 #include "cases/text/node.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "fem/plugin.hpp"
@@ -22,12 +22,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace asperity::run {
 namespace {
@@ -36,43 +34,6 @@ using cases::MethodSpec;
 using cases::Node;
 using mechanics::FemSettings;
 using mechanics::MeshKind;
-
-/// The key that gives an argument of a builder; "" before the dot stands for
-/// the method. Other arguments have the path of their key as name, or concern
-/// the whole method.
-struct ArgumentKey {
-  std::string_view argument;
-  std::string_view table;
-  std::string_view key;
-};
-
-constexpr std::array argument_keys{
-    ArgumentKey{"depth", "", "depth"},
-    ArgumentKey{"growth", "", "growth"},
-    ArgumentKey{"hardness", "", "hardness"},
-    ArgumentKey{"range", "", "range"},
-    ArgumentKey{"surface_thickness", "", "surface_cell_depth"},
-    ArgumentKey{"thickness", "", "thickness"},
-    ArgumentKey{"cutoff", "", "cutoff"},
-    ArgumentKey{"atoms per side", "", "atoms"},
-    ArgumentKey{"ratio of depth to cell edge", "", "depth"},
-    ArgumentKey{"interfaces", "material", "layers"},
-    ArgumentKey{"interface between layers", "material", "layers"},
-    ArgumentKey{"depth of an interface", "material", "layers"},
-    ArgumentKey{"unknowns of a full block with a Poisson's ratio above 0.49",
-                "", "solver"},
-    ArgumentKey{"inclusion_radius", "material.inclusion", "radius"},
-    ArgumentKey{"inclusion_depth", "material.inclusion", "depth"},
-    ArgumentKey{"size_at_contact", "mesh", "size_at_contact"},
-    ArgumentKey{"size_far", "mesh", "size_far"},
-    ArgumentKey{"fine_radius", "mesh", "fine_radius"},
-    ArgumentKey{"points per side of an adaptive mesh", "mesh", "halvings"},
-    ArgumentKey{"cells per side of a mesh with hanging nodes", "surface",
-                "points"},
-    ArgumentKey{"number of vertices", "surface", "points"},
-    ArgumentKey{"points", "surface", "points"},
-    ArgumentKey{"material.variation", "material.variation", "factor"},
-};
 
 /// The factor on E is examined at so many places.
 constexpr double most_places = 1e6;
@@ -83,9 +44,7 @@ constexpr std::size_t most_nodes = std::size_t{1} << 20;
 class Preparation {
 public:
   Preparation(const cases::Case& contact_case, const Grid& grid)
-      : case_(contact_case),
-        file_(cases::parsed_case(contact_case)),
-        grid_(grid) {}
+      : case_(contact_case), grid_(grid) {}
 
   void examine(const MethodSpec& method) {
     method_ = &method;
@@ -119,7 +78,7 @@ public:
   void examine_linear_solver(const MethodSpec& method) {
     method_ = &method;
     const Grid pressed = methods::pressed_grid(case_, method, grid_);
-    const auto* const fem = std::get_if<FemSettings>(&method.settings);
+    const auto* const fem = method.as<mechanics::FemSettings>();
     if (fem != nullptr && fem->solver == mechanics::FemSolver::full)
       attempt([&] { fem::solver_of(block_of(case_, method, pressed, 1)); });
   }
@@ -202,7 +161,7 @@ private:
       return;
     attempt([&] { examine_moduli(fem); });
     if (fem.full.bodies == 2 && case_.mesh.counter)
-      cases::check_counter_body(file_, case_, fem, pressed_, mistakes_);
+      cases::check_counter_body(*case_.file, case_, fem, pressed_, mistakes_);
   }
 
   void examine(const mechanics::MdSettings& md) {
@@ -222,7 +181,7 @@ private:
       if (md.bulk == mechanics::AtomBulk::explicit_layers &&
           atoms % coarsest != 0)
         refuse_argument(
-            "atoms per side", atoms,
+            Argument{"atoms per side", "method.atoms"}, atoms,
             fmt::format("a multiple of {} for {} levels", coarsest, md.levels));
     });
   }
@@ -292,28 +251,34 @@ private:
     } catch (const RefusedArgument& refused) {
       add(refused);
     } catch (const std::domain_error& error) {
-      const Node& table = cases::entry_of(file_, method_->name, "");
+      const Node& table = cases::entry_of(*case_.file, method_->name, "");
       mistakes_.add(table.place, method_->name + ": " + error.what());
     }
   }
 
-  void add(const RefusedArgument& refused) {
+  /// The key that gives an argument: the one that the builder names, a key of
+  /// the method with the name of the argument, or the name itself.
+  std::string key_of(const RefusedArgument& refused) const {
+    if (!refused.key.empty())
+      return refused.key;
     const std::string name = refused.name.substr(0, refused.name.find(':'));
-    const auto known =
-        std::ranges::find(argument_keys, name, &ArgumentKey::argument);
-    std::string path = name;
-    if (known != argument_keys.end())
-      path = fmt::format("{}.{}",
-                         known->table.empty() ? std::string_view(method_->name)
-                                              : known->table,
-                         known->key);
+    const std::string kind = method_->name.substr(0, method_->name.find('.'));
+    return cases::find_key(kind, name) != nullptr ? "method." + name : name;
+  }
+
+  void add(const RefusedArgument& refused) {
+    std::string path = key_of(refused);
     if (path == "surface.points" &&
         case_.surface.kind == mechanics::SurfaceKind::measured)
       path = "surface.file"; // determines the points
-    const Node& node =
-        known != argument_keys.end() && known->table.empty()
-            ? cases::entry_of(file_, method_->name, std::string(known->key))
-            : nearest_node(path);
+    const std::string of_method = "method.";
+    const bool is_of_method = path.starts_with(of_method);
+    const Node& node = is_of_method
+                           ? cases::entry_of(*case_.file, method_->name,
+                                             path.substr(of_method.size()))
+                           : nearest_node(path);
+    if (is_of_method)
+      path.replace(0, of_method.size(), method_->name + ".");
     const bool is_own = path.ends_with("." + refused.name);
     const std::string value = number_text(refused.value);
     const std::string found = node.is_table()
@@ -335,7 +300,7 @@ private:
 
   /// The node of a path, or the last table on the way to it.
   const Node& nearest_node(const std::string& path) const {
-    const Node* node = &file_;
+    const Node* node = case_.file.get();
     for (std::size_t begin = 0; begin <= path.size();) {
       const std::size_t end = std::min(path.find('.', begin), path.size());
       const Node* const next = node->find(path.substr(begin, end - begin));
@@ -348,7 +313,6 @@ private:
   }
 
   const cases::Case& case_;
-  Node file_;
   Grid grid_;
   const MethodSpec* method_ = nullptr; ///< that is examined
   Grid pressed_;                       ///< by it

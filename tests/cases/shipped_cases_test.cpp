@@ -16,77 +16,25 @@
 
 namespace asperity::cases::shipped_cases_test {
 
-const std::set<std::string> shipped = {
-    "hertz",       "layered", "polymer", "polymer-nominal",
-    "self-affine", "wave-1d", "wave-2d"};
+namespace fs = std::filesystem;
 
-const std::set<std::string> adhesive = {"adhesive-rough", "adhesive-sphere",
-                                        "adhesive-wave", "adhesive-atoms",
-                                        "challenge"};
-
-// Full 3-D blocks, which are also read with their quick.set.
-const std::set<std::string> full_blocks = {
-    "elastic-sphere", "hertz-3d",  "hertz-adaptive",
-    "heterogeneous",  "inclusion", "punch",
-    "rough-3d",       "step42",    "two-blocks"};
-
-// Atomistic blocks, whose claims are in the collection paper.
-const std::set<std::string> blocks_of_atoms = {
-    "md-lammps", "md-small", "md-verify", "md-zeta216", "md-zeta4"};
-
-const std::set<std::string> parts_of_paper = {"adhesion",
-                                              "finite-size-1",
-                                              "finite-size-2",
-                                              "finite-size-4",
-                                              "finite-size-8",
-                                              "magnification-atoms",
-                                              "magnification-polymer",
-                                              "polymer",
-                                              "pressures-atoms",
-                                              "separation-atoms",
-                                              "surface-atoms",
-                                              "surface-polymer"};
-
-const std::set<std::string> parts_of_board = {"challenge",
-                                              "fe-coated",
-                                              "fe-hertz",
-                                              "fe-punch",
-                                              "fe-rough-32",
-                                              "fe-rough-64",
-                                              "fe-rounded-punch",
-                                              "free-cone",
-                                              "free-punch",
-                                              "free-rough",
-                                              "free-rounded-punch",
-                                              "free-sphere",
-                                              "hertz",
-                                              "layered",
-                                              "near-full-contact",
-                                              "polymer",
-                                              "self-affine-h03",
-                                              "self-affine-h08-16",
-                                              "self-affine-h08-4",
-                                              "self-affine-h08-8",
-                                              "self-affine-peer",
-                                              "wave-1d",
-                                              "wave-2d"};
-
-const std::set<std::string> parts_of_peers = {"full-contact", "gfmd-zhou",
-                                              "hertz", "westergaard"};
-
-/// Names of the sub-folders that hold a case or a collection; the sources of
-/// the module lie beside them.
-std::set<std::string> folders_in(const std::string& folder) {
-  std::set<std::string> found;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    if (exists(entry.path() / "case.toml") ||
-        exists(entry.path() / "collection.toml"))
-      found.insert(entry.path().filename().string());
-  return found;
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
 }
 
-Case shipped_case(const std::string& name) {
-  return read_case("cases/" + name + "/case.toml");
+/// The folders of all shipped cases, as "board/hertz". A user may keep more
+/// cases beside them, without a README.md.
+std::vector<std::string> shipped() {
+  std::vector<std::string> folders;
+  for (const auto& entry : fs::recursive_directory_iterator("cases"))
+    if (entry.path().filename() == "case.toml" &&
+        fs::exists(entry.path().parent_path() / "README.md"))
+      folders.push_back(
+          fs::relative(entry.path().parent_path(), "cases").string());
+  std::ranges::sort(folders);
+  return folders;
 }
 
 /// The overrides of a folder's quick.set; none without one.
@@ -99,169 +47,126 @@ std::vector<std::string> quick_lines(const std::string& folder) {
   return quick;
 }
 
-/// True if `folder` has all of `names`; a user may keep more cases beside them.
-bool has_folders(const std::string& folder,
-                 const std::set<std::string>& names) {
-  return std::ranges::includes(folders_in(folder), names);
-}
+// A case is read in full and with its quick.set, under the name of its folder.
+TEST(ShippedCases, AreReadInFullAndQuickly) {
+  const std::vector<std::string> folders = shipped();
 
-TEST(ShippedCases, AreFolders) {
-  std::set<std::string> expected = shipped;
-  expected.insert(blocks_of_atoms.begin(), blocks_of_atoms.end());
-  expected.insert(full_blocks.begin(), full_blocks.end());
-  expected.insert(adhesive.begin(), adhesive.end());
-  expected.insert({"adhesion-numbers", "board", "gamma", "hardness", "paper",
-                   "peers", "sweep-hurst"});
-
-  EXPECT_TRUE(has_folders("cases", expected));
-  EXPECT_TRUE(has_folders("cases/board", parts_of_board));
-  EXPECT_TRUE(has_folders("cases/peers", parts_of_peers));
-  EXPECT_TRUE(has_folders("cases/paper", parts_of_paper));
-  EXPECT_FALSE(has_folders("cases", {"no-such-case"}));
-}
-
-// Every part of the collection has its claim, its figures and its published
-// numbers, and is read in full and with its quick.set. A series of parts has
-// the figures of its first.
-TEST(ShippedCases, ReadThePaperPartByPart) {
-  const Collection collection =
-      read_collection("cases/paper/collection.toml",
-                      {parts_of_paper.begin(), parts_of_paper.end()});
-  for (const std::string& part : parts_of_paper) {
-    const std::string folder = "cases/paper/" + part;
-    const std::vector<std::string> quick = quick_lines(folder);
-    std::ostringstream readme;
-    readme << std::ifstream(folder + "/README.md").rdbuf();
-
-    EXPECT_EQ(read_case(folder + "/case.toml").name, part);
-    EXPECT_EQ(read_case(folder + "/case.toml", quick).name, part);
-    const bool has_figures =
-        std::ranges::any_of(collection.figures, [&](const ShownFigure& figure) {
-          return figure.part == part;
-        });
-    const bool is_later_of_series =
-        part.starts_with("finite-size-") && part != "finite-size-1";
-    EXPECT_EQ(has_figures, !is_later_of_series) << part;
-    if (part != "finite-size-2" && part != "finite-size-4") { // none printed
-      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+  EXPECT_GE(folders.size(), 72U);
+  for (const std::string& name : folders) {
+    const std::string file = "cases/" + name + "/case.toml";
+    const std::vector<std::string> quick = quick_lines("cases/" + name);
+    const std::string folder_name = fs::path(name).filename().string();
+    if (is_sweep(file)) {
+      EXPECT_EQ(read_sweep(file).name, folder_name);
+      EXPECT_GT(read_sweep(file, quick).points.size(), 1U) << name;
+    } else {
+      EXPECT_EQ(read_case(file).name, folder_name);
+      EXPECT_EQ(read_case(file, quick).name, folder_name);
     }
-    for (const char* word : {"**Claim.**", "**Run.**"})
-      EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
+  }
+  EXPECT_EQ(read_sweep("cases/gamma/case.toml").points.size(), 64U);
+  EXPECT_EQ(read_sweep("cases/gamma/case.toml", quick_lines("cases/gamma"))
+                .points.size(),
+            8U);
+  EXPECT_EQ(read_sweep("cases/sweep-hurst/case.toml").points.size(), 8U);
+}
+
+// A case has its claim, and the published numbers, unless none are published.
+TEST(ShippedCases, HaveTheirClaimAndTheirReferences) {
+  const std::set<std::string> without_numbers = {"adhesive-atoms",
+                                                 "adhesive-rough",
+                                                 "board/near-full-contact",
+                                                 "cattaneo",
+                                                 "challenge",
+                                                 "conductance",
+                                                 "hardness",
+                                                 "paper/finite-size-2",
+                                                 "paper/finite-size-4",
+                                                 "peers/full-contact",
+                                                 "seal"};
+  for (const std::string& name : shipped()) {
+    const std::string folder = "cases/" + name;
+    const std::string readme = text_of(folder + "/README.md");
+    std::vector<std::string> words;
+    if (name.find('/') != std::string::npos) // of a collection
+      words = {"**Claim.**", "**Run.**"};
+    if (words.size() > 0U && !name.starts_with("paper/"))
+      words.emplace_back("**Shown.**");
+
+    for (const std::string& word : words)
+      EXPECT_NE(readme.find(word), std::string::npos) << name << word;
+    if (!without_numbers.contains(name)) {
+      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << name;
+    }
   }
 }
 
-TEST(ShippedCases, ReadThePeersProblems) {
-  for (const std::string& part : parts_of_peers) {
-    const std::string folder = "cases/peers/" + part;
-    std::ostringstream readme;
-    readme << std::ifstream(folder + "/README.md").rdbuf();
+// A collection names all of its parts. A series of parts of the paper has the
+// figures of its first.
+TEST(ShippedCases, AreThePartsOfTheirCollections) {
+  for (const std::string name : {"board", "paper", "peers"}) {
+    std::vector<std::string> parts;
+    for (const std::string& folder : shipped())
+      if (folder.starts_with(name + "/"))
+        parts.push_back(fs::path(folder).filename().string());
+    const Collection collection =
+        read_collection("cases/" + name + "/collection.toml", parts);
 
-    EXPECT_EQ(read_case(folder + "/case.toml").name, part);
-    if (part != "full-contact") { // no count is published
-      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
+    EXPECT_EQ(collection.parts.size(), parts.size()) << name;
+    for (const std::string& part : parts) {
+      const bool has_figures =
+          std::ranges::count(collection.figures, part, &ShownFigure::part) > 0;
+      const bool is_later_of_series =
+          part.starts_with("finite-size-") && part != "finite-size-1";
+      if (name == "paper") {
+        EXPECT_EQ(has_figures, !is_later_of_series) << part;
+      }
     }
-    for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
-      EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
   }
 }
 
 // Each benchmark problem can be solved by other programs: one surface, one
 // half-space or meshed block in hard contact, nominal pressures, and the
 // solution at each load is saved.
-TEST(ShippedCases, ReadTheBenchmarkProblems) {
-  const Collection collection =
-      read_collection("cases/board/collection.toml",
-                      {parts_of_board.begin(), parts_of_board.end()});
-  EXPECT_EQ(collection.parts.size(), parts_of_board.size());
-  for (const std::string& part : parts_of_board) {
-    const std::string folder = "cases/board/" + part;
-    const Case read = read_case(folder + "/case.toml");
-    std::ostringstream readme;
-    readme << std::ifstream(folder + "/README.md").rdbuf();
+TEST(ShippedCases, OfTheBoardCanBeSolvedByOthers) {
+  for (const std::string& name : shipped()) {
+    if (!name.starts_with("board/"))
+      continue;
+    const Case read = read_case("cases/" + name + "/case.toml");
 
-    EXPECT_EQ(read.name, part);
-    ASSERT_EQ(read.methods.size(), 1U) << part;
+    ASSERT_EQ(read.methods.size(), 1U) << name;
     EXPECT_EQ(read.methods.front().name,
-              part.starts_with("fe-") ? "fem" : "halfspace")
-        << part;
-    EXPECT_EQ(read.load.control, mechanics::Control::nominal_pressure) << part;
-    EXPECT_GE(read.report.fields, std::ssize(read.load.targets)) << part;
-    EXPECT_EQ(read.surface.realizations, 1) << part;
-    EXPECT_EQ(read_case(folder + "/case.toml", quick_lines(folder)).name, part);
-    if (part != "near-full-contact") { // no number is published
-      EXPECT_FALSE(read_reference(folder + "/reference.csv").empty()) << part;
-      EXPECT_FALSE(read.expectations.empty()) << part;
-    }
-    for (const char* word : {"**Claim.**", "**Shown.**", "**Run.**"})
-      EXPECT_NE(readme.str().find(word), std::string::npos) << part << word;
+              name.starts_with("board/fe-") ? "fem" : "halfspace")
+        << name;
+    EXPECT_EQ(read.load.control, mechanics::Control::nominal_pressure) << name;
+    EXPECT_GE(read.report.fields, std::ssize(read.load.targets)) << name;
+    EXPECT_EQ(read.surface.realizations, 1) << name;
+    EXPECT_EQ(read.expectations.empty(), name == "board/near-full-contact")
+        << name; // no number is published
   }
 }
 
-TEST(ShippedCases, ReadWithoutAMistakeAndAreComplete) {
-  for (const std::string& name : shipped) {
-    const Case read = shipped_case(name);
+TEST(ShippedCases, CompareMethodsOnFineGrids) {
+  for (const std::string name :
+       {"hertz", "layered", "polymer", "polymer-nominal", "self-affine",
+        "wave-1d", "wave-2d"}) {
+    const Case read = read_case("cases/" + name + "/case.toml");
 
-    EXPECT_EQ(read.name, name);
     EXPECT_GE(read.methods.size(), 2U) << name;
     EXPECT_EQ(read.surface.points, 512) << name;
-    EXPECT_FALSE(read_reference("cases/" + name + "/reference.csv").empty());
-    EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
 }
 
 TEST(ShippedCases, OfAdhesionAreApproachedAndParted) {
-  for (const std::string& name : adhesive) {
-    const Case read = shipped_case(name);
+  for (const std::string name :
+       {"adhesive-rough", "adhesive-sphere", "adhesive-wave", "adhesive-atoms",
+        "challenge"}) {
+    const Case read = read_case("cases/" + name + "/case.toml");
 
     EXPECT_TRUE(read.methods.back().is_adhesive()) << name;
     EXPECT_TRUE(read.load.is_unloading.back()) << name;
     EXPECT_FALSE(read.expectations.empty()) << name;
-    EXPECT_TRUE(std::filesystem::exists("cases/" + name + "/README.md"));
   }
-}
-
-TEST(ShippedCases, ReadTheSweepWithAllItsPoints) {
-  const CaseSweep sweep = read_sweep("cases/sweep-hurst/case.toml");
-
-  EXPECT_EQ(sweep.name, "sweep-hurst");
-  EXPECT_EQ(sweep.points.size(), 8U);
-  EXPECT_FALSE(read_reference("cases/sweep-hurst/reference.csv").empty());
-  EXPECT_TRUE(std::filesystem::exists("cases/sweep-hurst/README.md"));
-}
-
-TEST(ShippedCases, ReadOtherSweepsInFullAndQuickly) {
-  struct Expected {
-    std::string name;
-    std::size_t points, quick_points;
-  };
-
-  for (const Expected& expected :
-       {Expected{"gamma", 64, 8}, {"adhesion-numbers", 7, 7}}) {
-    const std::string folder = "cases/" + expected.name;
-    const std::string file = folder + "/case.toml";
-    EXPECT_EQ(read_sweep(file).points.size(), expected.points);
-    EXPECT_EQ(read_sweep(file, quick_lines(folder)).points.size(),
-              expected.quick_points);
-    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty());
-    EXPECT_TRUE(std::filesystem::exists(folder + "/README.md"));
-  }
-}
-
-TEST(ShippedCases, ReadTheFullBlocksInFullAndQuickly) {
-  for (const std::string& name : full_blocks) {
-    const std::string folder = "cases/" + name;
-
-    EXPECT_EQ(shipped_case(name).name, name);
-    EXPECT_EQ(read_case(folder + "/case.toml", quick_lines(folder)).name, name);
-    EXPECT_FALSE(read_reference(folder + "/reference.csv").empty());
-    EXPECT_TRUE(std::filesystem::exists(folder + "/README.md"));
-  }
-}
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
 }
 
 // No shipped case passes because its surfaces decide nothing.

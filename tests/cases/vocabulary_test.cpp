@@ -119,6 +119,21 @@ TEST(BoundKey, IsMissedWhereItIsNeeded) {
   EXPECT_EQ(read_mill("mass = 1\nturns = -3\n").mistakes, "");
 }
 
+// A reader that passes settings of another type than a row has would leave the
+// key unread.
+TEST(BoundKey, IsOfOneStruct) {
+  const Table table = mill_table();
+  const Node file = parse_toml("[mill]\nmass = 1\n", "mill.toml");
+  Mistakes mistakes;
+  TableReader reader(*file.find("mill"), table, mistakes);
+  mechanics::WinklerSettings other;
+
+  EXPECT_THROW(reader.read(other), std::logic_error);
+  EXPECT_THROW(where<Mill>(is_fast, key<&mechanics::WinklerSettings::stiffness>(
+                                        "stiffness", positive(), "Not its.")),
+               std::logic_error);
+}
+
 // The texts of the defaults of [fem] say what FemSettings says: written out,
 // they change nothing.
 TEST(Vocabulary, HasDefaultsThatCanBeWrittenOut) {

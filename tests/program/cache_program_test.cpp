@@ -7,15 +7,6 @@
 
 namespace asperity::program::cache_program_test {
 
-TEST_F(CachedProgram, UnchangedIsReadAndNotComputed) {
-  EXPECT_EQ(computed("--out first"), all_steps);
-
-  EXPECT_EQ(computed("--out second"), 0);
-
-  tests::expect_same_bits(result("first"), result("second"), true);
-  EXPECT_EQ(result("second").status, "complete");
-}
-
 // The steps that a killed run finished are read and the rest is computed; the
 // result is the same bit for bit. The run is killed at several moments, so that
 // some fall within a step.

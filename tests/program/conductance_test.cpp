@@ -124,29 +124,5 @@ TEST_F(ConductanceTest, OfTheGapAndOfAFullBlock) {
   EXPECT_GT(added[2], 10.0 * added[0]);
 }
 
-TEST_F(ConductanceTest, MistakesAreAnswered) {
-  const auto answer = [&](const std::string& text) {
-    write("wrong.toml", sphere + text);
-    const Ended ended = run("run wrong.toml");
-    EXPECT_EQ(ended.exit_code, 2) << ended.output;
-    return ended.output;
-  };
-  EXPECT_NE(answer(free_halfspace + "[conductance]\nresistivity = 2e-8\n")
-                .find("counter_resistivity is missing"),
-            std::string::npos);
-  EXPECT_NE(answer(free_halfspace + "[conductance]\nresistivity = \"2 Pa s\"\n")
-                .find("nOhm m"),
-            std::string::npos);
-  EXPECT_NE(
-      answer(free_halfspace + heat("5 W/(m K)") + "gap_conductivity = 0.026\n")
-          .find("smallest_gap is missing"),
-      std::string::npos);
-  EXPECT_NE(answer(free_halfspace + "[spots]\nsmallest = 0\n").find("smallest"),
-            std::string::npos);
-  EXPECT_NE(answer("[theory]\ngamma = 0.42\nspectrum = \"surface\"\n[spots]\n")
-                .find("needs a method with a contact map"),
-            std::string::npos);
-}
-
 } // namespace
 } // namespace asperity::program::conductance_test

@@ -72,17 +72,5 @@ TEST_F(FlowTest, NoFlowNoColumns) {
   EXPECT_EQ(csv.find("flow_factor"), std::string::npos);
 }
 
-TEST_F(FlowTest, MistakesAreAnswered) {
-  write("theory.toml", problem + water(1e-3));
-  const Ended theory = run("run theory.toml");
-  EXPECT_EQ(theory.exit_code, 2);
-  EXPECT_NE(theory.output.find("needs a method with a gap"), std::string::npos)
-      << theory.output;
-  write("width.toml", problem + halfspace + water(1e-3) + "width = \"1 mm\"\n");
-  const Ended width = run("run width.toml");
-  EXPECT_EQ(width.exit_code, 2);
-  EXPECT_NE(width.output.find("length"), std::string::npos) << width.output;
-}
-
 } // namespace
 } // namespace asperity::program::flow_test

@@ -154,19 +154,4 @@ coefficient = 0.3
               0.7, 1e-9);
 }
 
-TEST_F(FrictionTest, MistakesAreAnswered) {
-  const auto refused = [&](const std::string& text, const std::string& reason) {
-    write("wrong.toml", text);
-    const Ended wrong = run("run wrong.toml");
-    EXPECT_EQ(wrong.exit_code, 2);
-    EXPECT_NE(wrong.output.find(reason), std::string::npos) << wrong.output;
-  };
-  refused(rough("normal_load = \"1 E* h'\"\n"), "must be in E* h' where");
-  refused(rough("tangential_load = 1\n"), "must be between 0 and 1");
-  refused(rough("tangential_load = 0.5\n[load.x]\n"), "load.x");
-  std::string slab = rough("", "thickness = \"1 length\"\n");
-  slab.replace(slab.find("[theory]\ngamma = 0.42\n"), 22, "");
-  refused(slab, "[halfspace] without thickness");
-}
-
 } // namespace asperity::program::friction_test

@@ -148,6 +148,7 @@ TEST_F(Inspect, CheckWritesJunitAlsoIfACaseCannotBeRead) {
 
   EXPECT_EQ(run("check strict.toml broken.toml --junit a.xml").exit_code, 2);
   EXPECT_EQ(run("check nowhere.toml --junit b.xml").exit_code, 2);
+  EXPECT_EQ(run("check strict.toml missing.h5").exit_code, 2);
   const Ended lost = run("check strict.toml --junit strict.toml/c.xml");
 
   const std::string broken = text_of(folder / "a.xml");

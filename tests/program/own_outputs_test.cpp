@@ -175,17 +175,6 @@ TEST_F(OwnOutputs, OnlyRegularFilesAreReplaced) {
                  "is a pipe");
 }
 
-TEST_F(OwnOutputs, PicturesOfTheUserStayAmongOurs) {
-  expect_good("run small.toml " + quick + "--out a");
-  write("a/figures/mine.png", foreign);
-
-  expect_good("run small.toml " + quick + "--no-cache --no-report --out a");
-
-  EXPECT_EQ(text_of(folder / "a/figures/mine.png"), foreign);
-  EXPECT_FALSE(fs::exists(folder / "a/figures/cost.svg"));
-  EXPECT_FALSE(fs::exists(folder / "a/figures/cost.csv"));
-}
-
 // The folder of a method's own files is emptied of these, and of nothing else.
 TEST_F(OwnOutputs, FilesOfTheUserStayBesideThoseOfAMethod) {
   const std::string block =

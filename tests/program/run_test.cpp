@@ -64,23 +64,6 @@ TEST_F(RunCommand, WritesAllDocumentedFiles) {
             std::string::npos);
 }
 
-// The methods give one solution for a case. Tolerances: Q2 with eight nodes in
-// the shortest wave has an error of 0.1 % of h_rms in the gap
-// (docs/numerics/area.md), the penalty adds p/k < 0.01 h_rms here; both methods
-// share the surface.
-TEST_F(RunCommand, MethodsAgreeOnOneSurface) {
-  ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
-
-  const Result written = result("result");
-
-  const auto& half = written.methods.at(1).realizations.at(0).points;
-  const auto& block = written.methods.at(2).realizations.at(0).points;
-  ASSERT_EQ(written.methods.at(2).name, "fem");
-  for (std::size_t i = 0; i < half.size(); ++i)
-    EXPECT_NEAR(block[i].mean_gap, half[i].mean_gap,
-                0.01 * written.surfaces[0].rms_height);
-}
-
 // Elastic methods also state the areas of (20), within 40 % of the counted one:
 // three estimates of one contact (differences of 25 % are usual). The theory
 // has its own.
@@ -132,29 +115,6 @@ TEST_F(RunCommand, SkipsWhatTheCaseDoesNotNeed) {
   EXPECT_NE(block.output.find("libdeal"), std::string::npos);
 }
 
-TEST_F(RunCommand, ReplacesThePreviousResult) {
-  ASSERT_EQ(run("run small.toml --out result").exit_code, 0);
-  ASSERT_EQ(run("run small.toml --methods theory --out result").exit_code, 0);
-
-  EXPECT_EQ(result("result").methods.size(), 1u);
-}
-
-TEST_F(RunCommand, RunsAVariantBesideItsMethod) {
-  write("variant.toml", small_case + "[fem.hard]\ncontact = \"hard\"\n");
-
-  const Ended done = run("run variant.toml --methods fem --out result");
-
-  ASSERT_EQ(done.exit_code, 0) << done.output;
-  const Result written = result("result");
-  ASSERT_EQ(written.methods.size(), 2u);
-  EXPECT_EQ(written.methods[1].name, "fem.hard");
-  const auto& soft = written.methods[0].realizations[0].points;
-  const auto& hard = written.methods[1].realizations[0].points;
-  EXPECT_GT(soft[3].contact_energy, 0.0);
-  EXPECT_EQ(hard[3].contact_energy, 0.0);
-  EXPECT_LT(soft[3].mean_gap, hard[3].mean_gap); // the springs give way
-}
-
 TEST_F(RunCommand, FollowsAMeanGapAndBack) {
   const Ended done =
       run("run small.toml --methods halfspace,theory --out result "
@@ -171,29 +131,6 @@ TEST_F(RunCommand, FollowsAMeanGapAndBack) {
   // Without friction and adhesion unloading follows the loading curve.
   EXPECT_NEAR(points[2].nominal_pressure / points[0].nominal_pressure, 1.0,
               1e-5);
-}
-
-// After a kill the finished steps are in the result, which can be read and is
-// resumed to the same end.
-TEST_F(RunCommand, SurvivesAKillAndResumes) {
-  const std::string long_run = "run small.toml --set surface.points=256 "
-                               "--methods halfspace --threads 1 ";
-  ASSERT_EQ(run(long_run + "--out whole").exit_code, 0);
-  int kept = 0;
-  for (const char* seconds : {"0.2", "0.3", "0.4", "0.6", "0.8", "1.2"}) {
-    const Ended killed = run(long_run + "--out killed --resume",
-                             std::string("timeout -s KILL ") + seconds);
-    if (std::filesystem::exists(folder / "killed/result.h5"))
-      kept = steps_in(result("killed")); // throws unless it is readable
-    if (killed.exit_code == 0)
-      break;
-  }
-  const Ended resumed = run(long_run + "--out killed --resume");
-
-  ASSERT_EQ(resumed.exit_code, 0) << resumed.output;
-  EXPECT_GT(kept, 0);
-  EXPECT_EQ(result("killed").status, "complete");
-  expect_same_curves(result("whole"), result("killed"), 1e-7);
 }
 
 TEST_F(RunCommand, StopsInOrderOnCtrlC) {

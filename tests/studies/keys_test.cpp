@@ -194,6 +194,44 @@ TEST(Studies, AnswerTheirQuantitiesByTheTheoryAlone) {
             &study_case.methods[0]);
 }
 
+// Studies of the maps of a contact: an override of a case with all methods, and
+// the words of its refusal.
+TEST(Studies, OfContactsNameWhatTheyLack) {
+  const std::vector<std::string> theory_alone = {
+      "fem=", "halfspace=", "expect="};
+  const auto refused = [](std::vector<std::string> overrides,
+                          const std::string& words) {
+    const std::string answer = mistakes_of(contact_case, overrides);
+    EXPECT_NE(answer.find(words), std::string::npos) << answer;
+  };
+  const auto with = [&](const std::string& entry) {
+    std::vector<std::string> all = theory_alone;
+    all.push_back(entry);
+    return all;
+  };
+  const std::string water = "viscosity = 1e-3, pressure_drop = 1e4";
+  const std::string heat =
+      "thermal_conductivity = 5.0, counter_thermal_conductivity = 20.0";
+
+  refused(with("flow={ " + water + " }"), "flow needs a method with a gap");
+  refused({"flow={ " + water + ", width = 1e-3 }"},
+          "flow.length is missing: a seal has both");
+  refused({"conductance={ resistivity = 2e-8 }"},
+          "conductance.counter_resistivity is missing");
+  refused({"conductance={ resistivity = \"2 Pa s\" }"}, "nOhm m");
+  refused({"conductance={ " + heat + ", gap_conductivity = 0.026 }"},
+          "conductance.smallest_gap is missing");
+  refused({"spots={ smallest = 0 }"}, "spots.smallest = 0, but must be");
+  refused(with("spots={}"), "spots needs a method with a contact map");
+  refused({"friction={ coefficient = 0.5, normal_load = \"1 E* h'\" }"},
+          "must be in E* h' where the loads are");
+  refused({"friction={ coefficient = 0.5, tangential_load = 1 }"},
+          "must be between 0 and 1");
+  refused({"friction={ coefficient = 0.5 }",
+           "theory=", "expect=", "halfspace.thickness=1 length"},
+          "needs a [theory] or a [halfspace] without thickness");
+}
+
 TEST(QuantityAtMagnification, IsReadWithItsLoad) {
   for (const char* text : {"mean_gap_ratio@p=10 MPa@zeta=12.5",
                            " mean_gap_ratio @ p = 1e7 Pa @ zeta = 12.5 "}) {

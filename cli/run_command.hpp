@@ -1,7 +1,7 @@
 #pragma once
 
-// The commands of the program. Each takes the parsed command line and returns
-// an exit code.
+// The options of `asperity run`, and what it shares with the other commands
+// that compute cases or write reports.
 
 #include "cli/command_line.hpp"
 #include "reports/pages/report.hpp"
@@ -12,10 +12,6 @@
 #include <filesystem>
 #include <string>
 #include <vector>
-
-namespace asperity::bench {
-struct BenchCommand;
-}
 
 namespace asperity::cli {
 
@@ -45,12 +41,9 @@ struct RunCommand {
   std::string part = {}; ///< "3/8": only this share; empty: everything
 };
 
-struct ReportCommand {
-  std::vector<std::string> paths; ///< results, or their folders
-  std::string out; ///< empty: beside a single result, or out/comparison
-  ReportForms forms;
-  std::vector<std::string> labels; ///< names of the results, in order
-};
+/// Refuses a PDF before anything is computed.
+/// @throws std::domain_error  no program prints PDF
+void require_pdf_program();
 
 /// @throws std::domain_error  no program prints PDF, or an unknown format,
 ///                            width or unit
@@ -81,14 +74,5 @@ void add_answer(run::JsonAnswer& answer, const std::string& name,
 /// user has asked for.
 run::ExitCode exit_of_figures(const std::vector<std::string>& undrawn,
                               bool are_asked_for);
-
-/// Runs bench_case() and prints bench.json if the command has --json.
-run::ExitCode run_bench(const bench::BenchCommand& command);
-
-/// Writes one report on the results at these paths.
-///
-/// @throws std::domain_error  a format or the width is unknown, or a PDF is
-///         asked for and no program that prints one is installed
-run::ExitCode report_results(const ReportCommand& command);
 
 } // namespace asperity::cli

@@ -1,8 +1,7 @@
-#include "cli/commands.hpp"
+#include "cli/run_command.hpp"
 
 #include "bench/runs/bench.hpp"
 #include "bench/runs/target_run.hpp"
-#include "cases/reader/read_case.hpp"
 #include "cli/case_run.hpp"
 #include "cli/checks.hpp"
 #include "cli/part_commands.hpp"
@@ -10,12 +9,9 @@
 #include "input/input_error.hpp"
 #include "methods/cache/cache.hpp"
 #include "methods/chosen.hpp"
-#include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/paper_report.hpp"
-#include "reports/pages/pdf_page.hpp"
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
-#include "results/trial_read.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
@@ -319,51 +315,6 @@ std::vector<std::string> overrides_of(const RunCommand& command,
   return overrides;
 }
 
-/// Refuses a PDF before anything is computed.
-void require_pdf_program() {
-  if (reports::pdf_program().empty())
-    throw std::domain_error(reports::no_pdf_program);
-}
-
-} // namespace
-
-reports::ReportExtras extras_of(const ReportForms& forms) {
-  if (forms.has_pdf)
-    require_pdf_program();
-  reports::ReportExtras extras{
-      .has_pdf = forms.has_pdf,
-      .journal = reports::journal_format(forms.formats, forms.width)};
-  extras.journal.units = forms.units;
-  return extras;
-}
-
-namespace {
-
-/// A table of a measured curve, rather than a result.
-bool is_curve_file(const fs::path& path) {
-  return fs::is_regular_file(path) && path.extension() != ".h5";
-}
-
-/// Reads results and the curves that are shown beside the first of them.
-std::vector<results::Result>
-results_or_curves(const std::vector<std::string>& paths) {
-  if (is_curve_file(paths.front()))
-    throw input::InputError(paths.front() +
-                            ": is no result; the first argument must be a "
-                            "result, with which a curve is compared");
-  for (const std::string& path : paths)
-    if (!is_curve_file(path))
-      results::require_readable(path);
-  std::vector<results::Result> read;
-  read.reserve(paths.size());
-  for (const std::string& path : paths)
-    read.push_back(
-        is_curve_file(path)
-            ? reports::read_measured_curve(path, read.front())
-            : results::read_result(path, results::MapsInFile::large));
-  return read;
-}
-
 } // namespace
 
 void add_answer(run::JsonAnswer& answer, const std::string& name,
@@ -480,69 +431,83 @@ run::ExitCode run_cases(const RunCommand& command) {
                                [&] { return run_read_cases(all, command); });
 }
 
-run::ExitCode report_results(const ReportCommand& command) {
-  const std::vector<std::string>& paths = command.paths;
-  const std::string& out = command.out;
-  reports::ReportExtras extras = extras_of(command.forms);
-  extras.labels = command.labels;
-  if (command.labels.size() > paths.size())
-    throw input::InputError(fmt::format(
-        "--label is given {} times for {} result{}", command.labels.size(),
-        paths.size(), paths.size() == 1 ? "" : "s"));
-  for (const std::string& path : paths)
-    if (is_sweep_folder(path)) {
-      if (paths.size() > 1)
-        throw input::InputError(path +
-                                " is a sweep, whose report is written by "
-                                "itself; to compare points, give their "
-                                "folders: " +
-                                path + "/points/000");
-      return report_sweep(path, out, extras);
-    }
-  const std::vector<results::Result> read = results_or_curves(paths);
-  const fs::path first = paths.front();
-  const fs::path folder = !out.empty()              ? fs::path(out)
-                          : paths.size() > 1        ? fs::path("out/comparison")
-                          : fs::is_directory(first) ? first
-                                                    : first.parent_path() / ".";
-  const run::OutputFolder lock(folder, "report", run::report_outputs(),
-                               {paths.begin(), paths.end()});
-  const std::vector<std::string> failures =
-      reports::write_report(read, folder, "gnuplot", extras);
-  for (const std::string& failure : failures)
-    fmt::print(stderr, "figure not drawn: {}\n", failure);
-  const run::ExitCode end =
-      exit_of_figures(failures, !command.forms.formats.empty());
-  fmt::print("report: {}\n", (folder / "report.html").string());
-  run::JsonAnswer answer("asperity-report");
-  for (const results::Result& result : read)
-    if (!is_curve_file(result.path))
-      add_answer(answer, result.case_name,
-                 fs::is_directory(result.path)
-                     ? fs::path(result.path)
-                     : fs::path(result.path).parent_path(),
-                 end);
-  answer.print(end);
-  return end;
+namespace {
+
+// What a map's file leaves open, and the physics of its surface.
+void add_map_options(CLI::App* command, RunCommand& run) {
+  command->add_option("--contact-modulus", run.contact_modulus,
+                      "E* of the block under a map file, e.g. \"2 GPa\"");
+  command->add_option("--length", run.length,
+                      "side length in x of a map whose file states none,\n"
+                      "e.g. \"20 um\"");
+  command->add_option("--height-unit", run.height_unit,
+                      "unit of the heights of such a map, e.g. nm");
+  command->add_option("--flow", run.flow,
+                      "fluid that leaks through the gap: water, air, or a\n"
+                      "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
+                      "100 kPa or flow.pressure_drop");
+  command->add_option(
+      "--work-of-adhesion", run.work_of_adhesion,
+      "of the faces of a half-space, e.g. \"50 mJ/m^2\"; a map\n"
+      "is pressed and pulled off");
+  command->add_option("--friction", run.friction,
+                      "coefficient of friction, for partial slip under the\n"
+                      "largest load");
+  command->add_option("--hardness", run.hardness,
+                      "largest contact pressure of the half-space and of\n"
+                      "the theory of a map, e.g. \"2 GPa\"");
 }
 
-run::ExitCode exit_of_figures(const std::vector<std::string>& undrawn,
-                              bool are_asked_for) {
-  return are_asked_for && !undrawn.empty() ? run::exit_internal
-                                           : run::exit_good;
-}
+} // namespace
 
-run::ExitCode run_bench(const bench::BenchCommand& command) {
-  const run::ExitCode end = bench::bench_case(command);
-  if (!run::wants_json() || end == run::exit_interrupted)
-    return end;
-  const cases::Case contact_case = cases::read_case(
-      run::find_cases(command.contact_case).cases.front().file.string());
-  run::emit_answer(run::json_of_file(
-      (command.out.empty() ? fs::path("out") / contact_case.name / "bench"
-                           : fs::path(command.out)) /
-      "bench.json"));
-  return end;
+void add_run(CommandLine& line) {
+  auto [command, run] =
+      line.add<RunCommand>("run",
+                           "Run cases; write result, tables and report\n"
+                           "of each.",
+                           run_cases);
+  command
+      ->add_option("case", run.cases,
+                   "case files, their folders, shipped cases or\n"
+                   "collections (see 'asperity list'), or measured\n"
+                   "maps")
+      ->required();
+  add_methods(command, run.methods);
+  add_map_options(command, run);
+  add_overrides(command, run.overrides);
+  command->add_option("--out", run.out, "output folder (default: out/<case>)");
+  command->add_flag("--resume", run.resume,
+                    "compute the steps missing from an earlier run");
+  add_quick(command, run.is_quick);
+  CLI::Option* target =
+      command->add_option("--target-error", run.target_error,
+                          "use the cheapest setting whose predicted error is\n"
+                          "smaller, e.g. 1%; a finer run verifies the error");
+  command->add_flag("--exactly", run.is_exact,
+                    "--methods gives full names only: fem does not\n"
+                    "include fem.hard");
+  command->add_flag("--no-report", run.no_report, "write result.h5 only");
+  CLI::Option* pdf =
+      command->add_flag("--pdf", run.has_pdf,
+                        "also print the report to report.pdf, by chromium\n"
+                        "or weasyprint");
+  command->add_flag("--dry-run", run.is_dry,
+                    "print the plan, the predicted memory and what is\n"
+                    "skipped; write nothing");
+  command->add_flag("!--no-cache", run.uses_cache,
+                    "compute every step; do not read or write the cache");
+  command
+      ->add_option("--part", run.part,
+                   "compute one of N shares of the realisations or\n"
+                   "points, I/N as in 3/8; 'asperity merge' joins them")
+      ->excludes(target)
+      ->excludes(pdf);
+  add_threads(command, run.threads);
+  add_quiet(command, line.output);
+  add_json(command, line.output, "the summaries, or the plans,");
+  line.on_cases.insert("run");
+  add_example(command, "run polymer --methods fem,theory --set "
+                       "surface.points=128");
 }
 
 } // namespace asperity::cli
