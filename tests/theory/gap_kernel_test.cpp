@@ -4,11 +4,9 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/special_functions/expint.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace asperity::theory::gap_kernel_test {
 
@@ -65,16 +63,6 @@ TEST_P(GapKernel, IsTheIntegralThatDefinesIt) {
   const double tolerance = 1e-14;
   EXPECT_NEAR(kernel.linear / tail_integral(linear_factor, x), 1.0, tolerance);
   EXPECT_NEAR(kernel.cubic / tail_integral(cubic_factor, x), 1.0, tolerance);
-}
-
-// At gamma = 1 it is half the exponential integral E_1(x^2) of Boost. Tolerance
-// as above.
-TEST_P(GapKernel, IsHalfAnExponentialIntegralAtGammaOne) {
-  const double x = GetParam();
-
-  const double linear = gap_kernel(x).at(1.0);
-
-  EXPECT_NEAR(linear / (0.5 * boost::math::expint(1, x * x)), 1.0, 1e-14);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sweep, GapKernel,

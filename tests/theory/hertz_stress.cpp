@@ -67,13 +67,6 @@ double boundary_share(const SpheroidalPoint& point) {
 
 } // namespace
 
-double AxisymmetricStress::von_mises() const {
-  const double squares = std::pow(radial - hoop, 2) +
-                         std::pow(hoop - axial, 2) +
-                         std::pow(axial - radial, 2);
-  return std::sqrt(0.5 * squares + 3.0 * shear * shear);
-}
-
 double AxisymmetricStress::largest_shear() const {
   const double middle = 0.5 * (radial + axial);
   const double half = std::hypot(0.5 * (radial - axial), shear);
@@ -99,21 +92,6 @@ AxisymmetricStress hertz_stress(const HertzContact& contact, double radius,
   return {scale * (hole + normal - k * (arc + spread)),
           -scale * (hole + k * (arc - spread)), -scale * normal,
           -scale * tangential};
-}
-
-AxisymmetricDisplacement hertz_displacement_field(const HertzContact& contact,
-                                                  double radius, double depth,
-                                                  double poisson) {
-  const SpheroidalPoint at = point_at(contact, radius, depth, poisson);
-  const double hole =
-      (1.0 - 2.0 * poisson) / (3.0 * (1.0 - poisson)) * boundary_share(at);
-  const double spread = 2.0 * poisson / (1.0 - poisson) * at.z * at.k;
-  // p_0 a/E*
-  const double scale =
-      contact.peak_pressure * contact.contact_radius / contact.contact_modulus;
-  return {scale * at.r * (at.z * at.bend - hole),
-          0.5 * scale *
-              (2.0 * at.angle - at.r * at.r * at.bend + spread * at.deficit)};
 }
 
 } // namespace asperity::theory

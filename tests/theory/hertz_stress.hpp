@@ -1,8 +1,7 @@
 #pragma once
 
-// Huber's closed form of the stress and the displacement below a Hertzian
-// contact, anywhere in the half-space; hertz.hpp has the values on the surface
-// and on the axis.
+// Huber's closed form of the stress below a Hertzian contact, anywhere in the
+// half-space; hertz.hpp has the values on the surface and on the axis.
 
 #include "theory/exact/hertz.hpp"
 
@@ -14,9 +13,6 @@ struct AxisymmetricStress {
   double hoop = 0.0;   ///< sigma_theta
   double axial = 0.0;  ///< sigma_z
   double shear = 0.0;  ///< tau_rz, z into the body
-
-  /// Von Mises stress sqrt(3 J_2) [Pa] >= 0.
-  double von_mises() const;
 
   /// Half the difference of the largest and the smallest principal stress
   /// [Pa] >= 0.
@@ -50,37 +46,5 @@ struct AxisymmetricStress {
 ///       Introduction to Contact Mechanics (2007), Sec. 5.4
 AxisymmetricStress hertz_stress(const HertzContact& contact, double radius,
                                 double depth, double poisson);
-
-/// Displacement at one point of an axisymmetric state [m].
-struct AxisymmetricDisplacement {
-  double radial = 0.0; ///< u_r, away from the axis
-  double axial = 0.0;  ///< u_z, into the body
-};
-
-/// The displacement that belongs to hertz_stress(), 0 at infinity:
-///
-///     u_r = (p_0/E*) [z r/a I - (1 - 2 nu)/(1 - nu) a^2 (1 - k^3)/(3 r)]
-///     u_z = (p_0/2E*) [2 a A - r^2/a I + 2 nu/(1 - nu) z k (1 - A sqrt(u)/a)]
-///
-/// with A = atan(a/sqrt(u)), I = A - a sqrt(u)/(a^2 + u). They follow from
-/// Boussinesq's potentials of the pressure, V = int p/rho dS and Psi,
-/// dPsi/dz = V (Johnson, Sec. 3.2): V is that of a flattened ellipsoid,
-///
-///     V = (pi p_0/2a) int_u^inf [1 - r^2/(a^2 + s) - z^2/s]
-///                               a^2 ds/((a^2 + s) sqrt(s)),
-///
-/// and r dPsi/dr = -int_0^r r' dV/dz dr'. On the surface u_z is
-/// hertz_displacement() and u_r = -(1 - 2 nu)/(1 - nu) p_0 a^2
-/// (1 - k^3)/(3 E* r), towards the axis.
-///
-/// @param radius, depth, poisson  as in hertz_stress(), nu of the body whose
-///                                E* is that of the contact: the sphere is
-///                                rigid
-/// @throws std::domain_error      as hertz_stress()
-/// @par Accuracy  roundoff
-/// @see  K. L. Johnson, Contact Mechanics (1985), Sec. 3.4 for the surface
-AxisymmetricDisplacement hertz_displacement_field(const HertzContact& contact,
-                                                  double radius, double depth,
-                                                  double poisson);
 
 } // namespace asperity::theory

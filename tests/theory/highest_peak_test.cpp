@@ -34,48 +34,6 @@ mechanics::SurfaceSpec spec_of(double length, int points) {
   return spec;
 }
 
-// Euler's characteristic of the nodes above a height, with the edges and faces
-// of the periodic grid between them: patches minus holes.
-int patches_less_holes(const surfaces::HeightMap& map, double height) {
-  const int n = map.grid.points_x;
-  const auto above = [&](int ix, int iy) {
-    return map.heights[map.grid.index(ix % n, iy % n)] > height;
-  };
-  int count = 0;
-  for (int iy = 0; iy < n; ++iy)
-    for (int ix = 0; ix < n; ++ix) {
-      if (!above(ix, iy))
-        continue;
-      const bool right = above(ix + 1, iy);
-      const bool up = above(ix, iy + 1);
-      count += 1 - right - up + (right && up && above(ix + 1, iy + 1));
-    }
-  return count;
-}
-
-// n(x) is the mean of the counts on random surfaces. Tolerance: three standard
-// errors, and 5 % for the corners of the grid.
-TEST(PeaksAbove, ArePatchesLessHolesOfRandomSurfaces) {
-  const int n = 64;
-  const mechanics::SurfaceSpec spec = spec_of(side, 128);
-  for (const double height : {0.0, 1.0, 2.0}) {
-    double sum = 0.0;
-    double squares = 0.0;
-    for (int r = 0; r < n; ++r) {
-      const surfaces::HeightMap map = surfaces::build_surface(spec, r);
-      const double rms_height = surfaces::statistics(map).rms_height;
-      const int count = patches_less_holes(map, height * rms_height);
-      sum += count;
-      squares += count * count;
-    }
-    const double mean = sum / n;
-    const double error = std::sqrt((squares / n - mean * mean) / n);
-
-    EXPECT_NEAR(mean, peaks_above(moments, side * side, height),
-                3.0 * error + 0.05 * mean);
-  }
-}
-
 // Verifies the mean over random surfaces of three and six roll-off lengths per
 // side. Tolerance: three standard errors of the sample; with ten nodes in the
 // shortest wave the grid misses less than 1 % of a peak.

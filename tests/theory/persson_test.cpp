@@ -92,27 +92,6 @@ TEST(PerssonNumbers, SpectrumToAtomicMagnification) {
   expect_relative(contact.pressure_prefactor(), 0.170256208727, printed);
 }
 
-// Printed to 9 and 8 digits: 5e-9 absolute in numbers around 1 and 0.4.
-TEST(PerssonNumbers, PureSelfAffine) {
-  const SelfAffine shape{0.8, 1e6, 1e6, 1e8, 1e-30};
-  const PerssonContact contact(shape.spectrum(), 1e9, 0.5);
-  const double rms_height = contact.spectrum().rms_height();
-
-  EXPECT_NEAR(contact.gap_decay_length() / (0.5 * rms_height), 1.05357529,
-              5e-9);
-  EXPECT_NEAR(contact.pressure_prefactor() /
-                  (persson_epsilon(0.5) * shape.low * rms_height),
-              0.41918634, 5e-9);
-}
-
-TEST(PerssonEpsilon, MatchesTheTable) {
-  EXPECT_NEAR(persson_epsilon(0.38), 5.496775152921, 5e-13);
-  EXPECT_NEAR(persson_epsilon(0.40), 4.680731370202, 5e-13);
-  EXPECT_NEAR(persson_epsilon(0.42), 4.047310599503, 5e-13);
-  EXPECT_NEAR(persson_epsilon(0.45), 3.334036041446, 5e-13);
-  EXPECT_NEAR(persson_epsilon(1.0), 0.749306001288, 5e-13);
-}
-
 // Every reference digit above also holds for a spectrum of shells that sample
 // the formula; two resolutions give the order of the sampling, midpoint in ln
 // q, which is two away from the kink. The remainder of Richardson's
@@ -155,35 +134,6 @@ TEST(PerssonExtremes, PressureOfTheGapAtTinyGamma) {
   }
 }
 
-// fit_gamma finds the gamma from which the points were computed; with a
-// constant error of the gap added it changes by the least squares of that
-// error.
-TEST(FitGamma, RecoversTheGammaOfACurve) {
-  const PerssonContact& contact = contact_of_the_paper();
-  const PerssonContact exact = contact.with_gamma(0.37);
-  std::vector<GapPoint> points;
-  for (const double ratio : {1e-3, 3e-3, 1e-2, 3e-2, 1e-1})
-    points.push_back({ratio * contact.contact_modulus(),
-                      exact.mean_gap(ratio * contact.contact_modulus())});
-
-  EXPECT_NEAR(fit_gamma(contact, points), 0.37, 1e-13);
-
-  const auto misfit = [&](double gamma) {
-    double sum = 0.0;
-    for (const GapPoint& point : points)
-      sum +=
-          std::pow(contact.with_gamma(gamma).mean_gap(point.nominal_pressure) -
-                       point.mean_gap,
-                   2);
-    return sum;
-  };
-  for (GapPoint& point : points)
-    point.mean_gap += 1e-11;
-  const double best = fit_gamma(contact, points);
-  EXPECT_LT(misfit(best), misfit(best + 1e-4));
-  EXPECT_LT(misfit(best), misfit(best - 1e-4));
-}
-
 TEST(PerssonInput, RefusesBadArgumentsByName) {
   const HeightSpectrum spectrum = surface_of_the_paper().spectrum();
   const PerssonContact& contact = contact_of_the_paper();
@@ -203,9 +153,6 @@ TEST(PerssonInput, RefusesBadArgumentsByName) {
   EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
                 contact.nominal_pressure(-1e-9);
               }).starts_with("mean_gap = -1e-09"));
-  EXPECT_TRUE(tests::message_of<std::domain_error>([&] {
-                fit_gamma(contact, {});
-              }).starts_with("number of points = 0"));
 }
 
 using std::numbers::pi;

@@ -21,7 +21,7 @@ TEST(Punches, PressureCausesTheDisplacement) {
   const FlatPunch punch(1e-3, modulus);
   const Cone cone(0.1, modulus);
   const double a = cone.contact(load).contact_radius;
-  for (const double ratio : {0.0, 0.3, 0.9, 1.1, 2.0, 30.0}) {
+  for (const double ratio : {0.0, 0.3, 0.9, 1.1, 2.0, 30.0, 1e4}) {
     const double flat = displacement_under(
         [&](double s) { return s < 1e-3 ? punch.pressure(load, s) : 0.0; },
         {0.0, 1e-3}, modulus, 1e-3 * ratio);
@@ -52,19 +52,6 @@ TEST(Punches, CarryTheirLoad) {
   EXPECT_NEAR(load_of(pointed, {0.0, spot.contact_radius}) / load, 1.0, 1e-10);
   EXPECT_EQ(cone.displacement(load, 0.0), spot.approach);
   EXPECT_NEAR(punch.contact(load).approach * 2.0 * modulus * 1e-3, load, 1e-14);
-}
-
-// Far away both are point loads, F/(pi E* r), to second order in a/r.
-TEST(Punches, ArePointLoadsFarAway) {
-  const FlatPunch punch(1e-3, modulus);
-  const Cone cone(0.1, modulus);
-  for (const double radius : {1.0, 10.0}) {
-    const double point = load / (std::numbers::pi * modulus * radius);
-    EXPECT_NEAR(punch.displacement(load, radius) / point, 1.0,
-                1e-6 / radius / radius);
-    EXPECT_NEAR(cone.displacement(load, radius) / point, 1.0,
-                1e-6 / radius / radius);
-  }
 }
 
 // A tilted end has the pressure (2 E* angle/pi) x/sqrt(a^2 - r^2) (Johnson,

@@ -4,12 +4,9 @@
 // crest, from which the table of theory/exact/wave_2d_table.hpp is computed. A
 // different method verifies it: wave_2d_elements.hpp.
 
-#include "contact/operators/halfspace.hpp"
-#include "contact/solvers/load_sequence.hpp"
+#include "tests/theory/numerical_contact.hpp"
 
 #include <cmath>
-#include <limits>
-#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -43,13 +40,7 @@ solve_wave_2d(const std::vector<double>& reduced_pressures, int points,
         heights[grid.index(ix, iy)] =
             0.5 * (std::cos(2.0 * pi * (ix + shift_x) / points) +
                    std::cos(2.0 * pi * (iy + shift_y) / points));
-    const mechanics::ElasticBlock half_space{
-        1.0 / pi, 0.0, std::numeric_limits<double>::infinity(),
-        mechanics::FarBoundary::clamped};
-    contact::LoadSequence sequence(
-        std::make_unique<contact::FourierOperator>(
-            contact::halfspace_operator(grid, half_space)),
-        heights, {mechanics::ContactLaw::hard, 0.0}, 1e-10, 2000);
+    contact::LoadSequence sequence = halfspace_contact(grid, heights, 1.0 / pi);
     for (std::size_t k = 0; k < means.size(); ++k) {
       const contact::ContactSolution solution = sequence.solve(
           {mechanics::Control::nominal_pressure, reduced_pressures[k]});

@@ -1,5 +1,6 @@
 // Tests of theory/exact/westergaard.hpp: pressure and gap must solve the
 // contact problem, and every mean must be the mean of one of them.
+#include "tests/message_of.hpp"
 #include "theory/exact/westergaard.hpp"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -9,7 +10,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <string>
 
 namespace asperity::theory::westergaard_test {
 
@@ -80,22 +80,9 @@ TEST_P(WestergaardLoad, MeansAreThoseOfTheProfiles) {
   EXPECT_NEAR(gap_mode(0), wave.mean_gap(pressure()), 1e-10 * amplitude);
 }
 
-// The energy is (1/2) sum p_n u_n, that is sum over n >= 1 of 2 p_n^2/(E* q_n)
-// with p_n the mean against cos. Because of the square root at the edge the
-// terms decrease as n^-4 and the remainder as n^-3: measured 4e-5 after 60 at P
-// = 0.02, where the contact is 1/11 of the period.
-TEST_P(WestergaardLoad, EnergyIsTheSumOverItsModes) {
-  double energy = 0.0;
-  for (int n = 1; n <= 60; ++n) {
-    const double q = 2.0 * pi * n / wavelength;
-    energy += 2.0 * std::pow(pressure_mode(n), 2) / (modulus * q);
-  }
-
-  EXPECT_NEAR(wave.elastic_energy(pressure()) / energy, 1.0, 6e-5);
-}
-
-// Verifies -dU/dg = p and the stiffness -dp/dg. Reference: central differences
-// of relative step 1e-4, error of order 1e-8.
+// Verifies -dU/dg = p, which with U(0) = 0 defines the energy, and the
+// stiffness -dp/dg. Reference: central differences of relative step 1e-4, error
+// of order 1e-8.
 TEST_P(WestergaardLoad, StiffnessAndEnergyAreDerivatives) {
   const double low = pressure() * (1.0 - 1e-4);
   const double high = pressure() * (1.0 + 1e-4);
@@ -139,12 +126,9 @@ TEST(Westergaard, HasItsLimitsAtZeroAndFullContact) {
 }
 
 TEST(WestergaardInput, RefusesBadArgumentsByName) {
-  try {
-    wave.mean_gap(-1.0);
-    FAIL() << "a negative load was accepted";
-  } catch (const std::domain_error& error) {
-    EXPECT_TRUE(std::string(error.what()).starts_with("nominal_pressure = -1"));
-  }
+  EXPECT_TRUE(tests::message_of<std::domain_error>([] {
+                wave.mean_gap(-1.0);
+              }).starts_with("nominal_pressure = -1"));
   EXPECT_THROW(WestergaardContact(0.0, 1.0, 1.0), std::domain_error);
   EXPECT_THROW(WestergaardContact(1.0, 0.0, 1.0), std::domain_error);
   EXPECT_THROW(WestergaardContact(1.0, 1.0, -1.0), std::domain_error);
