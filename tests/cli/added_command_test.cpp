@@ -66,7 +66,7 @@ TEST_F(AddedCommand, HasHelpManualAndCompletion) {
 
   EXPECT_TRUE(contains(line.program.help(), "Polish a case."));
   EXPECT_TRUE(contains(page, "Polish a case.")) << page;
-  EXPECT_TRUE(contains(page, "number of strokes")) << page;
+  EXPECT_TRUE(contains(page, "Number of strokes.")) << page;
   EXPECT_TRUE(contains(page, "asperity polish hertz")) << page;
   EXPECT_TRUE(
       contains(bash, "polish) options=\"-h --help --strokes\" words=$cases"))

@@ -277,6 +277,30 @@ TEST_F(KeyRanges, AreThoseThatAPlanEnforces) {
   EXPECT_GT(n_ends, 100);
 }
 
+// A key that no reader asks for would be accepted whatever its value: each one
+// refuses a date, which no key takes.
+TEST_F(KeyRanges, AreOfKeysThatAreRead) {
+  const std::map<std::string, std::string> kinds{
+      {"factor", "function"}, {"file", "table"}, {"edge", "random"}};
+  for (const Table& table : cases::vocabulary())
+    for (const Key& key : table.keys) {
+      if (table.is_part || table.name == "sweep")
+        continue;
+      const std::string path =
+          table.name.empty() ? key.name : table.name + "." + key.name;
+      Entries surface = surface_of(key);
+      if (const auto kind = kinds.find(key.name);
+          table.name == "material.variation" && kind != kinds.end())
+        surface.push_back("material.variation.kind=" + kind->second);
+      if (path == "mesh.file")
+        surface = {"mesh.kind=gmsh", "mesh.geometry=file"};
+      const std::string refused =
+          answer(path, table.name, path + "=1979-05-27", 0.0, surface);
+      EXPECT_NE(refused.find("--set: " + path + " "), std::string::npos)
+          << path << ": " << refused;
+    }
+}
+
 // A number that no range of its own excludes, but the block.
 TEST_F(KeyRanges, SayWhichKeyOfABlockDoesNotFit) {
   const auto says = [&](const std::string& entry, const std::string& table) {
@@ -314,6 +338,33 @@ TEST_F(KeyRanges, SayWhichKeyOfABlockDoesNotFit) {
   EXPECT_NE(says("material.inclusion.depth=3 length", "material.inclusion")
                 .find("material.inclusion.depth = \"3 length\": "),
             std::string::npos);
+
+  struct Misfit {
+    std::string table, entry, other, words;
+  };
+
+  for (const Misfit& one : std::vector<Misfit>{
+           {"fem", "fem.depth=1e4 length", "fem.growth=1",
+            "fem.depth = \"1e4 length\""},
+           {"halfspace", "halfspace.thickness=0.1 length",
+            "material.layers=[{ thickness = \"0.2 length\", youngs_modulus = "
+            "1e9, poisson_ratio = 0.3 }]",
+            "halfspace.thickness = \"0.1 length\""},
+           {"fem", "mesh.size_far=0.001 length", "mesh.kind=gmsh",
+            "mesh.size_far = \"0.001 length\", which is "},
+           {"fem", "material.inclusion.radius=0.6 length",
+            "mesh={ kind = \"gmsh\", geometry = \"inclusion\" }",
+            "material.inclusion.radius = \"0.6 length\": fem: "
+            "inclusion_radius"},
+           {"halfspace", "surface.points=8", "surface.wavelength_short=2 h",
+            "surface.points = 8, but must be >= 10 to resolve"}}) {
+    Entries others{one.other};
+    if (one.entry.starts_with("material.inclusion"))
+      others.push_back("material.inclusion={ depth = \"0.7 length\", "
+                       "youngs_modulus = 1e9, poisson_ratio = 0.3 }");
+    const std::string found = answer("", one.table, one.entry, 0.0, others);
+    EXPECT_NE(found.find(one.words), std::string::npos) << found;
+  }
 }
 
 } // namespace asperity::run::key_ranges_test
