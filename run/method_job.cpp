@@ -8,14 +8,13 @@
 #include "results/types/curve_columns.hpp"
 #include "run/interrupt.hpp"
 #include "run/new_output.hpp"
+#include "studies/study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-
-#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {

@@ -3,11 +3,10 @@
 #include "methods/surfaces_of_case.hpp"
 #include "results/result_reader.hpp"
 #include "run/interrupt.hpp"
+#include "studies/study.hpp"
 
 #include <algorithm>
 #include <functional>
-
-#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {

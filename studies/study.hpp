@@ -1,8 +1,8 @@
 #pragma once
 
 // A study: what a case may ask of a contact besides its curve. One object says
-// everything about it that the rest of the program needs, and studies/list/list.cpp
-// lists them; adding one is told in docs/extending.md.
+// everything about it that the rest of the program needs, and
+// studies/list/list.cpp lists them; adding one is told in docs/extending.md.
 
 #include "base/grid.hpp"
 #include "cases/reader/study_keys.hpp"

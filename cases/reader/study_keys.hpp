@@ -21,7 +21,8 @@ struct StudyKeys {
   /// a table of another one.
   std::vector<Table> tables;
   /// Reads the table, if there is one and the case has it, and asks for the
-  /// study: Case::studies. The surface, the methods and the loads of the case have been read.
+  /// study: Case::studies. The surface, the methods and the loads of the case
+  /// have been read.
   void (*read)(TableReader table, Case& read);
   bool (*is_asked)(const Case&);
   /// What it asks of each method.

@@ -1,7 +1,7 @@
 #include "reports/analysis/exact.hpp"
+#include "results/types/method_columns.hpp"
 #include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/westergaard.hpp"
-#include "results/types/method_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

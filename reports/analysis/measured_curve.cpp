@@ -5,9 +5,9 @@
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
 #include "input/units.hpp"
+#include "results/types/method_columns.hpp"
 #include "surfaces/formats/text/column_heads.hpp"
 #include "surfaces/formats/text/number_table.hpp"
-#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,11 +4,10 @@
 #include "methods/chosen.hpp"
 #include "methods/full_block_method.hpp"
 #include "methods/surfaces_of_case.hpp"
+#include "studies/study.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "studies/study.hpp"
 
 namespace asperity::run {
 namespace {

@@ -1,11 +1,10 @@
 // The keys of [adhesion] in a case.
 #include "cases/reader/bound_key.hpp"
-
-#include <utility>
-
 #include "studies/adhesion/adhesion.hpp"
 #include "studies/adhesion/adhesion_study.hpp"
 #include "studies/key_checks.hpp"
+
+#include <utility>
 
 namespace asperity::studies {
 namespace {

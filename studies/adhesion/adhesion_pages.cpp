@@ -1,14 +1,13 @@
 // The figures, the text and the quantities of [adhesion].
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "studies/adhesion/adhesion.hpp"
+#include "studies/adhesion/adhesion_study.hpp"
+#include "studies/theory_quantities.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-
-#include "studies/adhesion/adhesion.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
-#include "studies/theory_quantities.hpp"
 
 namespace asperity::studies {
 

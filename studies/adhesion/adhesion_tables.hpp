@@ -3,9 +3,8 @@
 // The tables of [adhesion]; docs/reference/results.md lists the column names.
 
 #include "results/types/result.hpp"
-#include "theory/persson/adhesion.hpp"
-
 #include "studies/adhesion/adhesion_study.hpp"
+#include "theory/persson/adhesion.hpp"
 
 namespace asperity::studies {
 

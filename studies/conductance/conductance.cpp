@@ -7,6 +7,7 @@
 #include "methods/continuum_block.hpp"
 #include "results/observables/row_observer.hpp"
 #include "results/types/method_columns.hpp"
+#include "studies/conductance/conductance_study.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,6 @@
 #include <span>
 #include <variant>
 #include <vector>
-
-#include "studies/conductance/conductance_study.hpp"
 
 namespace asperity::studies {
 namespace {

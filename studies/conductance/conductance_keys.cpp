@@ -1,13 +1,12 @@
 // The keys of [conductance] in a case.
 #include "cases/reader/bound_key.hpp"
+#include "studies/conductance/conductance.hpp"
+#include "studies/conductance/conductance_study.hpp"
+#include "studies/key_checks.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
-
-#include "studies/conductance/conductance.hpp"
-#include "studies/conductance/conductance_study.hpp"
-#include "studies/key_checks.hpp"
 
 namespace asperity::studies {
 namespace {

@@ -4,16 +4,15 @@
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/types/method_columns.hpp"
+#include "studies/conductance/conductance.hpp"
+#include "studies/conductance/conductance_study.hpp"
+#include "studies/spots/spots_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "studies/conductance/conductance.hpp"
-#include "studies/conductance/conductance_study.hpp"
-#include "studies/spots/spots_study.hpp"
 
 namespace asperity::studies {
 

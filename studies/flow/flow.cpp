@@ -4,6 +4,7 @@
 #include "flow/effective_medium.hpp"
 #include "flow/reynolds.hpp"
 #include "results/observables/row_observer.hpp"
+#include "studies/flow/flow_study.hpp"
 #include "theory/persson/leakage.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +16,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "studies/flow/flow_study.hpp"
 
 namespace asperity::studies {
 namespace {

@@ -1,11 +1,10 @@
 // The keys of [flow] in a case.
 #include "cases/reader/bound_key.hpp"
-
-#include <utility>
-
 #include "studies/flow/flow.hpp"
 #include "studies/flow/flow_study.hpp"
 #include "studies/key_checks.hpp"
+
+#include <utility>
 
 namespace asperity::studies {
 namespace {

@@ -2,6 +2,9 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "studies/answers.hpp"
+#include "studies/flow/flow.hpp"
+#include "studies/flow/flow_study.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +13,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "studies/answers.hpp"
-#include "studies/flow/flow.hpp"
-#include "studies/flow/flow_study.hpp"
 
 namespace asperity::studies {
 

@@ -6,10 +6,9 @@
 #include "mechanics/partial_slip.hpp"
 #include "methods/chosen.hpp"
 #include "results/observables/row_observer.hpp"
+#include "studies/friction/friction_study.hpp"
 
 #include <cmath>
-
-#include "studies/friction/friction_study.hpp"
 
 namespace asperity::studies {
 namespace {

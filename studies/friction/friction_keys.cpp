@@ -1,14 +1,13 @@
 // The keys of [friction] in a case.
 #include "cases/reader/bound_key.hpp"
+#include "studies/friction/friction.hpp"
+#include "studies/friction/friction_study.hpp"
+#include "studies/key_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <utility>
-
-#include "studies/friction/friction.hpp"
-#include "studies/friction/friction_study.hpp"
-#include "studies/key_checks.hpp"
 
 namespace asperity::studies {
 namespace {

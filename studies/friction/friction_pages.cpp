@@ -3,16 +3,15 @@
 #include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "studies/friction/friction.hpp"
+#include "studies/friction/friction_study.hpp"
+#include "studies/friction/partial_slip.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-
-#include "studies/friction/friction.hpp"
-#include "studies/friction/friction_study.hpp"
-#include "studies/friction/partial_slip.hpp"
 
 namespace asperity::studies {
 

@@ -2,6 +2,9 @@
 
 #include "reports/analysis/exact.hpp"
 #include "reports/numbers/fits.hpp"
+#include "results/types/method_columns.hpp"
+#include "studies/friction/friction_study.hpp"
+#include "studies/study.hpp"
 #include "theory/exact/hertz.hpp"
 
 #include <algorithm>
@@ -12,10 +15,6 @@
 #include <map>
 #include <numbers>
 #include <span>
-
-#include "results/types/method_columns.hpp"
-#include "studies/friction/friction_study.hpp"
-#include "studies/study.hpp"
 
 namespace asperity::studies {
 namespace {

@@ -1,7 +1,4 @@
 // The studies. Their keys and pages are known from the start of the program on.
-#include <algorithm>
-#include <array>
-
 #include "studies/adhesion/adhesion.hpp"
 #include "studies/conductance/conductance.hpp"
 #include "studies/flow/flow.hpp"
@@ -10,6 +7,9 @@
 #include "studies/resistance/resistance.hpp"
 #include "studies/spots/spots.hpp"
 #include "studies/study.hpp"
+
+#include <algorithm>
+#include <array>
 
 namespace asperity::studies {
 namespace {

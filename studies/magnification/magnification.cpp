@@ -1,11 +1,11 @@
 #include "studies/magnification/magnification.hpp"
 
+#include "studies/magnification/magnification_study.hpp"
+#include "studies/magnification/magnification_tables.hpp"
+
 #include <fmt/format.h>
 
 #include <cstddef>
-
-#include "studies/magnification/magnification_study.hpp"
-#include "studies/magnification/magnification_tables.hpp"
 
 namespace asperity::studies {
 namespace {

@@ -1,12 +1,11 @@
 // The keys of [magnification] in a case.
 #include "cases/reader/bound_key.hpp"
-
-#include <numbers>
-#include <utility>
-
 #include "studies/key_checks.hpp"
 #include "studies/magnification/magnification.hpp"
 #include "studies/magnification/magnification_study.hpp"
+
+#include <numbers>
+#include <utility>
 
 namespace asperity::studies {
 namespace {

@@ -4,6 +4,9 @@
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/distributions.hpp"
 #include "results/types/result.hpp"
+#include "studies/magnification/magnification.hpp"
+#include "studies/magnification/magnification_study.hpp"
+#include "studies/theory_quantities.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +16,6 @@
 #include <initializer_list>
 #include <numeric>
 #include <vector>
-
-#include "studies/magnification/magnification.hpp"
-#include "studies/magnification/magnification_study.hpp"
-#include "studies/theory_quantities.hpp"
 
 namespace asperity::studies {
 
@@ -320,7 +319,8 @@ std::vector<Figure> magnification_figures(const ReportEntry& entry, std::size_t,
 // tolerance.
 constexpr double unit_rounding = 1e-9;
 
-const results::Table* table_of_load(const results::Result& result, std::size_t load) {
+const results::Table* table_of_load(const results::Result& result,
+                                    std::size_t load) {
   return result.table(fmt::format("magnification-{}", load + 1));
 }
 
@@ -358,7 +358,8 @@ Estimate at_magnification(const results::Result& result,
 
 /// Returns the largest |u/u' - 1| between the rows of two loads, for
 /// magnifications of at least `from`.
-double largest_difference(const results::Table& light, const results::Table& heavy, double from) {
+double largest_difference(const results::Table& light,
+                          const results::Table& heavy, double from) {
   const std::vector<double> zeta = light.values("magnification");
   const std::vector<double> gap = light.values("mean_gap");
   const std::vector<double> other = heavy.values("mean_gap");

@@ -4,13 +4,12 @@
 // names. Equation numbers refer to Yang and Persson (2008).
 
 #include "results/types/result.hpp"
+#include "studies/magnification/magnification_study.hpp"
 #include "theory/persson/magnification.hpp"
 
 #include <span>
 #include <string>
 #include <vector>
-
-#include "studies/magnification/magnification_study.hpp"
 
 namespace asperity::studies {
 

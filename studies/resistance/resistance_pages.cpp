@@ -1,11 +1,10 @@
 // The answer of the resistances of the contact.
 #include "reports/numbers/number_text.hpp"
-
-#include <fmt/format.h>
-
 #include "studies/answers.hpp"
 #include "studies/resistance/resistance.hpp"
 #include "studies/resistance/resistance_columns.hpp"
+
+#include <fmt/format.h>
 
 namespace asperity::studies {
 namespace {

@@ -1,11 +1,10 @@
 #include "studies/spots/spots.hpp"
 
 #include "results/observables/clusters.hpp"
+#include "studies/spots/spots_study.hpp"
 
 #include <cstdint>
 #include <vector>
-
-#include "studies/spots/spots_study.hpp"
 
 namespace asperity::studies {
 namespace {

@@ -1,13 +1,12 @@
 // The keys of [spots] in a case.
 #include "cases/reader/bound_key.hpp"
+#include "studies/key_checks.hpp"
+#include "studies/spots/spots.hpp"
+#include "studies/spots/spots_study.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
-
-#include "studies/key_checks.hpp"
-#include "studies/spots/spots.hpp"
-#include "studies/spots/spots_study.hpp"
 
 namespace asperity::studies {
 namespace {

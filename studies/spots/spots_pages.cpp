@@ -2,16 +2,15 @@
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/clusters.hpp"
+#include "studies/answers.hpp"
+#include "studies/spots/spots.hpp"
+#include "studies/spots/spots_study.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <iterator>
-
-#include "studies/answers.hpp"
-#include "studies/spots/spots.hpp"
-#include "studies/spots/spots_study.hpp"
 
 namespace asperity::studies {
 

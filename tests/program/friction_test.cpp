@@ -1,9 +1,9 @@
 // [friction] of a case: load steps, figures, the table of the page, mistakes.
 #include "results/result_reader.hpp"
+#include "studies/friction/friction_study.hpp"
 #include "tests/program/program.hpp"
 #include "tests/rough_case.hpp"
 #include "theory/exact/westergaard.hpp"
-#include "studies/friction/friction_study.hpp"
 
 #include <cmath>
 #include <numbers>

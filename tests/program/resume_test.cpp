@@ -2,9 +2,9 @@
 // result of an uninterrupted one, bit for bit, with a cache and without.
 #include "base/child_process.hpp"
 #include "results/result_reader.hpp"
+#include "results/types/method_columns.hpp"
 #include "tests/program/program.hpp"
 #include "tests/same_bits.hpp"
-#include "results/types/method_columns.hpp"
 
 #include <algorithm>
 #include <random>

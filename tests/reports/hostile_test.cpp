@@ -3,6 +3,8 @@
 #include "base/special_numbers.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/pages/report.hpp"
+#include "studies/adhesion/adhesion_study.hpp"
+#include "studies/magnification/magnification_study.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -11,8 +13,6 @@
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
-#include "studies/magnification/magnification_study.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
 
 namespace asperity::reports::hostile_test {
 

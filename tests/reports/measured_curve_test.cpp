@@ -6,6 +6,7 @@
 #include "reports/pages/agreement.hpp"
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
+#include "results/types/method_columns.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,7 +15,6 @@
 
 #include "report_folder.hpp"
 #include "synthetic.hpp"
-#include "results/types/method_columns.hpp"
 
 namespace asperity::reports::measured_curve_test {
 

@@ -2,6 +2,7 @@
 // was computed, so that no key that changes the problem changes nothing in it.
 #include "cases/reader/vocabulary.hpp"
 #include "reports/pages/methods_text.hpp"
+#include "studies/magnification/magnification_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@
 #include <string>
 
 #include "report_folder.hpp"
-#include "studies/magnification/magnification_study.hpp"
 #include "synthetic.hpp"
 
 namespace asperity::reports::methods_text_test {

@@ -5,6 +5,9 @@
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
 #include "run/run_case.hpp"
+#include "studies/flow/flow_study.hpp"
+#include "studies/friction/partial_slip.hpp"
+#include "studies/spots/spots_study.hpp"
 #include "tests/folder.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +19,6 @@
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "studies/flow/flow_study.hpp"
-#include "studies/friction/partial_slip.hpp"
-#include "studies/spots/spots_study.hpp"
 
 namespace asperity::run::combined_studies_test {
 

@@ -2,6 +2,8 @@
 // contacts are drawn and counted.
 #include "reports/analysis/at_load.hpp"
 #include "reports/figures/figures.hpp"
+#include "studies/flow/flow.hpp"
+#include "studies/flow/flow_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +12,6 @@
 #include <sstream>
 #include <string>
 #include <vector>
-
-#include "studies/flow/flow.hpp"
-#include "studies/flow/flow_study.hpp"
 
 namespace asperity::studies::flow_figure_test {
 

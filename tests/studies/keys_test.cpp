@@ -2,6 +2,8 @@
 // invalid values.
 #include "cases/types/quantity_at_load.hpp"
 #include "cases/types/reference.hpp"
+#include "studies/adhesion/adhesion_study.hpp"
+#include "studies/magnification/magnification_study.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -9,9 +11,6 @@
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include "studies/adhesion/adhesion_study.hpp"
-#include "studies/magnification/magnification_study.hpp"
 
 namespace asperity::studies::keys_test {
 

@@ -1,12 +1,12 @@
 // Tests of the tables of the theory's studies: the columns have the properties
 // that the paper proves.
+#include "studies/adhesion/adhesion_tables.hpp"
+#include "studies/magnification/magnification_tables.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
-
-#include "studies/adhesion/adhesion_tables.hpp"
-#include "studies/magnification/magnification_tables.hpp"
 
 namespace asperity::studies::study_tables_test {
 

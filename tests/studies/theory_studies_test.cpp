@@ -1,17 +1,16 @@
 // Tests of the report on the tables of a study: the named numbers, from tables
 // of power laws, and the drawn figures.
 #include "reports/figures/figures.hpp"
+#include "studies/adhesion/adhesion.hpp"
+#include "studies/adhesion/adhesion_study.hpp"
+#include "studies/magnification/magnification.hpp"
+#include "studies/magnification/magnification_study.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 #include <vector>
-
-#include "studies/adhesion/adhesion.hpp"
-#include "studies/adhesion/adhesion_study.hpp"
-#include "studies/magnification/magnification.hpp"
-#include "studies/magnification/magnification_study.hpp"
 
 namespace asperity::studies::theory_studies_test {
 

@@ -9,11 +9,10 @@
 #include "reports/pages/methods_text.hpp"
 #include "results/csv.hpp"
 #include "results/types/curve_columns.hpp"
+#include "studies/study.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>
-
-#include "studies/study.hpp"
 
 namespace asperity::studies::toy_study_test {
 
