@@ -158,7 +158,7 @@ BenchRunner::Once BenchRunner::run_once(const BenchPoint& point) {
       ++once.steps;
       once.failed_steps += row.status == results::StepStatus::not_converged;
       once.iterations += row.iterations;
-      once.transforms += row[columns::transforms];
+      once.transforms += static_cast<int>(row[columns::transforms]);
       once.unknowns =
           std::fmax(once.unknowns, row[columns::unknowns]); // ignores NaN
     }

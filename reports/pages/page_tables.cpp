@@ -23,7 +23,8 @@ using results::MethodRecord;
 struct BlockCost {
   double unknowns = 0.0, memory = 0.0, setup_time = 0.0, step_time = 0.0;
   double fewest_unknowns = std::numeric_limits<double>::infinity();
-  int steps = 0, iterations = 0, linear_iterations = 0, setups = 0;
+  int steps = 0, iterations = 0;
+  double linear_iterations = 0.0, setups = 0.0;
 };
 
 BlockCost block_cost_of(const MethodRecord& method) {

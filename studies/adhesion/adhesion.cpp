@@ -31,8 +31,8 @@ tables_of_adhesion(const cases::Case& contact_case,
 
 } // namespace
 
-const Study adhesion{.keys = adhesion_keys,
-                     .pages = adhesion_pages,
-                     .theory_tables = tables_of_adhesion};
+const Study adhesion_study{.keys = adhesion_keys,
+                           .pages = adhesion_pages,
+                           .theory_tables = tables_of_adhesion};
 
 } // namespace asperity::studies

@@ -118,10 +118,10 @@ void set_conductances(const cases::Case& contact_case,
 
 } // namespace
 
-const Study conductance{.keys = conductance_keys,
-                        .pages = conductance_pages,
-                        .evaluate = evaluate_conductance,
-                        .rescale = set_conductances,
-                        .memory = 150.0};
+const Study conductance_study{.keys = conductance_keys,
+                              .pages = conductance_pages,
+                              .evaluate = evaluate_conductance,
+                              .rescale = set_conductances,
+                              .memory = 150.0};
 
 } // namespace asperity::studies

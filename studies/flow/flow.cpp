@@ -215,12 +215,12 @@ std::optional<results::Table> flow_map(const Step& step,
 
 } // namespace
 
-const Study flow{.keys = flow_keys,
-                 .pages = flow_pages,
-                 .evaluate = evaluate_flow,
-                 .evaluate_theory = evaluate_flow_of_theory,
-                 .rescale = set_leak_rates,
-                 .map_table = flow_map,
-                 .memory = 430.0}; // in both directions
+const Study flow_study{.keys = flow_keys,
+                       .pages = flow_pages,
+                       .evaluate = evaluate_flow,
+                       .evaluate_theory = evaluate_flow_of_theory,
+                       .rescale = set_leak_rates,
+                       .map_table = flow_map,
+                       .memory = 430.0}; // in both directions
 
 } // namespace asperity::studies

@@ -68,10 +68,10 @@ bool slips(const cases::Case& contact_case, const cases::MethodSpec& method) {
 
 } // namespace
 
-const Study friction{.keys = friction_keys,
-                     .pages = friction_pages,
-                     .evaluate = evaluate_friction,
-                     .memory = 150.0,
-                     .is_for = slips};
+const Study friction_study{.keys = friction_keys,
+                           .pages = friction_pages,
+                           .evaluate = evaluate_friction,
+                           .memory = 150.0,
+                           .is_for = slips};
 
 } // namespace asperity::studies

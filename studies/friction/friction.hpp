@@ -6,7 +6,7 @@ namespace asperity::studies {
 
 /// [friction]: partial slip under tangential loads
 /// (mechanics/partial_slip.hpp).
-extern const Study friction;
+extern const Study friction_study;
 
 /// Its parts, which its object joins.
 const cases::StudyKeys& friction_keys();

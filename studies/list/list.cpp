@@ -15,8 +15,8 @@ namespace asperity::studies {
 namespace {
 
 const std::array<const Study*, 7> listed{
-    &magnification, &adhesion,   &flow,    &spots,
-    &conductance,   &resistance, &friction};
+    &magnification_study, &adhesion_study,   &flow_study,    &spots_study,
+    &conductance_study,   &resistance_study, &friction_study};
 
 /// Tells the reader of cases and the reports of all studies.
 bool tell_all() {

@@ -49,8 +49,8 @@ tables_of_magnification(const cases::Case& contact_case,
 
 } // namespace
 
-const Study magnification{.keys = magnification_keys,
-                          .pages = magnification_pages,
-                          .theory_tables = tables_of_magnification};
+const Study magnification_study{.keys = magnification_keys,
+                                .pages = magnification_pages,
+                                .theory_tables = tables_of_magnification};
 
 } // namespace asperity::studies

@@ -27,8 +27,8 @@ const cases::StudyKeys& resistance_keys() {
   return keys;
 }
 
-const Study resistance{.keys = resistance_keys,
-                       .pages = resistance_pages,
-                       .rescale = set_resistances};
+const Study resistance_study{.keys = resistance_keys,
+                             .pages = resistance_pages,
+                             .rescale = set_resistances};
 
 } // namespace asperity::studies

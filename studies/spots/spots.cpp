@@ -37,9 +37,9 @@ void evaluate_spots(const Step& step, results::CurvePoint& row) {
 
 } // namespace
 
-const Study spots{.keys = spots_keys,
-                  .pages = spots_pages,
-                  .evaluate = evaluate_spots,
-                  .memory = 150.0};
+const Study spots_study{.keys = spots_keys,
+                        .pages = spots_pages,
+                        .evaluate = evaluate_spots,
+                        .memory = 150.0};
 
 } // namespace asperity::studies
