@@ -2,6 +2,7 @@
 // full contact, on one surface, without an initial guess and to the same gap
 // error: iterations and processor time. Argument: points per side (1024). It
 // takes some minutes and is not part of the tests.
+#include "contact/solvers/polonsky_keer.hpp"
 #include "contact/solvers/solver.hpp"
 #include "tests/contact/problems.hpp"
 

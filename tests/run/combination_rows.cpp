@@ -68,33 +68,6 @@ const char* name_in_rows(mechanics::Edges edges) {
   return "";
 }
 
-const char* name_in_rows(cases::Asked study) {
-  using cases::Asked;
-  switch (study) {
-  case Asked::flow:
-    return "[flow]";
-  case Asked::friction:
-    return "[friction]";
-  case Asked::spots:
-    return "[spots]";
-  case Asked::conductance:
-    return "[conductance]";
-  case Asked::normal_stiffness:
-    return "normal_stiffness of [conductance]";
-  case Asked::stress_inside:
-    return "stress_inside of [report]";
-  case Asked::vtu:
-    return "vtu of [report]";
-  case Asked::layers:
-    return "[[material.layers]]";
-  case Asked::inclusion:
-    return "[material.inclusion]";
-  case Asked::variation:
-    return "[material.variation]";
-  }
-  return "";
-}
-
 #pragma GCC diagnostic pop
 
 std::vector<Row> law_study_rows() {

@@ -28,7 +28,6 @@ struct Row {
 /// The name that the rows have for a value of an enumeration.
 const char* name_in_rows(mechanics::ContactLaw law);
 const char* name_in_rows(mechanics::Edges edges);
-const char* name_in_rows(cases::Asked study);
 
 std::vector<Row> law_study_rows();
 std::vector<Row> edges_study_rows();

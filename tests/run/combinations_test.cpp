@@ -297,8 +297,6 @@ protected:
 TEST_F(Combinations, HaveTheNamesOfTheProgram) {
   for (const mechanics::ContactLawTraits& law : mechanics::contact_laws())
     EXPECT_EQ(law.name, std::string(name_in_rows(law.law)));
-  for (const cases::AskedTraits& study : cases::all_asked())
-    EXPECT_EQ(study.name, std::string(name_in_rows(study.asked)));
   const Names words = edges();
   for (std::size_t i = 0; i < words.size(); ++i)
     EXPECT_EQ(words[i], name_in_rows(static_cast<mechanics::Edges>(i)));
