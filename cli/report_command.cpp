@@ -7,9 +7,11 @@
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
+#include "run/arguments/physics.hpp"
 #include "run/output.hpp"
 #include "run/output_folder.hpp"
 #include "run/result_outputs.hpp"
+#include "run/saved_studies.hpp"
 
 #include <fmt/format.h>
 
@@ -47,6 +49,8 @@ struct ReportCommand {
   std::string out; ///< empty: beside a single result, or out/comparison
   ReportForms forms;
   std::vector<std::string> labels; ///< names of the results, in order
+  std::string fluid;               ///< of --flow; empty: none
+  std::vector<std::string> asked;  ///< keys of studies
 };
 
 /// A table of a measured curve, rather than a result.
@@ -74,6 +78,21 @@ results_or_curves(const std::vector<std::string>& paths) {
   return read;
 }
 
+/// Adds the studies that the command asks for to the results.
+void add_studies(const ReportCommand& command,
+                 std::vector<results::Result>& read) {
+  std::vector<std::string> asked = command.asked;
+  if (!command.fluid.empty())
+    for (const std::string& key : run::flow_overrides(command.fluid))
+      asked.push_back(key);
+  if (asked.empty())
+    return;
+  for (results::Result& result : read)
+    if (!is_curve_file(result.path))
+      fmt::print("{}: the studies are added to {} steps with saved maps\n",
+                 result.path, run::ask_of_saved(result, asked));
+}
+
 /// Writes one report on the results at these paths.
 ///
 /// @throws std::domain_error  a format or the width is unknown, or a PDF is
@@ -97,7 +116,8 @@ run::ExitCode report_results(const ReportCommand& command) {
                                 path + "/points/000");
       return report_sweep(path, out, extras);
     }
-  const std::vector<results::Result> read = results_or_curves(paths);
+  std::vector<results::Result> read = results_or_curves(paths);
+  add_studies(command, read);
   const fs::path first = paths.front();
   const fs::path folder = !out.empty()              ? fs::path(out)
                           : paths.size() > 1        ? fs::path("out/comparison")
@@ -141,6 +161,17 @@ void add_report(CommandLine& line) {
       ->add_option("--label", report.labels,
                    "name of a result in the report; given once for each\n"
                    "result, in their order")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--flow", report.fluid,
+                   "the leak of this fluid at the loads with saved maps:\n"
+                   "water, air, or a viscosity such as \"0.1 Pa s\"")
+      ->type_name("FLUID");
+  command
+      ->add_option("--set", report.asked,
+                   "add a study at the loads with saved maps, as\n"
+                   "--set spots.smallest=10")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"

@@ -185,10 +185,13 @@ std::string flow_answer(const ReportEntry& entry) {
   const AnsweredRow answer = answered_row(entry, columns::leak_rate_x);
   if (answer.row == nullptr)
     return "";
-  return fmt::format("The seal {} and {} {}.",
-                     flow_along("x", (*answer.row)[columns::leak_rate_x]),
-                     flow_along("y", (*answer.row)[columns::leak_rate_y]),
-                     answer.place());
+  const double x = (*answer.row)[columns::leak_rate_x];
+  const double y = (*answer.row)[columns::leak_rate_y];
+  return x > 0.0 || y > 0.0
+             ? fmt::format("The seal {} and {} {}.", flow_along("x", x),
+                           flow_along("y", y), answer.place())
+             : fmt::format("The seal is tight along x and y {}.",
+                           answer.place());
 }
 
 } // namespace

@@ -100,9 +100,10 @@ std::string spots_answer(const ReportEntry& entry) {
   if (answer.row == nullptr)
     return "";
   const results::CurvePoint& row = *answer.row;
-  return fmt::format("The contact consists of {:g} spots {}; the largest has "
+  const double count = row[columns::spot_count];
+  return fmt::format("The contact consists of {:g} spot{} {}; the largest has "
                      "{:.3g} µm².",
-                     row[columns::spot_count], answer.place(),
+                     count, count == 1.0 ? "" : "s", answer.place(),
                      1e12 * row[columns::largest_spot]);
 }
 
