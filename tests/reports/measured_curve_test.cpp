@@ -218,8 +218,8 @@ TEST_F(MeasuredCurve, ResultsOfOneCaseHaveNamesThatDiffer) {
   results::Result finer = result;
   finer.path = "b";
   cases::Case fine = rough;
-  rough.text = "[surface]\npoints = 64\nseed = 1\n";
-  fine.text = "[surface]\npoints = 128\nseed = 1\n";
+  set_text(rough, "[surface]\npoints = 64\nseed = 1\n");
+  set_text(fine, "[surface]\npoints = 128\nseed = 1\n");
   const auto names = [&](const std::vector<std::string>& labels) {
     std::vector<ReportEntry> entries{entry_of(result, rough),
                                      entry_of(finer, fine)};
@@ -229,7 +229,7 @@ TEST_F(MeasuredCurve, ResultsOfOneCaseHaveNamesThatDiffer) {
   EXPECT_EQ(names({}), "polymer (surface.points = 64); polymer "
                        "(surface.points = 128)");
   EXPECT_EQ(names({"coarse", "fine"}), "coarse; fine");
-  fine.text = rough.text;
+  set_text(fine, rough.text);
   EXPECT_EQ(names({}), "polymer (a); polymer (b)");
   finer.path = "a/";
   EXPECT_EQ(names({}), "polymer (result 1); polymer (result 2)");

@@ -33,7 +33,7 @@ const std::set<std::string> other_tables{"", "report", "expect", "sweep"};
 
 TEST_F(MethodsTextOf, ShowsEachKeyThatChangesTheProblem) {
   const std::string base = "[surface]\nkind = \"measured\"\n";
-  rough.text = base;
+  set_text(rough, base);
   const ReportEntry entry = entry_of(result, rough); // refers to the case
   const auto text_now = [&] {
     return methods_text(std::span(&entry, 1)).paragraphs.front();
@@ -47,7 +47,7 @@ TEST_F(MethodsTextOf, ShowsEachKeyThatChangesTheProblem) {
         continue;
       const std::string path = table.name + "." + key.name;
       const std::string value = key.example.empty() ? "1" : key.example;
-      rough.text = base + "#--set " + path + "=" + value + "\n";
+      set_text(rough, base + "#--set " + path + "=" + value + "\n");
       EXPECT_NE(text_now(), without) << path;
       EXPECT_NE(text_now().find(path + " = "), std::string::npos) << path;
       ++n_keys;
@@ -56,7 +56,7 @@ TEST_F(MethodsTextOf, ShowsEachKeyThatChangesTheProblem) {
 }
 
 TEST_F(MethodsTextOf, LeavesOutFoldersOfFiles) {
-  rough.text = "[surface]\nfile = \"/home/somebody/maps/a.x3p\"\n";
+  set_text(rough, "[surface]\nfile = \"/home/somebody/maps/a.x3p\"\n");
   expect_said("surface.file = \"a.x3p\"");
 }
 

@@ -3,6 +3,8 @@
 // A folder for a report, removed at the end of the test unless
 // ASPERITY_KEEP_REPORTS is set.
 
+#include "cases/reader/case_text.hpp"
+#include "cases/text/toml_text.hpp"
 #include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>
@@ -11,8 +13,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 #include "synthetic.hpp"
 
@@ -21,6 +25,17 @@ namespace asperity::reports {
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Gives a case another text, with its keys: what it states besides may differ.
+inline void set_text(cases::Case& made, const std::string& text) {
+  cases::Node file = cases::parse_toml(
+      std::string(cases::without_overrides(text)), "case.toml");
+  cases::Mistakes mistakes;
+  for (const std::string& one : cases::overrides_in(text))
+    cases::apply_override(file, one, mistakes);
+  made.text = text;
+  made.file = std::make_shared<const cases::Node>(std::move(file));
 }
 
 class ReportFolder : public ::testing::Test {
