@@ -24,6 +24,9 @@ struct Series;
 /// part of it. Each is asked of every result.
 struct StudyPages {
   std::string name; ///< "flow"
+  /// Names of its figures; one that ends with "-" is followed by the name of a
+  /// method or by the number of a load.
+  std::vector<std::string> figure_names = {};
   /// @param index  of the entry, as in Series::entry
   std::vector<Figure> (*figures)(const ReportEntry& entry, std::size_t index,
                                  std::span<const Series> series) = nullptr;

@@ -88,9 +88,8 @@ void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
       continue;
     const std::vector<studies::AskedTable> asked =
         study->theory_tables(contact_case, contact);
-    std::vector<std::string> names;
-    for (const studies::AskedTable& one : asked)
-      names.push_back(one.name);
+    std::vector<std::string> names(asked.size());
+    std::ranges::transform(asked, names.begin(), &studies::AskedTable::name);
     if (!tables.take(names))
       for (const studies::AskedTable& one : asked)
         tables.record(one.name, one.make);

@@ -183,8 +183,8 @@ FourierOperator::FourierOperator(const Grid& grid, RankGroup& ranks,
     : FourierOperator(SharedRows(grid, ranks, row_bounds(grid, ranks.size())),
                       compliance, threads) {}
 
-FourierOperator::FourierOperator(SharedRows rows, const EvenColumn& compliance,
-                                 int threads)
+FourierOperator::FourierOperator(const SharedRows& rows,
+                                 const EvenColumn& compliance, int threads)
     : FourierOperator(std::make_shared<const Shared>(
           rows, threads, [&](const Grid& grid, SpectrumColumns own) {
             return EvenSymbol(grid, checked(compliance), own, threads);

@@ -116,7 +116,8 @@ protected:
 
 private:
   struct Shared; // immutable: transforms and symbol, shared by all clones
-  FourierOperator(SharedRows rows, const EvenColumn& compliance, int threads);
+  FourierOperator(const SharedRows& rows, const EvenColumn& compliance,
+                  int threads);
   explicit FourierOperator(std::shared_ptr<const Shared> shared);
 
   std::shared_ptr<const Shared> shared_;

@@ -112,7 +112,8 @@ void MaterialPoints::subtract_force(const Cell& cell, const CellStates& states,
 // Of each cell the number of its points with a state, and these.
 void MaterialPoints::save(std::vector<double>& numbers) const {
   for (const CellStates& cell : before_) {
-    numbers.push_back(static_cast<double>(cell.size() / in_point_));
+    const std::size_t points = cell.size() / in_point_;
+    numbers.push_back(static_cast<double>(points));
     numbers.insert(numbers.end(), cell.begin(), cell.end());
   }
 }

@@ -100,7 +100,7 @@ std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries);
 
 /// The names of all figures that reports can hold; one that ends with "-" is
 /// followed by the name of a method or by the number of a load.
-const std::vector<std::string>& figure_names();
+std::vector<std::string> figure_names();
 
 /// Whether a figure can have this name: "pressure-gap", "maps-fem".
 bool is_figure_name(const std::string& name);

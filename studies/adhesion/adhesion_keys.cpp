@@ -4,8 +4,6 @@
 #include "studies/adhesion/adhesion_study.hpp"
 #include "studies/key_checks.hpp"
 
-#include <utility>
-
 namespace asperity::studies {
 namespace {
 
@@ -64,7 +62,7 @@ void read_adhesion(TableReader table, Case& read) {
   AdhesionStudy study;
   table.read(study);
   check_ends(table, study.from, study.to);
-  read.studies.ask(std::move(study));
+  read.studies.ask(study);
 }
 
 } // namespace

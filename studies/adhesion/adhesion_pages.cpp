@@ -182,6 +182,9 @@ std::string adhesion_text(const cases::Case& contact_case) {
 
 const StudyPages& adhesion_pages() {
   static const StudyPages pages{.name = "adhesion",
+                                .figure_names = {"adhesion-branches",
+                                                 "adhesion-equilibrium",
+                                                 "adhesion-height"},
                                 .figures = adhesion_figures,
                                 .methods_text = adhesion_text,
                                 .add_quantities = add_adhesion_quantities};

@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace asperity::studies {
 namespace {
 
@@ -88,7 +86,7 @@ void read_conductance(TableReader table, Case& read) {
     for (const char* const key :
          {"gap_conductivity", "smallest_gap", "thermal_conductivity"})
       table.require(key, ", which heat through the gap needs");
-  read.studies.ask(std::move(study));
+  read.studies.ask(study);
 }
 
 /// Surface methods whose pressures are the answer of one operator in a convex

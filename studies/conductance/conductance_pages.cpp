@@ -165,6 +165,7 @@ std::string conductance_text(const cases::Case& contact_case) {
 
 const StudyPages& conductance_pages() {
   static const StudyPages pages{.name = "conductance",
+                                .figure_names = {"conductance"},
                                 .figures = conductance_figures,
                                 .methods_text = conductance_text};
   return pages;

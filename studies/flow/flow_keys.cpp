@@ -4,8 +4,6 @@
 #include "studies/flow/flow_study.hpp"
 #include "studies/key_checks.hpp"
 
-#include <utility>
-
 namespace asperity::studies {
 namespace {
 
@@ -48,7 +46,7 @@ void read_flow(TableReader table, Case& read) {
   if (study.length.has_value() != study.width.has_value())
     table.complain_missing(study.length ? "width" : "length",
                            ": a seal has both");
-  read.studies.ask(std::move(study));
+  read.studies.ask(study);
 }
 
 std::string no_flow(const Case&, const MethodSpec& method) {

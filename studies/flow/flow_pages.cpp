@@ -198,6 +198,7 @@ std::string flow_answer(const ReportEntry& entry) {
 
 const StudyPages& flow_pages() {
   static const StudyPages pages{.name = "flow",
+                                .figure_names = {"flux-", "leak-rate"},
                                 .figures = flow_figures,
                                 .answer = flow_answer,
                                 .methods_text = flow_text};

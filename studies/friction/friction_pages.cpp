@@ -282,6 +282,7 @@ void add_friction_quantities(const results::Result& result,
 
 const StudyPages& friction_pages() {
   static const StudyPages pages{.name = "friction",
+                                .figure_names = {"partial-slip", "traction-"},
                                 .figures = friction_figures,
                                 .methods_text = friction_text,
                                 .add_quantities = add_friction_quantities,

@@ -428,10 +428,13 @@ std::string magnification_text(const cases::Case& contact_case) {
 } // namespace
 
 const StudyPages& magnification_pages() {
-  static const StudyPages pages{.name = "magnification",
-                                .figures = magnification_figures,
-                                .methods_text = magnification_text,
-                                .add_quantities = add_magnification_quantities};
+  static const StudyPages pages{
+      .name = "magnification",
+      .figure_names = {"magnification-opening", "magnification-parts",
+                       "magnification-separation", "separation-distributions-"},
+      .figures = magnification_figures,
+      .methods_text = magnification_text,
+      .add_quantities = add_magnification_quantities};
   return pages;
 }
 

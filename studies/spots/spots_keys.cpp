@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 namespace asperity::studies {
 namespace {
 
@@ -36,7 +34,7 @@ void read_spots(TableReader table, Case& read) {
   SpotsStudy study;
   table.read(study);
   require_fields(table, read, "contact map");
-  read.studies.ask(std::move(study));
+  read.studies.ask(study);
 }
 
 std::string spots_key(const cases::Case& contact_case) {

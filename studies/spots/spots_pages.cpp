@@ -110,8 +110,10 @@ std::string spots_answer(const ReportEntry& entry) {
 } // namespace
 
 const StudyPages& spots_pages() {
-  static const StudyPages pages{
-      .name = "spots", .figures = spot_figures, .answer = spots_answer};
+  static const StudyPages pages{.name = "spots",
+                                .figure_names = {"spots-"},
+                                .figures = spot_figures,
+                                .answer = spots_answer};
   return pages;
 }
 
