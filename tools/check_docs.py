@@ -26,6 +26,7 @@ ELSEWHERE = re.compile(r"^(https?:|mailto:)")
 HEADING = re.compile(r"^#+ +(.*)$")
 ROW = re.compile(r"^\| `([a-z-]+)(?:<[a-z]+>)?` \|", re.MULTILINE)
 SET_NAME = re.compile(r'\.name = "([a-z-]+)";')
+STUDY_NAMES = re.compile(r"\.figure_names = \{([^}]*)\}")
 DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
          "reports/surface/surface_figures.cpp": SET_NAME,
          "reports/surface/spectrum_plots.cpp": SET_NAME,
@@ -72,7 +73,10 @@ def missing(folder, root, modules, text):
 def drawn_figures(root):
     """The names of figures in the sources; one that ends with "-" is continued at run time."""
     return {name for source, names in DRAWN.items()
-            for name in names.findall((root / source).read_text())}
+            for name in names.findall((root / source).read_text())} | {
+                name for page in (root / "studies").glob("*/*_pages.cpp")
+                for listed in STUDY_NAMES.findall(page.read_text())
+                for name in re.findall(r'"([a-z0-9-]+)"', listed)}
 
 
 def unknown_figures(known, text):
