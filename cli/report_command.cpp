@@ -114,6 +114,11 @@ run::ExitCode report_results(const ReportCommand& command) {
                                 "itself; to compare points, give their "
                                 "folders: " +
                                 path + "/points/000");
+      if (!command.fluid.empty() || !command.asked.empty())
+        throw input::InputError(path +
+                                " is a sweep; --flow and --set add a study to "
+                                "a result, such as " +
+                                path + "/points/000");
       return report_sweep(path, out, extras);
     }
   std::vector<results::Result> read = results_or_curves(paths);

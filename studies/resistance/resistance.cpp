@@ -3,12 +3,15 @@
 #include "studies/conductance/conductance_study.hpp"
 #include "studies/resistance/resistance_columns.hpp"
 
+#include <cmath>
+
 namespace asperity::studies {
 namespace {
 
 /// Faces without contact have no finite resistance: NaN.
 double inverse(double conductance) {
-  return conductance > 0.0 ? 1.0 / conductance : results::not_given;
+  const double resistance = 1.0 / conductance;
+  return std::isfinite(resistance) ? resistance : results::not_given;
 }
 
 void set_resistances(const cases::Case&, results::CurvePoint& row) {
