@@ -398,18 +398,13 @@ void MethodJob::study(methods::StepAnswer& answer) {
   const methods::SurfaceOfCase& surface =
       context_.surfaces.of(method_, realization_);
   const int threads = context_.pool.threads_per_job();
-  studies::evaluate_studies(
-      {contact_case,
-       method_,
-       surface,
-       answer.grid,
-       answer.pressure,
-       answer.gap,
-       {method_.contact_criterion(surface.scales.rms_height), answer.pressure,
-        answer.gap},
-       threads,
-       [&] { return context_.solvers.operator_of(method_, surface, threads); }},
-      answer.row);
+  studies::Step step = studies::step_with_maps(
+      contact_case, method_, surface, answer.grid, answer.pressure, answer.gap);
+  step.threads = threads;
+  step.elasticity = [&] {
+    return context_.solvers.operator_of(method_, surface, threads);
+  };
+  studies::evaluate_studies(step, answer.row);
 }
 
 methods::Resources MethodJob::resources() const {

@@ -9,20 +9,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <variant>
+#include <exception>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace asperity::run {
 namespace {
 
 using results::CurvePoint;
 
-/// Requires the key to be in the table of a study.
-void require_study(const std::string& asked) {
+/// Requires the key to be in the table of a study that the case does not ask
+/// for: its rows without maps would keep answers to other settings.
+void require_new_study(const cases::Case& contact_case,
+                       const std::string& asked) {
   const std::string table = asked.substr(0, asked.find('.'));
   std::string allowed;
   for (const cases::StudyKeys* const study : cases::known_studies()) {
-    if (!study->tables.empty() && study->name() == table)
+    if (!study->tables.empty() && study->name() == table) {
+      if (study->is_asked(contact_case))
+        throw input::InputError(
+            fmt::format("--set: {}: the result has the study [{}] already; "
+                        "state other numbers in its case and run it, whose "
+                        "steps are kept",
+                        asked.substr(0, asked.find('=')), table));
       return;
+    }
     if (!study->tables.empty())
       allowed += (allowed.empty() ? "[" : ", [") + study->name() + "]";
   }
@@ -40,77 +52,31 @@ const results::SurfaceRecord* pressed_by(const results::Result& result,
   return result.surfaces.empty() ? nullptr : &result.surfaces.front();
 }
 
-/// Evaluates the studies on the saved maps of one method.
-class SavedMethod {
-public:
-  SavedMethod(const cases::Case& contact_case, const cases::MethodSpec& method,
-              const results::SurfaceRecord& surface, double contact_modulus,
-              methods::MethodFactory& factory)
-      : case_(contact_case),
-        method_(method),
-        surface_{surface,
-                 {contact_modulus, surface.grid.length_x,
-                  surface.grid.spacing_x(), surface.rms_height,
-                  surface.rms_slope}},
-        factory_(factory) {}
+/// Sets the columns of a row by the maps of its step.
+void evaluate(studies::Step step, const methods::SurfaceOfCase& surface,
+              methods::MethodFactory& factory, CurvePoint& row) {
+  step.elasticity = [&] {
+    return factory.operator_of(step.method, surface, step.threads);
+  };
+  CurvePoint answers;
+  answers.step = row.step;
+  answers.nominal_pressure = row.nominal_pressure;
+  answers.mean_gap = row.mean_gap;
+  studies::evaluate_studies(step, answers);
+  results::state_of_map(answers, surface.record.map.share(step.grid));
+  for (const auto& [column, number] : answers.others())
+    column->set(row, number);
+  if (!answers.note.empty())
+    row.note += (row.note.empty() ? "" : "; ") + answers.note;
+}
 
-  /// Sets the columns of a row by the maps of its step.
-  void evaluate(const results::Fields& maps, CurvePoint& row) const {
-    const std::vector<double> pressure = maps.pressure_map().whole();
-    const std::vector<double> gap = maps.gap_map().whole();
-    CurvePoint answers;
-    answers.step = row.step;
-    answers.nominal_pressure = row.nominal_pressure;
-    answers.mean_gap = row.mean_gap;
-    studies::evaluate_studies(step_of(maps, pressure, gap), answers);
-    results::state_of_map(answers, surface_.record.map.share(maps.grid));
-    for (const auto& [column, number] : answers.others())
-      column->set(row, number);
-    if (!answers.note.empty())
-      row.note += (row.note.empty() ? "" : "; ") + answers.note;
-  }
-
-  /// The tables of the studies for these maps that the result does not have.
-  void add_tables(const results::Fields& maps, results::Result& result) const {
-    const std::vector<double> pressure = maps.pressure_map().whole();
-    const std::vector<double> gap = maps.gap_map().whole();
-    for (const studies::Study* const study : studies::all_studies()) {
-      if (study->map_table == nullptr || !study->keys().is_asked(case_))
-        continue;
-      auto table = study->map_table(step_of(maps, pressure, gap), maps.map);
-      if (table && result.table(table->name) == nullptr)
-        result.tables.push_back(std::move(*table));
-    }
-  }
-
-private:
-  studies::Step step_of(const results::Fields& maps,
-                        const std::vector<double>& pressure,
-                        const std::vector<double>& gap) const {
-    return {
-        case_,
-        method_,
-        surface_,
-        maps.grid,
-        pressure,
-        gap,
-        {method_.contact_criterion(surface_.scales.rms_height), pressure, gap},
-        1,
-        [this] { return factory_.operator_of(method_, surface_, 1); }};
-  }
-
-  const cases::Case& case_;
-  const cases::MethodSpec& method_;
-  methods::SurfaceOfCase surface_;
-  methods::MethodFactory& factory_;
-};
-
-/// Evaluates the saved steps of a method; the heaviest has the tables.
-int evaluate_maps(const SavedMethod& saved, std::size_t method,
-                  results::Result& result) {
-  results::Curve& curve = result.methods[method].realizations.front();
+/// Evaluates the saved steps of a method.
+/// @return  their number
+int evaluate_maps(const cases::Case& contact_case,
+                  const cases::MethodSpec& method,
+                  const methods::SurfaceOfCase& surface,
+                  methods::MethodFactory& factory, results::Curve& curve) {
   int evaluated = 0;
-  std::vector<const results::Fields*> heaviest;
   for (const results::Fields& maps : curve.fields) {
     const auto row =
         std::ranges::find(curve.points, maps.step, &CurvePoint::step);
@@ -118,15 +84,28 @@ int evaluate_maps(const SavedMethod& saved, std::size_t method,
         row->status != results::StepStatus::converged ||
         maps.gap_map().size() != maps.grid.size() || maps.grid.size() == 0)
       continue;
-    saved.evaluate(maps, *row);
-    heaviest.push_back(&maps);
+    const std::vector<double> pressure = maps.pressure_map().whole();
+    const std::vector<double> gap = maps.gap_map().whole();
+    evaluate(studies::step_with_maps(contact_case, method, surface, maps.grid,
+                                     pressure, gap),
+             surface, factory, *row);
     ++evaluated;
   }
-  std::ranges::sort(heaviest, std::ranges::greater{},
-                    &results::Fields::nominal_pressure);
-  for (const results::Fields* const maps : heaviest)
-    saved.add_tables(*maps, result);
   return evaluated;
+}
+
+/// Adds a table that the result does not have. One that cannot be computed is
+/// listed with what was skipped.
+template <class Make>
+void add_table(const std::string& what, const Make& make,
+               results::Result& result) {
+  try {
+    if (std::optional<results::Table> table = make();
+        table && result.table(table->name) == nullptr)
+      result.tables.push_back(std::move(*table));
+  } catch (const std::exception& error) {
+    result.skipped.push_back({what, fmt::format("failed: {}", error.what())});
+  }
 }
 
 /// Sets the columns of the theory by the formula of the spectrum, and adds the
@@ -151,21 +130,20 @@ void evaluate_theory(const cases::Case& contact_case,
     if (study->theory_tables != nullptr && study->keys().is_asked(contact_case))
       for (const studies::AskedTable& table :
            study->theory_tables(contact_case, contact))
-        if (result.table(table.name) == nullptr)
-          result.tables.push_back(table.make());
+        add_table("table " + table.name, table.make, result);
 }
 
 } // namespace
 
 int ask_of_saved(results::Result& result,
                  const std::vector<std::string>& asked) {
+  const cases::Case plain =
+      cases::read_case_text(result.case_text, result.path);
   for (const std::string& one : asked)
-    require_study(one);
-  const std::size_t steps =
-      cases::read_case_text(result.case_text, result.path).load.targets.size();
+    require_new_study(plain, one);
   const cases::Case contact_case =
       cases::read_case_text(result.case_text, result.path, asked);
-  if (contact_case.load.targets.size() != steps)
+  if (contact_case.load.targets.size() != plain.load.targets.size())
     throw input::InputError(
         result.path + ": the study needs load steps that the result does not "
                       "have: state it in the case and run it");
@@ -181,12 +159,25 @@ int ask_of_saved(results::Result& result,
     if (method == contact_case.methods.end() || record.realizations.empty())
       continue;
     evaluate_theory(contact_case, *method, i, result);
-    if (const results::SurfaceRecord* const surface =
-            pressed_by(result, record.realizations.front());
-        surface != nullptr && method->has_fields())
-      evaluated += evaluate_maps(
-          {contact_case, *method, *surface, result.contact_modulus, factory}, i,
-          result);
+    const results::SurfaceRecord* const pressed =
+        pressed_by(result, record.realizations.front());
+    if (pressed == nullptr || !method->has_fields())
+      continue;
+    const methods::SurfaceOfCase surface{
+        *pressed,
+        {result.contact_modulus, pressed->grid.length_x,
+         pressed->grid.spacing_x(), pressed->rms_height, pressed->rms_slope}};
+    results::Curve& curve = record.realizations.front();
+    evaluated += evaluate_maps(contact_case, *method, surface, factory, curve);
+    for (const studies::Study* const study : studies::all_studies())
+      if (study->map_table != nullptr && study->keys().is_asked(contact_case))
+        add_table(
+            study->keys().name() + " map, " + method->name,
+            [&] {
+              return studies::table_of_heaviest_map(*study, contact_case,
+                                                    *method, surface, curve);
+            },
+            result);
   }
   return evaluated;
 }

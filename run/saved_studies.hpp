@@ -16,9 +16,9 @@ namespace asperity::run {
 /// @param asked  keys of tables of studies, as for --set:
 ///               "flow.viscosity=\"1 mPa s\""
 /// @return  the number of steps with maps that were evaluated
-/// @throws input::InputError  a key is not that of a study, the case does not
-///           allow it, or the study needs load steps that the result does not
-///           have
+/// @throws input::InputError  a key is not that of a study, the result has the
+///           study already, the case does not allow it, or the study needs load
+///           steps that the result does not have
 int ask_of_saved(results::Result& result,
                  const std::vector<std::string>& asked);
 

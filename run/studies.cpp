@@ -98,47 +98,21 @@ void run_studies(const RunContext& context, const cases::MethodSpec& theory) {
 
 namespace {
 
-/// The saved maps of realisation 0, the heaviest first.
-std::vector<const results::Fields*> maps_of(const results::Result& result,
-                                            const std::string& method) {
-  std::vector<const results::Fields*> maps;
-  for (const results::MethodRecord& record : result.methods)
-    if (record.name == method && !record.realizations.empty())
-      for (const results::Fields& map : record.realizations.front().fields)
-        if (!map.gap_map().empty() && map.gap_map().size() == map.grid.size())
-          maps.push_back(&map);
-  std::ranges::sort(maps, std::ranges::greater{},
-                    &results::Fields::nominal_pressure);
-  return maps;
-}
-
 void record_map_table(const RunContext& run, const studies::Study& study,
                       const cases::MethodSpec& method,
                       const results::Result& result) {
-  const methods::SurfaceOfCase& surface = run.surfaces.of(method, 0);
-  for (const results::Fields* map : maps_of(result, method.name)) {
-    const auto table =
-        run.tally.attempt(study.keys().name() + " map, " + method.name, [&] {
-          const std::vector<double> pressure = map->pressure_map().whole();
-          const std::vector<double> gap = map->gap_map().whole();
-          return study.map_table(
-              {run.contact_case,
-               method,
-               surface,
-               map->grid,
-               pressure,
-               gap,
-               {method.contact_criterion(surface.scales.rms_height), pressure,
-                gap}},
-              map->map);
-        });
-    if (!table)
-      return;
-    if (!*table)
-      continue;
-    run.writer->record_table(**table);
+  const auto record = std::ranges::find(result.methods, method.name,
+                                        &results::MethodRecord::name);
+  if (record == result.methods.end() || record->realizations.empty())
     return;
-  }
+  const auto table =
+      run.tally.attempt(study.keys().name() + " map, " + method.name, [&] {
+        return studies::table_of_heaviest_map(study, run.contact_case, method,
+                                              run.surfaces.of(method, 0),
+                                              record->realizations.front());
+      });
+  if (table && *table)
+    run.writer->record_table(**table);
 }
 
 } // namespace

@@ -42,6 +42,14 @@ struct Step {
   std::function<std::unique_ptr<contact::SurfaceOperator>()> elasticity = {};
 };
 
+/// The step of these maps, in one thread and without an operator; the maps and
+/// what they belong to must outlive it.
+Step step_with_maps(const cases::Case& contact_case,
+                    const cases::MethodSpec& method,
+                    const methods::SurfaceOfCase& surface, const Grid& grid,
+                    std::span<const double> pressure,
+                    std::span<const double> gap);
+
 /// A table of a result that is computed when it is needed.
 struct AskedTable {
   std::string name;
@@ -92,6 +100,15 @@ void evaluate_studies(const Step& step, results::CurvePoint& row);
 void evaluate_studies(const cases::Case& contact_case,
                       const theory::PerssonContact& contact,
                       results::CurvePoint& row);
+
+/// The table of a study of the heaviest saved step of a curve that has one;
+/// nothing without such a step.
+/// @param study  with `map_table`
+std::optional<results::Table>
+table_of_heaviest_map(const Study& study, const cases::Case& contact_case,
+                      const cases::MethodSpec& method,
+                      const methods::SurfaceOfCase& surface,
+                      const results::Curve& curve);
 
 /// Lets them set again what follows from their settings.
 void rescale_studies(const cases::Case& contact_case, results::CurvePoint& row);

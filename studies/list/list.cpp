@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 namespace asperity::studies {
 namespace {
@@ -41,6 +42,43 @@ void each_asked(const cases::Case& contact_case, const Work& work) {
 
 std::span<const Study* const> all_studies() {
   return listed;
+}
+
+Step step_with_maps(const cases::Case& contact_case,
+                    const cases::MethodSpec& method,
+                    const methods::SurfaceOfCase& surface, const Grid& grid,
+                    std::span<const double> pressure,
+                    std::span<const double> gap) {
+  return {contact_case,
+          method,
+          surface,
+          grid,
+          pressure,
+          gap,
+          {method.contact_criterion(surface.scales.rms_height), pressure, gap}};
+}
+
+std::optional<results::Table>
+table_of_heaviest_map(const Study& study, const cases::Case& contact_case,
+                      const cases::MethodSpec& method,
+                      const methods::SurfaceOfCase& surface,
+                      const results::Curve& curve) {
+  std::vector<const results::Fields*> heaviest;
+  for (const results::Fields& maps : curve.fields)
+    if (!maps.gap_map().empty() && maps.gap_map().size() == maps.grid.size())
+      heaviest.push_back(&maps);
+  std::ranges::sort(heaviest, std::ranges::greater{},
+                    &results::Fields::nominal_pressure);
+  for (const results::Fields* const maps : heaviest) {
+    const std::vector<double> pressure = maps->pressure_map().whole();
+    const std::vector<double> gap = maps->gap_map().whole();
+    if (auto table =
+            study.map_table(step_with_maps(contact_case, method, surface,
+                                           maps->grid, pressure, gap),
+                            maps->map))
+      return table;
+  }
+  return std::nullopt;
 }
 
 bool needs_all_maps(const cases::Case& contact_case) {
