@@ -83,7 +83,10 @@ TEST(ToyStudy, RefusesWhatItsKeysDoNotAllow) {
     (void)read("[counting]\nweigth = 3\n");
     FAIL() << "an unknown key was read";
   } catch (const input::InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("weight"), std::string::npos)
+    EXPECT_NE(std::string(error.what())
+                  .find("counting.weigth is not a key of this table; nearest: "
+                        "weight"),
+              std::string::npos)
         << error.what();
   }
 }
