@@ -16,7 +16,7 @@ namespace asperity {
 /// is a cache line.
 inline constexpr std::size_t block_width = 8;
 
-/// The transforms of Convolution (ranks/convolution.hpp) on some rows of a
+/// The transforms of Convolution (base/ranks/convolution.hpp) on some rows of a
 /// grid. It is immutable, so that threads may share it.
 ///
 /// Rows are transformed in pairs: a + i b has the transform Z, and

@@ -40,7 +40,6 @@ endfunction()
 # Headers that tests and benchmarks share, found as "tests/...".
 add_library(asperity_test_sources INTERFACE)
 asperity_show(asperity_test_sources INTERFACE tests)
-asperity_show(asperity_test_sources INTERFACE benchmarks)
 
 # Headers, and what several sources instantiate, take most of the time of a small
 # source, so a unity build is some times faster from nothing; batches keep two
@@ -93,8 +92,10 @@ function(asperity_library name)
   set_target_properties(asperity_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   set_target_properties(asperity_${name} PROPERTIES UNITY_BUILD ${ASPERITY_UNITY}
     UNITY_BUILD_BATCH_SIZE ${ASPERITY_UNITY_BATCH})
-  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME module)
-  asperity_show(asperity_${name} PUBLIC ${module})
+  cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE folder)
+  string(REGEX REPLACE "/.*" "" folder ${folder})
+  asperity_show(asperity_${name} PUBLIC ${folder})
   target_link_libraries(asperity_${name}
     PUBLIC ${arg_DEPENDS} PRIVATE asperity_flags ${arg_PRIVATE_DEPENDS})
   if(arg_LITTLE_OPTIMIZED)

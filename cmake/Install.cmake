@@ -10,11 +10,8 @@ install(TARGETS asperity RUNTIME DESTINATION bin)
 install(TARGETS asperity_fem_module LIBRARY DESTINATION ${ASPERITY_LIBRARY_FOLDER})
 install(TARGETS asperity_base LIBRARY DESTINATION ${ASPERITY_LIBRARY_FOLDER})
 
-install(DIRECTORY cases/ DESTINATION share/asperity/cases
-  FILES_MATCHING PATTERN "*"
-  PATTERN "CMakeLists.txt" EXCLUDE PATTERN "*.cpp" EXCLUDE PATTERN "*.hpp" EXCLUDE
-  PATTERN "reader" EXCLUDE PATTERN "text" EXCLUDE PATTERN "types" EXCLUDE)
-install(DIRECTORY adapters DESTINATION share/asperity
+install(DIRECTORY cases/ DESTINATION share/asperity/cases)
+install(DIRECTORY python/adapters DESTINATION share/asperity
   PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
 install(DIRECTORY docs/ DESTINATION share/doc/asperity)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION share/doc/asperity)

@@ -4,16 +4,16 @@
 // is loaded at run time, so that only commands that need it pay for the
 // start-up of deal.II.
 
+#include "base/ranks/root_work.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "fem/block/full_block.hpp"
 #include "fem/block/mesh_file.hpp"
 #include "fem/full_request.hpp"
-#include "flow/network.hpp"
 #include "mechanics/contact_law.hpp"
 #include "mechanics/fem_settings.hpp"
+#include "mechanics/flow/network.hpp"
 #include "mechanics/material.hpp"
 #include "mechanics/quantity.hpp"
-#include "ranks/root_work.hpp"
 
 #include <functional>
 #include <memory>

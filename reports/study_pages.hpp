@@ -3,7 +3,7 @@
 // What reports are told of the studies that a case may ask for. They know none
 // of them: studies/list/list.cpp adds them when the program starts.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 
 #include <nlohmann/json_fwd.hpp>

@@ -9,8 +9,8 @@
 namespace asperity::results {
 
 /// Returns the CPU time that the reading of a result may take [s]: in
-/// proportion to the size of its file, within limits, and a hundred times what a
-/// good file takes. The library can loop for ever on a damaged one.
+/// proportion to the size of its file, within limits, and a hundred times what
+/// a good file takes. The library can loop for ever on a damaged one.
 /// @param path  the file, or the folder that contains result.h5
 double read_time_limit(const std::filesystem::path& path);
 

@@ -1,7 +1,7 @@
 #include "run/difference.hpp"
 
-#include "cases/reader/resolved_keys.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/reader/resolved_keys.hpp"
+#include "input/text/toml_text.hpp"
 #include "results/types/curve_columns.hpp"
 
 #include <algorithm>

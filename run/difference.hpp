@@ -3,7 +3,7 @@
 // Compares two results or cases: the keys of the cases, the files they name,
 // the builds, and the numbers of each method at each load.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 
 #include <map>

@@ -3,10 +3,10 @@
 #include "base/array_memory.hpp"
 #include "base/cpu_clock.hpp"
 #include "fem/plugin.hpp"
-#include "methods/chosen.hpp"
-#include "methods/theory_method.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/interrupt.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/theory_method.hpp"
 #include "run/new_output.hpp"
 #include "studies/study.hpp"
 

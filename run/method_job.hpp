@@ -3,12 +3,12 @@
 // Runs one method on one realisation: reads cached steps, computes the others,
 // and writes each step as soon as it is done.
 
-#include "methods/cache/case_keys.hpp"
-#include "methods/methods.hpp"
-#include "methods/step_chain.hpp"
-#include "methods/worker_pool.hpp"
 #include "results/result_writer.hpp"
 #include "results/types/result.hpp"
+#include "run/methods/cache/case_keys.hpp"
+#include "run/methods/methods.hpp"
+#include "run/methods/step_chain.hpp"
+#include "run/methods/worker_pool.hpp"
 #include "run/progress.hpp"
 
 #include <atomic>

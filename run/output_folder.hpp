@@ -6,7 +6,7 @@
 // the command reads.
 
 #include "base/folder_lock.hpp"
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 
 #include <filesystem>
 #include <string>

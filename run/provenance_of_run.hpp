@@ -2,7 +2,7 @@
 
 // Collects the provenance of one run: program, machine and options.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/provenance.hpp"
 #include "surfaces/measured_map.hpp"
 

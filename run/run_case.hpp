@@ -3,9 +3,9 @@
 // Runs one case from its case file to its result file. This file defines the
 // list of jobs, their order and their threads.
 
-#include "cases/types/case.hpp"
-#include "methods/cache/cache.hpp"
+#include "input/types/case.hpp"
 #include "results/result_writer.hpp"
+#include "run/methods/cache/cache.hpp"
 #include "run/plan/run_options.hpp"
 
 #include <filesystem>

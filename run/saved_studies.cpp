@@ -1,9 +1,9 @@
 #include "run/saved_studies.hpp"
 
-#include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
-#include "methods/methods.hpp"
+#include "input/reader/read_case.hpp"
 #include "results/types/curve_columns.hpp"
+#include "run/methods/methods.hpp"
 #include "studies/study.hpp"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 #include "run/stress_tables.hpp"
 
-#include "methods/chosen.hpp"
-#include "methods/continuum_block.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/method_columns.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/continuum_block.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 // Tables of the subsurface stress in the blocks of a case: the strongest point
 // under each saved pressure map, and the section for the highest load.
 
-#include "cases/types/case.hpp"
 #include "contact/operators/stress_inside.hpp"
-#include "methods/stress_section.hpp"
+#include "input/types/case.hpp"
 #include "run/method_job.hpp"
+#include "run/methods/stress_section.hpp"
 
 #include <span>
 

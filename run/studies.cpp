@@ -1,8 +1,8 @@
 #include "run/studies.hpp"
 
-#include "methods/surfaces_of_case.hpp"
 #include "results/result_reader.hpp"
 #include "run/interrupt.hpp"
+#include "run/methods/surfaces_of_case.hpp"
 #include "studies/study.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 // Checks that several studies make of a case.
 
-#include "cases/reader/study_keys.hpp"
-#include "cases/reader/table_reader.hpp"
+#include "input/reader/study_keys.hpp"
+#include "input/reader/table_reader.hpp"
 
 #include <string>
 

@@ -5,12 +5,12 @@
 // studies/list/list.cpp lists them; adding one is told in docs/extending.md.
 
 #include "base/grid.hpp"
-#include "cases/reader/study_keys.hpp"
 #include "contact/operators/surface_operator.hpp"
+#include "input/reader/study_keys.hpp"
 #include "mechanics/contact_nodes.hpp"
-#include "methods/surfaces_of_case.hpp"
 #include "reports/study_pages.hpp"
 #include "results/types/result.hpp"
+#include "run/methods/surfaces_of_case.hpp"
 #include "theory/persson/persson.hpp"
 
 #include <functional>

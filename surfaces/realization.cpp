@@ -1,7 +1,7 @@
 #include "surfaces/realization.hpp"
 
+#include "base/ranks/convolution.hpp"
 #include "base/require.hpp"
-#include "ranks/convolution.hpp"
 
 #include <fmt/format.h>
 

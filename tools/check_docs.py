@@ -32,7 +32,7 @@ DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
          "reports/surface/spectrum_plots.cpp": SET_NAME,
          "reports/surface/contact_plots.cpp": SET_NAME,
          # figure.name = "phases"; {"growth", "Cost against ...
-         "bench/pages/bench_figures.cpp": re.compile(
+         "suite/bench/pages/bench_figures.cpp": re.compile(
              r'(?:figure\.name = |[{])"([a-z]+-?)"(?:;| \+ (?:reports::)?file_word\(quantity\)[;,]|,\s+"[A-Z])')}
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compare the CPU time of two commands in pairs, on a machine that others use.
 
-    tools/compare_programs.py [--pairs 9] "old/cli/asperity args" "new/cli/asperity args"
+    tools/compare_programs.py [--pairs 9] "old/bin/asperity args" "new/bin/asperity args"
 
 Runs them in turn, the order swapped from pair to pair, and prints the ratio old/new of user and
 system time: its median and the interval between its order statistics that holds the true median

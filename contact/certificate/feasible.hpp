@@ -3,9 +3,9 @@
 // Makes a pressure >= 0 of the prescribed mean from a submitted field, and
 // finds what the bounds of the certificate need of it.
 
+#include "base/ranks/node_sums.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/certificate/weighted.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <cstddef>
 #include <span>

@@ -3,8 +3,8 @@
 // Computes means over the nodes for the certificate, whose roundoff does not
 // grow with the number of nodes.
 
-#include "ranks/chunked_sum.hpp"
-#include "ranks/node_weights.hpp"
+#include "base/ranks/chunked_sum.hpp"
+#include "base/ranks/node_weights.hpp"
 
 #include <array>
 #include <cstddef>

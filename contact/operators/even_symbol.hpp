@@ -3,7 +3,7 @@
 // The symbol of a convolution that is even in both directions.
 
 #include "base/grid.hpp"
-#include "ranks/convolution.hpp"
+#include "base/ranks/convolution.hpp"
 
 #include <algorithm>
 #include <cstddef>

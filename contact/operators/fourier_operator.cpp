@@ -1,8 +1,8 @@
 #include "contact/operators/fourier_operator.hpp"
 
+#include "base/ranks/rank_sums.hpp"
 #include "base/require.hpp"
 #include "contact/operators/tile_operator.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <mutex>

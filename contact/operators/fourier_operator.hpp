@@ -3,10 +3,10 @@
 // The surface operator of a laterally homogeneous block: a convolution with one
 // real compliance per wavevector, periodic or with free boundaries.
 
+#include "base/ranks/convolution.hpp"
 #include "base/require.hpp"
 #include "contact/operators/even_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
-#include "ranks/convolution.hpp"
 
 #include <functional>
 #include <memory>

@@ -5,8 +5,8 @@
 // mode with depth.
 
 #include "base/grid.hpp"
+#include "base/ranks/convolution.hpp"
 #include "contact/operators/layered_compliance.hpp"
-#include "ranks/convolution.hpp"
 
 #include <complex>
 #include <memory>

@@ -5,8 +5,8 @@
 // half-space each implement it.
 
 #include "base/grid.hpp"
+#include "base/ranks/workers.hpp"
 #include "contact/operators/tiles.hpp"
-#include "ranks/workers.hpp"
 
 #include <memory>
 #include <optional>

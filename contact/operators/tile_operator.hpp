@@ -3,10 +3,10 @@
 // The displacement of some squares of a grid by the pressure in them, for
 // contact that covers a small part of the surface.
 
+#include "base/ranks/convolution.hpp"
 #include "contact/operators/fourier_operator.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "contact/operators/tiles.hpp"
-#include "ranks/convolution.hpp"
 
 #include <array>
 #include <memory>

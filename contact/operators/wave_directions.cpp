@@ -1,8 +1,8 @@
 #include "contact/operators/wave_directions.hpp"
 
 #include "base/field_sums.hpp"
+#include "base/ranks/convolution.hpp"
 #include "contact/operators/fourier_operator.hpp"
-#include "ranks/convolution.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "contact/solvers/active_set.hpp"
 
 #include "base/maximum.hpp"
+#include "base/ranks/node_sums.hpp"
 #include "contact/solvers/active_system.hpp"
 #include "contact/solvers/contact_state.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

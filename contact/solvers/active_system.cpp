@@ -1,7 +1,7 @@
 #include "contact/solvers/active_system.hpp"
 
 #include "base/maximum.hpp"
-#include "ranks/node_sums.hpp"
+#include "base/ranks/node_sums.hpp"
 
 #include <Eigen/Cholesky>
 

@@ -3,8 +3,8 @@
 // Solves the linear problem of a fixed set of nodes in contact, by dense
 // factorisation of the smaller of two matrices.
 
+#include "base/ranks/node_weights.hpp"
 #include "contact/operators/surface_operator.hpp"
-#include "ranks/node_weights.hpp"
 
 #include <functional>
 #include <span>

@@ -1,7 +1,7 @@
 #include "contact/solvers/adhesive_state.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // The fields of an adhesive contact, and the products of vectors of free nodes
 // that its minimisation and its test for a minimum need.
 
+#include "base/ranks/node_sums.hpp"
 #include "contact/solvers/adhesive.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,7 +1,7 @@
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/solver.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

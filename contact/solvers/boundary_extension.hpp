@@ -4,10 +4,10 @@
 // applies the transpose to the result, which makes the masked preconditioner
 // efficient.
 
+#include "base/ranks/workers.hpp"
 #include "contact/solvers/extension_levels.hpp"
 #include "contact/solvers/extension_rows.hpp"
 #include "contact/solvers/node_blocks.hpp"
-#include "ranks/workers.hpp"
 
 #include <cstdint>
 #include <span>

@@ -1,9 +1,9 @@
 #include "base/parallel_rows.hpp"
+#include "base/ranks/node_sums.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/solver.hpp"
 #include "contact/solvers/starting_pressure.hpp"
 #include "contact/solvers/tile_start.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

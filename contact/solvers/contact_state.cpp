@@ -1,8 +1,8 @@
 #include "contact/solvers/contact_state.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/special_numbers.hpp"
 #include "contact/solvers/starting_pressure.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

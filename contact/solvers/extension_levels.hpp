@@ -2,7 +2,7 @@
 
 // The levels of cells of the extension of a residual over the contact boundary.
 
-#include "ranks/shared_rows.hpp"
+#include "base/ranks/shared_rows.hpp"
 
 #include <cstddef>
 #include <span>

@@ -1,7 +1,7 @@
 #include "contact/solvers/free_adhesion.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "contact/solvers/iteration.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "contact/solvers/active_set.hpp"
 #include "contact/solvers/polonsky_keer.hpp"
 #include "contact/solvers/preconditioner.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

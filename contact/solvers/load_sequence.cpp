@@ -1,9 +1,9 @@
 #include "contact/solvers/load_sequence.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
 #include "contact/solvers/adhesive.hpp"
 #include "contact/solvers/solver.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // far from the contact cost nothing. Their sums are bitwise the same on any
 // number of threads and ranks.
 
-#include "ranks/chunked_sum.hpp"
+#include "base/ranks/chunked_sum.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "contact/solvers/node_kernels.hpp"
 
+#include "base/ranks/node_weights.hpp"
 #include "base/simd_pack.hpp"
-#include "ranks/node_weights.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "contact/solvers/polonsky_keer.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "contact/solvers/starting_pressure.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <utility>

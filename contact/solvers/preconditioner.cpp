@@ -1,7 +1,7 @@
 #include "contact/solvers/preconditioner.hpp"
 
 #include "base/parallel_rows.hpp"
-#include "ranks/chunked_sum.hpp"
+#include "base/ranks/chunked_sum.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #include "contact/solvers/punch_stiffness.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
 #include "contact/solvers/node_kernels.hpp"
 #include "contact/solvers/preconditioner.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <limits>

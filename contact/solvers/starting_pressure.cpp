@@ -1,8 +1,8 @@
 #include "contact/solvers/starting_pressure.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
 #include "base/special_numbers.hpp"
-#include "ranks/node_sums.hpp"
 
 #include <algorithm>
 #include <atomic>

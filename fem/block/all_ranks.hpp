@@ -2,9 +2,9 @@
 
 // Values that every rank needs of all ranks.
 
+#include "base/ranks/rank_sums.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <span>
 #include <vector>

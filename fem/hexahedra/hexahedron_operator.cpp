@@ -1,8 +1,8 @@
 #include "fem/hexahedra/hexahedron_operator.hpp"
 
+#include "base/ranks/rank_sums.hpp"
 #include "fem/hexahedra/hexahedron_kernel.hpp"
 #include "fem/multigrid/box_lattice.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,12 +4,12 @@
 // pins and contact points do there.
 // Include this header in .cpp files of fem/ only.
 
+#include "base/ranks/value_exchange.hpp"
 #include "fem/block/block_system.hpp"
 #include "fem/linear/block_inverse.hpp"
 #include "fem/multigrid/lattice_multigrid.hpp"
 #include "fem/multigrid/lattice_slab.hpp"
 #include "fem/multigrid/mesh_contact.hpp"
-#include "ranks/value_exchange.hpp"
 
 #include <deal.II/lac/trilinos_vector.h>
 

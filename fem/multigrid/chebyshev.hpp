@@ -3,7 +3,7 @@
 // The smoother of the multigrid cycles: Chebyshev's polynomial of the fourth
 // kind with the diagonal of the matrix.
 
-#include "ranks/rank_sums.hpp"
+#include "base/ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // Conjugate gradients in double precision around a multigrid cycle in single
 // precision.
 
-#include "ranks/rank_sums.hpp"
+#include "base/ranks/rank_sums.hpp"
 
 #include <cmath>
 #include <cstddef>

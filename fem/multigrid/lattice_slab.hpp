@@ -3,11 +3,11 @@
 // Which rows of cells of a lattice a process holds, and the order of their
 // unknowns.
 
+#include "base/ranks/rank_sums.hpp"
+#include "base/ranks/shared_rows.hpp"
 #include "fem/multigrid/axis_weights.hpp"
 #include "fem/multigrid/box_lattice.hpp"
 #include "fem/multigrid/unknown_layout.hpp"
-#include "ranks/rank_sums.hpp"
-#include "ranks/shared_rows.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "fem/multigrid/level_transfer.hpp"
 
-#include "ranks/rank_sums.hpp"
+#include "base/ranks/rank_sums.hpp"
 
 #include <algorithm>
 

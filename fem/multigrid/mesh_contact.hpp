@@ -3,9 +3,9 @@
 // Contact of a block with its counter-surface as the linear solver sees it, and
 // how it is transferred to coarser functions.
 
+#include "base/ranks/ghost_values.hpp"
 #include "fem/multigrid/sparse_rows.hpp"
 #include "fem/multigrid/unknown_constraints.hpp"
-#include "ranks/ghost_values.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 // How the unknowns of a mesh lie in the vectors of a rank, and what determines
 // those that are no unknowns of a linear system.
 
+#include "base/ranks/ghost_values.hpp"
 #include "fem/multigrid/unknown_constraints.hpp"
-#include "ranks/ghost_values.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -2,7 +2,7 @@
 
 // The ranks of an mpirun as a group that shares the rows of fields.
 
-#include "ranks/root_work.hpp"
+#include "base/ranks/root_work.hpp"
 
 namespace asperity::fem {
 

@@ -3,7 +3,7 @@
 // Solves networks of conductances by conjugate gradients with hypre's algebraic
 // multigrid.
 
-#include "flow/network.hpp"
+#include "mechanics/flow/network.hpp"
 
 namespace asperity::fem {
 

@@ -1,9 +1,9 @@
 #pragma once
 
-// FFTW's own transforms over MPI behind ranks/slab_transforms.hpp.
+// FFTW's own transforms over MPI behind base/ranks/slab_transforms.hpp.
 
 #include "base/grid.hpp"
-#include "ranks/slab_transforms.hpp"
+#include "base/ranks/slab_transforms.hpp"
 
 #include <mpi.h>
 

@@ -1,6 +1,6 @@
 #include "fem/refined/box_levels.hpp"
 
-#include "ranks/rank_sums.hpp"
+#include "base/ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <limits>

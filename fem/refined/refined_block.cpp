@@ -1,8 +1,8 @@
 #include "fem/refined/refined_block.hpp"
 
+#include "base/ranks/rank_sums.hpp"
 #include "fem/linear/hexahedron_block.hpp"
 #include "fem/linear/lattice_block.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <algorithm>
 #include <cmath>

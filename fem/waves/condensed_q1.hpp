@@ -4,8 +4,8 @@
 // the finite-element discretisation, computed for one lateral wavevector at a
 // time.
 
+#include "base/ranks/convolution.hpp"
 #include "fem/waves/elastic_layers.hpp"
-#include "ranks/convolution.hpp"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 // Multiplies the Fourier amplitudes of the four node classes of a Q2 surface by
 // blocks, on rows that ranks may share.
 
+#include "base/ranks/convolution.hpp"
 #include "fem/waves/condensed_q2.hpp"
-#include "ranks/convolution.hpp"
 
 #include <array>
 #include <complex>

@@ -1,10 +1,10 @@
 #include "fem/waves/q2_operator.hpp"
 
 #include "base/parallel_rows.hpp"
+#include "base/ranks/rank_sums.hpp"
 #include "base/require.hpp"
 #include "contact/operators/fourier_operator.hpp"
 #include "fem/waves/cell_stiffness.hpp"
-#include "ranks/rank_sums.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>

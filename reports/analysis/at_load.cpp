@@ -1,6 +1,6 @@
 #include "reports/analysis/at_load.hpp"
 
-#include "cases/types/quantity_at_load.hpp"
+#include "input/types/quantity_at_load.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 #include "results/types/method_columns.hpp"

@@ -1,6 +1,6 @@
 #include "reports/analysis/claims.hpp"
 
-#include "cases/types/expectations.hpp"
+#include "input/types/expectations.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 #include "reports/analysis/summary.hpp"

@@ -3,7 +3,7 @@
 // Compares a published number with a computed one. It owns the wording of the
 // comparison and decides nothing else.
 
-#include "cases/types/reference.hpp"
+#include "input/types/reference.hpp"
 #include "reports/numbers/estimate.hpp"
 
 #include <string>

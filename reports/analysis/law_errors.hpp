@@ -3,7 +3,7 @@
 // How well a theory describes area, energy and separation that a method
 // computed on the same surfaces.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "reports/numbers/estimate.hpp"
 #include "results/types/result.hpp"
 

@@ -3,7 +3,7 @@
 // A curve that the user has measured, or taken from elsewhere, as a result that
 // a report shows beside computed ones.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "reports/analysis/summary.hpp"
 
-#include "cases/types/omissions.hpp"
+#include "input/types/omissions.hpp"
 #include "reports/analysis/at_load.hpp"
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/exact.hpp"

@@ -3,8 +3,8 @@
 // What the report, the check and summary.json state about one result, as plain
 // data: the step from curves to named quantities.
 
-#include "cases/types/case.hpp"
-#include "cases/types/reference.hpp"
+#include "input/types/case.hpp"
+#include "input/types/reference.hpp"
 #include "reports/analysis/certified.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"

@@ -4,7 +4,7 @@
 // the fit of gamma, and passes heights on to the functions of surfaces/.
 // Equation numbers are those of Yang and Persson (2008).
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"
 #include "surfaces/maps/height_map.hpp"

@@ -1,7 +1,7 @@
 #include "reports/analysis/warnings.hpp"
 
-#include "cases/reader/locking.hpp"
-#include "cases/types/omissions.hpp"
+#include "input/reader/locking.hpp"
+#include "input/types/omissions.hpp"
 #include "reports/analysis/exact.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/analysis/surface_theory.hpp"

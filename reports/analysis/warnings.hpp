@@ -3,7 +3,7 @@
 // Detects where the data violate the assumptions of the methods. It owns the
 // limits and the messages; the numbers come from surfaces/assumptions.hpp.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "reports/analysis/summary.hpp"
 #include "results/types/result.hpp"
 
@@ -41,7 +41,7 @@ struct WarningLimits {
 };
 
 /// Returns the warnings at the top of a report: finite elements of the result
-/// that lock (cases/reader/locking.hpp), curves without any contact, loads at
+/// that lock (input/reader/locking.hpp), curves without any contact, loads at
 /// which the theory does not agree (theory_agreement.hpp), and assumptions
 /// about self-affine surfaces, surfaces given by a spectrum and measured ones
 /// (exact shapes need none). Moments and slopes are means over the

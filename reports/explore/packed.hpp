@@ -17,8 +17,8 @@ std::string base64(std::string_view bytes);
 /// A map in 2047 steps between its extremes. Step 0 is the least value exactly,
 /// and nothing else: a small positive pressure does not become zero.
 struct PackedMap {
-  double low = 0.0, high = 0.0; ///< 0 and 0 if no value is finite
-  std::string data;             ///< see packed_map()
+  double low = 0.0, high = 0.0;             ///< 0 and 0 if no value is finite
+  std::string data;                         ///< see packed_map()
   double shown_low = 0.0, shown_high = 0.0; ///< extremes of the map on paper,
                                             ///< which the colours cover
 };

@@ -1,6 +1,6 @@
 #include "reports/pages/entry_names.hpp"
 
-#include "cases/reader/resolved_keys.hpp"
+#include "input/reader/resolved_keys.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "reports/pages/methods_text.hpp"
 
-#include "cases/reader/resolved_keys.hpp"
+#include "input/reader/resolved_keys.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/study_pages.hpp"

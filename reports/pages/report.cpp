@@ -2,8 +2,8 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json.hpp"
-#include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
 #include "reports/analysis/verdict.hpp"
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"

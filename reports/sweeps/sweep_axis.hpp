@@ -3,7 +3,7 @@
 // Turns the values of a swept key into positions, labels and colours of a
 // figure.
 
-#include "cases/sweeps/sweep.hpp"
+#include "input/sweeps/sweep.hpp"
 
 #include <string>
 #include <vector>

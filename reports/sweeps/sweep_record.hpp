@@ -3,7 +3,7 @@
 // The plan of a sweep as sweep.json states it: the swept keys, their values and
 // the points, each with the folder of its result.
 
-#include "cases/sweeps/sweep.hpp"
+#include "input/sweeps/sweep.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

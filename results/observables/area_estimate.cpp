@@ -1,7 +1,7 @@
 #include "results/observables/area_estimate.hpp"
 
+#include "base/ranks/chunked_sum.hpp"
 #include "base/require.hpp"
-#include "ranks/chunked_sum.hpp"
 #include "results/types/map_size.hpp"
 
 #include <fmt/format.h>

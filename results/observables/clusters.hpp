@@ -28,9 +28,9 @@ struct Cluster {
 
 /// Finds the clusters of the nodes inside a set, those across a periodic border
 /// included. Two nodes are joined if they are neighbours in x or y, since cells
-/// that share a corner alone exchange neither heat nor fluid: flow/reynolds.hpp
-/// joins the gap in the same way. Where four cells meet as on a chessboard,
-/// neither the set nor its complement is thus joined.
+/// that share a corner alone exchange neither heat nor fluid:
+/// mechanics/flow/reynolds.hpp joins the gap in the same way. Where four cells
+/// meet as on a chessboard, neither the set nor its complement is thus joined.
 ///
 /// @param is_inside  grid.size() values, 0 outside
 /// @param map        the user's map in the grid

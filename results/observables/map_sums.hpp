@@ -3,7 +3,7 @@
 // This internal header of results/ adds over the nodes of a map that may be in
 // a file.
 
-#include "ranks/chunked_sum.hpp"
+#include "base/ranks/chunked_sum.hpp"
 #include "results/types/map_view.hpp"
 
 #include <array>

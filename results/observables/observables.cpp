@@ -1,7 +1,7 @@
 #include "results/observables/observables.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
-#include "ranks/node_sums.hpp"
 #include "results/types/map_size.hpp"
 
 #include <algorithm>

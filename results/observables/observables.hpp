@@ -32,8 +32,8 @@ using mechanics::ContactNodes;
 /// the areas of the nodes relative to their mean (mean 1, as
 /// contact::SurfaceOperator::nodal_weights); empty if all are equal.
 ///
-/// Sums are those of ranks/chunked_sum.hpp: bitwise the same on any number of
-/// threads.
+/// Sums are those of base/ranks/chunked_sum.hpp: bitwise the same on any number
+/// of threads.
 
 /// Returns <f> = sum_i weight_i f_i / n, in the unit of the field.
 /// @throws std::domain_error  the sizes differ or the field is empty

@@ -1,7 +1,7 @@
 #include "results/observables/pressure_fit.hpp"
 
+#include "base/ranks/node_sums.hpp"
 #include "base/require.hpp"
-#include "ranks/node_sums.hpp"
 #include "results/observables/map_sums.hpp"
 #include "results/observables/observables.hpp"
 #include "theory/persson/pressure_distribution.hpp"

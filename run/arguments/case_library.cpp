@@ -1,12 +1,12 @@
 #include "run/arguments/case_library.hpp"
 
-#include "cases/reader/collection.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/sweeps/sweep.hpp"
-#include "cases/types/reference.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
 #include "input/nearest.hpp"
+#include "input/reader/collection.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/sweeps/sweep.hpp"
+#include "input/types/reference.hpp"
 #include "reports/figures/figures.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // Locates cases: files, folders, and cases shipped with the program, single or
 // in collections.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 
 #include <filesystem>
 #include <map>

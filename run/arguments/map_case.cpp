@@ -1,8 +1,8 @@
 #include "run/arguments/map_case.hpp"
 
-#include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
+#include "input/text/toml_text.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/physics.hpp"

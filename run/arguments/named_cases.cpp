@@ -1,10 +1,10 @@
 #include "run/arguments/named_cases.hpp"
 
 #include "base/atomic_file.hpp"
-#include "cases/reader/base_case.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/base_case.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/text/toml_text.hpp"
 #include "reports/pages/paper_report.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "run/arguments/map_case.hpp"

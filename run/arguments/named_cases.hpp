@@ -3,8 +3,8 @@
 // Resolves the arguments of the command line to cases. All cases, and the files
 // that belong to them, are read before anything runs.
 
-#include "cases/sweeps/sweep.hpp"
-#include "cases/types/case.hpp"
+#include "input/sweeps/sweep.hpp"
+#include "input/types/case.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/output_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 // Overrides of a case by which a command adds a physical effect to it.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "input/units.hpp"
 
 #include <string>

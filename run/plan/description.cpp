@@ -1,10 +1,10 @@
 #include "run/plan/description.hpp"
 
-#include "cases/reader/case_hash.hpp"
+#include "input/reader/case_hash.hpp"
 #include "mechanics/adhesion_scales.hpp"
-#include "methods/cache/case_keys.hpp"
-#include "methods/chosen.hpp"
-#include "methods/methods.hpp"
+#include "run/methods/cache/case_keys.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/methods.hpp"
 #include "run/plan/plan.hpp"
 #include "surfaces/inner_roughness.hpp"
 

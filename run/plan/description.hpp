@@ -3,7 +3,7 @@
 // Describes a case before it is run: all of its keys in SI units, the numbers
 // that follow from them, and the plan of its run. Nothing is solved or written.
 
-#include "cases/reader/resolved_keys.hpp"
+#include "input/reader/resolved_keys.hpp"
 #include "results/types/result.hpp"
 #include "run/plan/plan.hpp"
 

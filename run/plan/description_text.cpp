@@ -1,7 +1,7 @@
 // Formats the description of a case and its plan as text and as JSON.
 #include "base/json.hpp"
 #include "base/read_file.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/text/toml_text.hpp"
 #include "run/plan/description.hpp"
 #include "run/plan/needs.hpp"
 #include "run/plan/plan.hpp"

@@ -1,9 +1,9 @@
 #include "run/plan/needs.hpp"
 
-#include "methods/cache/file_mesh.hpp"
-#include "methods/chosen.hpp"
-#include "methods/full_block_method.hpp"
-#include "methods/surfaces_of_case.hpp"
+#include "run/methods/cache/file_mesh.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/full_block_method.hpp"
+#include "run/methods/surfaces_of_case.hpp"
 #include "studies/study.hpp"
 
 #include <algorithm>

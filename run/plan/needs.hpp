@@ -3,8 +3,8 @@
 // What a method needs before it runs: its unknowns, which are counted, and its
 // memory, which follows from them and from the fields on its grid.
 
-#include "cases/types/case.hpp"
 #include "fem/plugin.hpp"
+#include "input/types/case.hpp"
 
 namespace asperity::run {
 

@@ -4,7 +4,7 @@
 // file, the line and the key.
 
 #include "base/grid.hpp"
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 #include "run/plan/skipped.hpp"
 
-#include "cases/types/omissions.hpp"
-#include "methods/chosen.hpp"
-#include "methods/surfaces_of_case.hpp"
+#include "input/types/omissions.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/surfaces_of_case.hpp"
 #include "surfaces/build.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // Lists the work that a case does not need. Only work that is really not done
 // is listed.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 
 #include <string>
@@ -20,7 +20,7 @@ struct SelectedCase {
 };
 
 /// Lists methods that were not selected, what the case asks of a method that
-/// has no answer (cases/types/omissions.hpp), realisations that are identical
+/// has no answer (input/types/omissions.hpp), realisations that are identical
 /// for a closed formula, maps that are not saved, unknowns and wavevectors that
 /// symmetry makes redundant, and bulk material that a closed form replaces.
 std::vector<results::Skipped> skipped_by_case(const SelectedCase& selected);

@@ -1,16 +1,16 @@
 #include "run/sweeps/parts.hpp"
 
-#include "cases/reader/case_hash.hpp"
-#include "cases/sweeps/sweep.hpp"
 #include "input/input_error.hpp"
-#include "methods/cache/case_keys.hpp"
-#include "methods/chosen.hpp"
-#include "methods/surfaces_of_case.hpp"
+#include "input/reader/case_hash.hpp"
+#include "input/sweeps/sweep.hpp"
 #include "reports/pages/report.hpp"
 #include "results/joined_result.hpp"
 #include "results/provenance.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "run/methods/cache/case_keys.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/surfaces_of_case.hpp"
 #include "run/new_output.hpp"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 // realisation of a case into a folder of its own, or every N-th point of a
 // sweep, and the results of all parts are joined.
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 #include "run/arguments/named_cases.hpp"
 

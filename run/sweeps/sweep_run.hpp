@@ -3,7 +3,7 @@
 // Runs the points of a sweep beside each other, each as a child process that
 // runs an ordinary case into its own folder, and resumes an interrupted sweep.
 
-#include "cases/sweeps/sweep.hpp"
+#include "input/sweeps/sweep.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "run/exit_code.hpp"
 #include "run/plan/plan.hpp"

@@ -1,5 +1,5 @@
 // The keys of [adhesion] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/adhesion/adhesion.hpp"
 #include "studies/adhesion/adhesion_study.hpp"
 #include "studies/key_checks.hpp"

@@ -3,10 +3,10 @@
 #include "base/special_numbers.hpp"
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/punch_stiffness.hpp"
-#include "methods/chosen.hpp"
-#include "methods/continuum_block.hpp"
 #include "results/observables/row_observer.hpp"
 #include "results/types/method_columns.hpp"
+#include "run/methods/chosen.hpp"
+#include "run/methods/continuum_block.hpp"
 #include "studies/conductance/conductance_study.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The keys of [conductance] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/conductance/conductance.hpp"
 #include "studies/conductance/conductance_study.hpp"
 #include "studies/key_checks.hpp"

@@ -1,8 +1,8 @@
 #include "studies/flow/flow.hpp"
 
 #include "fem/plugin.hpp"
-#include "flow/effective_medium.hpp"
-#include "flow/reynolds.hpp"
+#include "mechanics/flow/effective_medium.hpp"
+#include "mechanics/flow/reynolds.hpp"
 #include "results/observables/row_observer.hpp"
 #include "studies/flow/flow_study.hpp"
 #include "theory/persson/leakage.hpp"

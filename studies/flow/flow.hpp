@@ -5,7 +5,8 @@
 namespace asperity::studies {
 
 /// [flow]: the flow of a fluid through the gap of each load step by Reynolds'
-/// equation (flow/reynolds.hpp), and of a theory by the effective medium.
+/// equation (mechanics/flow/reynolds.hpp), and of a theory by the effective
+/// medium.
 extern const Study flow_study;
 
 /// Its parts, which its object joins.

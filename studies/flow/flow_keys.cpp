@@ -1,5 +1,5 @@
 // The keys of [flow] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/flow/flow.hpp"
 #include "studies/flow/flow_study.hpp"
 #include "studies/key_checks.hpp"

@@ -4,8 +4,8 @@
 #include "contact/operators/wave_directions.hpp"
 #include "contact/solvers/punch_stiffness.hpp"
 #include "mechanics/partial_slip.hpp"
-#include "methods/chosen.hpp"
 #include "results/observables/row_observer.hpp"
+#include "run/methods/chosen.hpp"
 #include "studies/friction/friction_study.hpp"
 
 #include <cmath>

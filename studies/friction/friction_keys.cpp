@@ -1,5 +1,5 @@
 // The keys of [friction] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/friction/friction.hpp"
 #include "studies/friction/friction_study.hpp"
 #include "studies/key_checks.hpp"

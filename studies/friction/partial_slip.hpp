@@ -3,7 +3,7 @@
 // Partial slip of each method under the normal load of [friction] of a case
 // (mechanics/partial_slip.hpp).
 
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "mechanics/partial_slip.hpp"
 #include "reports/analysis/summary.hpp"
 #include "results/types/result.hpp"

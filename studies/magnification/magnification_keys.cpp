@@ -1,5 +1,5 @@
 // The keys of [magnification] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/key_checks.hpp"
 #include "studies/magnification/magnification.hpp"
 #include "studies/magnification/magnification_study.hpp"

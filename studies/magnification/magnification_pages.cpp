@@ -1,5 +1,5 @@
 // The figures, the text and the quantities of [magnification].
-#include "cases/types/quantity_at_load.hpp"
+#include "input/types/quantity_at_load.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/distributions.hpp"

@@ -1,5 +1,5 @@
 // The keys of [spots] in a case.
-#include "cases/reader/bound_key.hpp"
+#include "input/reader/bound_key.hpp"
 #include "studies/key_checks.hpp"
 #include "studies/spots/spots.hpp"
 #include "studies/spots/spots_study.hpp"

@@ -2,7 +2,7 @@
 
 #include "base/pair_transforms.hpp"
 #include "base/parallel_rows.hpp"
-#include "ranks/convolution.hpp"
+#include "base/ranks/convolution.hpp"
 
 #include <algorithm>
 #include <complex>

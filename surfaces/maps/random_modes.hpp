@@ -13,7 +13,7 @@ namespace asperity::surfaces {
 enum class RandomStream : std::uint64_t {
   surface_modes = 1,
   thermal_noise = 2,        ///< drawn in md/dynamics/thermal_noise.hpp
-  robustness_instances = 3, ///< drawn in robustness/instance.hpp
+  robustness_instances = 3, ///< drawn in suite/robustness/instance.hpp
 };
 
 /// Two independent numbers, uniform in the open interval (0, 1).

@@ -1,10 +1,10 @@
 // Tests of the analysis of a benchmark against runs from a formula: an error c
 // h^p of a known limit, a cost c n^e.
 #include "base/json.hpp"
-#include "bench/analysis/bench_analysis.hpp"
-#include "bench/analysis/bench_answer.hpp"
-#include "bench/pages/bench_report.hpp"
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
+#include "suite/bench/analysis/bench_analysis.hpp"
+#include "suite/bench/analysis/bench_answer.hpp"
+#include "suite/bench/pages/bench_report.hpp"
 #include "tests/bench/rough_case.hpp"
 #include "theory/exact/hertz.hpp"
 

@@ -1,6 +1,7 @@
-// Tests of bench/settings/bench_plan.hpp: the settings that a benchmark runs.
-#include "bench/settings/bench_plan.hpp"
-#include "cases/reader/read_case.hpp"
+// Tests of suite/bench/settings/bench_plan.hpp: the settings that a benchmark
+// runs.
+#include "input/reader/read_case.hpp"
+#include "suite/bench/settings/bench_plan.hpp"
 #include "tests/bench/rough_case.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Tests of the prediction of finer runs from coarse ones, against runs from a
 // formula: an error c h^p, a cost a + b n^e.
-#include "bench/analysis/forecast.hpp"
+#include "suite/bench/analysis/forecast.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Verifies that the reader accepts any value of a key or refuses it by an
 // input::InputError that names a place, and that it never throws anything else.
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-// Tests of a case with a base (cases/reader/base_case.hpp): its keys override
+// Tests of a case with a base (input/reader/base_case.hpp): its keys override
 // those of the base, its text is complete, and a message names the right file.
 #include "base/temporary_folder.hpp"
-#include "cases/reader/base_case.hpp"
-#include "cases/reader/case_text.hpp"
-#include "cases/reader/read_case.hpp"
+#include "input/reader/base_case.hpp"
+#include "input/reader/case_text.hpp"
+#include "input/reader/read_case.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 // A contact case with further keys of its block, or the messages about them.
 
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Tests of heterogeneous blocks and of [mesh] in a case: meshes by gmsh, from
 // files, of a counter-body and adaptive ones, and the messages about invalid
 // ones.
-#include "cases/text/toml_text.hpp"
+#include "input/text/toml_text.hpp"
 #include "tests/cases/block_samples.hpp"
 
 #include <gtest/gtest.h>

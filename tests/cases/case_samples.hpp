@@ -3,7 +3,7 @@
 // Case texts with which the tests of the reader begin, and the messages about a
 // text that was changed.
 
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
 
 #include <string>
 #include <vector>

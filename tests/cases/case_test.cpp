@@ -1,6 +1,6 @@
-// Tests of cases/types/case.hpp: reference units and the single block that
+// Tests of input/types/case.hpp: reference units and the single block that
 // represents a pair.
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 
 #include <gtest/gtest.h>
 

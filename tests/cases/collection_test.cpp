@@ -1,6 +1,6 @@
-// Tests of cases/reader/collection.hpp: the order of the parts and their
+// Tests of input/reader/collection.hpp: the order of the parts and their
 // figures, and every mistake with its line.
-#include "cases/reader/collection.hpp"
+#include "input/reader/collection.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Tests of the documents that are generated from the vocabulary: schema,
 // template and docs/reference/case.md.
-#include "cases/reader/case_schema.hpp"
-#include "cases/reader/documents.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/case_schema.hpp"
+#include "input/reader/documents.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

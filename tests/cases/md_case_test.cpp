@@ -1,7 +1,7 @@
 // Tests of [md] and of the magnification of a method: what is read, and the
 // messages about invalid values.
 #include "base/physical_constants.hpp"
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Tests of cases/types/omissions.hpp: what a case asks of its methods, and
+// Tests of input/types/omissions.hpp: what a case asks of its methods, and
 // which of them say that they have no answer.
-#include "cases/types/omissions.hpp"
+#include "input/types/omissions.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
-// Tests of cases/types/quantity_at_load.hpp: the spelling, and that [expect]
+// Tests of input/types/quantity_at_load.hpp: the spelling, and that [expect]
 // and the schema take it.
-#include "cases/reader/case_schema.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/types/quantity_at_load.hpp"
+#include "input/reader/case_schema.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/types/quantity_at_load.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

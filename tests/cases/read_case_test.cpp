@@ -1,6 +1,6 @@
-// Tests of cases/reader/read_case.hpp with valid cases.
-#include "cases/reader/case_hash.hpp"
-#include "cases/reader/read_case.hpp"
+// Tests of input/reader/read_case.hpp with valid cases.
+#include "input/reader/case_hash.hpp"
+#include "input/reader/read_case.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

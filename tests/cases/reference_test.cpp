@@ -1,6 +1,6 @@
-// Tests of cases/types/reference.hpp.
-#include "cases/types/reference.hpp"
+// Tests of input/types/reference.hpp.
 #include "input/input_error.hpp"
+#include "input/types/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Tests of the folders in cases/: each is read without a mistake and is
 // complete.
-#include "cases/reader/collection.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/sweeps/sweep.hpp"
-#include "cases/types/reference.hpp"
+#include "input/reader/collection.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/sweeps/sweep.hpp"
+#include "input/types/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tests of the numbers of the cases in cases/: exact references follow from the
 // numbers of their case.
-#include "cases/reader/read_case.hpp"
-#include "cases/types/reference.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/types/reference.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Tests of [surface]: the required and the refused keys of each kind.
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

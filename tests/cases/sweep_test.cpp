@@ -1,9 +1,9 @@
-// Tests of [sweep] (cases/sweeps/sweep.hpp): which points a file has, that each
+// Tests of [sweep] (input/sweeps/sweep.hpp): which points a file has, that each
 // is an ordinary case, and that every mistake names file, line and key.
 #include "base/temporary_folder.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/sweeps/sweep.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/sweeps/sweep.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-// Tests of cases/text/toml_limits.hpp: text that would overflow the stack of
+// Tests of input/text/toml_limits.hpp: text that would overflow the stack of
 // the TOML library, or occupy it for minutes, is refused with its line before
 // it is parsed; text that a person writes is not.
-#include "cases/reader/case_text.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/text/toml_limits.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/reader/case_text.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/text/toml_limits.hpp"
+#include "input/text/toml_text.hpp"
 #include "tests/cases/case_samples.hpp"
 #include "tests/message_of.hpp"
 

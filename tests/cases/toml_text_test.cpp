@@ -1,7 +1,7 @@
-// Tests of cases/text/toml_text.hpp and case_text.hpp: positions, syntax
+// Tests of input/text/toml_text.hpp and case_text.hpp: positions, syntax
 // errors, and overrides of a file.
-#include "cases/reader/case_text.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/reader/case_text.hpp"
+#include "input/text/toml_text.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>

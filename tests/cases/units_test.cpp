@@ -1,6 +1,6 @@
-// Tests of cases/types/units.hpp: exact conversion, and the messages about a
+// Tests of input/types/units.hpp: exact conversion, and the messages about a
 // wrong unit.
-#include "cases/types/units.hpp"
+#include "input/types/units.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

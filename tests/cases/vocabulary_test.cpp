@@ -1,8 +1,8 @@
-// Tests of cases/reader/bound_key.hpp: a row of the vocabulary says how a key
+// Tests of input/reader/bound_key.hpp: a row of the vocabulary says how a key
 // is read, what its default is, and when it is needed.
-#include "cases/reader/bound_key.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/reader/bound_key.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/text/toml_text.hpp"
 #include "tests/cases/case_samples.hpp"
 
 #include <gtest/gtest.h>

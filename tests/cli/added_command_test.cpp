@@ -1,7 +1,7 @@
 // A command is one function that describes it and does its work: its help,
 // manual page and completion follow.
-#include "cli/command_line.hpp"
-#include "cli/manual/command_model.hpp"
+#include "run/cli/command_line.hpp"
+#include "run/cli/manual/command_model.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // Tests of hard contact with a hardness H: pressures between 0 and H, and the
 // imprint that a surface keeps along a path.
+#include "base/ranks/node_sums.hpp"
 #include "contact/certificate/certificate.hpp"
 #include "contact/operators/free_halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/polonsky_keer.hpp"
-#include "ranks/node_sums.hpp"
 #include "tests/contact/problems.hpp"
 #include "tests/message_of.hpp"
 

@@ -1,8 +1,8 @@
 // Tests of contact/operators/tile_operator.hpp and
 // contact/solvers/tile_start.hpp.
+#include "base/ranks/node_sums.hpp"
 #include "contact/operators/tile_operator.hpp"
 #include "contact/solvers/load_sequence.hpp"
-#include "ranks/node_sums.hpp"
 #include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>

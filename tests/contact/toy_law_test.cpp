@@ -1,8 +1,8 @@
 // A contact law of one object: docs/extending.md. It is in the list while the
 // object exists, and cases, solver, energy and loads know it from there.
-#include "cases/reader/case_schema.hpp"
-#include "cases/reader/read_case.hpp"
 #include "contact/solvers/load_sequence.hpp"
+#include "input/reader/case_schema.hpp"
+#include "input/reader/read_case.hpp"
 #include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>

@@ -49,7 +49,7 @@ def main(program, source, name, scratch):
     check_itself()
     folder, path = Path(scratch), Path(source) / "docs/notebooks" / f"{name}.ipynb"
     shutil.rmtree(folder, ignore_errors=True)
-    for part in ("docs/tutorials", "docs/notebooks", "adapters"):
+    for part in ("docs/tutorials", "docs/notebooks", "python/adapters"):
         shutil.copytree(Path(source) / part, folder / part)
     os.environ |= {"ASPERITY_CACHE": str(folder / "cache"), "ASPERITY_PROGRAM": program,
                    "PYTHONPATH": str(Path(source) / "python"), "PYTHONDONTWRITEBYTECODE": "1",

@@ -1,7 +1,7 @@
-// Tests of exchange/mistakes.hpp: each of 32 faults that are introduced into a
-// correct answer is named, and a correct answer has none.
-#include "exchange/mistakes.hpp"
+// Tests of suite/exchange/mistakes.hpp: each of 32 faults that are introduced
+// into a correct answer is named, and a correct answer has none.
 #include "input/input_error.hpp"
+#include "suite/exchange/mistakes.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>

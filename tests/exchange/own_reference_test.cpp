@@ -1,8 +1,8 @@
-// Tests of exchange/answers/own_reference.hpp: a problem is handed out only if
-// its reference is certified through the files that state it.
-#include "cases/reader/read_case.hpp"
-#include "exchange/answers/own_reference.hpp"
-#include "exchange/problem_folder.hpp"
+// Tests of suite/exchange/answers/own_reference.hpp: a problem is handed out
+// only if its reference is certified through the files that state it.
+#include "input/reader/read_case.hpp"
+#include "suite/exchange/answers/own_reference.hpp"
+#include "suite/exchange/problem_folder.hpp"
 #include "tests/message_of.hpp"
 
 #include <gtest/gtest.h>

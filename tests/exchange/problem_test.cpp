@@ -1,14 +1,14 @@
-// Tests of exchange/problem.hpp and exchange/problem_folder.hpp: what is
-// written is read back, and damaged files are refused by name.
+// Tests of suite/exchange/problem.hpp and suite/exchange/problem_folder.hpp:
+// what is written is read back, and damaged files are refused by name.
 #include "base/content_hash.hpp"
 #include "base/json.hpp"
 #include "base/read_file.hpp"
-#include "exchange/pressure_file.hpp"
-#include "exchange/problem.hpp"
-#include "exchange/problem_folder.hpp"
 #include "fem/plugin.hpp"
 #include "input/input_error.hpp"
 #include "meshes/valid_mesh.hpp"
+#include "suite/exchange/pressure_file.hpp"
+#include "suite/exchange/problem.hpp"
+#include "suite/exchange/problem_folder.hpp"
 #include "tests/message_of.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 
 #include "base/field_sums.hpp"
 #include "contact/solvers/solver.hpp"
-#include "exchange/problem.hpp"
+#include "suite/exchange/problem.hpp"
 #include "surfaces/maps/statistics.hpp"
 #include "tests/contact/problems.hpp"
 

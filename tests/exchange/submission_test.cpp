@@ -1,7 +1,7 @@
-// Tests of exchange/submission.hpp and exchange/pressure_file.hpp: each key is
-// read, and each mistake is named with its line.
-#include "exchange/submission.hpp"
+// Tests of suite/exchange/submission.hpp and suite/exchange/pressure_file.hpp:
+// each key is read, and each mistake is named with its line.
 #include "input/input_error.hpp"
+#include "suite/exchange/submission.hpp"
 #include "surfaces/formats/npy.hpp"
 #include "tests/message_of.hpp"
 

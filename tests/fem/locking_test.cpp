@@ -1,8 +1,8 @@
-// Tests of cases/reader/locking.hpp: above the Poisson's ratios at which it
+// Tests of input/reader/locking.hpp: above the Poisson's ratios at which it
 // warns, elements are too stiff by more than the warning states, and below them
 // by less.
-#include "cases/reader/locking.hpp"
 #include "contact/operators/layered_compliance.hpp"
+#include "input/reader/locking.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/layer_solution.hpp"
 

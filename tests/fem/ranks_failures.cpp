@@ -5,11 +5,11 @@
 //
 //     ranks_failures case.toml none
 //     ranks_failures case.toml build|solve|write before|after rank|all
-#include "cases/reader/read_case.hpp"
 #include "fem/block/mesh_file.hpp"
 #include "fem/full_request.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
 #include "meshes/valid_mesh.hpp"
 
 #include <cstdio>

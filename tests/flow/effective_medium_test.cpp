@@ -1,5 +1,5 @@
 // Bruggeman's effective medium against its solutions in closed form.
-#include "flow/effective_medium.hpp"
+#include "mechanics/flow/effective_medium.hpp"
 
 #include <gtest/gtest.h>
 

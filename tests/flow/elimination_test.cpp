@@ -1,6 +1,6 @@
-// Tests of flow/elimination.hpp: the potentials of the reduced network are
-// those of the network.
-#include "flow/elimination.hpp"
+// Tests of mechanics/flow/elimination.hpp: the potentials of the reduced
+// network are those of the network.
+#include "mechanics/flow/elimination.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

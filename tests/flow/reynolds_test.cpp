@@ -1,7 +1,7 @@
 // Flow through gaps whose conductance is known: plates, wedges, channels, an
 // impermeable disc, media with an exact duality, and random gaps.
 #include "fem/plugin.hpp"
-#include "flow/reynolds.hpp"
+#include "mechanics/flow/reynolds.hpp"
 
 #include <gtest/gtest.h>
 

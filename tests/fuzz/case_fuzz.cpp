@@ -1,10 +1,10 @@
 // Reads any bytes as a case file: the result is a case that can be read back,
 // or an InputError.
-#include "cases/reader/case_hash.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/text/toml_limits.hpp"
-#include "cases/text/toml_text.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/case_hash.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/text/toml_limits.hpp"
+#include "input/text/toml_text.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Reads any bytes as reference.csv: the result is lines with a quantity and a
 // source, or an InputError.
-#include "cases/types/reference.hpp"
 #include "input/input_error.hpp"
+#include "input/types/reference.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 #include <cmath>

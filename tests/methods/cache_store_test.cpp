@@ -2,7 +2,7 @@
 // size limit holds.
 #include "base/content_hash.hpp"
 #include "input/input_error.hpp"
-#include "methods/cache/cache.hpp"
+#include "run/methods/cache/cache.hpp"
 #include "tests/folder.hpp"
 #include "tests/message_of.hpp"
 

@@ -1,9 +1,9 @@
-// Tests of methods/curve_row.hpp: no map ends a run. For any fields there
+// Tests of run/methods/curve_row.hpp: no map ends a run. For any fields there
 // is a row, in which a missing number is NaN with a reason in the note.
 #include "base/special_numbers.hpp"
-#include "methods/curve_row.hpp"
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"
+#include "run/methods/curve_row.hpp"
 
 #include <gtest/gtest.h>
 

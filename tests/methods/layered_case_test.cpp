@@ -1,10 +1,10 @@
 // Tests of cases/layered and cases/board/layered: their references are the two
 // classical slopes of the area at light load, with the effective modulus of the
 // layers at each wavevector.
-#include "cases/reader/read_case.hpp"
-#include "cases/types/reference.hpp"
 #include "contact/operators/layered_compliance.hpp"
-#include "methods/continuum_block.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/types/reference.hpp"
+#include "run/methods/continuum_block.hpp"
 
 #include <gtest/gtest.h>
 

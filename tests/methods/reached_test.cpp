@@ -1,12 +1,12 @@
-// Tests of methods/step_solver.hpp: whatever a method reports, a row that
+// Tests of run/methods/step_solver.hpp: whatever a method reports, a row that
 // misses what was prescribed is not converged. And of all methods and laws on
 // small random problems: what was asked for is reached.
 #include "base/temporary_folder.hpp"
-#include "cases/reader/read_case.hpp"
-#include "methods/cache/cache.hpp"
-#include "methods/cache/case_keys.hpp"
-#include "methods/methods.hpp"
-#include "methods/theory_method.hpp"
+#include "input/reader/read_case.hpp"
+#include "run/methods/cache/cache.hpp"
+#include "run/methods/cache/case_keys.hpp"
+#include "run/methods/methods.hpp"
+#include "run/methods/theory_method.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Tests of spread_spectrum_of() in methods/surfaces_of_case.hpp: the studies of
-// a measured map describe the contact whose curve the theory gives.
-#include "methods/surfaces_of_case.hpp"
+// Tests of spread_spectrum_of() in run/methods/surfaces_of_case.hpp: the
+// studies of a measured map describe the contact whose curve the theory gives.
+#include "run/methods/surfaces_of_case.hpp"
 #include "surfaces/maps/self_affine.hpp"
 #include "surfaces/realization.hpp"
 #include "theory/persson/magnification.hpp"

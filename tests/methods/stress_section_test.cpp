@@ -1,6 +1,6 @@
-// Tests of the section of a full 3-D block, methods/stress_section.hpp: the
+// Tests of the section of a full 3-D block, run/methods/stress_section.hpp: the
 // requested points, and the positions of the values.
-#include "methods/stress_section.hpp"
+#include "run/methods/stress_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Tests of `asperity bench` and --target-error as a user runs them, with a wave
 // that has an exact solution and takes seconds.
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 #include "tests/program/program.hpp"
 

@@ -17,9 +17,9 @@ STUBS = {
     "dpkg-query": 'shift; for p in "$@"; do [ "$p" = "$MISSING" ] || echo "$p installed"; done',
     "cmake": 'mkdir -p "$4"; touch "$4/build.ninja"; '
              'echo "CMAKE_HOME_DIRECTORY:INTERNAL=$2" > "$4/CMakeCache.txt"',
-    "ninja": 'echo "[7/120] Building"; sleep "${BUILD_SECONDS:-0}"; [ -z "$BROKEN" ] || { echo "error: broken"; exit 1; }; mkdir -p "$2/cli"; '
-             'printf "#!/bin/sh\\necho program \\$*\\nexit 3\\n" > "$2/cli/asperity"; '
-             'chmod +x "$2/cli/asperity"',
+    "ninja": 'echo "[7/120] Building"; sleep "${BUILD_SECONDS:-0}"; [ -z "$BROKEN" ] || { echo "error: broken"; exit 1; }; mkdir -p "$2/bin"; '
+             'printf "#!/bin/sh\\necho program \\$*\\nexit 3\\n" > "$2/bin/asperity"; '
+             'chmod +x "$2/bin/asperity"',
     "ctest": '[ "$3" != -N ] || { echo "  Test  #7: reports/browser"; exit 0; }; exit 8',
     # Another apt-get holds the lock for two tries.
     "sudo": '[ -n "$LOCKED" ] || exit 1; n=$(cat "$HOME/tries" 2>/dev/null || echo 0); '
@@ -69,7 +69,7 @@ def main(script):
 
 def check(checkout):
     ended = checkout.run("run", "polymer")
-    builds = list((checkout.home / ".cache/asperity").glob("build-*/cli/asperity"))
+    builds = list((checkout.home / ".cache/asperity").glob("build-*/bin/asperity"))
     expect(ended.returncode == 3 and ended.stdout == "program run polymer\n",
            "the program's words and exit code come through", ended)
     expect(len(builds) == 1, "the build is in the cache", ended)
@@ -80,7 +80,7 @@ def check(checkout):
     expect(ended.returncode == 3 and list((checkout.home / "xdg/asperity").glob("build-*")),
            "the build follows XDG_CACHE_HOME", ended)
     ended = checkout.run("list", ASPERITY_BUILD="mine/build")
-    expect(ended.returncode == 3 and (checkout.home / "mine/build/cli/asperity").exists(),
+    expect(ended.returncode == 3 and (checkout.home / "mine/build/bin/asperity").exists(),
            "the build follows ASPERITY_BUILD", ended)
 
     ended = checkout.run("list", ASPERITY_BUILD="/proc/nowhere/build")
@@ -110,7 +110,7 @@ def check(checkout):
 
     checkout.root.chmod(0o777)
     ended = checkout.run("list")
-    expect(ended.returncode == 3 and (checkout.root / "build/release/cli/asperity").exists(),
+    expect(ended.returncode == 3 and (checkout.root / "build/release/bin/asperity").exists(),
            "a checkout that can be written to is built in itself", ended)
 
 

@@ -1,9 +1,9 @@
-// Tests of ranks/convolution.hpp and ranks/shared_rows.hpp: the convolution
-// equals the transform pair of RealFourier for any size, and any number of
-// threads gives the same bits. On ranks, tests/program/shared_halfspace_test.py
-// compares it with one process.
+// Tests of base/ranks/convolution.hpp and base/ranks/shared_rows.hpp: the
+// convolution equals the transform pair of RealFourier for any size, and any
+// number of threads gives the same bits. On ranks,
+// tests/program/shared_halfspace_test.py compares it with one process.
 #include "base/fourier.hpp"
-#include "ranks/convolution.hpp"
+#include "base/ranks/convolution.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>

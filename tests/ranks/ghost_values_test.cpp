@@ -1,7 +1,7 @@
-// Tests of ranks/ghost_values.hpp and rank_sums.hpp: the values of other ranks,
-// by threads in place of processes.
-#include "ranks/ghost_values.hpp"
-#include "ranks/rank_sums.hpp"
+// Tests of base/ranks/ghost_values.hpp and rank_sums.hpp: the values of other
+// ranks, by threads in place of processes.
+#include "base/ranks/ghost_values.hpp"
+#include "base/ranks/rank_sums.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Claims: what rank 0 does alone, and what it finds, is done and known once for
 // all ranks; its failures are failures of all ranks, none of which waits.
-#include "ranks/root_work.hpp"
+#include "base/ranks/root_work.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>

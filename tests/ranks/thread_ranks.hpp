@@ -3,7 +3,7 @@
 // Ranks that are threads of one process, so that the code for shared rows can
 // be tested without MPI.
 
-#include "ranks/root_work.hpp"
+#include "base/ranks/root_work.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Tests of ranks/value_exchange.hpp on ranks that are threads.
-#include "ranks/value_exchange.hpp"
+// Tests of base/ranks/value_exchange.hpp on ranks that are threads.
+#include "base/ranks/value_exchange.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
 #include <gtest/gtest.h>

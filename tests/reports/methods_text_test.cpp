@@ -1,6 +1,6 @@
 // Tests of reports/pages/methods_text.hpp: the text for a publication says what
 // was computed, so that no key that changes the problem changes nothing in it.
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "reports/pages/methods_text.hpp"
 #include "studies/magnification/magnification_study.hpp"
 

@@ -3,8 +3,8 @@
 // A folder for a report, removed at the end of the test unless
 // ASPERITY_KEEP_REPORTS is set.
 
-#include "cases/reader/case_text.hpp"
-#include "cases/text/toml_text.hpp"
+#include "input/reader/case_text.hpp"
+#include "input/text/toml_text.hpp"
 #include "reports/pages/report.hpp"
 
 #include <gtest/gtest.h>

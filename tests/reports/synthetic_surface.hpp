@@ -4,7 +4,7 @@
 // exactly the spectrum of the case, and its theory.
 
 #include "base/fourier.hpp"
-#include "cases/types/case.hpp"
+#include "input/types/case.hpp"
 #include "results/types/result.hpp"
 #include "surfaces/build.hpp"
 #include "theory/persson/persson.hpp"

@@ -30,9 +30,9 @@ function(stamp result)
 endfunction()
 
 set(numerical base/grid.hpp fem/block.cpp fem/block/assembly.cpp contact/a/b/kernel.hpp
-  methods/step.cpp cases/types/units.cpp module-of-tomorrow/new.cpp)
+  methods/step.cpp input/types/units.cpp module-of-tomorrow/new.cpp)
 set(other reports/page.cpp reports/figures/page.cpp tests/fem/block_test.cpp
-  build/release/generated/info.hpp build-old/generated/info.hpp .git/stored.cpp cli/main.cpp)
+  build/release/generated/info.hpp build-old/generated/info.hpp .git/stored.cpp run/cli/main.cpp)
 foreach(file IN LISTS numerical other)
   file(WRITE ${WORK}/sources/${file} "one\n")
 endforeach()

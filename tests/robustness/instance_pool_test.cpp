@@ -1,6 +1,7 @@
-// Tests of robustness/instance_pool.hpp and of the line with which a report is
-// sent: every instance is reported once, whatever happens to the processes.
-#include "robustness/instance_pool.hpp"
+// Tests of suite/robustness/instance_pool.hpp and of the line with which a
+// report is sent: every instance is reported once, whatever happens to the
+// processes.
+#include "suite/robustness/instance_pool.hpp"
 
 #include <gtest/gtest.h>
 

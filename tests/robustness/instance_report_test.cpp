@@ -1,6 +1,6 @@
-// Tests of robustness/instance_report.hpp: how a step without a solution
+// Tests of suite/robustness/instance_report.hpp: how a step without a solution
 // counts.
-#include "robustness/instance_report.hpp"
+#include "suite/robustness/instance_report.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
-// Tests of robustness/instance.hpp and matrix.hpp: an instance follows from its
-// seed and its index, every label is a bin of its axis, a filter selects what
-// it names, and the counts sum to the total.
-#include "cases/reader/read_case.hpp"
-#include "robustness/matrix.hpp"
-#include "robustness/shapes.hpp"
+// Tests of suite/robustness/instance.hpp and matrix.hpp: an instance follows
+// from its seed and its index, every label is a bin of its axis, a filter
+// selects what it names, and the counts sum to the total.
+#include "input/reader/read_case.hpp"
+#include "suite/robustness/matrix.hpp"
+#include "suite/robustness/shapes.hpp"
 #include "surfaces/maps/statistics.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-// Tests of robustness/program_instance.cpp: an instance runs through the
+// Tests of suite/robustness/program_instance.cpp: an instance runs through the
 // program itself, and errors of the program are detected.
-#include "robustness/flaws.hpp"
-#include "robustness/run_instance.hpp"
+#include "suite/robustness/flaws.hpp"
+#include "suite/robustness/run_instance.hpp"
 
 #include <gtest/gtest.h>
 

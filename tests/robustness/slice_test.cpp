@@ -2,7 +2,7 @@
 // were verified, or were refused with a reason, and so do problems that once
 // had another outcome: the folders of tests/robustness/problems.
 #include "base/read_file.hpp"
-#include "robustness/run_instance.hpp"
+#include "suite/robustness/run_instance.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ TEST(Slice, HasNoOtherOutcome) {
         instance.label("points") == "64")
       continue;
     instance.labels["path"] = "library"; // for those of the program see
-                                         // robustness/program_instance
+                                         // suite/robustness/program_instance
     const InstanceReport report = run_instance(instance);
     expect_good(report, instance);
     verified += report.outcome == Outcome::verified;

@@ -1,9 +1,9 @@
-// Tests of robustness/verify.hpp: a correct solution passes, and each check
-// fails by its own name on a solution with exactly that error.
+// Tests of suite/robustness/verify.hpp: a correct solution passes, and each
+// check fails by its own name on a solution with exactly that error.
 #include "contact/operators/halfspace.hpp"
 #include "contact/solvers/load_sequence.hpp"
 #include "contact/solvers/solver.hpp"
-#include "robustness/verify.hpp"
+#include "suite/robustness/verify.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // A key of a case is a member and a row: a row that a test adds is read,
 // refused by its place, documented, in the schema, in the template, in what
 // `asperity describe` lists, and in the keys of the cache.
-#include "cases/reader/bound_key.hpp"
-#include "cases/reader/case_schema.hpp"
-#include "cases/reader/documents.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/reader/resolved_keys.hpp"
 #include "input/input_error.hpp"
-#include "methods/cache/case_keys.hpp"
+#include "input/reader/bound_key.hpp"
+#include "input/reader/case_schema.hpp"
+#include "input/reader/documents.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/reader/resolved_keys.hpp"
+#include "run/methods/cache/case_keys.hpp"
 #include "tests/message_of.hpp"
 #include "tests/rough_case.hpp"
 

@@ -1,8 +1,8 @@
 // Tests of runs with a cache: which change of a case causes which steps to be
 // computed again, and that cached numbers are those that were computed.
-#include "cases/reader/read_case.hpp"
-#include "cases/reader/vocabulary.hpp"
-#include "methods/cache/case_keys.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/reader/vocabulary.hpp"
+#include "run/methods/cache/case_keys.hpp"
 #include "run/run_case.hpp"
 #include "tests/folder.hpp"
 #include "tests/rough_case.hpp"

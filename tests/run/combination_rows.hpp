@@ -2,7 +2,7 @@
 
 // The rows of combinations_test.cpp.
 
-#include "cases/types/omissions.hpp"
+#include "input/types/omissions.hpp"
 #include "mechanics/contact_law.hpp"
 #include "mechanics/surface_spec.hpp"
 

@@ -5,11 +5,11 @@
 // a second way to the number. The values come from the registries of the
 // program: a new law, study, kind of edges, method or path fails here until its
 // rows are there, and the failure says what the program does with the pair.
-#include "cases/reader/read_case.hpp"
-#include "cases/reader/study_keys.hpp"
-#include "cases/reader/vocabulary.hpp"
-#include "cases/types/omissions.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/reader/study_keys.hpp"
+#include "input/reader/vocabulary.hpp"
+#include "input/types/omissions.hpp"
 #include "run/plan/plan.hpp"
 #include "tests/folder.hpp"
 #include "tests/run/combination_rows.hpp"

@@ -1,6 +1,6 @@
 // Properties of pairs that the table of combinations_test.cpp names: limits of
 // laws, two ways to the same load, and two ways to the same map.
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
 #include "results/types/method_columns.hpp"

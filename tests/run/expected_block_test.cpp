@@ -1,7 +1,7 @@
 // Tests of what a plan expects of a full 3-D block, its unknowns and its linear
 // solver, against those of the block that a run builds and solves.
-#include "cases/reader/read_case.hpp"
-#include "methods/full_block_method.hpp"
+#include "input/reader/read_case.hpp"
+#include "run/methods/full_block_method.hpp"
 #include "run/plan/needs.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Tests of runs of full 3-D blocks with the stress inside: the tables of the
 // result have the block's own values, with and without a cache.
-#include "cases/reader/read_case.hpp"
+#include "input/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/method_columns.hpp"
 #include "run/run_case.hpp"

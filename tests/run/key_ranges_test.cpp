@@ -3,9 +3,9 @@
 // refused with its key. Expected values are those of the vocabulary itself; the
 // solvers' own limits are asked by the plan.
 #include "base/require.hpp"
-#include "cases/reader/read_case.hpp"
-#include "cases/reader/vocabulary.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "run/plan/plan.hpp"
 #include "run/plan/run_options.hpp"
 #include "tests/folder.hpp"

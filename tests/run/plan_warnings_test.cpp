@@ -1,7 +1,7 @@
 // Tests of what a plan warns of and refuses before anything is computed.
-#include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
-#include "methods/methods.hpp"
+#include "input/reader/read_case.hpp"
+#include "run/methods/methods.hpp"
 #include "run/plan/plan.hpp"
 #include "tests/folder.hpp"
 

@@ -2,8 +2,8 @@
 
 // A case on a small grid and its plan.
 
-#include "cases/reader/read_case.hpp"
-#include "methods/cache/cache.hpp"
+#include "input/reader/read_case.hpp"
+#include "run/methods/cache/cache.hpp"
 #include "run/plan/plan.hpp"
 #include "tests/folder.hpp"
 #include "tests/rough_case.hpp"

@@ -1,6 +1,6 @@
 // The studies of a saved result have the numbers that a run with them has.
-#include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
 #include "run/run_case.hpp"

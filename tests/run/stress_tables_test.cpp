@@ -1,6 +1,6 @@
 // Tests of run/stress_tables.hpp: the tables have Hertz's maximum stress in
 // each row from its own map, and a section through it.
-#include "methods/stress_section.hpp"
+#include "run/methods/stress_section.hpp"
 #include "run/stress_tables.hpp"
 #include "theory/exact/hertz.hpp"
 

@@ -2,14 +2,14 @@
 // explained, on random cases: problems of the robustness matrix with every
 // study, law, edge and method that a case can ask for beside them. A case that
 // is refused is refused before anything is computed.
-#include "cases/reader/read_case.hpp"
-#include "cases/types/omissions.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/read_case.hpp"
+#include "input/types/omissions.hpp"
 #include "reports/analysis/summary.hpp"
 #include "results/result_reader.hpp"
 #include "results/types/curve_columns.hpp"
-#include "robustness/draft.hpp"
 #include "run/run_case.hpp"
+#include "suite/robustness/draft.hpp"
 #include "tests/folder.hpp"
 
 #include <fmt/format.h>

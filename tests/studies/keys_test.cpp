@@ -1,7 +1,7 @@
 // Tests of [magnification] and [adhesion]: what is read, and the messages about
 // invalid values.
-#include "cases/types/quantity_at_load.hpp"
-#include "cases/types/reference.hpp"
+#include "input/types/quantity_at_load.hpp"
+#include "input/types/reference.hpp"
 #include "studies/adhesion/adhesion_study.hpp"
 #include "studies/magnification/magnification_study.hpp"
 #include "tests/cases/case_samples.hpp"

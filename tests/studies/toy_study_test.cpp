@@ -1,11 +1,11 @@
 // A study of one file: its settings, keys, column, answer and what it asks of
 // methods are known to the reader of cases, to the warnings about methods that
 // do not answer, to CSV files and to reports.
-#include "cases/reader/bound_key.hpp"
-#include "cases/reader/case_schema.hpp"
-#include "cases/reader/documents.hpp"
-#include "cases/reader/read_case.hpp"
 #include "input/input_error.hpp"
+#include "input/reader/bound_key.hpp"
+#include "input/reader/case_schema.hpp"
+#include "input/reader/documents.hpp"
+#include "input/reader/read_case.hpp"
 #include "reports/pages/methods_text.hpp"
 #include "results/csv.hpp"
 #include "results/types/curve_columns.hpp"

@@ -2,7 +2,7 @@
 // keys of a case and the tests with any bytes have. A format of this one file
 // is read, listed and named like the others.
 #include "base/read_file.hpp"
-#include "cases/reader/vocabulary.hpp"
+#include "input/reader/vocabulary.hpp"
 #include "surfaces/formats/map_format.hpp"
 #include "tests/surfaces/map_files.hpp"
 

@@ -168,8 +168,8 @@ TEST(SelfAffineFit, SaysThatAnExponentIsAboveThatOfSelfAffineSurfaces) {
 }
 
 // Maps with blur and noise, with and without roll-off and periodicity
-// (benchmarks/hurst_coverage.cpp counts 200 of them): of 40 intervals of 95 %
-// at most 4 miss the exact value, and most maps have one.
+// (tests/benchmarks/hurst_coverage.cpp counts 200 of them): of 40 intervals of
+// 95 % at most 4 miss the exact value, and most maps have one.
 TEST(SelfAffineFit, HasIntervalsThatContainTheExactValueOfInstrumentMaps) {
   int stated = 0;
   int contained = 0;

@@ -1,0 +1,36 @@
+#pragma once
+
+// The quantities for which a case may state expectations: their names, and the
+// methods and surfaces for which they are defined.
+
+#include "input/types/case.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::cases {
+
+/// The table of a study that a quantity needs.
+enum class Study { none, magnification, adhesion };
+
+struct ExpectationName {
+  std::string name;
+  std::string description;     ///< one sentence, with the unit
+  bool theory_answers = false; ///< false: numerical methods only
+  bool needs_theory = false;   ///< the case must have a [theory] for comparison
+  bool variants_only = false;  ///< defined for the variant "md.explicit", but
+                               ///< not for "md"
+  std::vector<mechanics::SurfaceKind> surfaces = {}; ///< empty: any
+  bool theory_only = false;  ///< defined for no numerical method
+  Study study = Study::none; ///< if not none, only study_theory() provides the
+                             ///< quantity
+};
+
+const std::vector<ExpectationName>& expectation_names();
+
+/// Returns the entry of that name, or of a quantity at a load
+/// ("area_fraction@p=0.01 E*", see quantity_at_load.hpp); nullptr if there is
+/// no such quantity.
+const ExpectationName* expectation_called(const std::string& name);
+
+} // namespace asperity::cases

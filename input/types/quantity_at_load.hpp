@@ -1,0 +1,43 @@
+#pragma once
+
+// Quantities at one load, for [expect] and reference.csv:
+// "area_fraction@p=0.0129 E*" is a quantity of the curve at one nominal
+// pressure, "area_fraction@p=10 MPa@zeta=10" one of the contact at a
+// magnification. Defines their syntax and their names.
+
+#include "input/types/expectations.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace asperity::cases {
+
+struct QuantityAtLoad {
+  std::string quantity;                     ///< one of the names below
+  mechanics::Quantity nominal_pressure;     ///< > 0, in SI or in E*
+  std::optional<double> magnification = {}; ///< zeta > 0
+};
+
+/// Returns the quantities at a load. All are dimensionless [1].
+const std::vector<ExpectationName>& quantities_at_load();
+
+/// Returns the quantities at a load and a magnification. The load is one of
+/// [magnification].
+const std::vector<ExpectationName>& quantities_at_magnification();
+
+/// Returns true if the name contains '@', which only these names do.
+bool names_a_load(const std::string& name);
+
+/// The result of reading such a name: the quantity or the mistake.
+struct QuantityAtLoadReading {
+  std::optional<QuantityAtLoad> at_load;
+  std::string mistake; ///< text that follows the name in a message
+};
+
+/// Reads "name@p=number unit" or "name@p=number unit@zeta=number" with optional
+/// blanks around each part. The numbers must be > 0; the unit is a pressure
+/// unit or E*.
+QuantityAtLoadReading read_quantity_at_load(const std::string& name);
+
+} // namespace asperity::cases

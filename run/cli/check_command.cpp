@@ -1,0 +1,246 @@
+// `asperity check`: tests results against the expectations of their cases, for
+// CI jobs.
+#include "input/input_error.hpp"
+#include "reports/analysis/verdict.hpp"
+#include "results/result_reader.hpp"
+#include "results/trial_read.hpp"
+#include "run/arguments/named_cases.hpp"
+#include "run/cli/case_run.hpp"
+#include "run/cli/checks.hpp"
+#include "run/cli/run_command.hpp"
+#include "run/cli/sweep_commands.hpp"
+#include "run/interrupt.hpp"
+#include "run/methods/cache/cache.hpp"
+#include "run/output_folder.hpp"
+#include "run/result_outputs.hpp"
+#include "run/run_case.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+
+namespace asperity::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Options of `asperity check`. All but the first two concern targets that are
+/// cases.
+struct CheckCommand {
+  std::vector<std::string> targets; ///< results (file or folder), or cases
+  std::string junit;                ///< file for JUnit XML; empty: none
+  std::string out;                  ///< as in RunCommand
+  std::vector<std::string> methods;
+  std::vector<std::string> overrides; ///< "key.path=value"
+  bool is_quick = false;              ///< apply quick.set of each case
+  int threads = 0;
+  bool uses_cache = true;
+};
+
+/// Throws before anything runs if the JUnit file cannot be written there.
+void require_junit_folder(const std::string& junit) {
+  if (junit.empty())
+    return;
+  fs::path folder = fs::absolute(junit).parent_path();
+  while (!fs::exists(folder) && folder.has_relative_path())
+    folder = folder.parent_path(); // the rest will be created
+  if (!fs::is_directory(folder))
+    throw input::InputError("--junit " + junit + ": " + folder.string() +
+                            " is no folder");
+  if (fs::is_directory(junit))
+    throw input::InputError("--junit " + junit +
+                            ": is a folder, but must be a file");
+  run::require_own_file("--junit", junit, reports::junit_root);
+}
+
+/// Throws if an option for cases was given and no target is a case.
+void require_a_case(const CheckCommand& command) {
+  const char* option = !command.methods.empty()     ? "--methods"
+                       : !command.overrides.empty() ? "--set"
+                       : command.is_quick           ? "--quick"
+                       : !command.out.empty()       ? "--out"
+                                                    : nullptr;
+  if (option != nullptr)
+    throw input::InputError(std::string(option) +
+                            " applies to cases, which are run, but each target "
+                            "is a result");
+}
+
+/// Checks one target after another.
+class TargetChecker {
+public:
+  TargetChecker(const CheckCommand& command, Checks& checks)
+      : command_(command),
+        checks_(checks),
+        cache_(methods::cache_folder(),
+               command.uses_cache ? methods::cache_size() : 0) {}
+
+  /// Reads the cases among the targets.
+  void read() {
+    std::vector<std::string> words;
+    std::vector<run::NamedCases> read;
+    for (const std::string& target : command_.targets) {
+      target_ = target;
+      if (run::is_result(target) && !fs::exists(target))
+        throw input::InputError(target + ": there is no such file");
+      if (!run::is_result(target) && !is_sweep_folder(target)) {
+        words.push_back(target);
+        read.push_back(run::read_named_cases_or_sweep(
+            target, command_.overrides, command_.is_quick));
+      }
+    }
+    run::name_apart(read, words);
+    for (std::size_t i = 0; i < words.size(); ++i)
+      to_run_.emplace(words[i], std::move(read[i]));
+    if (words.empty())
+      require_a_case(command_);
+  }
+
+  void run() {
+    for (const std::string& target : command_.targets) {
+      target_ = target;
+      if (run::is_interrupted()) {
+        checks_.add_problem(target, "interrupted", run::exit_interrupted);
+        return;
+      }
+      const auto named = to_run_.find(target);
+      if (named == to_run_.end() && is_sweep_folder(target)) {
+        check_sweep_folder(target, checks_);
+      } else if (named == to_run_.end()) {
+        results::require_readable(target);
+        checks_.add(target, run::summary_of(results::read_result(
+                                target, results::MapsInFile::large)));
+      } else {
+        check_cases(named->second);
+      }
+      if (is_cut_short_)
+        return;
+      checks_.end_target(target);
+    }
+  }
+
+  /// Returns the target, or the case, that is being read or checked.
+  const std::string& target() const { return target_; }
+
+private:
+  void check_sweep(const run::NamedSweep& named) {
+    RunCommand command;
+    command.methods = command_.methods;
+    command.threads = command_.threads;
+    command.uses_cache = command_.uses_cache;
+    check_named_sweep(
+        named, command,
+        folder_of(named.sweep.name, command_.out, command_.targets.size()),
+        checks_);
+  }
+
+  void check_cases(const run::NamedCases& named) {
+    if (named.sweep) {
+      check_sweep(*named.sweep);
+      is_cut_short_ = run::is_interrupted();
+    }
+    const bool is_collection = !named.found.collection.empty();
+    for (const run::ReadCase& read : named.cases) {
+      target_ = read.found.name;
+      const fs::path folder =
+          is_collection ? folder_of(named.found.collection, command_.out,
+                                    command_.targets.size()) /
+                              read.found.file.parent_path().filename()
+                        : folder_of(read.found.name, command_.out,
+                                    command_.targets.size());
+      const run::OutputFolder lock(folder, "check " + read.found.name,
+                                   run::run_outputs(read.contact_case),
+                                   run::input_files(read.contact_case));
+      const CaseEnd ended =
+          run_into_folder(read.contact_case,
+                          {folder, command_.methods, false, command_.threads,
+                           read.reference, &cache_},
+                          {});
+      if (ended.outcome.is_interrupted) {
+        checks_.add_problem(read.found.name, "interrupted",
+                            run::exit_interrupted);
+        is_cut_short_ = true;
+        return;
+      }
+      checks_.add(folder, *ended.summary);
+    }
+  }
+
+  const CheckCommand& command_;
+  Checks& checks_;
+  methods::Cache cache_;
+  std::map<std::string, run::NamedCases> to_run_;
+  std::string target_;
+  bool is_cut_short_ = false; ///< the run of a case was interrupted
+};
+
+/// Checks results against the expectations of their cases. All cases among the
+/// targets are read before the first one is run. The JUnit file is written
+/// however the command ends.
+///
+/// @throws input::InputError  a target cannot be read, the folder of the JUnit
+///                            file does not exist, or an option for cases is
+///                            given without a case
+run::ExitCode check_targets(const CheckCommand& command) {
+  require_junit_folder(command.junit);
+  run::catch_interrupts();
+  Checks checks;
+  TargetChecker checker(command, checks);
+  const auto end_by = [&](const std::exception& error,
+                          run::ExitCode exit_code) {
+    checks.add_problem(checker.target(), error.what(), exit_code);
+    checks.end(command.junit);
+  };
+  try {
+    checker.read();
+    checker.run();
+  } catch (const input::InputError& error) { // still report what was found
+    end_by(error, run::exit_bad_input);
+    throw;
+  } catch (const std::domain_error& error) {
+    end_by(error, run::exit_bad_input);
+    throw;
+  } catch (const UnusableFolder& error) {
+    end_by(error, run::exit_bad_input);
+    throw;
+  } catch (const std::exception& error) {
+    end_by(error, run::exit_internal);
+    throw;
+  }
+  return checks.end(command.junit);
+}
+
+} // namespace
+
+void add_check(CommandLine& line) {
+  auto [command, check] =
+      line.add<CheckCommand>("check",
+                             "Check results against the expectations of\n"
+                             "their cases; exit 1 if one is not met.",
+                             check_targets);
+  command
+      ->add_option("target", check.targets,
+                   "results (files or folders), or cases, which are run\n"
+                   "first")
+      ->required();
+  command->add_option("--junit", check.junit,
+                      "write the outcome to this file as JUnit XML,\n"
+                      "however the command ends");
+  add_methods(command, check.methods);
+  add_overrides(command, check.overrides);
+  command->add_option("--out", check.out,
+                      "output folder (default: out/<case>)");
+  add_quick(command, check.is_quick);
+  command->add_flag("!--no-cache", check.uses_cache,
+                    "compute every step; do not read or write the cache");
+  add_threads(command, check.threads);
+  command->add_flag("--quiet", line.output.is_quiet,
+                    "print only expectations that are not met, and\n"
+                    "errors");
+  add_json(command, line.output, "the summaries");
+  line.on_cases.insert("check");
+  add_example(command, "check polymer --junit check.xml");
+}
+
+} // namespace asperity::cli

@@ -1,0 +1,248 @@
+#include "suite/exchange/problem_folder.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/content_hash.hpp"
+#include "base/json.hpp"
+#include "base/read_file.hpp"
+#include "input/input_error.hpp"
+#include "input/input_file.hpp"
+#include "results/storage/hdf5_file.hpp"
+#include "suite/exchange/checksums.hpp"
+#include "suite/exchange/problem_texts.hpp"
+#include "surfaces/formats/map_writer.hpp"
+#include "surfaces/formats/npy.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <utility>
+
+namespace asperity::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A matrix in Gwyddion's text format, which other programs read as well.
+std::string text_matrix(const Problem& problem) {
+  const Grid& grid = problem.grid;
+  std::string text = fmt::format("# Channel: {}\n# Width: {} m\n"
+                                 "# Height: {} m\n# Value units: m\n",
+                                 problem.name, grid.length_x, grid.length_y);
+  const auto columns = static_cast<std::size_t>(grid.points_x);
+  for (std::size_t i = 0; i < problem.heights.size(); ++i)
+    text += fmt::format("{}{}", problem.heights[i],
+                        (i + 1) % columns == 0 ? "\n" : "\t");
+  return text;
+}
+
+std::string hdf5_bytes(const Problem& problem, const fs::path& folder) {
+  const fs::path path = temporary_beside(folder / "heights.h5");
+  try {
+    {
+      const std::lock_guard lock(results::hdf5_mutex());
+      results::Hdf5File file(path, results::Hdf5File::Mode::create);
+      file.set_attribute("length_x", problem.grid.length_x);
+      file.set_attribute("length_y", problem.grid.length_y);
+      file.write_map("heights", problem.heights,
+                     {static_cast<std::size_t>(problem.grid.points_y),
+                      static_cast<std::size_t>(problem.grid.points_x)},
+                     results::Hdf5Number::float64, "m");
+      file.close();
+    }
+    std::string bytes = read_file(path, fs::file_size(path));
+    fs::remove(path);
+    return bytes;
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+    throw;
+  }
+}
+
+/// The sums of a folder; empty if it has none.
+std::map<std::string, std::string> sums_in(const fs::path& folder) {
+  std::map<std::string, std::string> sums;
+  std::error_code error;
+  if (!fs::is_regular_file(folder / checksum_file, error))
+    return sums;
+  std::istringstream lines(
+      input::read_input_file(folder / checksum_file, input::largest_text_file));
+  for (std::string hash, file; lines >> hash >> file;)
+    sums[file] = hash;
+  return sums;
+}
+
+/// Returns the existing files of a problem's folder.
+std::vector<fs::path> problem_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* name :
+       {"heights.npy", "heights.h5", "heights.txt", "heights.gwy", "mesh.msh",
+        "mesh.inp", "reference.json", "problem.schema.json", "case.toml",
+        "README.md", "problem.json", checksum_file})
+    if (fs::exists(fs::symlink_status(folder / name)))
+      files.push_back(folder / name);
+  return files;
+}
+
+Json number_json(double number) {
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+std::string reference_json(const Problem& problem,
+                           std::span<const ProblemAnswer> answers,
+                           std::span<const ContinuumAnswer> continuum) {
+  Json discrete = Json::array();
+  for (const ProblemAnswer& answer : answers)
+    discrete.push_back(
+        {{"nominal_pressure [Pa]", answer.nominal_pressure},
+         {"mean_gap [m]", answer.mean_gap},
+         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
+         {"contact_area_fraction [1]", answer.area_fraction},
+         {"elastic_energy [J/m^2]", answer.elastic_energy},
+         {"largest_pressure [Pa]", answer.largest_pressure}});
+  Json limit = Json::array();
+  for (const ContinuumAnswer& answer : continuum)
+    limit.push_back(
+        {{"nominal_pressure [Pa]", answer.nominal_pressure},
+         {"mean_gap [m]", number_json(answer.mean_gap)},
+         {"mean_gap_error [m]", number_json(answer.mean_gap_error)},
+         {"contact_area_fraction [1]", number_json(answer.area_fraction)},
+         {"contact_area_fraction_error [1]",
+          number_json(answer.area_fraction_error)},
+         {"source", answer.source}});
+  const Json json{
+      {"problem", problem.name},
+      {"discrete", {{"meaning", discrete_meaning}, {"answers", discrete}}},
+      {"continuum", {{"meaning", continuum_meaning}, {"answers", limit}}}};
+  return text_of_json(json, 2) + "\n";
+}
+
+} // namespace
+
+StatedBody stated_body(const Problem& problem) {
+  const mechanics::ElasticBlock& body = problem.body;
+  if (body.is_halfspace())
+    return {body.is_free() ? free_half_space_text : half_space_text, true,
+            mechanics::halfspace(body.contact_modulus, body.border)};
+  std::string text =
+      body.is_infinite()
+          ? std::string("The body is a half-space")
+          : fmt::format("The body is a block {:g} m thick", body.thickness);
+  if (!body.layers.empty())
+    text += fmt::format(", of which {} bonded layer(s) at the contact surface "
+                        "have other moduli",
+                        body.layers.size());
+  return {text + "; `body` in problem.json has all\nmoduli, thicknesses (from "
+                 "the contact surface downwards) and the far boundary.\n"};
+}
+
+void require_own_problem(const fs::path& folder) {
+  const std::map<std::string, std::string> sums = sums_in(folder);
+  for (const fs::path& file : problem_files_in(folder)) {
+    const auto known = sums.find(file.filename().string());
+    const bool is_own =
+        fs::is_regular_file(fs::symlink_status(file)) &&
+        (file.filename() == checksum_file
+             ? sums.contains("heights.npy")
+             : known != sums.end() &&
+                   known->second == content_hash(read_file(
+                                        file, input::largest_number_file)));
+    if (!is_own)
+      throw input::InputError(fmt::format(
+          "{}: is there already, but not as 'asperity problem' writes it "
+          "(SHA256SUMS); move it away, or name another --out",
+          file.string()));
+  }
+}
+
+void write_problem(const Problem& problem,
+                   std::span<const ProblemAnswer> answers,
+                   std::span<const ContinuumAnswer> continuum,
+                   const std::string& case_text, const fs::path& folder,
+                   const ProblemMesh* mesh) {
+  require_own_problem(folder);
+  fs::create_directories(folder);
+  for (const fs::path& file : problem_files_in(folder))
+    if (file.filename() != checksum_file)
+      fs::remove(file);
+  Hashes hashes;
+  // The sums come first, so that the files of a process that is killed are
+  // known as ours.
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    hashes.emplace_back(name, content_hash(bytes));
+    write_file_atomically(folder / checksum_file, checksum_text(hashes));
+    write_file_atomically(folder / name, bytes);
+  };
+  const Grid& grid = problem.grid;
+  write("heights.npy",
+        surfaces::npy_bytes(problem.heights,
+                            static_cast<std::size_t>(grid.points_y),
+                            static_cast<std::size_t>(grid.points_x)));
+  write("heights.h5", hdf5_bytes(problem, folder));
+  write("heights.txt", text_matrix(problem));
+  write("heights.gwy",
+        surfaces::gwyddion_bytes({grid, problem.heights}, problem.name));
+  const std::string json =
+      problem_json(problem, answers.front(), hashes,
+                   mesh == nullptr ? Json() : mesh_json(*mesh));
+  if (mesh != nullptr) {
+    write("mesh.msh", gmsh_text(*mesh));
+    write("mesh.inp", abaqus_text(*mesh));
+  }
+  write("reference.json", reference_json(problem, answers, continuum));
+  write("problem.schema.json", std::string(problem_schema));
+  if (!case_text.empty())
+    write("case.toml", case_text);
+  write("README.md",
+        fmt::format(
+            fmt::runtime(readme_text), fmt::arg("name", problem.name),
+            fmt::arg("title", problem.title),
+            fmt::arg("cell",
+                     problem.is_periodic() ? "a periodic cell" : "a rectangle"),
+            fmt::arg("means", problem.is_periodic() ? ", mean(w) = 0" : ""),
+            fmt::arg("points_x", grid.points_x),
+            fmt::arg("points_y", grid.points_y),
+            fmt::arg("loads", problem.loads.size()),
+            fmt::arg("first_load", problem.loads.front()),
+            fmt::arg("body", stated_body(problem).text)));
+  write("problem.json", json);
+}
+
+References read_references(const fs::path& folder) {
+  const fs::path file = folder / "reference.json";
+  References found;
+  if (!fs::exists(file))
+    return found;
+  input::require_own_file(folder, file);
+  const auto number = [](const Json& answer, const char* name) {
+    const Json& member = answer.at(name);
+    return member.is_null() ? not_a_number : member.get<double>();
+  };
+  try {
+    const Json json =
+        json_of_text(input::read_input_file(file, input::largest_text_file));
+    for (const Json& answer : json.at("discrete").at("answers"))
+      found.discrete.push_back({number(answer, "nominal_pressure [Pa]"),
+                                number(answer, "mean_gap [m]"),
+                                number(answer, "mean_gap_error [m]"),
+                                number(answer, "contact_area_fraction [1]"),
+                                number(answer, "elastic_energy [J/m^2]"),
+                                number(answer, "largest_pressure [Pa]")});
+    for (const Json& answer : json.at("continuum").at("answers"))
+      found.continuum.push_back(
+          {number(answer, "nominal_pressure [Pa]"),
+           number(answer, "mean_gap [m]"), number(answer, "mean_gap_error [m]"),
+           number(answer, "contact_area_fraction [1]"),
+           number(answer, "contact_area_fraction_error [1]"),
+           answer.at("source").get<std::string>()});
+  } catch (const Json::exception& error) {
+    throw input::InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  return found;
+}
+
+} // namespace asperity::exchange
