@@ -5,7 +5,7 @@ Reads every Markdown file of the tree: the targets of its links, also the
 section behind a #, each path of a source, a script or a case between
 backquotes, and each figure in docs/ (`name.svg`). docs/reference/figures.md
 must list every figure that the program can draw, and docs/index.md and
-mkdocs.yml every page of docs/, and README.md every shipped case. A page of docs/
+mkdocs.yml every page of docs/, and docs/reference/cases.md every shipped case. A page of docs/
 that a source names must exist.
 Prints every line that names something missing and exits 1. Proves on itself first that it can fail.
 
@@ -144,11 +144,11 @@ def main(root):
         why = "not listed" if name in figures else "never drawn"
         print(f"docs/reference/figures.md: {name} is {why}")
         found += 1
-    readme = (root / "README.md").read_text()
+    listed = (root / "docs/reference/cases.md").read_text()
     for name in sorted({name.parts[1] for name in files if name.parts[0] == "cases"
                         and name.name in {"case.toml", "collection.toml"}}):
-        if f"`{name}`" not in readme:
-            print(f"README.md: the case {name} is not listed")
+        if f"`{name}`" not in listed:
+            print(f"docs/reference/cases.md: the case {name} is not listed")
             found += 1
     for entrance in ("docs/index.md", "mkdocs.yml"):
         for name in not_in_reach(root, (root / entrance).read_text()):
