@@ -44,7 +44,7 @@ namespace asperity::contact {
 /// F^-1 C^-1 F corresponds to the continuation by 0, whose jump at the contact
 /// boundary has an energy that grows with contact size over grid spacing. With
 /// E, the condition number was 1.2 on contacts of 512^2, 1024^2 and 2048^2
-/// nodes, see docs/numerics/solver-measurements.md.
+/// nodes, see docs/measurements/solver.md.
 ///
 /// The calls are collective; fields have the nodes of this process.
 class BoundaryExtension {

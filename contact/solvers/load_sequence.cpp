@@ -21,7 +21,7 @@ constexpr double coarse_accuracy = 1e-3;
 
 /// Largest over rms value of half the second difference of Gaussian heights.
 /// The former is about twice the residual of a coarse-to-fine guess, for
-/// shortest waves of 2 to 16 points: docs/numerics/solver-measurements.md.
+/// shortest waves of 2 to 16 points: docs/measurements/solver.md.
 constexpr double largest_bend = 5.0;
 
 /// Longest extrapolation, in units of the last load increment.

@@ -132,7 +132,7 @@ constexpr double least_corrected_share = 0.25;
 /// the counted area and may even be negative. If it is below
 /// least_corrected_share of the counted area, the estimate is not determined.
 /// The coarsest grids of the calibration, with two nodes in the shortest
-/// wavelength, have a ratio of 0.45 (docs/numerics/area-measurements.md).
+/// wavelength, have a ratio of 0.45 (docs/measurements/area.md).
 ///
 /// @param gap  [m], used at open nodes
 /// @return     [1] 0..1, not below that fraction of the counted area; NaN with

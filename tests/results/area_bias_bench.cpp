@@ -1,5 +1,5 @@
 // The bias of every estimator of the contact area, and of the mean gap, against
-// the limit of fine grids: the tables of docs/numerics/area-measurements.md,
+// the limit of fine grids: the tables of docs/measurements/area.md,
 // and the calibration of results/area_estimate. It takes some minutes and is
 // not part of the tests:
 //
