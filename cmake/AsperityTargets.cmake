@@ -183,17 +183,22 @@ function(asperity_tests program)
   endforeach()
 endfunction()
 
+# Programs that measure are built and run by hand, and by `ctest -C ci`, which runs
+# some of each once, so that they keep working.
+add_custom_target(asperity_benchmarks)
+
 # asperity_benchmark(md/green DEPENDS asperity::md [SMOKE regex]) builds
-# tests/md/green_bench.cpp with Google Benchmark. It is run by hand; ctest runs
-# those that match the regex once, so that it keeps working.
+# tests/md/green_bench.cpp with Google Benchmark; `ctest -C ci` runs those that match
+# the regex.
 function(asperity_benchmark path)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SMOKE" "DEPENDS")
   string(MAKE_C_IDENTIFIER "bench_${path}" target)
-  add_executable(${target} ${PROJECT_SOURCE_DIR}/tests/${path}_bench.cpp)
+  add_executable(${target} EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tests/${path}_bench.cpp)
+  add_dependencies(asperity_benchmarks ${target})
   target_link_libraries(${target}
     PRIVATE ${arg_DEPENDS} asperity_test_sources asperity_flags benchmark::benchmark_main)
   if(arg_SMOKE)
-    add_test(NAME bench/${path}
+    add_test(NAME bench/${path} CONFIGURATIONS ci
       COMMAND ${target} --benchmark_filter=${arg_SMOKE} --benchmark_min_time=0.001)
     set_tests_properties(bench/${path} PROPERTIES LABELS bench TIMEOUT 120)
   endif()
