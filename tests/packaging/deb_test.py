@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""The Debian package: its fields and files.
+"""The Debian package: its fields, files and checksum.
 
-deb_test.py CPACK BUILD FOLDER: builds the package into FOLDER and inspects it.
+deb_test.py TOOL BUILD FOLDER: tools/package builds the package into FOLDER, which is inspected.
 """
+import os
 import shutil
 import subprocess
 import sys
@@ -15,16 +16,18 @@ DEPENDS = ["libdeal.ii-9.4.1", "libgmsh4.8", "libhdf5-openmpi-103", "libfftw3-do
            "libfftw3-mpi3", "gnuplot-nox | gnuplot"]
 
 
-def run(*words, cwd=None):
+def run(*words, **settings):
     return subprocess.run(list(map(str, words)), capture_output=True, text=True, check=True,
-                          cwd=cwd).stdout
+                          **settings).stdout
 
 
-def main(cpack, build, scratch):
+def main(tool, build, scratch):
     folder = Path(scratch).resolve()
     shutil.rmtree(folder, ignore_errors=True)
-    run(cpack, "-G", "DEB", "-B", folder, cwd=build)
+    run(tool, folder, env=os.environ | {"ASPERITY_BUILD": build})
     package, = folder.glob("asperity_*.deb")
+    assert {path.name for path in folder.iterdir()} == {package.name, "SHA256SUMS"}
+    assert run("sha256sum", "--check", "SHA256SUMS", cwd=folder) == f"{package.name}: OK\n"
     depends = run("dpkg-deb", "--field", package, "Depends")
     lost = [name for name in DEPENDS if name not in depends]
     assert not lost, (lost, depends)

@@ -64,7 +64,7 @@ def shared_by(output):
 def check_agreement(runner):
     """The numbers are those of one process within the tolerance of the solver."""
     ask = ["run", "shared.toml", "--methods", ",".join(["theory", *SHARED]), "--exactly",
-           "--no-cache", "--no-report"]
+           "--no-cache", "--no-report", "--set", 'load.nominal_pressure=["0.002 E*", "0.02 E*"]']
     assert not shared_by(runner.run(*ask, "--out", "alone"))
     output = runner.run(*ask, "--out", "on-2", ranks=2)
     assert sorted(shared_by(output)) == [(name, "2") for name in SHARED], output
@@ -123,7 +123,7 @@ def check_studies(runner):
                     "friction.coefficient=0.3", "winkler.stiffness=1 E*/h",
                     "magnification={ nominal_pressure = 1e6, from = 1.0, to = 8.0, points = 4 }",
                     'halfspace.island.boundaries="free"',
-                    'load.nominal_pressure=["0.002 E*", "0.003 E*"]']:
+                    'load.nominal_pressure=["0.002 E*"]']:
         ask += ["--set", setting]
     runner.run(*ask, "--out", "studies-alone")
     output = runner.run(*ask, "--out", "studies-2", ranks=2)
@@ -160,8 +160,8 @@ def check_cache(runner):
 def check_kill(runner):
     """A killed rank ends all; --resume on other ranks computes what is missing."""
     ask = ["run", "shared.toml", "--no-cache", "--methods", "halfspace", "--exactly",
-           "--set", "surface.points=1024"]
-    runner.run(*ask, "--out", "whole-1024")
+           "--set", "surface.points=704"]
+    runner.run(*ask, "--out", "whole")
     log = runner.folder / "killed.log"
     with open(log, "w", encoding="utf-8") as file:
         process = runner.start(*ask, "--out", "killed", ranks=3, output=file)
@@ -178,7 +178,7 @@ def check_kill(runner):
     output = runner.run(*ask, "--out", "killed", "--resume", ranks=2)
     assert shared_by(output) == [("halfspace", "2")], output
     assert 0 < int(re.search(r"(\d) steps: ", output)[1]) < 4, output
-    runner.run("diff", "killed", "whole-1024", "--tolerance", TOLERANCE)
+    runner.run("diff", "killed", "whole", "--tolerance", TOLERANCE)
 
 
 def main(program, mpirun, folder):
