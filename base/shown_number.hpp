@@ -19,6 +19,23 @@ struct Shown {
 /// The text of a number in a format of fmt, the part behind the colon.
 std::string shown_text(Shown number, std::string_view format);
 
+/// Rounds to significant digits as a person writes them: "3.33", "0.00231",
+/// "12 100"; with an exponent below 1e-4 and from 1e7 on, "2.46e-18". "–" if it
+/// is not finite.
+std::string digits_text(double value, int digits);
+
+/// Returns a number with its unit, "5.98 nm", "12 100 µm²", "1.25e+06 1/m" or
+/// "3.1" for the unit "1"; m, m^2, N and Pa have a prefix that suits the
+/// number. "–" if it is not finite.
+std::string quantity_text(double value, const std::string& unit,
+                          int digits = 4);
+
+/// Returns "33 nm (32 to 34)", with the digits that the width of the interval
+/// justifies, at most three of the value; "33.2 nm" if the interval is narrower
+/// than these digits or there is none.
+std::string interval_text(double value, double low, double high,
+                          const std::string& unit);
+
 } // namespace asperity
 
 template <>

@@ -1,17 +1,15 @@
 #include "studies/answers.hpp"
 
-#include "reports/numbers/number_text.hpp"
-
-#include <fmt/format.h>
+#include "base/shown_number.hpp"
+#include "reports/pages/answers.hpp"
 
 #include <cmath>
 
 namespace asperity::studies {
 
-std::string AnsweredRow::place() const {
-  return fmt::format("at {} ({})",
-                     reports::quantity_text(row->nominal_pressure, "Pa", 3),
-                     method->name);
+std::string AnsweredRow::place(const reports::ReportEntry& entry) const {
+  return "at " + quantity_text(row->nominal_pressure, "Pa", 3) +
+         reports::method_in_words(entry, *method);
 }
 
 AnsweredRow answered_row(const reports::ReportEntry& entry,

@@ -15,8 +15,8 @@ struct AnsweredRow {
   const results::MethodRecord* method = nullptr;
   const results::CurvePoint* row = nullptr;
 
-  /// "at 2.3 MPa (halfspace)"
-  std::string place() const;
+  /// "at 2.3 MPa", and "(halfspace)" if several methods were computed.
+  std::string place(const reports::ReportEntry& entry) const;
 };
 
 /// The answer of the first method with one, theories last.

@@ -71,17 +71,29 @@ with_settings(const theory::PerssonContact& contact,
   return contact.with_gamma(settings.gamma);
 }
 
-/// Evaluates a theory between its loads, at equal ratios. The result is empty
-/// if that is not the curve of the rows, which have other roughness then.
+results::CurvePoint theory_row(const theory::PerssonContact& contact,
+                               double nominal_pressure) {
+  results::CurvePoint row;
+  row.nominal_pressure = nominal_pressure;
+  row.area_fraction = row.area_fraction_corrected =
+      contact.area_fraction(nominal_pressure);
+  row.mean_gap = contact.mean_gap(nominal_pressure);
+  return row;
+}
+
+/// Evaluates a theory between its loads, at equal ratios, or around a single
+/// load up to a factor of 4. The result is empty if that is not the curve of
+/// the rows, which have other roughness then.
 std::vector<results::CurvePoint>
 fine_curve(const theory::PerssonContact& contact,
            const std::vector<results::CurvePoint>& rows) {
   constexpr std::size_t least_points = 96;
   constexpr double tolerance = 1e-3; // of area and gap, relative
   std::vector<results::CurvePoint> fine;
-  if (rows.size() < 2 || rows.size() > least_points)
+  if (rows.empty() || rows.size() > least_points)
     return fine;
-  const std::size_t parts = 1 + least_points / (rows.size() - 1);
+  const std::size_t parts =
+      1 + least_points / std::max(std::size_t{1}, rows.size() - 1);
   fine.reserve(parts * rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const double start = rows[i].nominal_pressure;
@@ -95,15 +107,16 @@ fine_curve(const theory::PerssonContact& contact,
       break;
     const double ratio = rows[i + 1].nominal_pressure / start;
     for (std::size_t k = 1; k < parts; ++k) {
-      results::CurvePoint row;
-      row.nominal_pressure =
-          start *
-          std::pow(ratio, static_cast<double>(k) / static_cast<double>(parts));
-      row.area_fraction = row.area_fraction_corrected =
-          contact.area_fraction(row.nominal_pressure);
-      row.mean_gap = contact.mean_gap(row.nominal_pressure);
-      fine.push_back(row);
+      fine.push_back(theory_row(
+          contact, start * std::pow(ratio, static_cast<double>(k) /
+                                               static_cast<double>(parts))));
     }
+  }
+  if (rows.size() == 1) {
+    const double load = rows.front().nominal_pressure;
+    fine.clear();
+    for (int k = -16; k <= 16; ++k)
+      fine.push_back(theory_row(contact, load * std::pow(4.0, k / 16.0)));
   }
   return fine;
 }

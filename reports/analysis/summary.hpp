@@ -5,6 +5,7 @@
 
 #include "input/types/case.hpp"
 #include "input/types/reference.hpp"
+#include "reports/analysis/asked_interval.hpp"
 #include "reports/analysis/certified.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"
@@ -114,6 +115,10 @@ struct Summary {
   std::vector<MethodSummary> methods;
   std::vector<Verdict> verdicts;
   std::vector<PublishedValue> published; ///< in the order of reference.csv
+  /// What the user asked, in sentences (reports/pages/answers.hpp), and the
+  /// sources of error of area and mean gap; summarize() leaves them empty.
+  std::vector<std::string> answers = {};
+  std::vector<IntervalPart> interval_parts = {};
 
   bool all_ok() const; ///< every verdict is passed or skipped
   /// Number of expectations that were compared with a method, that is, not

@@ -6,6 +6,7 @@
 #include "theory/persson/persson.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -123,6 +124,32 @@ SpectrumRows spectrum_rows(const SurfaceRecord& surface) {
   return {{2 * grid.points_x, 2 * grid.points_y, 2.0 * grid.length_x,
            2.0 * grid.length_y},
           MirroredRows(surface)};
+}
+
+std::vector<surfaces::SpectrumRing> spectrum_rings(const SurfaceRecord& surface,
+                                                   double area) {
+  const std::vector<results::SpectrumPoint>& rows = surface.spectrum;
+  std::vector<surfaces::SpectrumRing> rings;
+  rings.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double q = rows[i].wavevector;
+    const double low = i > 0 ? rows[i - 1].wavevector : q;
+    const double high = i + 1 < rows.size() ? rows[i + 1].wavevector : q;
+    const double around = std::numbers::pi * q * (high - low); // 2 pi q dq
+    rings.push_back({q, rows[i].spectrum,
+                     around * area / std::pow(2.0 * std::numbers::pi, 2),
+                     around * rows[i].spectrum});
+  }
+  return rings;
+}
+
+std::optional<surfaces::NoiseFloor>
+noise_floor_of(const std::vector<surfaces::SpectrumRing>& rings,
+               const Grid& grid, double area) {
+  const double spacing = std::max(grid.spacing_x(), grid.spacing_y());
+  return surfaces::noise_floor(
+      surfaces::rings_between(rings, 4.0 * std::numbers::pi / std::sqrt(area),
+                              std::numbers::pi / spacing));
 }
 
 void SurfaceTheories::compute_realizations() {

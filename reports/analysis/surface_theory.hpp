@@ -7,6 +7,7 @@
 #include "input/types/case.hpp"
 #include "reports/numbers/fits.hpp"
 #include "results/types/result.hpp"
+#include "surfaces/analysis/reliable_range.hpp"
 #include "surfaces/maps/height_map.hpp"
 #include "theory/persson/persson.hpp"
 
@@ -82,5 +83,16 @@ SpectrumRows spectrum_rows(const results::SurfaceRecord& surface);
 inline int report_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
+
+/// The spectrum of a record as rings with the number of modes in a map of this
+/// area [m^2].
+std::vector<surfaces::SpectrumRing>
+spectrum_rings(const results::SurfaceRecord& surface, double area);
+
+/// The noise floor of such a map; twice its longest wave and the sampling bound
+/// its reliable range, as in surfaces::estimate_spectrum().
+std::optional<surfaces::NoiseFloor>
+noise_floor_of(const std::vector<surfaces::SpectrumRing>& rings,
+               const Grid& grid, double area);
 
 } // namespace asperity::reports

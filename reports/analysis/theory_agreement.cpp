@@ -1,5 +1,6 @@
 #include "reports/analysis/theory_agreement.hpp"
 
+#include "base/shown_number.hpp"
 #include "reports/analysis/comparison.hpp"
 #include "reports/analysis/rough.hpp"
 
@@ -164,7 +165,12 @@ void add_area(const Comparison& compared,
            std::ranges::count_if(loads, &ComparedLoad::is_outside),
            loads.size()),
        "The theory does not describe the contact area there." +
-           causes_of(compared, *furthest, others)});
+           causes_of(compared, *furthest, others),
+       fmt::format(
+           "The theory does not describe this contact: the area of {} "
+           "is {} times as large at {}.",
+           compared.method.name, digits_text(furthest->area_ratio(), 2),
+           quantity_text(furthest->pressure / furthest->count, "Pa", 3))});
 }
 
 void add_gap(const Comparison& compared, const std::vector<ComparedLoad>& loads,
@@ -187,7 +193,12 @@ void add_gap(const Comparison& compared, const std::vector<ComparedLoad>& loads,
            furthest->theory_gap / furthest->count, largest_gap_difference,
            comparison_gap_low, comparison_gap_high),
        "The theory does not describe the separation there." +
-           causes_of(compared, *furthest, others)});
+           causes_of(compared, *furthest, others),
+       fmt::format(
+           "The theory does not describe this mean gap: that of {} "
+           "differs by {} h_rms at {}.",
+           compared.method.name, digits_text(furthest->gap_difference(), 2),
+           quantity_text(furthest->pressure / furthest->count, "Pa", 3))});
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "reports/analysis/warnings.hpp"
 
+#include "base/shown_number.hpp"
 #include "input/reader/locking.hpp"
 #include "input/types/omissions.hpp"
 #include "reports/analysis/exact.hpp"
@@ -37,6 +38,20 @@ double mean_of(const Result& result, double SurfaceRecord::*number) {
   return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The text up to the last semicolon within so many words, or "..." after them.
+std::string first_words(const std::string& text, int most) {
+  int words = 0;
+  std::size_t part = std::string::npos;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == ';')
+      part = at;
+    if (text[at] == ' ' && ++words == most)
+      return part == std::string::npos ? text.substr(0, at) + " …"
+                                       : text.substr(0, part) + ".";
+  }
+  return text.ends_with('.') ? text : text + ".";
+}
+
 void add_moments(const Result& result, std::vector<Warning>& warnings) {
   const double skewness = mean_of(result, &SurfaceRecord::skewness);
   const double kurtosis = mean_of(result, &SurfaceRecord::kurtosis);
@@ -52,7 +67,11 @@ void add_moments(const Result& result, std::vector<Warning>& warnings) {
                    Limits::kurtosis_low, Limits::kurtosis_high),
        "Persson's theory assumes Gaussian heights and does not describe this "
        "surface. Nor does its pressure distribution: do not use "
-       "area_fraction_fit, area_fraction_moment or gamma_curve."});
+       "area_fraction_fit, area_fraction_moment or gamma_curve.",
+       fmt::format(
+           "Heights are not Gaussian (skewness {:.3g}, kurtosis {:.3g}): "
+           "use neither the theory nor fits by it.",
+           skewness, kurtosis)});
 }
 
 void add_slope(const Result& result, std::vector<Warning>& warnings) {
@@ -65,7 +84,11 @@ void add_slope(const Result& result, std::vector<Warning>& warnings) {
                    "{:.2g} (limit: {}).",
                    slope, Limits::rms_slope),
        "The elastic methods and the theory are linear: the terms that they "
-       "neglect grow with the square of the slope."});
+       "neglect grow with the square of the slope.",
+       fmt::format(
+           "The rms slope {:.2g} is large for linear elasticity: expect "
+           "errors of its square.",
+           slope)});
 }
 
 void add_resolution(const SurfaceRecord& surface,
@@ -82,39 +105,19 @@ void add_resolution(const SurfaceRecord& surface,
                    "shorter than four node spacings (limit: {:.0f} %).",
                    100.0 * share, 100.0 * Limits::unresolved_slope),
        "Slope, contact area and stiffness are those of this grid, not of the "
-       "surface: they change with every refinement of the measurement."});
+       "surface: they change with every refinement of the measurement.",
+       fmt::format(
+           "{:.0f} % of the mean square slope is in unresolved waves: use "
+           "more points, or compare values of surface.cut_off.",
+           100.0 * share)});
 }
 
-/// The spectrum of a record as rings with the number of modes in a map of this
-/// area [m^2].
-std::vector<surfaces::SpectrumRing> rings_of(const SurfaceRecord& surface,
-                                             double area) {
-  const std::vector<results::SpectrumPoint>& rows = surface.spectrum;
-  std::vector<surfaces::SpectrumRing> rings;
-  rings.reserve(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double q = rows[i].wavevector;
-    const double low = i > 0 ? rows[i - 1].wavevector : q;
-    const double high = i + 1 < rows.size() ? rows[i + 1].wavevector : q;
-    const double around = std::numbers::pi * q * (high - low); // 2 pi q dq
-    rings.push_back({q, rows[i].spectrum,
-                     around * area / std::pow(2.0 * std::numbers::pi, 2),
-                     around * rows[i].spectrum});
-  }
-  return rings;
-}
-
-/// Twice the longest wave of a map and the sampling bound its reliable range,
-/// as in surfaces::estimate_spectrum().
 void add_noise(const Result& result, std::vector<Warning>& warnings) {
   const SurfaceRecord& surface = result.surfaces.front();
   const double area = nominal_area(result);
-  const std::vector<surfaces::SpectrumRing> rings = rings_of(surface, area);
-  const double spacing =
-      std::max(surface.grid.spacing_x(), surface.grid.spacing_y());
-  const auto floor = surfaces::noise_floor(
-      surfaces::rings_between(rings, 4.0 * std::numbers::pi / std::sqrt(area),
-                              std::numbers::pi / spacing));
+  const std::vector<surfaces::SpectrumRing> rings =
+      spectrum_rings(surface, area);
+  const auto floor = noise_floor_of(rings, surface.grid, area);
   double whole = 0.0, above = 0.0;
   for (const surfaces::SpectrumRing& ring : rings) {
     const double square =
@@ -133,7 +136,11 @@ void add_noise(const Result& result, std::vector<Warning>& warnings) {
                    100.0 * above / whole, 100.0 * Limits::noise_slope),
        "Noise is pressed as if it were roughness: slope, contact area and "
        "stiffness are partly those of the instrument. Use cut_off = "
-       "\"reliable\", and a sweep over cut_off to see the area against it."});
+       "\"reliable\", and a sweep over cut_off to see the area against it.",
+       fmt::format(
+           "{:.0f} % of the mean square slope is noise of the instrument: "
+           "use --set surface.cut_off=reliable.",
+           100.0 * above / whole)});
 }
 
 void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -150,7 +157,11 @@ void add_lines(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
                    ratio > 1.0 ? "x" : "y", larger, Limits::line_offset),
        "Artefacts of the scan are taken for roughness of the surface. "
        "Persson's theory assumes the same roughness in all directions and does "
-       "not describe this map."});
+       "not describe this map.",
+       fmt::format(
+           "Scan lines or grooves along {}: if they are artefacts, --set "
+           "surface.align_lines=median removes them.",
+           ratio > 1.0 ? "x" : "y")});
 }
 
 void add_digits(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -168,7 +179,11 @@ void add_digits(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
        "that use a small part of their range. The steps are pressed as if they "
        "were roughness: gaps and light contact are uncertain by about one "
        "step. "
-       "Export the heights about their mean, or in double precision."});
+       "Export the heights about their mean, or in double precision.",
+       fmt::format(
+           "Heights are multiples of {:.2g} h_rms: export them about their "
+           "mean, or with more digits.",
+           step)});
 }
 
 void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
@@ -188,7 +203,10 @@ void add_tilt(const SurfaceRecord& surface, std::vector<Warning>& warnings) {
                    roughness * 1e9, Limits::tilt),
        "Everything in units of h_rms refers to the tilted map: relative to the "
        "roughness, the tolerance of the solvers is larger by this factor. Use "
-       "level = \"plane\", or a tolerance that is smaller by it."});
+       "level = \"plane\", or a tolerance that is smaller by it.",
+       fmt::format("The map is tilted, {:.3g} times its roughness: use --set "
+                   "surface.level=plane.",
+                   surface.rms_height / roughness)});
 }
 
 /// Spikes, form and missing points that were found when the map was read.
@@ -198,7 +216,8 @@ void add_map_faults(const Result& result, std::vector<Warning>& warnings) {
       warnings.push_back(
           {"map_faults", "The map is not only roughness: " + fact + ".",
            "Contact begins at the highest points: area, spots and gap are "
-           "partly those of such points and not of the roughness."});
+           "partly those of such points and not of the roughness.",
+           first_words(fact, 20)});
 }
 
 void add_window(const Result& result, std::vector<Warning>& warnings) {
@@ -209,7 +228,10 @@ void add_window(const Result& result, std::vector<Warning>& warnings) {
            "The map was windowed before the contact was computed: " + fact +
                ".",
            "The computed contact is not that of the measured surface; edges = "
-           "\"mirror\" keeps its roughness."});
+           "\"mirror\" keeps its roughness.",
+           "The map was multiplied by a window: surface.edges = \"mirror\" "
+           "keeps its "
+           "roughness."});
 }
 
 /// The methods of the case that the result has.
@@ -227,9 +249,12 @@ void add_locking(const Result& result, const cases::Case& contact_case,
                  std::vector<Warning>& warnings) {
   for (const std::string& text : cases::locking_warnings(
            contact_case.material, methods_in(result, contact_case)))
-    warnings.push_back({"locking", text + ".",
-                        "The curves of this method are not those of the "
-                        "material; do not judge other methods by them."});
+    warnings.push_back(
+        {"locking", text + ".",
+         "The curves of this method are not those of the "
+         "material; do not judge other methods by them.",
+         "Finite elements of this material lock: do not judge other methods by "
+         "them."});
 }
 
 void add_omissions(const Result& result, const cases::Case& contact_case,
@@ -238,16 +263,20 @@ void add_omissions(const Result& result, const cases::Case& contact_case,
        cases::omission_warnings(contact_case, methods_in(result, contact_case)))
     warnings.push_back({"omitted", text + ".",
                         "What the case asks is not in this result, or not for "
-                        "the methods with fields."});
+                        "the methods with fields.",
+                        first_words(text, 20)});
 }
 
 void add_interpolation(const Result& result, const cases::Case& contact_case,
                        std::vector<Warning>& warnings) {
   for (const std::string& text : cases::interpolation_warnings(
            contact_case, methods_in(result, contact_case)))
-    warnings.push_back({"oscillating_heights", text + ".",
-                        "Contact areas and pressures at the edge of the end "
-                        "are those of another surface."});
+    warnings.push_back(
+        {"oscillating_heights", text + ".",
+         "Contact areas and pressures at the edge of the end "
+         "are those of another surface.",
+         "The surface oscillates at the edge of the end: contact there is that "
+         "of another surface."});
 }
 
 /// Warns if the surface around the end of a punch touches in a converged step.
@@ -268,7 +297,11 @@ void add_recess(const Result& result, const cases::Case& contact_case,
                            "from a nominal pressure of {:.4g} Pa on.",
                            touching),
                "The exact solution of a flat end does not hold there: steps "
-               "of this pressure and above are not compared with it."});
+               "of this pressure and above are not compared with it.",
+               fmt::format(
+                   "From {} on, the face around the end touches: these steps "
+                   "have no exact solution.",
+                   quantity_text(touching, "Pa", 3))});
           return;
         }
   }
@@ -298,7 +331,10 @@ void add_no_contact(const Result& result, std::vector<Warning>& warnings) {
                    smallest_gap / first.rms_height,
                    first.highest / first.rms_height),
        "All pressures are 0, so that curves and fits are empty and their "
-       "figures are left out."});
+       "figures are left out.",
+       fmt::format(
+           "No load step reaches contact: press to a mean gap below {}.",
+           quantity_text(first.highest, "m", 3))});
 }
 
 } // namespace
@@ -338,8 +374,7 @@ std::string warning_lines(const Result& result,
                           const cases::Case& contact_case) {
   std::string lines;
   for (const Warning& warning : warnings_of(result, contact_case))
-    lines += fmt::format("warning: {}: {} {}\n", result.case_name,
-                         warning.headline, warning.consequence);
+    lines += fmt::format("warning: {}: {}\n", result.case_name, warning.line);
   return lines;
 }
 

@@ -24,6 +24,9 @@ struct Warning {
                            ///< no_contact, theory_area or theory_gap
   std::string headline;    ///< one sentence, with the number and its limit
   std::string consequence; ///< what this means for the result
+  /// What is wrong and what helps, in at most 20 words: what a page and the
+  /// terminal show first.
+  std::string line;
 };
 
 /// The limits are motivated in docs/numerics/surfaces.md, "What a report warns
@@ -50,8 +53,7 @@ struct WarningLimits {
 std::vector<Warning> warnings_of(const results::Result& result,
                                  const cases::Case& contact_case);
 
-/// Returns the same for a terminal: "warning: case: headline consequence", one
-/// line each.
+/// Returns the same for a terminal: "warning: case: line", one line each.
 std::string warning_lines(const results::Result& result,
                           const cases::Case& contact_case);
 

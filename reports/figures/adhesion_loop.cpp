@@ -2,6 +2,7 @@
 #include "reports/figures/plot_parts.hpp"
 #include "results/types/method_columns.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,7 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
                    .y = {.label = "p / E*"},
                    .has_zero_line = true};
   std::size_t index = 0, color = 0;
+  double least = 0.0, largest = 0.0; // p/E*
   for (const results::MethodRecord& method : result.methods) {
     for (const bool is_unloading : {false, true}) {
       if (method.realizations.empty())
@@ -35,6 +37,10 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
             std::isfinite(row[columns::adhesive_energy])) {
           table.add(title, {static_cast<double>(index), row.mean_gap * in_nm,
                             row.nominal_pressure / result.contact_modulus});
+          least =
+              std::min(least, row.nominal_pressure / result.contact_modulus);
+          largest =
+              std::max(largest, row.nominal_pressure / result.contact_modulus);
           has_row = true;
         }
       if (has_row)
@@ -46,7 +52,22 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
   if (panel.curves.empty())
     return std::nullopt;
   figure.data = table.text();
-  figure.panels = {std::move(panel)};
+  panel.y = pressure_axis("p / E*", "nominal pressure p",
+                          result.contact_modulus, largest);
+  figure.panels = {panel};
+  if (least < 0.0 && largest > -3.0 * least) { // the tension is hard to see
+    panel.y = pressure_axis("p / E*", "nominal pressure p",
+                            result.contact_modulus, -least);
+    panel.y.low = rounded(1.2 * least, 4);
+    panel.y.high = rounded(-1.2 * least, 4);
+    figure.panels.push_back(std::move(panel));
+    figure.width = 860;
+    figure.height = 400;
+    figure.grid = side_by_side(0.2);
+    figure.grid->across = 0.14;
+    figure.grid->has_shared_legend = true;
+    figure.caption += " Right: the same around the largest tension.";
+  }
   return figure;
 }
 

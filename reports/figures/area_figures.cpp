@@ -66,7 +66,8 @@ ChartPanel area_panel(std::span<const Series> series,
   double furthest = 0.0, top = 0.0, least = infinity;
   std::vector<double> loads;
   for (const Series& one : series)
-    for (const SeriesRow& row : one.rows) {
+    for (const SeriesRow& row :
+         one.rows.size() == 1 ? one.line_rows() : one.rows) {
       loads.push_back(row.pressure);
       furthest = std::max(furthest, row.pressure);
       top = std::max({top, row.area, row.area_corrected});

@@ -6,9 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -54,20 +52,6 @@ std::string percent_text(const Estimate& estimate) {
   const int decimals = std::min(1, decimals_for(100.0 * estimate.half_width));
   return fixed(100.0 * estimate.value, "+", decimals) + " ± " +
          fixed(100.0 * estimate.half_width, "", decimals) + " %";
-}
-
-std::string quantity_text(double value, const std::string& unit, int digits) {
-  constexpr std::array prefixes{std::pair(1e9, "G"),  std::pair(1e6, "M"),
-                                std::pair(1e3, "k"),  std::pair(1.0, ""),
-                                std::pair(1e-3, "m"), std::pair(1e-6, "µ"),
-                                std::pair(1e-9, "n"), std::pair(1e-12, "p")};
-  if (!std::isfinite(value))
-    return "–";
-  if (unit == "m" || unit == "N" || unit == "Pa")
-    for (const auto& [size, prefix] : prefixes)
-      if (std::abs(value) >= 0.9995 * size)
-        return fmt::format("{:.{}g} {}{}", value / size, digits, prefix, unit);
-  return fmt::format("{:.{}g}{}", value, digits, unit == "1" ? "" : " " + unit);
 }
 
 } // namespace asperity::reports

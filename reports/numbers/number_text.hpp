@@ -3,6 +3,7 @@
 // Formats a number with its unit or its confidence interval for a page or a
 // figure.
 
+#include "base/shown_number.hpp"
 #include "reports/numbers/estimate.hpp"
 
 #include <string>
@@ -16,10 +17,6 @@ std::string number_text(const Estimate& estimate);
 /// Returns the same in per cent: "+27.1 ± 0.9 %".
 std::string percent_text(const Estimate& estimate);
 
-/// Returns a number with its unit, "5.98 nm", "1.25e+06 1/m" or "3.1" for the
-/// unit "1"; m, N and Pa have a prefix that suits the number. "–" if it is not
-/// finite.
-std::string quantity_text(double value, const std::string& unit,
-                          int digits = 4);
+using asperity::quantity_text;
 
 } // namespace asperity::reports

@@ -6,6 +6,7 @@
 #include "reports/study_pages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,28 @@ Json heads_of(std::span<const Column> columns) {
   return heads;
 }
 
+/// Whether an expectation or a published value of the case is one of these.
+bool states_any(const Summary& summary, std::span<const Column> columns) {
+  const auto is_shown = [&](const std::string& quantity) {
+    return std::ranges::find(columns, quantity, &Column::quantity) !=
+           columns.end();
+  };
+  return std::ranges::any_of(summary.verdicts, is_shown, &Verdict::quantity) ||
+         std::ranges::any_of(summary.published, is_shown,
+                             [](const PublishedValue& published) {
+                               return published.reference.quantity;
+                             });
+}
+
+/// "Constants of the theory: u₀/h_rms, γ".
+std::string heading_of(std::span<const Column> columns) {
+  std::vector<std::string> names;
+  for (const Column& column : columns)
+    names.emplace_back(column.head);
+  return names.empty() ? "The methods"
+                       : fmt::format("The methods: {}", fmt::join(names, ", "));
+}
+
 // Formats a published number and its unit, with "±", for a page.
 std::string typeset_published(const cases::ReferenceValue& reference) {
   std::string text = published_text(reference);
@@ -225,11 +248,14 @@ void set_notices(Json& page, const ReportEntry& entry) {
        warnings_of(*entry.result, *entry.contact_case)) {
     const bool is_folded =
         warning.kind.starts_with("theory_") && !std::exchange(is_first, false);
-    page[is_folded ? "disagreements" : "notices"].push_back(
-        warning.headline + " " + warning.consequence);
+    const std::string more = warning.headline + " " + warning.consequence;
+    if (is_folded)
+      page["disagreements"].push_back(more);
+    else
+      page["notices"].push_back({{"line", warning.line}, {"more", more}});
   }
   for (const std::string& notice : notices_of(entry.summary))
-    page["notices"].push_back(notice);
+    page["notices"].push_back({{"line", notice}, {"more", ""}});
   page["n_disagreements"] = page["disagreements"].size();
 }
 
@@ -297,16 +323,16 @@ Json entry_page(const ReportEntry& entry, Json page,
   const Columns columns{answered(columns_of(is_exact), summary)};
   page["name"] = summary.case_name;
   page["sentence"] = case_sentence(entry);
-  std::string answer =
-      entry.result->surfaces.empty() ? "" : physical_sentence(entry);
-  for (const StudyPages* const study : study_pages())
-    if (study->answer != nullptr)
-      if (const std::string more = study->answer(entry); !more.empty())
-        answer += (answer.empty() ? "" : " ") + more;
-  page["answer"] = answer;
+  page["parts_words"] = parts_sentence(summary.interval_parts);
+  for (Json& row : page["contact_against_load"])
+    for (const char* const number :
+         {"area_fraction", "area [m^2]", "mean_gap [m]"})
+      row[number]["half_width_95"] = row[number]["error"];
   set_notices(page, entry);
   page["banner_class"] = banner_class(summary);
   page["banner"] = banner_words(summary);
+  page["leads_by_constants"] = is_exact || states_any(summary, columns.key());
+  page["constants_heading"] = heading_of(columns.key());
   page["key_columns"] = heads_of(columns.key());
   page["columns"] = heads_of(columns.others());
   page["columns"].push_back(
@@ -339,7 +365,7 @@ std::string banner_words(const Summary& summary) {
   const int all = summary.n_judged();
   if (all == 0)
     return summary.verdicts.empty()
-               ? "The case states no expectations."
+               ? ""
                : "No expectation concerns a method that was run.";
   const auto count = [&](auto holds) {
     return std::count_if(summary.verdicts.begin(), summary.verdicts.end(),

@@ -32,11 +32,6 @@ nlohmann::ordered_json page_summary(const ReportEntry& entry);
 /// Describes the contact problem in one sentence: surface, material and loads.
 std::string case_sentence(const ReportEntry& entry);
 
-/// Says what the first method that is no theory found at its lightest, middle
-/// and heaviest load: "In contact at 2.3 MPa, 1.6 % of the nominal area ...";
-/// "" without such a method.
-std::string physical_sentence(const ReportEntry& entry);
-
 /// Says the same as a section on methods does: "An elastic block with E* =
 /// 2 GPa was pressed against a rigid measured surface of 512 × 512 points ...".
 std::string setup_sentences(const ReportEntry& entry);

@@ -16,7 +16,8 @@ nlohmann::ordered_json entry_page(const ReportEntry& entry,
                                   nlohmann::ordered_json page,
                                   std::span<const Series> series);
 
-/// Returns "All 6 expectations are met.", and how many are undecided.
+/// Returns "All 6 expectations are met.", and how many are undecided; "" if the
+/// case states none.
 std::string banner_words(const Summary& summary);
 
 /// Returns "good", "bad", or "none": nothing was checked, or something is
@@ -24,14 +25,16 @@ std::string banner_words(const Summary& summary);
 std::string banner_class(const Summary& summary);
 
 /// Pressure, load, contact area and mean gap of the first method that is no
-/// theory, with 95 % intervals over the realisations.
+/// theory, with 95 % intervals over the realisations and the errors of
+/// AskedIntervals, which include these.
 nlohmann::ordered_json contact_against_load(const ReportEntry& entry);
 
 /// Describes each group with its heading, its anchor and its figures.
 nlohmann::ordered_json group_data(std::span<const DrawnGroup> groups);
 
-/// Shows the first figure beside the key numbers if it is a curve, and all
-/// others in their groups.
+/// Shows the figures that answer first, gap and area against the load or the
+/// path of contact with adhesion, beside the answer, and all others in their
+/// groups.
 void set_groups(nlohmann::ordered_json& page,
                 std::span<const DrawnGroup> groups);
 

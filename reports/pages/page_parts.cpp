@@ -43,30 +43,38 @@ Json figure_data(const DrawnFigure& drawn) {
   Json figure = {{"title", drawn.title},
                  {"caption", drawn.caption},
                  {"is_wide", is_wide(drawn.svg)},
+                 {"is_plot", drawn.svg.find("<image") == std::string::npos},
                  {"picture", drawn.svg.empty() ? "" : data_uri(drawn.svg)},
                  {"problem", drawn.svg.empty() ? drawn.problem : ""},
-                 {"explore", drawn.explore}};
+                 {"explore", drawn.explore},
+                 {"is_first", false}};
   return figure;
 }
 
-using FigureOfGroup =
-    std::pair<DrawnGroup*, std::vector<DrawnFigure>::iterator>;
-
-/// Returns the figure that stands beside the answer, with its group: the path
-/// of contact with adhesion, or else the first one if it shows the curves; null
-/// if there is neither.
-FigureOfGroup leading_figure(std::vector<DrawnGroup>& groups) {
-  for (DrawnGroup& group : groups)
-    if (const auto loop = std::ranges::find(group.figures, "adhesion-loop",
-                                            &DrawnFigure::name);
-        loop != group.figures.end())
-      return {&group, loop};
-  if (groups.empty() || groups.front().figures.empty())
-    return {};
-  const auto first = groups.front().figures.begin();
-  return first->name == "pressure-gap" || first->name.starts_with("exact-")
-             ? FigureOfGroup{&groups.front(), first}
-             : FigureOfGroup{};
+/// Takes the figures that stand beside the answer out of their groups: gap and
+/// area against the load; with adhesion the path instead of the gap; of an
+/// exact shape its first figure.
+std::vector<DrawnFigure> take_leading(std::vector<DrawnGroup>& groups) {
+  std::vector<DrawnFigure> leading;
+  const auto take = [&](const auto& is_asked) {
+    for (DrawnGroup& group : groups)
+      if (const auto found =
+              std::ranges::find_if(group.figures, is_asked, &DrawnFigure::name);
+          found != group.figures.end()) {
+        leading.push_back(*found);
+        group.figures.erase(found);
+        return true;
+      }
+    return false;
+  };
+  const auto called = [](const char* name) {
+    return [name](const std::string& other) { return other == name; };
+  };
+  if (!take(called("adhesion-loop")))
+    take(called("pressure-gap"));
+  if (!take(called("area-pressure")) && leading.empty())
+    take([](const std::string& name) { return name.starts_with("exact-"); });
+  return leading;
 }
 
 } // namespace
@@ -74,9 +82,9 @@ FigureOfGroup leading_figure(std::vector<DrawnGroup>& groups) {
 void set_groups(Json& page, std::span<const DrawnGroup> groups) {
   std::vector<DrawnGroup> others(groups.begin(), groups.end());
   page["first_figures"] = Json::array();
-  if (const auto [group, figure] = leading_figure(others); group != nullptr) {
-    page["first_figures"].push_back(figure_data(*figure));
-    group->figures.erase(figure);
+  for (const DrawnFigure& figure : take_leading(others)) {
+    page["first_figures"].push_back(figure_data(figure));
+    page["first_figures"].back()["is_first"] = true;
   }
   std::erase_if(others,
                 [](const DrawnGroup& one) { return one.figures.empty(); });

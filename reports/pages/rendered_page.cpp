@@ -131,7 +131,8 @@ std::string rendered_page(std::string_view page_template, Json page) {
       {"page_head", page_head},
       {"page_facts", page_facts},
       {"page_end", page_end},
-      {"figure", figure_template}};
+      {"figure", figure_template},
+      {"constants", constants_template}};
   Formats formats;
   add_formats(page_template, formats);
   Data data = data_of(page, formats);

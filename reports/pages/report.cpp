@@ -8,6 +8,7 @@
 #include "reports/analysis/warnings.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/pages/agreement.hpp"
+#include "reports/pages/answers.hpp"
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
 #include "reports/pages/methods_text.hpp"
@@ -16,7 +17,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace asperity::reports {
 namespace {
@@ -82,7 +85,10 @@ void require_case_of(const results::Result& result,
 
 ReportEntry entry_of(const results::Result& result,
                      const cases::Case& contact_case) {
-  return {&result, &contact_case, summarize(result, contact_case)};
+  ReportEntry entry{&result, &contact_case, summarize(result, contact_case)};
+  entry.summary.answers = answers_of(entry);
+  entry.summary.interval_parts = interval_parts(entry);
+  return entry;
 }
 
 cases::Case case_of(const results::Result& result) {
@@ -111,6 +117,37 @@ std::vector<std::string> write_report(std::span<const results::Result> results,
 
 namespace {
 
+/// The figures whose names begin with one of the words.
+std::vector<FigureGroup> chosen(std::vector<FigureGroup> groups,
+                                const std::vector<std::string>& words) {
+  const auto begins = [](const std::string& word) {
+    return
+        [&word](const Figure& figure) { return figure.name.starts_with(word); };
+  };
+  std::vector<std::string> names;
+  for (const FigureGroup& group : groups)
+    for (const Figure& figure : group.figures)
+      names.push_back(figure.name);
+  for (const std::string& word : words)
+    if (std::ranges::none_of(groups, [&](const FigureGroup& group) {
+          return std::ranges::any_of(group.figures, begins(word));
+        }))
+      throw input::InputError(
+          fmt::format("--only {}: no figure of this report begins so; it has: "
+                      "{}",
+                      word, fmt::join(names, ", ")));
+  if (words.empty())
+    return groups;
+  for (FigureGroup& group : groups)
+    std::erase_if(group.figures, [&](const Figure& figure) {
+      return std::ranges::none_of(
+          words, [&](const std::string& word) { return begins(word)(figure); });
+    });
+  std::erase_if(groups,
+                [](const FigureGroup& group) { return group.figures.empty(); });
+  return groups;
+}
+
 void write_methods_text(std::span<const ReportEntry> entries,
                         const std::filesystem::path& folder) {
   const MethodsText text = methods_text(entries);
@@ -128,11 +165,13 @@ std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                       const ReportExtras& extras) {
   if (entries.empty())
     return {};
+  const std::vector<FigureGroup> figures =
+      chosen(figures_of(entries), extras.only);
   std::filesystem::create_directories(folder);
   write_methods_text(entries, folder);
   std::vector<std::string> problems;
-  const std::vector<DrawnGroup> drawn_groups = drawn_groups_of(
-      figures_of(entries), folder, gnuplot, extras.journal, problems);
+  const std::vector<DrawnGroup> drawn_groups =
+      drawn_groups_of(figures, folder, gnuplot, extras.journal, problems);
   std::vector<nlohmann::ordered_json> summaries;
   for (const ReportEntry& entry : entries)
     summaries.push_back(page_summary(entry));

@@ -19,6 +19,9 @@ struct ReportExtras {
   JournalFormat journal = {}; ///< figures for a journal, in journal/
   std::vector<std::string> labels = {}; ///< names of the results, in order;
                                         ///< empty: they follow from the results
+  /// How the names of the figures to draw begin: "pressure-gap", "map"; empty:
+  /// all.
+  std::vector<std::string> only = {};
 };
 
 /// Writes folder/report.html, folder/figures/* (SVG, CSV and gnuplot script of
@@ -33,6 +36,7 @@ struct ReportExtras {
 /// @return         the figures that could not be drawn, "name: why", also
 ///                 "report.pdf: why"
 /// @throws std::system_error  the folder cannot be written
+/// @throws input::InputError  no figure has a name of extras.only
 std::vector<std::string> write_report(std::span<const ReportEntry> entries,
                                       const std::filesystem::path& folder,
                                       const std::string& gnuplot = "gnuplot",

@@ -151,13 +151,20 @@ Json summary_data(const Summary& summary, std::span<const Warning> warnings) {
                {"status", summary.status},
                {"reference_theory", summary.reference_method},
                {"all_ok", summary.all_ok()},
+               {"answers", summary.answers},
+               {"interval_parts", Json::array()},
                {"warnings", Json::array()},
                {"expectations", Json::array()},
                {"published", Json::array()},
                {"methods", Json::array()},
                {"provenance", Json::object()}};
+  for (const IntervalPart& part : summary.interval_parts)
+    json["interval_parts"].push_back({{"name", part.name},
+                                      {"is_known", part.is_known},
+                                      {"text", part.text}});
   for (const Warning& warning : warnings)
     json["warnings"].push_back({{"kind", warning.kind},
+                                {"line", warning.line},
                                 {"headline", warning.headline},
                                 {"consequence", warning.consequence}});
   for (const Verdict& verdict : summary.verdicts)

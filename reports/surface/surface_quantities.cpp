@@ -2,6 +2,7 @@
 
 #include "base/special_numbers.hpp"
 #include "reports/numbers/number_text.hpp"
+#include "surfaces/analysis/contact_fitness.hpp"
 
 #include <fmt/format.h>
 
@@ -121,6 +122,16 @@ std::string range_text(const surfaces::LineAnalysis& line) {
   return fmt::format("wavelengths {} (limits: length of the line; conversion "
                      "near the end of the spectrum)",
                      wavelengths_text(line.low, line.high));
+}
+
+std::string fitness_text(const surfaces::MapAnalysis& map) {
+  const Grid& grid = map.map.grid;
+  return surfaces::fitness_sentence(surfaces::contact_fitness(
+      map.spectrum.rings,
+      map.range.noise ? std::optional(map.range.noise->wavevector)
+                      : std::nullopt,
+      std::max(grid.spacing_x(), grid.spacing_y()),
+      std::min(grid.length_x, grid.length_y)));
 }
 
 } // namespace asperity::reports

@@ -48,4 +48,7 @@ std::string wavelengths_text(double low, double high);
 std::string range_text(const surfaces::MapAnalysis& map);
 std::string range_text(const surfaces::LineAnalysis& line);
 
+/// Whether a map is good enough for contact, and why, in one sentence.
+std::string fitness_text(const surfaces::MapAnalysis& map);
+
 } // namespace asperity::reports

@@ -59,6 +59,7 @@ std::string map_text(const surfaces::MapAnalysis& map) {
     text += fmt::format("  warning: {}\n", warning);
   text += table_text(quantities_of(map), true);
   text += fmt::format("  reliable: {}\n", range_text(map));
+  text += fmt::format("  {}\n", fitness_text(map));
   if (!map.fit)
     return text + "  self-affine model: not fitted, too few rings in the "
                   "reliable range\n";

@@ -57,6 +57,11 @@ run::ExitCode exit_code_of(const reports::Summary& summary) {
 run::ExitCode print_findings(const reports::Summary& summary,
                              const std::filesystem::path& folder) {
   print_verdicts(summary);
+  for (const std::string& answer : summary.answers)
+    fmt::print("{}\n", answer);
+  if (const std::string parts = reports::parts_sentence(summary.interval_parts);
+      !parts.empty())
+    fmt::print("{}\n", parts);
   fmt::print("report: {}\n", (folder / "report.html").string());
   return exit_code_of(summary);
 }

@@ -51,6 +51,7 @@ struct ReportCommand {
   std::vector<std::string> labels; ///< names of the results, in order
   std::string fluid;               ///< of --flow; empty: none
   std::vector<std::string> asked;  ///< keys of studies
+  std::vector<std::string> only;   ///< names of figures; empty: all
 };
 
 /// A table of a measured curve, rather than a result.
@@ -102,6 +103,7 @@ run::ExitCode report_results(const ReportCommand& command) {
   const std::string& out = command.out;
   reports::ReportExtras extras = extras_of(command.forms);
   extras.labels = command.labels;
+  extras.only = command.only;
   if (command.labels.size() > paths.size())
     throw input::InputError(fmt::format(
         "--label is given {} times for {} result{}", command.labels.size(),
@@ -177,6 +179,12 @@ void add_report(CommandLine& line) {
                    "add a study at the loads with saved maps, as\n"
                    "--set spots.smallest=10")
       ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--only", report.only,
+                   "draw only figures whose names begin so, as\n"
+                   "pressure-gap,map")
+      ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--out", report.out,
                       "output folder (default: that of a single result,\n"

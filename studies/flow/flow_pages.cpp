@@ -1,7 +1,9 @@
 // The figures, the answer and the text of [flow].
+#include "base/shown_number.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/load_spread.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/pages/answers.hpp"
 #include "studies/answers.hpp"
 #include "studies/flow/flow.hpp"
 #include "studies/flow/flow_study.hpp"
@@ -175,23 +177,59 @@ std::string flow_text(const cases::Case& contact_case) {
       study->viscosity, study->pressure_drop, study->aspect());
 }
 
-/// "leaks 5e-14 m^3/s along x" or "is tight along x".
-std::string flow_along(const char* direction, double rate) {
-  return rate > 0.0 ? fmt::format("leaks {:.3g} m³/s along {}", rate, direction)
-                    : fmt::format("is tight along {}", direction);
+/// "Water at 100 kPa", or by its viscosity.
+std::string fluid_words(const FlowStudy& study) {
+  std::string name =
+      fmt::format("A fluid of {} mPa s", digits_text(1e3 * study.viscosity, 3));
+  for (const auto& [fluid, viscosity] : named_fluids)
+    if (std::abs(study.viscosity / viscosity - 1.0) < 1e-6)
+      name = fluid;
+  return name + " at " + quantity_text(study.pressure_drop, "Pa", 3);
 }
 
+/// "5e-14 m³/s along y at 1 MPa" of the heaviest load, or "tight along x from
+/// 15 kPa on (2e-16 m³/s at 10 kPa)" with the heaviest load that leaks.
+std::string flow_along(const char* direction,
+                       std::span<const results::CurvePoint> points,
+                       const results::CurveColumn& column) {
+  const results::CurvePoint *leaking = nullptr, *tight = nullptr;
+  for (const results::CurvePoint& row : points) {
+    if (row.status != results::StepStatus::converged || row.is_unloading ||
+        !std::isfinite(row[column]))
+      continue;
+    const bool leaks = row[column] > 0.0;
+    const results::CurvePoint*& found = leaks ? leaking : tight;
+    if (found == nullptr ||
+        (row.nominal_pressure > found->nominal_pressure) == leaks)
+      found = &row;
+  }
+  const auto load = [](const results::CurvePoint& row) {
+    return quantity_text(row.nominal_pressure, "Pa", 3);
+  };
+  const auto rate = [&](const results::CurvePoint& row) {
+    return quantity_text(row[column], "m³/s", 3);
+  };
+  if (tight == nullptr)
+    return fmt::format("{} along {} at {}", rate(*leaking), direction,
+                       load(*leaking));
+  std::string words =
+      fmt::format("tight along {} from {} on", direction, load(*tight));
+  if (leaking != nullptr)
+    words += fmt::format(" ({} at {})", rate(*leaking), load(*leaking));
+  return words;
+}
+
+/// The answer of the method of answered_row().
 std::string flow_answer(const ReportEntry& entry) {
+  const auto* const study = entry.contact_case->study<FlowStudy>();
   const AnsweredRow answer = answered_row(entry, columns::leak_rate_x);
-  if (answer.row == nullptr)
+  if (study == nullptr || answer.row == nullptr)
     return "";
-  const double x = (*answer.row)[columns::leak_rate_x];
-  const double y = (*answer.row)[columns::leak_rate_y];
-  return x > 0.0 || y > 0.0
-             ? fmt::format("The seal {} and {} {}.", flow_along("x", x),
-                           flow_along("y", y), answer.place())
-             : fmt::format("The seal is tight along x and y {}.",
-                           answer.place());
+  const auto& points = answer.method->realizations.front().points;
+  return fmt::format("{}: {}, {}{}.", fluid_words(*study),
+                     flow_along("x", points, columns::leak_rate_x),
+                     flow_along("y", points, columns::leak_rate_y),
+                     method_in_words(entry, *answer.method));
 }
 
 } // namespace

@@ -4,9 +4,15 @@
 
 #include "results/types/curve_columns.hpp"
 
+#include <array>
 #include <optional>
+#include <utility>
 
 namespace asperity::studies {
+
+/// Fluids that answers call by their names, and their viscosities [Pa s].
+inline constexpr std::array<std::pair<const char*, double>, 2> named_fluids{
+    {{"Water", 0.89e-3}, {"Air", 1.85e-5}}};
 
 /// [flow]: a fluid that a pressure drop drives through the gap.
 struct FlowStudy {

@@ -1,8 +1,10 @@
 // The figures, tables and quantities of [friction].
+#include "base/shown_number.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/map_image.hpp"
 #include "reports/figures/map_stacks.hpp"
 #include "reports/figures/plot_parts.hpp"
+#include "reports/pages/answers.hpp"
 #include "studies/friction/friction.hpp"
 #include "studies/friction/friction_study.hpp"
 #include "studies/friction/partial_slip.hpp"
@@ -206,6 +208,31 @@ std::string friction_text(const cases::Case& contact_case) {
                            study->coefficient);
 }
 
+/// The first method that is no theory, else the theory.
+std::string friction_answer(const ReportEntry& entry) {
+  for (const bool is_theory : {false, true})
+    for (const results::MethodRecord& method : entry.result->methods) {
+      if ((method.kind == "theory") != is_theory)
+        continue;
+      const auto curves =
+          partial_slips(*entry.result, *entry.contact_case, method);
+      const std::vector<SlipPoint> points = slip_points(curves);
+      if (points.empty() || !(points.back().share > 0.0))
+        continue;
+      const SlipPoint& last = points.back();
+      return fmt::format(
+          "Under {} it slides at a tangential load of {}; at {} of that the "
+          "faces have moved {} along x and {} % of the contact sticks{}.",
+          quantity_text(curves.front().front().pressure, "Pa", 3),
+          quantity_text(last.tangential_stress / last.share, "Pa", 3),
+          digits_text(last.share, 3),
+          quantity_text(last.displacement.x.mean, "m", 3),
+          digits_text(100.0 * last.stick.mean, 3),
+          method_in_words(entry, method));
+    }
+  return "";
+}
+
 using Json = nlohmann::ordered_json;
 
 /// The mean along y if it differs from that along x.
@@ -284,6 +311,7 @@ const StudyPages& friction_pages() {
   static const StudyPages pages{.name = "friction",
                                 .figure_names = {"partial-slip", "traction-"},
                                 .figures = friction_figures,
+                                .answer = friction_answer,
                                 .methods_text = friction_text,
                                 .add_quantities = add_friction_quantities,
                                 .add_tables = add_friction_tables};

@@ -1,5 +1,5 @@
 // The answer of the resistances of the contact.
-#include "reports/numbers/number_text.hpp"
+#include "base/shown_number.hpp"
 #include "studies/answers.hpp"
 #include "studies/resistance/resistance.hpp"
 #include "studies/resistance/resistance_columns.hpp"
@@ -14,15 +14,16 @@ std::string sentence(const reports::ReportEntry& entry, const char* what,
   const AnsweredRow answer = answered_row(entry, column);
   return answer.row == nullptr
              ? ""
-             : fmt::format("The {} resistance of the contact is {:.3g} {} {}.",
-                           what, (*answer.row)[column], unit, answer.place());
+             : fmt::format("{} resistance {} {} {}.", what,
+                           digits_text((*answer.row)[column], 3), unit,
+                           answer.place(entry));
 }
 
 std::string resistance_answer(const reports::ReportEntry& entry) {
   const std::string heat =
-      sentence(entry, "thermal", columns::thermal_resistance, "m² K/W");
+      sentence(entry, "Thermal", columns::thermal_resistance, "m² K/W");
   const std::string current =
-      sentence(entry, "electrical", columns::electrical_resistance, "Ω m²");
+      sentence(entry, "Electrical", columns::electrical_resistance, "Ω m²");
   return heat + (heat.empty() || current.empty() ? "" : " ") + current;
 }
 

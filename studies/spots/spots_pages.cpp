@@ -1,4 +1,5 @@
 // The figures and the answer of [spots].
+#include "base/shown_number.hpp"
 #include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "results/observables/clusters.hpp"
@@ -101,10 +102,11 @@ std::string spots_answer(const ReportEntry& entry) {
     return "";
   const results::CurvePoint& row = *answer.row;
   const double count = row[columns::spot_count];
-  return fmt::format("The contact consists of {:g} spot{} {}; the largest has "
-                     "{:.3g} µm².",
-                     count, count == 1.0 ? "" : "s", answer.place(),
-                     1e12 * row[columns::largest_spot]);
+  return fmt::format("The contact consists of {} spot{} {}; the largest has "
+                     "{}.",
+                     digits_text(count, 7), count == 1.0 ? "" : "s",
+                     answer.place(entry),
+                     quantity_text(row[columns::largest_spot], "m^2", 3));
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "input/units.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/agreement.hpp"
+#include "reports/pages/answers.hpp"
 #include "reports/pages/entry_names.hpp"
 #include "reports/pages/html_report.hpp"
 #include "results/types/method_columns.hpp"
@@ -244,23 +245,25 @@ TEST_F(MeasuredCurve, ReportsBeginInTheUnitsOfALaboratory) {
     points[i].nominal_pressure = rows[i][0];
     points[i].area_fraction_corrected = rows[i][1];
     points[i].mean_gap = rows[i][2];
+    points[i].area_fraction = 1.1 * rows[i][1];
   }
 
-  EXPECT_EQ(physical_sentence(entry_of(result, rough)),
-            "At 2 MPa, 1.23 % of the nominal area is in contact and the mean "
-            "gap is 50 nm; at 20 MPa, 10 % and 20 nm; at 1.5 GPa, 90 % and 1 "
-            "nm (fem).");
+  EXPECT_EQ(answers_of(entry_of(result, rough)).front(),
+            "At 2 MPa 1.2 % (1.1 to 1.4) of the area touches and the mean gap "
+            "is 50 nm; at 20 MPa 10 % (9 to 11) and 20 nm; at 1.5 GPa 90 % (81 "
+            "to 99) and 1 nm.");
   write(result, "no-such-gnuplot");
   const Grid& grid = result.surfaces[0].grid;
   EXPECT_NE(
       text_of(folder / "report.html")
-          .find(fmt::format("<td class=\"number\">1.23</td><td "
-                            "class=\"number\">{:.4g}</td><td "
+          .find(fmt::format("<td class=\"number\">1.23 ± 0.12</td><td "
+                            "class=\"number\">{:.4g} ± {:.2g}</td><td "
                             "class=\"number\">50</td>",
-                            0.0123 * 1e12 * grid.length_x * grid.length_y)),
+                            0.0123 * 1e12 * grid.length_x * grid.length_y,
+                            0.00123 * 1e12 * grid.length_x * grid.length_y)),
       std::string::npos);
   result.methods.resize(1); // the theory alone
-  EXPECT_EQ(physical_sentence(entry_of(result, rough)), "");
+  EXPECT_TRUE(answers_of(entry_of(result, rough)).empty());
 }
 
 } // namespace asperity::reports::measured_curve_test

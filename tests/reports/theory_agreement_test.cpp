@@ -49,7 +49,7 @@ TEST_F(TheoryAgreement, ReportsAnotherAreaAtOneLoad) {
     EXPECT_TRUE(has(text_of(folder / file), "The contact area of fem is 10 "
                                             "times the theory"))
         << file;
-  EXPECT_TRUE(has(warning_lines(result, rough), warning.headline));
+  EXPECT_TRUE(has(warning_lines(result, rough), warning.line));
 }
 
 TEST_F(TheoryAgreement, ReportsAnotherSeparation) {

@@ -18,10 +18,14 @@
 
 namespace asperity::reports::warnings_test {
 
+/// Each warning that a test meets has its line of at most 20 words.
 std::vector<std::string> kinds(const std::vector<Warning>& warnings) {
   std::vector<std::string> names;
-  for (const Warning& warning : warnings)
+  for (const Warning& warning : warnings) {
     names.push_back(warning.kind);
+    EXPECT_TRUE(warning.line.ends_with('.')) << warning.line;
+    EXPECT_LT(std::ranges::count(warning.line, ' '), 20) << warning.line;
+  }
   return names;
 }
 
@@ -50,9 +54,8 @@ TEST_F(Warnings, NameTheNumberAndTheLimit) {
             "The surface is not Gaussian: skewness -6 and kurtosis 59, but a "
             "Gaussian surface has 0 and 3 (limits: -1 to 1, 2 to 5).");
   EXPECT_EQ(warning_lines(result, rough),
-            "warning: " + rough.name + ": " + warnings[0].headline + " " +
-                warnings[0].consequence + "\nwarning: " + rough.name + ": " +
-                warnings[1].headline + " " + warnings[1].consequence + "\n");
+            "warning: " + rough.name + ": " + warnings[0].line +
+                "\nwarning: " + rough.name + ": " + warnings[1].line + "\n");
   EXPECT_NE(warnings[0].consequence.find("does not describe this surface"),
             std::string::npos);
   EXPECT_EQ(warnings[1].headline, "The surface is too steep for small strain: "

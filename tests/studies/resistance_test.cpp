@@ -54,8 +54,7 @@ TEST(Resistance, IsAnAnswerAtTheHeaviestLoad) {
   result.methods = {{"halfspace", "halfspace", "", {curve}}};
 
   EXPECT_EQ(resistance_pages().answer({&result, &asked, {}}),
-            "The thermal resistance of the contact is 2.22e-05 m² K/W at 3 MPa "
-            "(halfspace).");
+            "Thermal resistance 2.22e-05 m² K/W at 3 MPa.");
   result.methods.clear();
   EXPECT_EQ(resistance_pages().answer({&result, &asked, {}}), "");
 }

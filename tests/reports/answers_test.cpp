@@ -1,0 +1,90 @@
+// What a user asked is answered in sentences, the same on the page, on the
+// terminal and in summary.json, with intervals that hold what they say.
+#include "reports/pages/answers.hpp"
+#include "results/types/method_columns.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <pugixml.hpp>
+#include <string>
+
+#include "report_folder.hpp"
+#include "synthetic.hpp"
+
+namespace asperity::reports::answers_test {
+
+class Answers : public ReportFolder {
+protected:
+  pugi::xml_document page() const {
+    pugi::xml_document document;
+    document.load_string(text_of(folder / "report.html").c_str());
+    return document;
+  }
+
+  nlohmann::json summary() const {
+    return nlohmann::json::parse(text_of(folder / "summary.json"));
+  }
+
+  results::Result result = synthetic::rough_result(rough, 1);
+};
+
+TEST_F(Answers, AreTheSameOnThePageAndInTheSummary) {
+  write(result);
+  const nlohmann::json answers = summary()["answers"];
+  ASSERT_FALSE(answers.empty());
+  std::string words;
+  for (const nlohmann::json& answer : answers)
+    words += answer.get<std::string>() + " ";
+  EXPECT_EQ(page().select_node("//p[@class='answer']").node().text().get(),
+            words);
+  EXPECT_EQ(words.rfind("At ", 0), 0U) << words;
+  EXPECT_NE(words.find("of the area touches and the mean gap is"),
+            std::string::npos);
+}
+
+// The half-width of the area is the correction of the counted area, and that of
+// the gap its certified bound.
+TEST_F(Answers, HaveIntervalsFromTheGridAndTheCertificate) {
+  results::MethodRecord& method = result.methods.back();
+  ASSERT_NE(method.kind, "theory");
+  results::CurvePoint& row = method.realizations.front().points[3];
+  row[columns::certified_gap_error] = 2e-9;
+  const AskedIntervals intervals(result, rough, method);
+  EXPECT_DOUBLE_EQ(intervals.of(row).area,
+                   std::abs(row.area_fraction - row.area_fraction_corrected));
+  EXPECT_GT(intervals.of(row).area, 0.0);
+  EXPECT_DOUBLE_EQ(intervals.of(row).gap, 2e-9);
+  EXPECT_EQ(parts_sentence(intervals.parts()),
+            "The intervals contain: grid of the area, solver.");
+}
+
+// Of a map, the short waves count, and what is not known is said.
+TEST_F(Answers, HaveIntervalsFromTheShortWavesOfAMap) {
+  rough.surface.kind = mechanics::SurfaceKind::measured;
+  const results::MethodRecord& method = result.methods.back();
+  const AskedIntervals intervals(result, rough, method);
+  const std::string words = parts_sentence(intervals.parts());
+  EXPECT_NE(words.find("short waves"), std::string::npos);
+  EXPECT_NE(words.find("; not: level and form, place and size of the map"),
+            std::string::npos)
+      << words;
+  const results::CurvePoint& row = method.realizations.front().points[3];
+  const double grid = std::abs(row.area_fraction - row.area_fraction_corrected);
+  EXPECT_GT(intervals.of(row).area, 1.02 * grid);
+  EXPECT_LT(intervals.of(row).area - grid, 0.5 * row.area_fraction);
+}
+
+TEST_F(Answers, StandWithoutVerdictsIfThereIsNoExpectation) {
+  rough.expectations.clear();
+  result.case_text = "";
+  write(result);
+  EXPECT_TRUE(page().select_nodes("//p[contains(@class, 'banner')]").empty());
+  EXPECT_FALSE(
+      page().select_nodes("//details[@id='constants']//table").empty());
+  EXPECT_EQ(text_of(folder / "report.html").find("no expectations"),
+            std::string::npos);
+}
+
+} // namespace asperity::reports::answers_test
