@@ -13,6 +13,7 @@ program is the one that $ASPERITY_PROGRAM names, else `asperity` on the path, el
 the checkout in which this file lies or from which pip has installed it.
 """
 import copy
+import html
 import importlib.metadata
 import json
 import os
@@ -109,6 +110,38 @@ class Method:
         for step, maps in group.get("0/fields", {}).items():
             self.fields[int(step)] = tuple(_map(maps, name, fields) for name in ("pressure", "gap"))
 
+    def table(self):
+        """The columns that were computed, as a dict from "mean_gap [m]" to an array with one number
+        per load step: pandas.DataFrame(method.table()) is a table. Several realisations follow each
+        other, with their number in the column "realization"."""
+        columns = {name: np.atleast_2d(getattr(self, name)) for name in self.columns}
+        n, length = columns["nominal_pressure"].shape
+        known = np.isfinite(columns["nominal_pressure"])
+        first = ["step", "nominal_pressure", "area_fraction", "area_fraction_corrected", "mean_gap"]
+        order = [name for name in first if name in columns]
+        order += [name for name in self.columns if name not in first]
+        table = {"realization": np.repeat(np.arange(n), length)[known.ravel()]} if n > 1 else {}
+        for name in order:
+            if np.isfinite(columns[name][known]).any():
+                unit = self.units[name]
+                table[f"{name} [{unit}]" if unit not in ("", "1") else name] = columns[name][known]
+        return table
+
+    def _repr_html_(self, most_rows=20):
+        """A small table in a notebook: without what the computation cost."""
+        others = {"step", "iterations", "residual", "status", "is_unloading", "transforms",
+                  "area_fraction_fit", "area_fraction_moment", "contact_perimeter [1/m]",
+                  "contact_energy [J/m^2]", "certified_gap_error [m]"}
+        table = {name: values for name, values in self.table().items()
+                 if name not in others and not name.endswith("_time [s]") and np.any(values != 0)}
+        rows = list(zip(*table.values()))
+        left = len(rows) - most_rows
+        lines = ["".join(f"<th>{html.escape(name)}</th>" for name in table)]
+        lines += ["".join(f"<td>{value:.4g}</td>" for value in row) for row in rows[:most_rows]]
+        return (f"<p>{html.escape(self.description or self.kind)}</p><table>"
+                + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
+                + (f"<p>and {left} more load steps</p>" if left > 0 else ""))
+
     def contact(self, step):
         """Which points of the maps of a step are in contact: a bool for each, [y, x]. With adhesion
         and for atoms those whose gap is closed, else those under pressure."""
@@ -176,6 +209,10 @@ class Result:
 
     def __iter__(self):
         return iter(self.methods)
+
+    def _repr_html_(self):
+        return "".join(f"<h4>{html.escape(name)}</h4>{method._repr_html_()}"
+                       for name, method in self.methods.items())
 
 
 class Sweep:
@@ -302,10 +339,11 @@ def run(case, out=None, methods=(), overrides=None, threads=0, report=False, fie
 
 
 def press(heights, length, contact_modulus, pressures, level="none", edges="periodic", threads=0,
-          fields="map"):
-    """Presses heights on an elastic half-space in hard contact without friction, by `run`.
-    Returns the Method, with arrays [step] of one number per pressure, and `fields[step]`, the
-    maps (pressure [Pa], gap [m]) in double precision, each [y, x].
+          fields="map", **tables):
+    """Presses heights on an elastic half-space, in hard contact without friction unless the tables
+    say more, by `run`. Returns the Method, with arrays [step] of one number per pressure,
+    `fields[step]`, the maps (pressure [Pa], gap [m]) in double precision, each [y, x], and
+    `result`, the Result that it is part of.
 
     heights          [m], an array [y, x] of square pixels; positive towards the half-space. Up to
                      5 % may be NaN, points that were not measured, which are interpolated
@@ -316,6 +354,12 @@ def press(heights, length, contact_modulus, pressures, level="none", edges="peri
     edges            periodic: the array is one cell; mirror: it continues by its mirror images;
                      free: it is pressed once, on an infinite half-space
     fields           map: the maps have the shape of the array; cell: with the mirror images
+    tables           further keys of the case, by table, with numbers in SI or texts with units:
+                     halfspace={"contact": "exponential", "work_of_adhesion": "50 mJ/m^2"} (pressures
+                     up and down again give the hysteresis), halfspace={"hardness": "2 GPa"},
+                     flow={"viscosity": "0.89 mPa s", "pressure_drop": "100 kPa"},
+                     conductance={"thermal_conductivity": 0.2, "counter_thermal_conductivity": 16},
+                     friction={"coefficient": 0.5}, material={"poisson_ratio": 0.3}
     """
     case = {"schema": 1, "title": "Heights from Python",
             "surface": {"heights": heights, "length": length, "level": level, "edges": edges},
@@ -323,7 +367,11 @@ def press(heights, length, contact_modulus, pressures, level="none", edges="peri
             "load": {"nominal_pressure": np.atleast_1d(pressures).tolist()},
             "halfspace": {"contact": "hard"},
             "report": {"fields": "all", "precision": "double"}}
-    contact = copy.copy(run(case, threads=threads, fields=fields)["halfspace"])
+    for name, table in tables.items():
+        case[name] = {**case.get(name, {}), **table}
+    result = run(case, threads=threads, fields=fields)
+    contact = copy.copy(result["halfspace"])
+    contact.result = result
     for name in contact.columns:
         setattr(contact, name, getattr(contact, name)[0])
     return contact

@@ -129,6 +129,20 @@ def check_press(asperity, folder):
     for shown, whole in zip(mirrored.fields[0], cell):
         assert whole.shape == (32, 64) and np.array_equal(whole[:16, :32], shown)
     assert mirrored.mean_gap == same.mean_gap
+    # A table has what was computed, with units, and a notebook shows it without the cost.
+    table = contact.table()
+    assert list(table)[1] == "nominal_pressure [Pa]" and np.array_equal(table["mean_gap [m]"], contact.mean_gap)
+    assert all(np.shape(column) == (3,) and np.isfinite(column).any() for column in table.values()), table
+    shown = contact._repr_html_() # pylint: disable=protected-access
+    assert shown.count("<tr>") == 4 and "nominal_pressure [Pa]" in shown and "cpu_time" not in shown, shown
+    # Further tables of the case: a hardness caps the pressure, and studies have columns and tables.
+    capped = asperity.press(heights, 1e-6, 2e9, 1e6, halfspace={"hardness": "3 MPa"},
+                            conductance={"thermal_conductivity": 0.2, "counter_thermal_conductivity": 16},
+                            flow={"viscosity": "0.89 mPa s", "pressure_drop": "100 kPa"})
+    assert capped.fields[0][0].max() <= 3e6 * (1 + 1e-9) and capped.result["halfspace"].mean_gap == capped.mean_gap
+    assert {"thermal_conductance [W/(m^2 K)]", "leak_rate_x [m^3/s]"} <= set(capped.table()), list(capped.table())
+    slip = asperity.press(heights, 1e-6, 2e9, 1e6, friction={"coefficient": 0.5}, material={"poisson_ratio": 0.3})
+    assert "stick_stiffness_x [Pa/m]" in slip.table(), list(slip.table())
     for wrong, words in ((heights[0], "[y, x]"), (heights * np.nan, "all points are missing")):
         try:
             asperity.press(wrong, 1e-6, 2e9, 1e6)
@@ -194,7 +208,7 @@ def check_installation(source, folder):
     script.write_text("#!/bin/sh\necho of the checkout\n")
     script.chmod(0o755)
     subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-deps", "--no-index",
-                    "--no-build-isolation", "--root-user-action=ignore", "--target",
+                    "--root-user-action=ignore", "--target",
                     folder / "site", folder / "a checkout/python"], check=True)
     environment = {**os.environ, "PYTHONPATH": str(folder / "site"), "PATH": "/no/such/folder"}
     del environment["ASPERITY_PROGRAM"]
