@@ -89,7 +89,7 @@ MeshStructure structure_of(const FullRequest& request) {
   const MeshKind kind = kind_of(request);
   const bool is_one = request.full.bodies == 1;
   if (is_one && kind == MeshKind::layers)
-    return MeshStructure::lattice;
+    return MeshStructure::box_grid;
   if (is_one && kind != MeshKind::gmsh)
     return MeshStructure::halved;
   const bool has_hexahedra =

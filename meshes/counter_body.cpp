@@ -30,8 +30,8 @@ struct BodyNode {
   }
 };
 
-/// The dimensions of the lattice of nodes and their places relative to the
-/// highest point.
+/// The dimensions of the grid of boxes of nodes and their places relative to
+/// the highest point.
 class BodyPlaces {
 public:
   explicit BodyPlaces(const CounterBody& body);

@@ -138,7 +138,8 @@ std::optional<FaceGroup> lateral_side_of(const BlockMesh& mesh,
 
 double contact_area(const BlockMesh& mesh) {
   const std::size_t n = vertices_per_facet(mesh.shape);
-  // Around a quadrilateral, whose vertices are numbered as those of a lattice.
+  // Around a quadrilateral, whose vertices are numbered as those of a grid of
+  // boxes.
   constexpr std::array<std::size_t, 4> around{0, 1, 3, 2};
   double area = 0.0;
   for (const BoundaryFace& face : mesh.faces) {

@@ -9,7 +9,7 @@ namespace asperity::meshes {
 namespace {
 
 /// Numbers the vertices of a block of n_x * n_y * n_z cells.
-struct Lattice {
+struct VertexGrid {
   unsigned int n_x = 1, n_y = 1, n_z = 1;
 
   unsigned int operator()(unsigned int i, unsigned int j,
@@ -38,7 +38,7 @@ double step(unsigned int i, unsigned int n, double length) {
   return length * (static_cast<double>(i) / static_cast<double>(n));
 }
 
-void add_vertices(BlockMesh& mesh, const Lattice& at,
+void add_vertices(BlockMesh& mesh, const VertexGrid& at,
                   const std::vector<double>& thickness) {
   mesh.vertices.reserve(at(at.n_x, at.n_y, at.n_z) + std::size_t{1});
   double z = 0.0;
@@ -52,7 +52,7 @@ void add_vertices(BlockMesh& mesh, const Lattice& at,
   }
 }
 
-void add_cells(BlockMesh& mesh, const Lattice& at) {
+void add_cells(BlockMesh& mesh, const VertexGrid& at) {
   mesh.cells.reserve(std::size_t{at.n_x} * at.n_y * at.n_z);
   for (unsigned int k = 0; k < at.n_z; ++k)
     for (unsigned int j = 0; j < at.n_y; ++j)
@@ -64,7 +64,7 @@ void add_cells(BlockMesh& mesh, const Lattice& at) {
   mesh.cell_group.assign(mesh.cells.size(), 0);
 }
 
-void add_faces(BlockMesh& mesh, const Lattice& at) {
+void add_faces(BlockMesh& mesh, const VertexGrid& at) {
   for (unsigned int j = 0; j < at.n_y; ++j)
     for (unsigned int i = 0; i < at.n_x; ++i)
       for (const unsigned int k : {0U, at.n_z})
@@ -94,7 +94,7 @@ BlockMesh layered_mesh(const Grid& face, const std::vector<double>& thickness) {
   mesh.length_x = face.length_x;
   mesh.length_y = face.length_y;
   mesh.depth = std::accumulate(thickness.begin(), thickness.end(), 0.0);
-  const Lattice at{static_cast<unsigned int>(face.points_x),
+  const VertexGrid at{static_cast<unsigned int>(face.points_x),
                    static_cast<unsigned int>(face.points_y),
                    static_cast<unsigned int>(thickness.size())};
 

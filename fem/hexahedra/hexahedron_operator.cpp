@@ -2,7 +2,7 @@
 
 #include "base/ranks/rank_sums.hpp"
 #include "fem/hexahedra/hexahedron_kernel.hpp"
-#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/box_grid.hpp"
 
 #include <algorithm>
 #include <array>

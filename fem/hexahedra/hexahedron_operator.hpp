@@ -5,7 +5,7 @@
 
 #include "fem/hexahedra/cell_tangents.hpp"
 #include "fem/hexahedra/hexahedron_kernel.hpp"
-#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/box_grid.hpp"
 #include "fem/multigrid/mesh_operator.hpp"
 
 #include <array>

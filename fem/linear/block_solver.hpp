@@ -26,7 +26,7 @@ inline constexpr unsigned int most_unknowns_of_last_resort = 50000;
 inline constexpr int most_steps_without_direct = 3000;
 
 /// Solves by one BlockInverse: the direct one or algebraic multigrid
-/// (assembled_block.hpp), or one without a matrix (LatticeBlock, MeshBlock).
+/// (assembled_block.hpp), or one without a matrix (BoxGridBlock, MeshBlock).
 /// Flat cells next to a large contrast of moduli can make any preconditioner
 /// useless. The direct solver then goes on, if the block is not too large for
 /// it.

@@ -11,16 +11,16 @@ BlockSolverKind solver_of(const BlockTraits& block) {
   if (block.is_nonlinear)
     return block.structure == MeshStructure::hexahedra
                ? BlockSolverKind::hexahedra
-               : BlockSolverKind::halved; // a lattice has no halvings
+               : BlockSolverKind::halved; // a grid of boxes has no halvings
   if (block.requested == LinearSolver::direct)
     return BlockSolverKind::direct;
   const bool is_automatic = block.requested == LinearSolver::automatic;
-  const bool is_lattice = block.structure == MeshStructure::lattice;
+  const bool is_box_grid = block.structure == MeshStructure::box_grid;
   if (is_automatic && block.unknowns <= most_direct_unknowns &&
-      !(is_lattice && block.ranks > 1))
+      !(is_box_grid && block.ranks > 1))
     return BlockSolverKind::direct;
-  if (is_lattice && (block.is_compressible || !is_automatic))
-    return BlockSolverKind::lattice;
+  if (is_box_grid && (block.is_compressible || !is_automatic))
+    return BlockSolverKind::box_grid;
   if (block.is_compressible && block.structure == MeshStructure::halved)
     return BlockSolverKind::halved;
   if (block.is_compressible && block.structure == MeshStructure::hexahedra)

@@ -12,7 +12,7 @@ namespace asperity::fem {
 using mechanics::LinearSolver;
 
 /// LinearSolver::automatic uses the direct solver up to this number of
-/// unknowns. On several ranks a lattice is never too small for multigrid.
+/// unknowns. On several ranks a grid of boxes is never too small for multigrid.
 inline constexpr double most_direct_unknowns = 500;
 
 /// The same above a Poisson's ratio of 0.49, on one rank: multigrid may need
@@ -26,15 +26,15 @@ inline constexpr double most_direct_stiff_unknowns_on_ranks = 2000;
 enum class BlockSolverKind {
   direct,    ///< sparse factorisation
   algebraic, ///< conjugate gradients with multigrid from the matrix
-  lattice,   ///< geometric multigrid on a lattice of boxes
+  box_grid,  ///< geometric multigrid on a grid of boxes
   halved,    ///< multigrid without a matrix on boxes that are halved from one
   hexahedra  ///< the same for other second-order hexahedra
 };
 
 /// What a mesh permits besides a matrix.
 enum class MeshStructure {
-  lattice,   ///< equal columns of boxes
-  halved,    ///< boxes halved from a lattice, one body
+  box_grid,  ///< equal columns of boxes
+  halved,    ///< boxes halved from a grid of boxes, one body
   hexahedra, ///< second-order, one body or a counter-body with a mesh
   other
 };

@@ -19,7 +19,7 @@ std::array<double, 3> shapes_at(int degree, double x) {
 
 } // namespace
 
-double LatticeAxis::node(std::size_t number) const {
+double BoxGridAxis::node(std::size_t number) const {
   const auto own = static_cast<std::size_t>(degree);
   const std::size_t cell = std::min(number / own, cells() - 1);
   const double share =
@@ -27,14 +27,14 @@ double LatticeAxis::node(std::size_t number) const {
   return sides[cell] + share * (sides[cell + 1] - sides[cell]);
 }
 
-std::size_t LatticeAxis::cell_at(double place) const {
+std::size_t BoxGridAxis::cell_at(double place) const {
   const double rounding = smallest_weight * sides.back();
   const auto side =
       std::lower_bound(sides.begin() + 1, sides.end() - 1, place - rounding);
   return static_cast<std::size_t>(side - sides.begin()) - 1;
 }
 
-SparseRows interpolation(const LatticeAxis& coarse, const LatticeAxis& fine) {
+SparseRows interpolation(const BoxGridAxis& coarse, const BoxGridAxis& fine) {
   SparseRows result;
   const auto own = static_cast<std::size_t>(coarse.degree);
   for (std::size_t number = 0; number < fine.nodes(); ++number) {
@@ -55,8 +55,8 @@ SparseRows interpolation(const LatticeAxis& coarse, const LatticeAxis& fine) {
   return result;
 }
 
-std::vector<std::size_t> nearest_fine(const LatticeAxis& coarse,
-                                      const LatticeAxis& fine) {
+std::vector<std::size_t> nearest_fine(const BoxGridAxis& coarse,
+                                      const BoxGridAxis& fine) {
   std::vector<std::size_t> nearest;
   const auto own = static_cast<std::size_t>(fine.degree);
   for (std::size_t number = 0; number < coarse.nodes(); ++number) {
@@ -71,7 +71,7 @@ std::vector<std::size_t> nearest_fine(const LatticeAxis& coarse,
   return nearest;
 }
 
-SparseRows coverage(const LatticeAxis& coarse, const LatticeAxis& fine) {
+SparseRows coverage(const BoxGridAxis& coarse, const BoxGridAxis& fine) {
   SparseRows result;
   for (std::size_t cell = 0; cell < coarse.cells(); ++cell) {
     const double low = coarse.sides[cell], high = coarse.sides[cell + 1];

@@ -1,7 +1,7 @@
 #pragma once
 
-// Interpolation between the nodes of a coarse and a fine lattice, one axis at a
-// time.
+// Interpolation between the nodes of a coarse and a fine grid of boxes, one
+// axis at a time.
 
 #include "fem/multigrid/sparse_rows.hpp"
 
@@ -11,7 +11,7 @@
 namespace asperity::fem {
 
 /// One axis: the places of the cells' sides, increasing from 0.
-struct LatticeAxis {
+struct BoxGridAxis {
   int degree = 1;
   bool is_periodic = false;
   std::vector<double> sides;
@@ -30,15 +30,15 @@ struct LatticeAxis {
 };
 
 /// The values of the coarse shape functions at the fine nodes: a row per fine
-/// node, a column per coarse node. The lattices need not be nested.
-SparseRows interpolation(const LatticeAxis& coarse, const LatticeAxis& fine);
+/// node, a column per coarse node. The grids of boxes need not be nested.
+SparseRows interpolation(const BoxGridAxis& coarse, const BoxGridAxis& fine);
 
 /// The fine node nearest to each coarse node.
-std::vector<std::size_t> nearest_fine(const LatticeAxis& coarse,
-                                      const LatticeAxis& fine);
+std::vector<std::size_t> nearest_fine(const BoxGridAxis& coarse,
+                                      const BoxGridAxis& fine);
 
 /// The part of each coarse cell that each fine cell covers: a row per coarse
 /// cell, with sum 1.
-SparseRows coverage(const LatticeAxis& coarse, const LatticeAxis& fine);
+SparseRows coverage(const BoxGridAxis& coarse, const BoxGridAxis& fine);
 
 } // namespace asperity::fem

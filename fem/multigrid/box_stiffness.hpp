@@ -3,7 +3,7 @@
 // Stiffness matrices of a box-shaped cell and the small blocks into which the
 // reflections of the box split them.
 
-#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/box_grid.hpp"
 
 #include <array>
 #include <cstddef>

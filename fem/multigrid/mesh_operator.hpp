@@ -11,7 +11,7 @@
 namespace asperity::fem {
 
 /// K on vectors of all unknowns. A derived class owns the loop over the cells
-/// and the data that it reads: LatticeOperator for equal columns of boxes,
+/// and the data that it reads: BoxGridOperator for equal columns of boxes,
 /// BoxOperator for boxes of any size, HexahedronOperator for second-order
 /// hexahedra of any shape. Each rank has the cells of its own. Forces are zero
 /// at constrained unknowns and those of other ranks. Calls are collective.

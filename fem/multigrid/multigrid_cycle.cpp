@@ -1,9 +1,9 @@
 #include "fem/multigrid/multigrid_cycle.hpp"
 
+#include "fem/multigrid/box_grid_levels.hpp"
+#include "fem/multigrid/box_grid_operator.hpp"
+#include "fem/multigrid/box_grid_transfer.hpp"
 #include "fem/multigrid/box_stiffness.hpp"
-#include "fem/multigrid/lattice_levels.hpp"
-#include "fem/multigrid/lattice_operator.hpp"
-#include "fem/multigrid/lattice_transfer.hpp"
 #include "fem/multigrid/rigid_modes.hpp"
 
 #include <Eigen/Cholesky>
@@ -13,18 +13,18 @@
 
 namespace asperity::fem {
 
-struct CoarsestLattice::Factors {
+struct CoarsestBoxGrid::Factors {
   Eigen::MatrixXd stiffness; ///< without contact
   Eigen::LDLT<Eigen::MatrixXd> inverse;
   Eigen::VectorXd vector;
 };
 
-CoarsestLattice::CoarsestLattice(const BoxLattice& lattice)
-    : force(NodeLayout(lattice).size()),
+CoarsestBoxGrid::CoarsestBoxGrid(const BoxGrid& box_grid)
+    : force(NodeLayout(box_grid).size()),
       displacement(force.size()),
-      lattice_(lattice),
-      layout_(lattice),
-      constraints_(unknowns_of(lattice, LatticeSlab(lattice)).constraints),
+      box_grid_(box_grid),
+      layout_(box_grid),
+      constraints_(unknowns_of(box_grid, BoxGridSlab(box_grid)).constraints),
       numbers_(force.size()),
       factors_(std::make_unique<Factors>()) {
   for (int k = 0; k < static_cast<int>(layout_.planes()); ++k)
@@ -38,28 +38,29 @@ CoarsestLattice::CoarsestLattice(const BoxLattice& lattice)
   assemble();
 }
 
-CoarsestLattice::~CoarsestLattice() = default;
+CoarsestBoxGrid::~CoarsestBoxGrid() = default;
 
-void CoarsestLattice::assemble() {
+void CoarsestBoxGrid::assemble() {
   const auto size = static_cast<Eigen::Index>(places_.size());
   Eigen::MatrixXd& matrix = factors_->stiffness;
   matrix.setZero(size, size);
-  const int degree = lattice_.degree;
+  const int degree = box_grid_.degree;
   std::vector<std::size_t> rows;
-  for (int layer = 0; layer < lattice_.layers(); ++layer)
-    for (int y = 0; y < lattice_.cells_y; ++y)
-      for (int x = 0; x < lattice_.cells_x; ++x) {
-        const std::vector<double> cell = box_stiffness(
-            degree, lattice_.cell_size(layer), lattice_.moduli_of(x, y, layer));
+  for (int layer = 0; layer < box_grid_.layers(); ++layer)
+    for (int y = 0; y < box_grid_.cells_y; ++y)
+      for (int x = 0; x < box_grid_.cells_x; ++x) {
+        const std::vector<double> cell =
+            box_stiffness(degree, box_grid_.cell_size(layer),
+                          box_grid_.moduli_of(x, y, layer));
         rows.clear();
         for (int c = 0; c < 3; ++c)
           for (int k = 0; k <= degree; ++k)
             for (int j = 0; j <= degree; ++j)
               for (int i = 0; i <= degree; ++i) {
                 const int wrap_x =
-                    lattice_.is_periodic ? layout_.nodes_x() : 1 << 30;
+                    box_grid_.is_periodic ? layout_.nodes_x() : 1 << 30;
                 const int wrap_y =
-                    lattice_.is_periodic ? layout_.nodes_y() : 1 << 30;
+                    box_grid_.is_periodic ? layout_.nodes_y() : 1 << 30;
                 rows.push_back(numbers_[layout_.index((degree * x + i) % wrap_x,
                                                       (degree * y + j) % wrap_y,
                                                       degree * layer + k, c)]);
@@ -72,7 +73,7 @@ void CoarsestLattice::assemble() {
       }
 }
 
-void CoarsestLattice::set_contact(const MeshContact& contact) {
+void CoarsestBoxGrid::set_contact(const MeshContact& contact) {
   Eigen::MatrixXd matrix = factors_->stiffness;
   const double scale = matrix.diagonal().mean();
   const auto row_of = [&](std::size_t number) {
@@ -83,7 +84,7 @@ void CoarsestLattice::set_contact(const MeshContact& contact) {
     for (std::size_t i = springs.start[row]; i < springs.start[row + 1]; ++i)
       matrix(row_of(row), row_of(springs.column[i])) += springs.weight[i];
   for (const auto& mode :
-       rigid_modes(lattice_, LatticeSlab(lattice_), !contact.is_free())) {
+       rigid_modes(box_grid_, BoxGridSlab(box_grid_), !contact.is_free())) {
     Eigen::VectorXd values(matrix.rows());
     for (std::size_t i = 0; i < places_.size(); ++i)
       values[static_cast<Eigen::Index>(i)] = mode[places_[i]];
@@ -103,7 +104,7 @@ void CoarsestLattice::set_contact(const MeshContact& contact) {
   factors_->inverse.compute(matrix);
 }
 
-void CoarsestLattice::solve() {
+void CoarsestBoxGrid::solve() {
   factors_->vector.resize(static_cast<Eigen::Index>(places_.size()));
   for (std::size_t i = 0; i < places_.size(); ++i)
     factors_->vector[static_cast<Eigen::Index>(i)] =
@@ -114,7 +115,7 @@ void CoarsestLattice::solve() {
         static_cast<float>(factors_->vector[static_cast<Eigen::Index>(i)]);
 }
 
-std::size_t CoarsestLattice::bytes() const {
+std::size_t CoarsestBoxGrid::bytes() const {
   return 2 * places_.size() * places_.size() * sizeof(double);
 }
 
@@ -124,23 +125,23 @@ void MultigridCycle::add_level(std::unique_ptr<LevelTransfer> transfer,
   levels_.push_back(std::move(level));
 }
 
-void MultigridCycle::add_lattices(std::unique_ptr<LevelTransfer> transfer,
-                                  BoxLattice lattice, LatticeSlab slab) {
-  while (has_coarser(lattice)) {
-    auto stiffness = std::make_unique<LatticeOperator<float>>(
-        lattice, slab, unknowns_of(lattice, slab));
+void MultigridCycle::add_box_grids(std::unique_ptr<LevelTransfer> transfer,
+                                   BoxGrid box_grid, BoxGridSlab slab) {
+  while (has_coarser(box_grid)) {
+    auto stiffness = std::make_unique<BoxGridOperator<float>>(
+        box_grid, slab, unknowns_of(box_grid, slab));
     const std::vector<double> diagonal = stiffness->diagonal();
     const double bound = stiffness->jacobi_bound();
     add_level(std::move(transfer), std::make_unique<SmoothedLevel>(
                                        std::move(stiffness), diagonal, bound));
-    BoxLattice next = coarser(lattice);
-    LatticeSlab rows = next_slab(lattice, slab, next);
-    transfer = std::make_unique<LatticeTransfer>(lattice, slab, next, rows);
-    lattice = std::move(next);
+    BoxGrid next = coarser(box_grid);
+    BoxGridSlab rows = next_slab(box_grid, slab, next);
+    transfer = std::make_unique<BoxGridTransfer>(box_grid, slab, next, rows);
+    box_grid = std::move(next);
     slab = std::move(rows);
   }
   transfers_.push_back(std::move(transfer));
-  coarsest_ = std::make_unique<CoarsestLattice>(lattice);
+  coarsest_ = std::make_unique<CoarsestBoxGrid>(box_grid);
 }
 
 void MultigridCycle::set_contact(const MeshContact& contact) {
@@ -191,9 +192,9 @@ std::size_t MultigridCycle::bytes() const {
   return bytes;
 }
 
-LatticeSlab next_slab(const BoxLattice& lattice, const LatticeSlab& slab,
-                      const BoxLattice& next) {
-  return has_coarser(next) ? coarser(lattice, slab, next) : LatticeSlab(next);
+BoxGridSlab next_slab(const BoxGrid& box_grid, const BoxGridSlab& slab,
+                      const BoxGrid& next) {
+  return has_coarser(next) ? coarser(box_grid, slab, next) : BoxGridSlab(next);
 }
 
 } // namespace asperity::fem

@@ -1,6 +1,6 @@
 #include "fem/multigrid/rigid_modes.hpp"
 
-#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/box_grid_levels.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -26,22 +26,22 @@ std::array<double, 3> velocity(RigidMotion motion, double x, double y) {
 
 } // namespace
 
-std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
-                                             const LatticeSlab& slab,
+std::vector<std::vector<double>> rigid_modes(const BoxGrid& box_grid,
+                                             const BoxGridSlab& slab,
                                              bool has_contact) {
-  if (!lattice.is_periodic && !lattice.holds_normal)
+  if (!box_grid.is_periodic && !box_grid.holds_normal)
     throw std::domain_error("a block with free sides whose far boundary does "
                             "not hold u_z can tilt");
   std::vector<RigidMotion> motions;
-  if (!lattice.holds_lateral)
+  if (!box_grid.holds_lateral)
     motions = {RigidMotion::shift_x, RigidMotion::shift_y};
-  if (!lattice.holds_lateral && !lattice.is_periodic)
+  if (!box_grid.holds_lateral && !box_grid.is_periodic)
     motions.push_back(RigidMotion::turn);
-  if (!lattice.holds_normal && !has_contact)
+  if (!box_grid.holds_normal && !has_contact)
     motions.push_back(RigidMotion::shift_z);
-  const auto axes = axes_of(lattice);
-  const NodeLayout layout = slab.layout(lattice);
-  const std::size_t first = static_cast<std::size_t>(lattice.degree) *
+  const auto axes = axes_of(box_grid);
+  const NodeLayout layout = slab.layout(box_grid);
+  const std::size_t first = static_cast<std::size_t>(box_grid.degree) *
                             static_cast<std::size_t>(slab.first());
   std::vector<std::vector<double>> modes;
   for (const RigidMotion motion : motions) {
@@ -50,11 +50,11 @@ std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
       for (int j = 0; j < layout.nodes_y(); ++j)
         for (int i = 0; i < layout.nodes_x(); ++i) {
           const double x =
-              axes[0].node(static_cast<std::size_t>(i)) / lattice.length_x -
+              axes[0].node(static_cast<std::size_t>(i)) / box_grid.length_x -
               0.5;
           const double y = (axes[1].node(first + static_cast<std::size_t>(j)) -
-                            0.5 * lattice.length_y) /
-                           lattice.length_x;
+                            0.5 * box_grid.length_y) /
+                           box_grid.length_x;
           const auto own = velocity(motion, x, y);
           for (int c = 0; c < 3; ++c)
             mode[layout.index(i, j, k, c)] = own[static_cast<std::size_t>(c)];

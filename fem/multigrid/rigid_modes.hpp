@@ -1,9 +1,9 @@
 #pragma once
 
-// The rigid motions that the supports of a lattice permit.
+// The rigid motions that the supports of a grid of boxes permit.
 
-#include "fem/multigrid/box_lattice.hpp"
-#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/box_grid.hpp"
+#include "fem/multigrid/box_grid_slab.hpp"
 
 #include <vector>
 
@@ -16,8 +16,7 @@ namespace asperity::fem {
 /// without images.
 /// @throws std::domain_error  the block can tilt: its sides are free and the
 ///                            far boundary does not hold u_z
-std::vector<std::vector<double>> rigid_modes(const BoxLattice& lattice,
-                                             const LatticeSlab& slab,
-                                             bool has_contact);
+std::vector<std::vector<double>>
+rigid_modes(const BoxGrid& box_grid, const BoxGridSlab& slab, bool has_contact);
 
 } // namespace asperity::fem

@@ -138,13 +138,13 @@ constexpr std::uint32_t no_index = UINT32_MAX;
 /// The nodes of halved boxes by their places.
 class BoxNodes {
 public:
-  BoxNodes(const BoxLattice& lattice, const std::vector<BoxCell>& cells)
-      : is_periodic_(lattice.is_periodic) {
+  BoxNodes(const BoxGrid& box_grid, const std::vector<BoxCell>& cells)
+      : is_periodic_(box_grid.is_periodic) {
     for (const BoxCell& cell : cells)
       depth_ = std::max(depth_, cell.level);
-    extent_ = {static_cast<std::uint32_t>(lattice.cells_x) << depth_,
-               static_cast<std::uint32_t>(lattice.cells_y) << depth_,
-               static_cast<std::uint32_t>(lattice.layers()) << depth_};
+    extent_ = {static_cast<std::uint32_t>(box_grid.cells_x) << depth_,
+               static_cast<std::uint32_t>(box_grid.cells_y) << depth_,
+               static_cast<std::uint32_t>(box_grid.layers()) << depth_};
     for (const std::uint32_t along : extent_)
       if (along >= 1U << bits)
         throw std::length_error("a mesh has too many cells along an axis");
@@ -253,13 +253,13 @@ private:
   std::vector<std::vector<std::uint32_t>> masters_;
 };
 
-UnknownConstraints constraints_of(const BoxLattice& lattice,
+UnknownConstraints constraints_of(const BoxGrid& box_grid,
                                   const BoxNodes& nodes,
                                   const std::vector<BoxCell>& cells) {
   const HangingNodes hanging(nodes, cells);
   const auto is_held = [&](std::uint32_t node, std::size_t component) {
     return nodes.is_far(node) &&
-           (component < 2 ? lattice.holds_lateral : lattice.holds_normal);
+           (component < 2 ? box_grid.holds_lateral : box_grid.holds_normal);
   };
   UnknownConstraints found;
   std::map<std::uint32_t, double> masters;
@@ -288,19 +288,19 @@ BoxCell parent_of_box(const BoxCell& cell) {
 
 } // namespace
 
-bool HalvedBoxes::is_lattice() const {
+bool HalvedBoxes::is_box_grid() const {
   return std::ranges::all_of(
       cells, [](const BoxCell& cell) { return cell.level == 0; });
 }
 
-HalvedBoxes merged(const BoxLattice& lattice, const HalvedBoxes& boxes,
+HalvedBoxes merged(const BoxGrid& box_grid, const HalvedBoxes& boxes,
                    std::vector<std::uint32_t>& merged_in) {
   std::vector<MeshPlan::Wish> wishes;
   wishes.reserve(boxes.cells.size());
   for (const BoxCell& cell : boxes.cells)
     wishes.push_back({cell, CellChange::coarsen});
-  const MeshPlan plan({lattice.cells_x, lattice.cells_y, lattice.layers()},
-                      lattice.is_periodic, wishes);
+  const MeshPlan plan({box_grid.cells_x, box_grid.cells_y, box_grid.layers()},
+                      box_grid.is_periodic, wishes);
   if (plan.count().coarsened == 0)
     throw std::logic_error("the cells of a mesh do not merge");
   HalvedBoxes result;
@@ -325,30 +325,30 @@ HalvedBoxes merged(const BoxLattice& lattice, const HalvedBoxes& boxes,
   return result;
 }
 
-std::array<double, 3> edges_of(const BoxLattice& lattice, const BoxCell& cell) {
+std::array<double, 3> edges_of(const BoxGrid& box_grid, const BoxCell& cell) {
   std::array<double, 3> edges =
-      lattice.cell_size(cell.place[2] / (1 << cell.level));
+      box_grid.cell_size(cell.place[2] / (1 << cell.level));
   for (double& edge : edges)
     edge /= 1 << cell.level;
   return edges;
 }
 
-BoxLevel::BoxLevel(const BoxLattice& lattice, HalvedBoxes own)
+BoxLevel::BoxLevel(const BoxGrid& box_grid, HalvedBoxes own)
     : boxes(std::move(own)) {
-  const BoxNodes nodes(lattice, boxes.cells);
+  const BoxNodes nodes(box_grid, boxes.cells);
   std::vector<std::uint32_t> corners;
   corners.reserve(nodes_in_box * (boxes.cells.size() + boxes_in_group));
   for (const BoxCell& cell : boxes.cells) {
     for (std::uint32_t v = 0; v < nodes_in_box; ++v)
       corners.push_back(
           3 * nodes.number(nodes.at(cell, {v & 1U, v >> 1U & 1U, v >> 2U}, 1)));
-    mesh.edges.push_back(edges_of(lattice, cell));
+    mesh.edges.push_back(edges_of(box_grid, cell));
   }
   mesh.nodes = shared_nodes(std::move(corners));
   mesh.moduli = boxes.moduli;
   mesh.unknowns.size = 3 * nodes.size();
   mesh.unknowns.constraints = std::make_shared<const UnknownConstraints>(
-      constraints_of(lattice, nodes, boxes.cells));
+      constraints_of(box_grid, nodes, boxes.cells));
 }
 
 bool BoxLevel::is_constrained(std::size_t unknown) const {

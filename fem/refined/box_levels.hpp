@@ -3,7 +3,7 @@
 // Coarser and coarser meshes for a mesh of halved boxes. This file does not
 // depend on deal.II.
 
-#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/box_grid.hpp"
 #include "fem/multigrid/mesh_operator.hpp"
 #include "fem/refined/box_kernel.hpp"
 #include "fem/refined/mesh_plan.hpp"
@@ -65,35 +65,36 @@ private:
 extern template class BoxOperator<float>;
 extern template class BoxOperator<double>;
 
-/// Boxes that are halved from the cells of a lattice, and their moduli.
+/// Boxes that are halved from the cells of a grid of boxes, and their moduli.
 struct HalvedBoxes {
   std::vector<BoxCell> cells;
   std::vector<CellModuli> moduli;
 
-  /// Whether all cells are those of the lattice.
-  bool is_lattice() const;
+  /// Whether all cells are those of the grid of boxes.
+  bool is_box_grid() const;
 };
 
 /// The boxes after merging all those that may merge.
-/// @param lattice    the coarsest cells; its moduli are not used
+/// @param grid of boxes    the coarsest cells; its moduli are not used
 /// @param merged_in  receives the number of the new cell that covers each cell
 /// @throws std::logic_error  nothing can merge
-HalvedBoxes merged(const BoxLattice& lattice, const HalvedBoxes& boxes,
+HalvedBoxes merged(const BoxGrid& box_grid, const HalvedBoxes& boxes,
                    std::vector<std::uint32_t>& merged_in);
 
 /// The edges of a cell.
-std::array<double, 3> edges_of(const BoxLattice& lattice, const BoxCell& cell);
+std::array<double, 3> edges_of(const BoxGrid& box_grid, const BoxCell& cell);
 
 /// First-order functions on halved boxes with hanging nodes, periodic or free
-/// sides, and the far boundary that the lattice holds. Periodic images are the
-/// same node. Nodes are numbered by their places, x fastest, then y and z.
+/// sides, and the far boundary that the grid of boxes holds. Periodic images
+/// are the same node. Nodes are numbered by their places, x fastest, then y and
+/// z.
 struct BoxLevel {
-  BoxLevel(const BoxLattice& lattice, HalvedBoxes own);
+  BoxLevel(const BoxGrid& box_grid, HalvedBoxes own);
 
   bool is_constrained(std::size_t unknown) const;
 
   HalvedBoxes boxes;
-  BoxMesh mesh; ///< in the units of the lattice
+  BoxMesh mesh; ///< in the units of the grid of boxes
 };
 
 } // namespace asperity::fem

@@ -1,8 +1,8 @@
 #include "fem/refined/refined_block.hpp"
 
 #include "base/ranks/rank_sums.hpp"
+#include "fem/linear/box_grid_block.hpp"
 #include "fem/linear/hexahedron_block.hpp"
-#include "fem/linear/lattice_block.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,27 +14,27 @@
 namespace asperity::fem {
 namespace {
 
-/// The lattice with the moduli of the cells, all of which are its own.
-BoxLattice with_moduli(BoxLattice lattice, const HalvedBoxes& boxes) {
-  const auto rows = static_cast<std::size_t>(lattice.cells_y);
-  const auto columns = static_cast<std::size_t>(lattice.cells_x);
-  lattice.moduli.resize(boxes.cells.size());
+/// The grid of boxes with the moduli of the cells, all of which are its own.
+BoxGrid with_moduli(BoxGrid box_grid, const HalvedBoxes& boxes) {
+  const auto rows = static_cast<std::size_t>(box_grid.cells_y);
+  const auto columns = static_cast<std::size_t>(box_grid.cells_x);
+  box_grid.moduli.resize(boxes.cells.size());
   for (std::size_t i = 0; i < boxes.cells.size(); ++i) {
     const auto& at = boxes.cells[i].place;
-    lattice.moduli[(static_cast<std::size_t>(at[2]) * rows +
-                    static_cast<std::size_t>(at[1])) *
-                       columns +
-                   static_cast<std::size_t>(at[0])] = boxes.moduli[i];
+    box_grid.moduli[(static_cast<std::size_t>(at[2]) * rows +
+                     static_cast<std::size_t>(at[1])) *
+                        columns +
+                    static_cast<std::size_t>(at[0])] = boxes.moduli[i];
   }
-  return lattice;
+  return box_grid;
 }
 
-/// u_x of the vertices of the cells of a lattice in its vectors.
-std::vector<std::uint32_t> vertices_of(const BoxLattice& lattice,
+/// u_x of the vertices of the cells of a grid of boxes in its vectors.
+std::vector<std::uint32_t> vertices_of(const BoxGrid& box_grid,
                                        const std::vector<BoxCell>& cells) {
-  const NodeLayout layout(lattice);
+  const NodeLayout layout(box_grid);
   const auto wrapped = [&](int place, int nodes) {
-    return lattice.is_periodic ? place % nodes : place;
+    return box_grid.is_periodic ? place % nodes : place;
   };
   std::vector<std::uint32_t> vertices;
   vertices.reserve(nodes_in_box * cells.size());
@@ -59,23 +59,23 @@ std::vector<bool> free_nodes(const BoxLevel& level) {
 
 } // namespace
 
-void add_coarser_boxes(const BoxLattice& lattice, HalvedBoxes boxes,
+void add_coarser_boxes(const BoxGrid& box_grid, HalvedBoxes boxes,
                        FinestNodes finest, bool is_second_order,
                        MultigridCycle& cycle) {
   std::vector<std::uint32_t> coarse_of;
-  if (is_second_order || boxes.is_lattice()) {
+  if (is_second_order || boxes.is_box_grid()) {
     coarse_of.resize(boxes.cells.size());
     std::iota(coarse_of.begin(), coarse_of.end(), 0U);
   } else {
-    boxes = merged(lattice, boxes, coarse_of);
+    boxes = merged(box_grid, boxes, coarse_of);
   }
   NodeInterpolation::Fine fine{
       finest.cells,
       std::span(coarse_of).subspan(finest.first, finest.cells.cells.size()),
       std::move(finest.is_wanted), finest.ghosts};
   std::unique_ptr<BoxLevel> level; // to which `fine` refers
-  while (!boxes.is_lattice()) {
-    auto next = std::make_unique<BoxLevel>(lattice, std::move(boxes));
+  while (!boxes.is_box_grid()) {
+    auto next = std::make_unique<BoxLevel>(box_grid, std::move(boxes));
     const BoxMesh& mesh = next->mesh;
     const NodesOfCells cells{*mesh.nodes, 2, next->boxes.cells};
     cycle.add_level(std::make_unique<NodeInterpolation>(std::move(fine), cells,
@@ -83,35 +83,35 @@ void add_coarser_boxes(const BoxLattice& lattice, HalvedBoxes boxes,
                     std::make_unique<SmoothedLevel>(
                         std::make_unique<BoxOperator<float>>(mesh),
                         diagonal_of(mesh), no_bound));
-    boxes = merged(lattice, next->boxes, coarse_of);
+    boxes = merged(box_grid, next->boxes, coarse_of);
     fine = {cells, coarse_of, free_nodes(*next), nullptr};
     level = std::move(next);
   }
-  const BoxLattice coarsest = with_moduli(lattice, boxes);
-  const LatticeSlab all_rows(coarsest);
+  const BoxGrid coarsest = with_moduli(box_grid, boxes);
+  const BoxGridSlab all_rows(coarsest);
   const std::vector<std::uint32_t> vertices =
       vertices_of(coarsest, boxes.cells);
-  cycle.add_lattices(std::make_unique<NodeInterpolation>(
-                         std::move(fine),
-                         NodesOfCells{vertices, 2, boxes.cells},
-                         unknowns_of(coarsest, all_rows)),
-                     coarsest, all_rows);
+  cycle.add_box_grids(std::make_unique<NodeInterpolation>(
+                          std::move(fine),
+                          NodesOfCells{vertices, 2, boxes.cells},
+                          unknowns_of(coarsest, all_rows)),
+                      coarsest, all_rows);
 }
 
 namespace {
 
-/// The lattice of the coarsest cells.
-std::optional<BoxLattice> coarsest_lattice(const BlockProblem& problem) {
+/// The grid of boxes of the coarsest cells.
+std::optional<BoxGrid> coarsest_box_grid(const BlockProblem& problem) {
   BlockProblem coarsest = problem;
   coarsest.mesh.refine_below.clear();
   coarsest.degree = 1;
-  return box_lattice(coarsest);
+  return box_grid(coarsest);
 }
 
 /// The cells of this rank.
-HalvedBoxes own_boxes(const BoxLattice& lattice, const BlockSystem& system) {
-  std::vector<double> bottoms(lattice.thickness.size());
-  std::partial_sum(lattice.thickness.begin(), lattice.thickness.end(),
+HalvedBoxes own_boxes(const BoxGrid& box_grid, const BlockSystem& system) {
+  std::vector<double> bottoms(box_grid.thickness.size());
+  std::partial_sum(box_grid.thickness.begin(), box_grid.thickness.end(),
                    bottoms.begin());
   HalvedBoxes own;
   for (const auto& cell :
@@ -126,10 +126,10 @@ HalvedBoxes own_boxes(const BoxLattice& lattice, const BlockSystem& system) {
     const double halves = 1 << level;
     own.cells.push_back(
         {level,
-         {static_cast<int>(centre[0] / lattice.width_x() * halves),
-          static_cast<int>(centre[1] / lattice.width_y() * halves),
+         {static_cast<int>(centre[0] / box_grid.width_x() * halves),
+          static_cast<int>(centre[1] / box_grid.width_y() * halves),
           static_cast<int>((static_cast<double>(layer) +
-                            (centre[2] - top) / lattice.thickness[layer]) *
+                            (centre[2] - top) / box_grid.thickness[layer]) *
                            halves)}});
     const Moduli moduli = system.moduli_of(cell);
     own.moduli.push_back({moduli.lame_modulus, moduli.shear_modulus});
@@ -150,12 +150,12 @@ std::vector<bool> free_nodes(const LocalUnknowns& unknowns) {
 
 BoxMesh box_mesh_of(const BlockProblem& problem, const BlockSystem& system,
                     const LocalUnknowns& unknowns) {
-  const BoxLattice lattice = *coarsest_lattice(problem);
-  HalvedBoxes boxes = own_boxes(lattice, system);
+  const BoxGrid box_grid = *coarsest_box_grid(problem);
+  HalvedBoxes boxes = own_boxes(box_grid, system);
   BoxMesh mesh;
   mesh.nodes = shared_nodes(unknowns.cell_nodes());
   for (const BoxCell& cell : boxes.cells)
-    mesh.edges.push_back(edges_of(lattice, cell));
+    mesh.edges.push_back(edges_of(box_grid, cell));
   mesh.moduli = std::move(boxes.moduli);
   mesh.unknowns = unknowns.layout();
   return mesh;
@@ -168,8 +168,8 @@ RefinedCorrection::RefinedCorrection(const BlockProblem& problem,
                                      const LocalUnknowns& unknowns,
                                      const MeshUnits& units)
     : unit_(units.stiffness()) {
-  const BoxLattice lattice = *coarsest_lattice(problem);
-  const HalvedBoxes own = own_boxes(lattice, system);
+  const BoxGrid box_grid = *coarsest_box_grid(problem);
+  const HalvedBoxes own = own_boxes(box_grid, system);
   RankGroup* const ranks = unknowns.layout().ranks();
   HalvedBoxes all{values_of_ranks(ranks, std::span(own.cells)),
                   values_of_ranks(ranks, std::span(own.moduli))};
@@ -182,7 +182,7 @@ RefinedCorrection::RefinedCorrection(const BlockProblem& problem,
       0.0));
   const bool is_second_order = problem.degree == 2;
   add_coarser_boxes(
-      scaled(lattice, units), std::move(all),
+      scaled(box_grid, units), std::move(all),
       {{unknowns.cell_nodes(), is_second_order ? 3U : 2U, own.cells},
        before,
        free_nodes(unknowns),
@@ -204,7 +204,7 @@ std::string RefinedCorrection::name() const {
 }
 
 bool is_refined_block(const BlockProblem& problem) {
-  return !problem.counter && coarsest_lattice(problem).has_value();
+  return !problem.counter && coarsest_box_grid(problem).has_value();
 }
 
 std::unique_ptr<BlockInverse> refined_block_of(const BlockProblem& problem,

@@ -1,6 +1,6 @@
 #pragma once
 
-// Geometric multigrid for blocks whose mesh is halved from a lattice of boxes:
+// Geometric multigrid for blocks whose mesh is halved from a grid of boxes:
 // hanging nodes, and meshes that follow the contact.
 // Include this header in .cpp files of fem/ only.
 
@@ -28,15 +28,16 @@ struct FinestNodes {
 
 /// Appends first-order functions on coarser meshes to a cycle. Each merges all
 /// cells that may merge (global coarsening), until the cells are those of the
-/// lattice, whose coarser lattices follow. Every rank has all of these meshes.
-/// Without contact, the lattice may have rigid motions that a pin of the mesh
-/// prevents. Collective.
-/// @param lattice  the coarsest cells, in units in which the stiffness fits
+/// grid of boxes, whose coarser grids of boxes follow. Every rank has all of
+/// these meshes. Without contact, the grid of boxes may have rigid motions that
+/// a pin of the mesh prevents. Collective.
+/// @param grid of boxes  the coarsest cells, in units in which the stiffness
+/// fits
 ///                 into a float; its moduli are not used
 /// @param boxes    all cells of the mesh, with moduli in these units
 /// @param is_second_order  whether first-order functions on the mesh itself are
 ///                 coarser than those of the unknowns
-void add_coarser_boxes(const BoxLattice& lattice, HalvedBoxes boxes,
+void add_coarser_boxes(const BoxGrid& box_grid, HalvedBoxes boxes,
                        FinestNodes finest, bool is_second_order,
                        MultigridCycle& cycle);
 
@@ -78,7 +79,7 @@ private:
 };
 
 /// Whether RefinedCorrection serves the problem: one body whose coarsest mesh
-/// is a lattice of boxes.
+/// is a grid of boxes.
 bool is_refined_block(const BlockProblem& problem);
 
 /// The block of a problem that is_refined_block() permits, in either order.

@@ -5,8 +5,8 @@
 #include "base/require.hpp"
 #include "fem/block/all_ranks.hpp"
 #include "fem/block/block_conduction.hpp"
+#include "fem/linear/box_grid_block.hpp"
 #include "fem/linear/hexahedron_block.hpp"
-#include "fem/linear/lattice_block.hpp"
 #include "fem/linear/solver_choice.hpp"
 #include "fem/parallel/ranks.hpp"
 #include "fem/refined/refined_block.hpp"
@@ -57,23 +57,23 @@ bool is_compressible(const BlockSystem& system) {
 }
 
 /// What the choice of the linear solver depends on. Collective.
-/// @param lattice  of a mesh that is one, else empty
+/// @param grid of boxes  of a mesh that is one, else empty
 BlockTraits traits_of(const BlockProblem& problem, const BlockSystem& system,
-                      const std::optional<BoxLattice>& lattice) {
+                      const std::optional<BoxGrid>& box_grid) {
   BlockTraits traits{
       .requested = problem.linear_solver,
       .unknowns = static_cast<double>(system.n_unknowns()),
       .ranks = n_ranks(),
       .is_compressible =
-          lattice ? std::ranges::all_of(
-                        lattice->moduli,
-                        [](const CellModuli& own) {
-                          return is_compressible(Moduli{own.lame, own.shear});
-                        })
-                  : is_compressible(system),
+          box_grid ? std::ranges::all_of(
+                         box_grid->moduli,
+                         [](const CellModuli& own) {
+                           return is_compressible(Moduli{own.lame, own.shear});
+                         })
+                   : is_compressible(system),
       .is_nonlinear = problem.law != nullptr};
-  if (lattice)
-    traits.structure = MeshStructure::lattice;
+  if (box_grid)
+    traits.structure = MeshStructure::box_grid;
   else if (is_refined_block(problem))
     traits.structure = MeshStructure::halved;
   else if (is_hexahedron_block(system))
@@ -91,15 +91,15 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
       problem.law ? LinearSolver::multigrid : problem.linear_solver;
   if (requested == LinearSolver::direct)
     return ContactNewton(system, requested);
-  const std::optional<BoxLattice> lattice =
-      has_own_mesh ? box_lattice(problem) : std::nullopt;
-  const BlockTraits traits = traits_of(problem, system, lattice);
+  const std::optional<BoxGrid> box_grid =
+      has_own_mesh ? box_grid(problem) : std::nullopt;
+  const BlockTraits traits = traits_of(problem, system, box_grid);
   switch (solver_of(traits)) {
   case BlockSolverKind::direct:
     return ContactNewton(system, LinearSolver::direct);
-  case BlockSolverKind::lattice:
+  case BlockSolverKind::box_grid:
     return ContactNewton(system, requested,
-                         std::make_unique<LatticeBlock>(system, *lattice));
+                         std::make_unique<BoxGridBlock>(system, *box_grid));
   case BlockSolverKind::halved:
     return ContactNewton(system, requested, refined_block_of(problem, system));
   case BlockSolverKind::hexahedra:

@@ -16,8 +16,8 @@ namespace asperity::fem {
 ///     K_rs = int_cell [ lambda div(phi_r) div(phi_s)
 ///                       + 2 mu eps(phi_r) : eps(phi_s) ] dV        [N/m]
 ///
-/// The row of component c (0..2) of the node at lattice place (a, b, k), each
-/// 0..degree, where k = 0 is the side of the contact surface, is
+/// The row of component c (0..2) of the node at grid of boxes place (a, b, k),
+/// each 0..degree, where k = 0 is the side of the contact surface, is
 /// ((k * (degree+1) + b) * (degree+1) + a) * 3 + c.
 struct CellStiffness {
   int degree = 1;
@@ -49,7 +49,7 @@ CellStiffness cell_stiffness(int degree, double dx, double dy,
 
 /// Nodal areas on a cell face relative to their mean, from the row sums of
 /// deal.II's mass matrix of the face. The index is a + 2 b, where (a, b) is the
-/// parity of the lattice place; the values are four ones for degree 1 and
+/// parity of the grid of boxes place; the values are four ones for degree 1 and
 /// (1, 2, 2, 4) * 4/9 for degree 2.
 std::vector<double> relative_nodal_areas(int degree);
 

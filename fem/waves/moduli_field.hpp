@@ -48,8 +48,8 @@ ModulusFactor expression_factor(const std::string& expression, double length);
 /// @param spacing  [m] > 0; places closer than an eighth of it share a factor
 ModulusFactor random_factor(double spread, std::uint64_t seed, double spacing);
 
-/// As random_factor, but with one factor in each cube of a lattice from the
-/// origin, so that the factor of a place does not depend on the mesh.
+/// As random_factor, but with one factor in each cube of a grid of boxes from
+/// the origin, so that the factor of a place does not depend on the mesh.
 /// @param edge  of the cubes [m] > 0
 ModulusFactor random_cubes(double spread, std::uint64_t seed, double edge);
 

@@ -55,7 +55,7 @@ double memory_per_unknown(const fem::BlockTraits& block) {
     return 9000.0;
   case BlockSolverKind::algebraic:
     return 5000.0;
-  case BlockSolverKind::lattice:
+  case BlockSolverKind::box_grid:
   case BlockSolverKind::halved:
     return 1200.0;
   case BlockSolverKind::hexahedra:

@@ -5,7 +5,8 @@
 // nodes in contact with a sphere is displaced by one length; residual to 1e-8
 // of the load.
 //
-//     bench_hexahedron_block [points] [indentation|hanging|lattice] [pairs]
+//     bench_hexahedron_block [points] [indentation|hanging|grid of boxes]
+//     [pairs]
 //                            [both|own]
 //
 // Nodes per side (32); gmsh's mesh that is fine under the sphere, cubes that

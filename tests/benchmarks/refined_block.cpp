@@ -1,4 +1,4 @@
-// The cost of a block whose mesh is halved from a lattice of boxes by geometric
+// The cost of a block whose mesh is halved from a grid of boxes by geometric
 // multigrid (fem/refined/refined_block.hpp) and by algebraic multigrid, in
 // pairs of runs: set-up and one solve in CPU seconds, iterations, memory. The
 // patch of nodes in contact with a sphere is displaced by one length; residual

@@ -8,7 +8,9 @@ A block marked `text` shows lines of what the commands before it print; numbers
 may differ by 2 %, and a line that ends with ... may go on. The count before a
 load step, as in 4/12, is not compared, because jobs run beside each other.
 Afterwards each file `out/...` and each figure `name.svg` that the page names
-must exist.
+must exist, and each picture figures/PAGE-NAME.svg of the page must say what the
+last figure NAME.svg of these commands says; with ASPERITY_UPDATE_GOLDEN=1 it is
+replaced by this figure.
 """
 import os
 import re
@@ -22,6 +24,8 @@ BLOCK = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 EXIT_CODE = re.compile(r"# exit code (\d+)$")
 FILE = re.compile(r"`(out/[^`\s<>*]+)`")
 FIGURE = re.compile(r"`([a-z0-9-]+\.svg)`")
+PICTURE = re.compile(r"!\[[^\]]+\]\(\.\./figures/([a-z0-9-]+)\.svg\)")
+LABEL = re.compile(r"<tspan[^>]*>([^<]*)")
 TOKEN = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?|[^\s\d]+")
 COUNT = re.compile(r"^\s*\d+/\d+ ")
 CLOSE = 0.02
@@ -92,6 +96,24 @@ def check_files(page, folder):
         sys.exit("the page names what was not written: " + ", ".join(lost))
 
 
+def says(figure):
+    """The words and numbers of a figure."""
+    return " ".join(LABEL.findall(figure.read_text()))
+
+
+def check_pictures(page, source, name, folder):
+    for picture in PICTURE.findall(page):
+        stored = source / f"docs/figures/{picture}.svg"
+        figure = picture.removeprefix(f"{Path(name).name}-") + ".svg"
+        made = sorted(folder.glob(f"**/figures/{figure}"), key=lambda path: path.stat().st_mtime)
+        if not made:
+            sys.exit(f"{stored} is a picture of {figure}, which no command has drawn")
+        if os.environ.get("ASPERITY_UPDATE_GOLDEN") == "1":
+            shutil.copyfile(made[-1], stored)
+        if not is_same(says(stored), says(made[-1])):
+            sys.exit(f"{stored} says\n{says(stored)}\nand {made[-1]}\n{says(made[-1])}")
+
+
 def check_itself():
     assert is_same("ok  fem  0.50 +- 0.02 ...", "ok fem 0.501 +- 0.02 in 0.4..0.6")
     assert not is_same("ok fem 0.50", "ok fem 0.52") and not is_same("ok fem", "ok fem 1")
@@ -114,6 +136,7 @@ def main(program, source, name, scratch):
     if run_blocks(program, page, folder) == 0:
         sys.exit("the page has no command")
     check_files(page, folder)
+    check_pictures(page, Path(source), name, folder)
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ std::unique_ptr<FullBlock> block_of(int points, int degree, const Body& body) {
 
 /// The compliance of a single contact on a half-space [m/N]: without the
 /// uniform strain of the block and the displacement by the periodic images.
-/// The images displace each other by the lattice sum of 1/r, times
+/// The images displace each other by the grid of boxes sum of 1/r, times
 /// (1 - nu)/(2 pi G) along z and, as the mean over directions,
 /// (2 - nu)/(4 pi G) laterally.
 double single(double stiffness, double uniform_modulus, double far_compliance) {
@@ -114,8 +114,8 @@ TEST(ContactStiffness, IsTheSlopeOfTheLoad) {
 }
 
 // All linear solvers find the same stiffness of the same block: on layers the
-// direct one and the lattice, and on a mesh with hanging nodes the direct one
-// and multigrid for hexahedra. Tolerance: that of the linear solves.
+// direct one and the grid of boxes, and on a mesh with hanging nodes the direct
+// one and multigrid for hexahedra. Tolerance: that of the linear solves.
 TEST(ContactStiffness, IsThatOfAllLinearSolvers) {
   for (const int degree : {1, 2})
     for (const bool hangs : {false, true}) {

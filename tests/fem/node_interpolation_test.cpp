@@ -11,14 +11,14 @@
 namespace asperity::fem::node_interpolation_test {
 
 /// Two cubes side by side along x, free sides.
-BoxLattice two_cubes() {
-  BoxLattice lattice;
-  lattice.cells_x = 2;
-  lattice.length_x = 2.0;
-  lattice.length_y = 1.0;
-  lattice.thickness = {1.0};
-  lattice.is_periodic = false;
-  return lattice;
+BoxGrid two_cubes() {
+  BoxGrid box_grid;
+  box_grid.cells_x = 2;
+  box_grid.length_x = 2.0;
+  box_grid.length_y = 1.0;
+  box_grid.thickness = {1.0};
+  box_grid.is_periodic = false;
+  return box_grid;
 }
 
 /// The number of a node of the halved cubes, z fastest.
@@ -79,8 +79,8 @@ entries_of(const MeshContact& contact) {
 }
 
 BoxLevel coarse_level() {
-  const BoxLattice lattice = two_cubes();
-  return {lattice,
+  const BoxGrid box_grid = two_cubes();
+  return {box_grid,
           {{{0, {0, 0, 0}}, {0, {1, 0, 0}}}, {{1.0, 1.0}, {1.0, 1.0}}}};
 }
 

@@ -1,6 +1,6 @@
 // Contact curves of small blocks of every type, printed by the first rank:
 // ranks_test.py runs this program alone and under mpirun. With the argument
-// "lattice", only those whose ranks share the rows of a lattice of boxes.
+// "grid of boxes", only those whose ranks share the rows of a grid of boxes.
 #include "fem/adaptive/adaptive_block.hpp"
 #include "fem/material/j2_plasticity.hpp"
 #include "fem/parallel/mpi_session.hpp"
@@ -94,7 +94,7 @@ void print_meshes() {
 }
 
 /// Twelve rows of cells, which two and three ranks share.
-void print_lattices() {
+void print_box_grids() {
   using mechanics::BlockSides;
   using mechanics::ContactLaw;
   for (const int degree : {1, 2})
@@ -224,7 +224,7 @@ int main(int n_arguments, char** /*arguments*/) {
   const bool is_short = n_arguments > 1;
   if (!is_short)
     print_meshes();
-  print_lattices();
+  print_box_grids();
   if (!is_short)
     print_matrix_free();
 }

@@ -48,9 +48,9 @@ def main(program, mpirun, *numbers):
     assert len(one) == 61, f"{len(one)} rows"
     assert all("1 rank" in note for note in notes_of_one), notes_of_one
     n_found = 0
-    # Three ranks share the rows of a lattice. Five ranks have too few of them.
+    # Three ranks share the rows of a box_grid. Five ranks have too few of them.
     for ranks in numbers:
-        which, expected = ([], one) if ranks == "2" else (["lattice"], one[20:40])
+        which, expected = ([], one) if ranks == "2" else (["box_grid"], one[20:40])
         several, notes = curves([mpirun, "-np", ranks, "--oversubscribe", program] + which)
         assert all(f"{ranks} ranks" in note for note in notes), notes
         for name, x, y in differences(expected, several):

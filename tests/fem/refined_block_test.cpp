@@ -123,9 +123,9 @@ INSTANTIATE_TEST_SUITE_P(All, RefinedCases,
 
 // Verifies that the iterations to 1e-8 are bounded, whatever the number of
 // halvings, without contact, with springs of any stiffness, and with held
-// nodes. The bound is that of the lattice, 12 with the stiffest springs, and
-// half as many more for materials and hanging nodes. Cells have an aspect of
-// two at most, because first-order functions correct those of second order
+// nodes. The bound is that of the grid of boxes, 12 with the stiffest springs,
+// and half as many more for materials and hanging nodes. Cells have an aspect
+// of two at most, because first-order functions correct those of second order
 // badly on slender cells.
 TEST(RefinedBlockIterations, AreBounded) {
   for (const int degree : {1, 2})
@@ -152,7 +152,7 @@ TEST(RefinedBlockIterations, AreBounded) {
 }
 
 // Verifies which meshes are left to other solvers.
-TEST(RefinedBlock, NeedsALatticeOfCoarsestCells) {
+TEST(RefinedBlock, NeedsABoxGridOfCoarsestCells) {
   RefinedMesh mesh(usual, 4, 1);
   EXPECT_TRUE(is_refined_block(mesh.problem));
   shake(mesh.problem.mesh, 0.02 * length);

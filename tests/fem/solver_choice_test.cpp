@@ -27,17 +27,17 @@ constexpr double small = most_direct_unknowns;
 constexpr double least = small + 1.0;
 
 TEST(SolverChoice, TakesMultigridWithoutAMatrixWhereItIsAvailable) {
-  EXPECT_EQ(solver_of(block(MeshStructure::lattice, least)), lattice);
+  EXPECT_EQ(solver_of(block(MeshStructure::box_grid, least)), box_grid);
   EXPECT_EQ(solver_of(block(MeshStructure::halved, least)), halved);
   EXPECT_EQ(solver_of(block(MeshStructure::hexahedra, least, 2)), hexahedra);
   EXPECT_EQ(solver_of(block(MeshStructure::other, least)), algebraic);
 }
 
-TEST(SolverChoice, IsDirectForSmallBlocksButNotForALatticeOnRanks) {
-  EXPECT_EQ(solver_of(block(MeshStructure::lattice, small)), direct);
+TEST(SolverChoice, IsDirectForSmallBlocksButNotForABoxGridOnRanks) {
+  EXPECT_EQ(solver_of(block(MeshStructure::box_grid, small)), direct);
   EXPECT_EQ(solver_of(block(MeshStructure::other, small, 2)), direct);
-  EXPECT_EQ(solver_of(block(MeshStructure::lattice, small, 2)), lattice);
-  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, small, 2))), direct);
+  EXPECT_EQ(solver_of(block(MeshStructure::box_grid, small, 2)), box_grid);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::box_grid, small, 2))), direct);
 }
 
 TEST(SolverChoice, AvoidsMultigridOfNearlyIncompressibleBlocks) {
@@ -47,10 +47,10 @@ TEST(SolverChoice, AvoidsMultigridOfNearlyIncompressibleBlocks) {
     return tests::message_of<std::domain_error>([&] { solver_of(stiff(of)); });
   };
 
-  EXPECT_EQ(solver_of(stiff(block(MeshStructure::lattice, most))), direct);
+  EXPECT_EQ(solver_of(stiff(block(MeshStructure::box_grid, most))), direct);
   EXPECT_EQ(solver_of(stiff(block(MeshStructure::halved, most_on_ranks, 2))),
             direct);
-  const std::string words = refusal(block(MeshStructure::lattice, most + 1.0));
+  const std::string words = refusal(block(MeshStructure::box_grid, most + 1.0));
   EXPECT_NE(words.find("at most 12000"), std::string::npos) << words;
   EXPECT_NE(words.find("\"condensed\""), std::string::npos) << words;
   EXPECT_NE(words.find("poisson_ratio = 0.49"), std::string::npos) << words;
@@ -62,14 +62,14 @@ TEST(SolverChoice, AvoidsMultigridOfNearlyIncompressibleBlocks) {
 TEST(SolverChoice, ARequestedSolverServesBlocksOfAnySize) {
   const auto multigrid = LinearSolver::multigrid;
   const BlockTraits tiny = block(MeshStructure::halved, 1.0);
-  const BlockTraits of_boxes = block(MeshStructure::lattice, 1.0);
+  const BlockTraits of_boxes = block(MeshStructure::box_grid, 1.0);
 
   EXPECT_EQ(solver_of(requested(LinearSolver::direct,
-                                block(MeshStructure::lattice, 1e6, 2))),
+                                block(MeshStructure::box_grid, 1e6, 2))),
             direct);
   EXPECT_EQ(solver_of(requested(multigrid, tiny)), halved);
   EXPECT_EQ(solver_of(requested(multigrid, stiff(tiny))), algebraic);
-  EXPECT_EQ(solver_of(requested(multigrid, stiff(of_boxes))), lattice);
+  EXPECT_EQ(solver_of(requested(multigrid, stiff(of_boxes))), box_grid);
 }
 
 // The border is Poisson's ratio 0.49, where lambda = 49 mu.

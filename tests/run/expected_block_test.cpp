@@ -42,8 +42,8 @@ const char* name_of(BlockSolverKind kind) {
     return "direct";
   case BlockSolverKind::algebraic:
     return "multigrid (Trilinos ML)";
-  case BlockSolverKind::lattice:
-    return "multigrid on the lattice";
+  case BlockSolverKind::box_grid:
+    return "multigrid on the grid of boxes";
   case BlockSolverKind::halved:
     return "coarser meshes";
   case BlockSolverKind::hexahedra:

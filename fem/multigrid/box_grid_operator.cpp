@@ -1,4 +1,4 @@
-#include "fem/multigrid/lattice_operator.hpp"
+#include "fem/multigrid/box_grid_operator.hpp"
 
 #include "base/simd_pack.hpp"
 #include "fem/multigrid/box_stiffness.hpp"
@@ -199,16 +199,16 @@ void multiply_row(int degree, const RowProduct<Number>& row) {
 struct RatioRange {
   double low = 0.0, high = 0.0;
 
-  RatioRange(const BoxLattice& lattice, int layer) {
+  RatioRange(const BoxGrid& box_grid, int layer) {
     const auto ratio = [&](int x, int y) {
-      const CellModuli& moduli = lattice.moduli_of(x, y, layer);
+      const CellModuli& moduli = box_grid.moduli_of(x, y, layer);
       return moduli.lame / moduli.shear;
     };
     low = high = ratio(0, 0);
-    if (lattice.is_layered())
+    if (box_grid.is_layered())
       return;
-    for (int y = 0; y < lattice.cells_y; ++y)
-      for (int x = 0; x < lattice.cells_x; ++x) {
+    for (int y = 0; y < box_grid.cells_y; ++y)
+      for (int x = 0; x < box_grid.cells_x; ++x) {
         low = std::min(low, ratio(x, y));
         high = std::max(high, ratio(x, y));
       }
@@ -240,23 +240,23 @@ void append_as(const std::vector<double>& numbers, std::vector<Number>& to) {
 } // namespace
 
 template <class Number>
-LatticeOperator<Number>::LatticeOperator(const BoxLattice& lattice,
-                                         const LatticeSlab& slab,
+BoxGridOperator<Number>::BoxGridOperator(const BoxGrid& box_grid,
+                                         const BoxGridSlab& slab,
                                          UnknownLayout unknowns)
     : MeshOperator<Number>(std::move(unknowns)),
-      degree_(lattice.degree),
-      cells_x_(static_cast<std::size_t>(lattice.cells_x)),
+      degree_(box_grid.degree),
+      cells_x_(static_cast<std::size_t>(box_grid.cells_x)),
       cells_y_(static_cast<std::size_t>(slab.count())),
-      layout_(slab.layout(lattice)) {
-  for (int layer = 0; layer < lattice.layers(); ++layer)
-    add_layer(lattice, slab, layer);
+      layout_(slab.layout(box_grid)) {
+  for (int layer = 0; layer < box_grid.layers(); ++layer)
+    add_layer(box_grid, slab, layer);
 }
 
 template <class Number>
-void LatticeOperator<Number>::add_layer(const BoxLattice& lattice,
-                                        const LatticeSlab& slab, int layer) {
-  const RatioRange ratio(lattice, layer);
-  const std::array<double, 3> size = lattice.cell_size(layer);
+void BoxGridOperator<Number>::add_layer(const BoxGrid& box_grid,
+                                        const BoxGridSlab& slab, int layer) {
+  const RatioRange ratio(box_grid, layer);
+  const std::array<double, 3> size = box_grid.cell_size(layer);
   const auto stiffness = [&](double lame, double shear) {
     return box_stiffness(degree_, size, {lame, shear});
   };
@@ -276,25 +276,25 @@ void LatticeOperator<Number>::add_layer(const BoxLattice& lattice,
     own.of_factor = diagonal_of(of_lame);
     own.of_shear = diagonal_of(of_shear);
   }
-  take_factors(lattice, slab, layer, own);
+  take_factors(box_grid, slab, layer, own);
   layers_.push_back(std::move(own));
 }
 
 template <class Number>
-void LatticeOperator<Number>::take_factors(const BoxLattice& lattice,
-                                           const LatticeSlab& slab, int layer,
+void BoxGridOperator<Number>::take_factors(const BoxGrid& box_grid,
+                                           const BoxGridSlab& slab, int layer,
                                            Layer& own) const {
   const bool has_shear = !own.of_shear.empty();
   const std::size_t padded =
       (cells_x_ + most_lanes - 1) / most_lanes * most_lanes;
-  const std::size_t rows = lattice.is_layered() ? 1 : cells_y_;
-  own.factor_row = lattice.is_layered() ? 0 : padded;
+  const std::size_t rows = box_grid.is_layered() ? 1 : cells_y_;
+  own.factor_row = box_grid.is_layered() ? 0 : padded;
   own.factor.assign(rows * padded, Number(0));
   if (has_shear)
     own.shear = own.factor;
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < cells_x_; ++x) {
-      const CellModuli& moduli = lattice.moduli_of(
+      const CellModuli& moduli = box_grid.moduli_of(
           static_cast<int>(x), slab.first() + static_cast<int>(y), layer);
       own.factor[y * padded + x] =
           static_cast<Number>(has_shear ? moduli.lame : moduli.shear);
@@ -304,7 +304,7 @@ void LatticeOperator<Number>::take_factors(const BoxLattice& lattice,
 }
 
 template <class Number>
-void LatticeOperator<Number>::add_cells(const Number* displacement,
+void BoxGridOperator<Number>::add_cells(const Number* displacement,
                                         Number* force, Number scale) const {
   RowProduct<Number> row;
   row.stride = layout_.stride();
@@ -330,7 +330,7 @@ void LatticeOperator<Number>::add_cells(const Number* displacement,
 /// Adds the diagonal of the cell (x, y) of a layer, whose first plane is
 /// `plane`.
 template <class Number>
-void LatticeOperator<Number>::add_diagonal(const Layer& layer,
+void BoxGridOperator<Number>::add_diagonal(const Layer& layer,
                                            std::size_t plane, int x, int y,
                                            std::vector<double>& sum) const {
   const std::size_t at = static_cast<std::size_t>(y) * layer.factor_row +
@@ -350,7 +350,7 @@ void LatticeOperator<Number>::add_diagonal(const Layer& layer,
 }
 
 template <class Number>
-std::vector<double> LatticeOperator<Number>::diagonal() const {
+std::vector<double> BoxGridOperator<Number>::diagonal() const {
   std::vector<double> sum(layout_.size(), 0.0);
   for (std::size_t layer = 0; layer < layers_.size(); ++layer)
     for (std::size_t y = 0; y < cells_y_; ++y)
@@ -363,15 +363,15 @@ std::vector<double> LatticeOperator<Number>::diagonal() const {
 }
 
 template <class Number>
-std::size_t LatticeOperator<Number>::bytes() const {
+std::size_t BoxGridOperator<Number>::bytes() const {
   std::size_t numbers = 0;
   for (const Layer& layer : layers_)
     numbers += layer.blocks.size() + layer.factor.size() + layer.shear.size();
   return numbers * sizeof(Number);
 }
 
-template class LatticeOperator<float>;
-template class LatticeOperator<double>;
+template class BoxGridOperator<float>;
+template class BoxGridOperator<double>;
 
 } // namespace asperity::fem
 

@@ -1,14 +1,14 @@
 #pragma once
 
-// Geometric multigrid for a block whose mesh is a lattice of boxes, and what
+// Geometric multigrid for a block whose mesh is a grid of boxes, and what
 // pins and contact points do there.
 // Include this header in .cpp files of fem/ only.
 
 #include "base/ranks/value_exchange.hpp"
 #include "fem/block/block_system.hpp"
 #include "fem/linear/block_inverse.hpp"
-#include "fem/multigrid/lattice_multigrid.hpp"
-#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/box_grid_multigrid.hpp"
+#include "fem/multigrid/box_grid_slab.hpp"
 #include "fem/multigrid/mesh_contact.hpp"
 
 #include <deal.II/lac/trilinos_vector.h>
@@ -26,8 +26,8 @@
 namespace asperity::fem {
 
 /// The nodes of the unknowns on the cells of this rank. The number of a node's
-/// component is its index in a vector of the whole lattice (NodeLayout).
-struct LatticeNumbering {
+/// component is its index in a vector of the whole grid of boxes (NodeLayout).
+struct BoxGridNumbering {
   struct Pin {
     std::size_t node = 0;
     unsigned int component = 0;
@@ -41,23 +41,23 @@ struct LatticeNumbering {
   std::map<dealii::types::global_dof_index, std::size_t> face;
   std::vector<Pin> pins; ///< unknowns held that the far boundary does not hold
 
-  LatticeNumbering(const BlockSystem& system, const BoxLattice& lattice);
+  BoxGridNumbering(const BlockSystem& system, const BoxGrid& box_grid);
 
 private:
-  void add_cell(const BlockSystem& system, const BoxLattice& lattice,
+  void add_cell(const BlockSystem& system, const BoxGrid& box_grid,
                 const dealii::DoFHandler<3>::active_cell_iterator& cell);
-  void take(const BlockSpace& space, const BoxLattice& lattice,
+  void take(const BlockSpace& space, const BoxGrid& box_grid,
             dealii::types::global_dof_index unknown, unsigned int component,
             std::size_t node);
 
   dealii::types::global_dof_index first_owned_ = 0;
-  NodeLayout layout_;          ///< of the whole lattice
+  NodeLayout layout_;          ///< of the whole grid of boxes
   std::vector<double> depths_; ///< of the sides of the layers [m]
 };
 
 /// Values of unknowns that go from the rank that has them in deal.II's
-/// numbering to the rank that has their node of a lattice, and back. All calls
-/// are collective.
+/// numbering to the rank that has their node of a grid of boxes, and back. All
+/// calls are collective.
 class UnknownExchange {
 public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
@@ -90,21 +90,22 @@ private:
 };
 
 /// All calls are collective.
-class LatticeExchange {
+class BoxGridExchange {
 public:
   using Vector = dealii::TrilinosWrappers::MPI::Vector;
 
   /// @param slab   the rows of this rank
   /// @param ranks  null if there is only one
-  LatticeExchange(const BlockSystem& system, const BoxLattice& lattice,
-                  const LatticeSlab& slab, RankGroup* ranks,
-                  const LatticeNumbering& numbering);
+  BoxGridExchange(const BlockSystem& system, const BoxGrid& box_grid,
+                  const BoxGridSlab& slab, RankGroup* ranks,
+                  const BoxGridNumbering& numbering);
 
-  /// Sets the values on the lattice, zero at images and constrained unknowns.
-  void to_lattice(const Vector& from, std::vector<double>& to) const;
+  /// Sets the values on the grid of boxes, zero at images and constrained
+  /// unknowns.
+  void to_box_grid(const Vector& from, std::vector<double>& to) const;
 
   /// Sets the unknowns, zero if constrained.
-  void from_lattice(const std::vector<double>& from, Vector& to) const;
+  void from_box_grid(const std::vector<double>& from, Vector& to) const;
 
   /// The contact of the slab.
   /// @param springs, held  of the contact points of this rank
@@ -114,12 +115,12 @@ public:
   std::size_t bytes() const;
 
 private:
-  static UnknownExchange unknowns_of(const BoxLattice& lattice,
-                                     const LatticeSlab& slab, RankGroup* ranks,
-                                     const LatticeNumbering& numbering);
-  void number_points(const BlockSystem& system, const BoxLattice& lattice,
-                     const LatticeSlab& slab,
-                     const LatticeNumbering& numbering);
+  static UnknownExchange unknowns_of(const BoxGrid& box_grid,
+                                     const BoxGridSlab& slab, RankGroup* ranks,
+                                     const BoxGridNumbering& numbering);
+  void number_points(const BlockSystem& system, const BoxGrid& box_grid,
+                     const BoxGridSlab& slab,
+                     const BoxGridNumbering& numbering);
 
   RankGroup* ranks_;
   RankGroup* sharing_; ///< the same, but null if each has all rows
@@ -130,21 +131,22 @@ private:
   std::unique_ptr<ValueExchange> point_values_; ///< null on one rank
 };
 
-/// The lattice of a problem if its mesh consists of equal columns of boxes
-/// numbered as by layered_mesh; none for other meshes and two bodies.
-std::optional<BoxLattice> box_lattice(const BlockProblem& problem);
+/// The grid of boxes of a problem if its mesh consists of equal columns of
+/// boxes numbered as by layered_mesh; none for other meshes and two bodies.
+std::optional<BoxGrid> box_grid(const BlockProblem& problem);
 
-/// The stiffness of the block and its inverse on the lattice. On several ranks,
-/// each solves for the nodes of its rows of cells (LatticeSlab), or all do the
-/// same if there are few rows; unknowns and contact are sent there and back.
+/// The stiffness of the block and its inverse on the grid of boxes. On several
+/// ranks, each solves for the nodes of its rows of cells (BoxGridSlab), or all
+/// do the same if there are few rows; unknowns and contact are sent there and
+/// back.
 ///
 /// Pins (BlockSpace) that only prevent a rigid motion carry the sum of the
 /// forces, and the motion is subtracted from the solution. A pin in z of a
 /// block that contact supports as well is held.
-class LatticeBlock : public BlockInverse {
+class BoxGridBlock : public BlockInverse {
 public:
-  /// @param system  its mesh is that of the lattice
-  LatticeBlock(const BlockSystem& system, const BoxLattice& lattice);
+  /// @param system  its mesh is that of the grid of boxes
+  BoxGridBlock(const BlockSystem& system, const BoxGrid& box_grid);
 
   void vmult(Vector& to, const Vector& from) const override;
   void prepare(std::span<const double> springs, const std::vector<bool>& held,
@@ -157,7 +159,7 @@ public:
   /// is too inaccurate for a stationary contact set.
   double tightness() const override { return 1e-3; }
 
-  /// Contact is transferred to the same lattices.
+  /// Contact is transferred to the same grids of boxes.
   int setups() const override { return 1; }
 
   std::string name() const override;
@@ -167,14 +169,15 @@ public:
 
 private:
   struct Pin {
-    std::size_t node = 0;  ///< number of the node's component on the lattice
+    std::size_t node =
+        0; ///< number of the node's component on the grid of boxes
     std::size_t place = 0; ///< in a vector of this rank, or nowhere
     unsigned int component = 0;
   };
 
-  LatticeBlock(const BlockSystem& system, const BoxLattice& lattice,
-               const LatticeNumbering& numbering);
-  void take_pins(const LatticeNumbering& numbering);
+  BoxGridBlock(const BlockSystem& system, const BoxGrid& box_grid,
+               const BoxGridNumbering& numbering);
+  void take_pins(const BoxGridNumbering& numbering);
   void find_modes();
   std::vector<double> at_pins(const std::vector<double>& right_sides,
                               bool is_transposed) const;
@@ -182,8 +185,8 @@ private:
   void remove_motions();
 
   RankGroup* ranks_; ///< null if there is only one
-  LatticeMultigrid multigrid_;
-  LatticeExchange exchange_;
+  BoxGridMultigrid multigrid_;
+  BoxGridExchange exchange_;
   std::vector<Pin> pins_; ///< the same on all ranks
   bool has_contact_ = false;
   std::vector<Pin> loose_;             ///< pins that hold a rigid motion only

@@ -1,4 +1,4 @@
-#include "fem/linear/lattice_block.hpp"
+#include "fem/linear/box_grid_block.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,21 +67,21 @@ CellModuli cell_moduli(const Moduli& moduli) {
 }
 
 /// Keeps one pair of moduli per layer if no layer has two.
-void join_equal_moduli(BoxLattice& lattice) {
+void join_equal_moduli(BoxGrid& box_grid) {
   std::vector<CellModuli> of_layer;
-  const std::size_t cells = lattice.moduli.size() / lattice.thickness.size();
-  for (std::size_t i = 0; i < lattice.moduli.size(); ++i) {
+  const std::size_t cells = box_grid.moduli.size() / box_grid.thickness.size();
+  for (std::size_t i = 0; i < box_grid.moduli.size(); ++i) {
     if (i % cells == 0)
-      of_layer.push_back(lattice.moduli[i]);
-    if (!(lattice.moduli[i] == of_layer.back()))
+      of_layer.push_back(box_grid.moduli[i]);
+    if (!(box_grid.moduli[i] == of_layer.back()))
       return;
   }
-  lattice.moduli = of_layer;
+  box_grid.moduli = of_layer;
 }
 
 } // namespace
 
-std::optional<BoxLattice> box_lattice(const BlockProblem& problem) {
+std::optional<BoxGrid> box_grid(const BlockProblem& problem) {
   const meshes::BlockMesh& mesh = problem.mesh;
   if (problem.counter || !mesh.refine_below.empty() ||
       mesh.shape != meshes::CellShape::hexahedron || mesh.vertices.size() < 8)
@@ -89,30 +89,30 @@ std::optional<BoxLattice> box_lattice(const BlockProblem& problem) {
   const std::array<std::size_t, 3> cells = cells_along(mesh);
   if (!is_layered_mesh(mesh, cells))
     return {};
-  BoxLattice lattice;
-  lattice.degree = problem.degree;
-  lattice.cells_x = static_cast<int>(cells[0]);
-  lattice.cells_y = static_cast<int>(cells[1]);
-  lattice.length_x = mesh.length_x;
-  lattice.length_y = mesh.length_y;
-  lattice.is_periodic = problem.sides == mechanics::BlockSides::periodic;
-  lattice.holds_lateral =
+  BoxGrid box_grid;
+  box_grid.degree = problem.degree;
+  box_grid.cells_x = static_cast<int>(cells[0]);
+  box_grid.cells_y = static_cast<int>(cells[1]);
+  box_grid.length_x = mesh.length_x;
+  box_grid.length_y = mesh.length_y;
+  box_grid.is_periodic = problem.sides == mechanics::BlockSides::periodic;
+  box_grid.holds_lateral =
       problem.far_boundary == mechanics::FarBoundary::clamped;
-  lattice.holds_normal =
+  box_grid.holds_normal =
       problem.far_boundary != mechanics::FarBoundary::pressure;
   const std::size_t plane = (cells[0] + 1) * (cells[1] + 1);
   for (std::size_t k = 0; k < cells[2]; ++k)
-    lattice.thickness.push_back(mesh.vertices[(k + 1) * plane][2] -
-                                mesh.vertices[k * plane][2]);
+    box_grid.thickness.push_back(mesh.vertices[(k + 1) * plane][2] -
+                                 mesh.vertices[k * plane][2]);
   for (const auto& vertices : mesh.cells) {
     meshes::Place centre{};
     for (const unsigned int vertex : vertices)
       for (std::size_t axis = 0; axis < 3; ++axis)
         centre[axis] += 0.125 * mesh.vertices[vertex][axis];
-    lattice.moduli.push_back(cell_moduli(problem.moduli.at(centre)));
+    box_grid.moduli.push_back(cell_moduli(problem.moduli.at(centre)));
   }
-  join_equal_moduli(lattice);
-  return lattice;
+  join_equal_moduli(box_grid);
+  return box_grid;
 }
 
 } // namespace asperity::fem

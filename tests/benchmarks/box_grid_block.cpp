@@ -4,11 +4,11 @@
 // displaced by one length; layers grow by 1.2 from cubic cells to a depth of
 // one side; residual to 1e-8 of the load.
 //
-//     bench_lattice_block [degree] [points] [pairs] [both|lattice]
+//     bench_box_grid_block [degree] [points] [pairs] [both|grid of boxes]
 //
 // Degree (1), nodes per side (32), pairs of runs (1), which solvers (both). The
 // set-up of algebraic multigrid includes the assembly of its matrices.
-#include "fem/linear/lattice_block.hpp"
+#include "fem/linear/box_grid_block.hpp"
 
 #include "base/cpu_clock.hpp"
 #include "fem/parallel/mpi_session.hpp"
@@ -50,10 +50,10 @@ bool is_touched(const dealii::Point<2>& place) {
 Cost own_cost(const BlockProblem& problem, const BlockSystem& system,
               const Patch& patch, Patch::Vector& displacement) {
   const CpuClock setting_up;
-  LatticeBlock lattice(system, *box_lattice(problem));
-  const Cost cost = cost_of(lattice, setting_up, patch, displacement);
+  BoxGridBlock box_grid(system, *box_grid(problem));
+  const Cost cost = cost_of(box_grid, setting_up, patch, displacement);
   std::printf("           %zu levels, %.0f bytes an unknown\n",
-              lattice.levels(),
+              box_grid.levels(),
               1e6 * cost.memory / static_cast<double>(system.n_unknowns()));
   return cost;
 }
@@ -64,7 +64,7 @@ void run(int degree, int points, int pairs, bool with_both) {
   const BlockSystem system(problem);
   std::printf("%s%.2f s CPU for mesh and unknowns\n", system.report().c_str(),
               building.seconds());
-  const Patch patch(system, LatticeBlock(system, *box_lattice(problem)),
+  const Patch patch(system, BoxGridBlock(system, *box_grid(problem)),
                     is_touched);
   compare_in_pairs(problem, system, patch, pairs, with_both,
                    [&](auto& displacement) {
@@ -82,5 +82,5 @@ int main(int n_arguments, char** arguments) {
   asperity::fem::start_mpi();
   asperity::fem::run(argument(1, 1), argument(2, 32), argument(3, 1),
                      n_arguments < 5 ||
-                         std::strcmp(arguments[4], "lattice") != 0);
+                         std::strcmp(arguments[4], "box_grid") != 0);
 }

@@ -1,4 +1,4 @@
-#include "fem/multigrid/box_lattice.hpp"
+#include "fem/multigrid/box_grid.hpp"
 
 #include "base/require.hpp"
 
@@ -6,7 +6,7 @@
 
 namespace asperity::fem {
 
-const CellModuli& BoxLattice::moduli_of(int x, int y, int layer) const {
+const CellModuli& BoxGrid::moduli_of(int x, int y, int layer) const {
   if (is_layered())
     return moduli[static_cast<std::size_t>(layer)];
   const auto row =
@@ -16,40 +16,40 @@ const CellModuli& BoxLattice::moduli_of(int x, int y, int layer) const {
                 static_cast<std::size_t>(x)];
 }
 
-void require_lattice(const BoxLattice& lattice) {
-  require_between("degree", lattice.degree, 1.0, 2.0, "1");
-  require_between("cells_x", lattice.cells_x, 1.0, 1e6, "1");
-  require_between("cells_y", lattice.cells_y, 1.0, 1e6, "1");
-  require_positive("length_x", lattice.length_x, "m");
-  require_positive("length_y", lattice.length_y, "m");
-  require_between("number of layers", lattice.layers(), 1.0, 1e6, "1");
-  for (const double thickness : lattice.thickness)
+void require_box_grid(const BoxGrid& box_grid) {
+  require_between("degree", box_grid.degree, 1.0, 2.0, "1");
+  require_between("cells_x", box_grid.cells_x, 1.0, 1e6, "1");
+  require_between("cells_y", box_grid.cells_y, 1.0, 1e6, "1");
+  require_positive("length_x", box_grid.length_x, "m");
+  require_positive("length_y", box_grid.length_y, "m");
+  require_between("number of layers", box_grid.layers(), 1.0, 1e6, "1");
+  for (const double thickness : box_grid.thickness)
     require_positive("thickness", thickness, "m");
-  const std::size_t cells = lattice.thickness.size() *
-                            static_cast<std::size_t>(lattice.cells_x) *
-                            static_cast<std::size_t>(lattice.cells_y);
-  if (!lattice.is_layered() && lattice.moduli.size() != cells)
+  const std::size_t cells = box_grid.thickness.size() *
+                            static_cast<std::size_t>(box_grid.cells_x) *
+                            static_cast<std::size_t>(box_grid.cells_y);
+  if (!box_grid.is_layered() && box_grid.moduli.size() != cells)
     refuse_argument("number of moduli",
-                    static_cast<double>(lattice.moduli.size()),
+                    static_cast<double>(box_grid.moduli.size()),
                     "that of the layers or of the cells");
-  for (const CellModuli& moduli : lattice.moduli) {
+  for (const CellModuli& moduli : box_grid.moduli) {
     require_positive("shear modulus", moduli.shear, "Pa");
     require_positive("lambda + 2 mu / 3", moduli.lame + 2.0 / 3 * moduli.shear,
                      "Pa");
   }
 }
 
-MeshUnits units_of(const BoxLattice& lattice) {
-  MeshUnits units{std::min(lattice.width_x(), lattice.width_y()), 0.0};
-  for (const double thickness : lattice.thickness)
+MeshUnits units_of(const BoxGrid& box_grid) {
+  MeshUnits units{std::min(box_grid.width_x(), box_grid.width_y()), 0.0};
+  for (const double thickness : box_grid.thickness)
     units.length = std::min(units.length, thickness);
-  for (const CellModuli& moduli : lattice.moduli)
+  for (const CellModuli& moduli : box_grid.moduli)
     units.modulus = std::max(units.modulus, moduli.shear);
   return units;
 }
 
-BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units) {
-  BoxLattice result = lattice;
+BoxGrid scaled(const BoxGrid& box_grid, const MeshUnits& units) {
+  BoxGrid result = box_grid;
   result.length_x /= units.length;
   result.length_y /= units.length;
   for (double& thickness : result.thickness)
@@ -59,16 +59,16 @@ BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units) {
   return result;
 }
 
-NodeLayout::NodeLayout(const BoxLattice& lattice)
-    : NodeLayout(lattice, lattice.cells_y, lattice.is_periodic) {}
+NodeLayout::NodeLayout(const BoxGrid& box_grid)
+    : NodeLayout(box_grid, box_grid.cells_y, box_grid.is_periodic) {}
 
-NodeLayout::NodeLayout(const BoxLattice& lattice, int cells_y,
+NodeLayout::NodeLayout(const BoxGrid& box_grid, int cells_y,
                        bool has_image_slice)
-    : degree_(at(lattice.degree)),
-      stride_(at(lattice.cells_x) + 1),
+    : degree_(at(box_grid.degree)),
+      stride_(at(box_grid.cells_x) + 1),
       slices_(degree_ * at(cells_y) + 1),
-      planes_(degree_ * at(lattice.layers()) + 1),
-      has_image_column_(lattice.is_periodic),
+      planes_(degree_ * at(box_grid.layers()) + 1),
+      has_image_column_(box_grid.is_periodic),
       has_image_slice_(has_image_slice) {}
 
 NodeLayout::Node NodeLayout::node(std::size_t index) const {

@@ -1,9 +1,9 @@
 #pragma once
 
-// Solves for the displacement of a block on a lattice of boxes by conjugate
+// Solves for the displacement of a block on a grid of boxes by conjugate
 // gradients, preconditioned by geometric multigrid.
 
-#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/box_grid_slab.hpp"
 #include "fem/multigrid/mesh_multigrid.hpp"
 #include "fem/multigrid/multigrid_cycle.hpp"
 
@@ -12,30 +12,30 @@
 
 namespace asperity::fem {
 
-/// MeshMultigrid on a lattice and its coarser ones. Ranks may share the rows of
-/// cells, as slab() says. Displacements, forces and contact are then those of
-/// the rank's rows.
+/// MeshMultigrid on a grid of boxes and its coarser ones. Ranks may share the
+/// rows of cells, as slab() says. Displacements, forces and contact are then
+/// those of the rank's rows.
 ///
 /// Rigid motions that nothing prevents (rigid_modes.hpp) require forces that
 /// are in balance; the solution then contains any such motion.
-class LatticeMultigrid : public MeshMultigrid {
+class BoxGridMultigrid : public MeshMultigrid {
 public:
-  /// @throws std::domain_error  under the conditions of require_lattice, or if
+  /// @throws std::domain_error  under the conditions of require_box_grid, or if
   ///                            the block can tilt
   /// @param ranks  may be null; otherwise it must outlive this object
-  explicit LatticeMultigrid(const BoxLattice& lattice,
+  explicit BoxGridMultigrid(const BoxGrid& box_grid,
                             RankGroup* ranks = nullptr);
 
   /// The cycle refers to this object.
-  LatticeMultigrid(const LatticeMultigrid&) = delete;
-  LatticeMultigrid& operator=(const LatticeMultigrid&) = delete;
+  BoxGridMultigrid(const BoxGridMultigrid&) = delete;
+  BoxGridMultigrid& operator=(const BoxGridMultigrid&) = delete;
 
-  NodeLayout layout() const { return slab_.layout(lattice_); }
+  NodeLayout layout() const { return slab_.layout(box_grid_); }
 
-  const BoxLattice& lattice() const { return lattice_; } ///< without moduli
+  const BoxGrid& box_grid() const { return box_grid_; } ///< without moduli
 
   /// The rows of this rank: all rows if there are too few to share.
-  const LatticeSlab& slab() const { return slab_; }
+  const BoxGridSlab& slab() const { return slab_; }
 
   /// @param contact  springs [N/m]
   void set_contact(MeshContact contact);
@@ -45,10 +45,10 @@ public:
   std::size_t bytes() const; ///< on this rank
 
 private:
-  LatticeMultigrid(const BoxLattice& lattice, const LatticeSlab& slab);
+  BoxGridMultigrid(const BoxGrid& box_grid, const BoxGridSlab& slab);
 
-  BoxLattice lattice_;
-  LatticeSlab slab_;
+  BoxGrid box_grid_;
+  BoxGridSlab slab_;
   MultigridCycle cycle_;
 };
 

@@ -1,11 +1,11 @@
 #pragma once
 
-// Interpolation of displacements from a coarse lattice to a fine one, and its
-// transpose for forces.
+// Interpolation of displacements from a coarse grid of boxes to a fine one, and
+// its transpose for forces.
 
 #include "fem/multigrid/axis_weights.hpp"
-#include "fem/multigrid/box_lattice.hpp"
-#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/box_grid.hpp"
+#include "fem/multigrid/box_grid_slab.hpp"
 #include "fem/multigrid/level_transfer.hpp"
 
 #include <array>
@@ -18,10 +18,10 @@ namespace asperity::fem {
 /// held in contact if the fine node nearest to it is. If ranks share the fine
 /// rows, they may share the coarse rows as well, in the same places, or each
 /// may have all of them.
-class LatticeTransfer final : public LevelTransfer {
+class BoxGridTransfer final : public LevelTransfer {
 public:
-  LatticeTransfer(const BoxLattice& fine, const LatticeSlab& fine_slab,
-                  const BoxLattice& coarse, const LatticeSlab& coarse_slab);
+  BoxGridTransfer(const BoxGrid& fine, const BoxGridSlab& fine_slab,
+                  const BoxGrid& coarse, const BoxGridSlab& coarse_slab);
 
   void add_interpolated(const std::vector<float>& coarse,
                         std::vector<float>& fine) override {

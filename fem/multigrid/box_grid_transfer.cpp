@@ -1,6 +1,6 @@
-#include "fem/multigrid/lattice_transfer.hpp"
+#include "fem/multigrid/box_grid_transfer.hpp"
 
-#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/box_grid_levels.hpp"
 
 #include <algorithm>
 
@@ -14,26 +14,26 @@ void add_multiple(double weight, const float* from, std::size_t size,
     to[i] += factor * from[i];
 }
 
-/// The ranks that receive all of a coarse lattice of which they share the fine
-/// one.
-RankGroup* gathering(const LatticeSlab& fine, const LatticeSlab& coarse) {
+/// The ranks that receive all of a coarse grid of boxes of which they share the
+/// fine one.
+RankGroup* gathering(const BoxGridSlab& fine, const BoxGridSlab& coarse) {
   return coarse.is_shared() ? nullptr : fine.ranks();
 }
 
 } // namespace
 
-LatticeTransfer::LatticeTransfer(const BoxLattice& fine,
-                                 const LatticeSlab& fine_slab,
-                                 const BoxLattice& coarse,
-                                 const LatticeSlab& coarse_slab)
+BoxGridTransfer::BoxGridTransfer(const BoxGrid& fine,
+                                 const BoxGridSlab& fine_slab,
+                                 const BoxGrid& coarse,
+                                 const BoxGridSlab& coarse_slab)
     : LevelTransfer(gathering(fine_slab, coarse_slab)),
       fine_(fine_slab.layout(fine)),
       coarse_(coarse_slab.layout(coarse)) {
   const auto from = axes_of(coarse);
   const auto to = axes_of(fine);
   const bool is_gathered = gathering(fine_slab, coarse_slab) != nullptr;
-  const LatticeAxis from_y = coarse_slab.axis_y(coarse);
-  const LatticeAxis to_y = is_gathered ? to[1] : fine_slab.axis_y(fine);
+  const BoxGridAxis from_y = coarse_slab.axis_y(coarse);
+  const BoxGridAxis to_y = is_gathered ? to[1] : fine_slab.axis_y(fine);
   const std::size_t first =
       is_gathered ? fine_.degree() * static_cast<std::size_t>(fine_slab.first())
                   : 0;
@@ -56,7 +56,7 @@ LatticeTransfer::LatticeTransfer(const BoxLattice& fine,
 ///                   slice, where its cells may have springs
 /// @param nearest_x, nearest_y  the fine nodes nearest to coarse ones
 /// @param first      slice of this rank in the numbers of nearest_y
-void LatticeTransfer::add_contact(const SparseRows& along_y,
+void BoxGridTransfer::add_contact(const SparseRows& along_y,
                                   const std::vector<std::size_t>& nearest_x,
                                   const std::vector<std::size_t>& nearest_y,
                                   std::size_t first) {
@@ -84,7 +84,7 @@ void LatticeTransfer::add_contact(const SparseRows& along_y,
 }
 
 /// Adds the product of the matrix with one row of nodes, for each component.
-void LatticeTransfer::add_along_x(const SparseRows& matrix, const float* from,
+void BoxGridTransfer::add_along_x(const SparseRows& matrix, const float* from,
                                   std::size_t from_stride, float* to,
                                   std::size_t to_stride) const {
   const std::size_t degree = fine_.degree();
@@ -105,7 +105,7 @@ void LatticeTransfer::add_along_x(const SparseRows& matrix, const float* from,
   }
 }
 
-void LatticeTransfer::add_product(const std::array<SparseRows, 3>& matrices,
+void BoxGridTransfer::add_product(const std::array<SparseRows, 3>& matrices,
                                   const NodeLayout& from_layout,
                                   const std::vector<float>& from,
                                   const NodeLayout& to_layout,
@@ -132,7 +132,7 @@ void LatticeTransfer::add_product(const std::array<SparseRows, 3>& matrices,
   }
 }
 
-std::size_t LatticeTransfer::bytes() const {
+std::size_t BoxGridTransfer::bytes() const {
   return (slice_.size() + row_.size()) * sizeof(float) + contact().bytes();
 }
 

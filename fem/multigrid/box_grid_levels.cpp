@@ -1,4 +1,4 @@
-#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/box_grid_levels.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@ namespace {
 /// A merged cell is at most this much longer than the intended width.
 constexpr double most_stretch = 1.5;
 
-/// A lattice with at most this many unknowns is solved exactly.
+/// A grid of boxes with at most this many unknowns is solved exactly.
 constexpr std::size_t most_exact_unknowns = 250;
 
 /// Merges neighbouring layers up to a thickness.
@@ -32,7 +32,7 @@ int halved(int cells, double width, double most) {
 }
 
 /// Means of the moduli over the fine cells that each coarse cell covers.
-void average_moduli(const BoxLattice& fine, BoxLattice& coarse) {
+void average_moduli(const BoxGrid& fine, BoxGrid& coarse) {
   const auto from = axes_of(fine);
   const auto to = axes_of(coarse);
   const SparseRows z = coverage(to[2], from[2]);
@@ -58,55 +58,55 @@ void average_moduli(const BoxLattice& fine, BoxLattice& coarse) {
       }
 }
 
-LatticeAxis even_axis(const BoxLattice& lattice, int cells, double length) {
-  LatticeAxis axis{lattice.degree, lattice.is_periodic, {}};
+BoxGridAxis even_axis(const BoxGrid& box_grid, int cells, double length) {
+  BoxGridAxis axis{box_grid.degree, box_grid.is_periodic, {}};
   for (int i = 0; i <= cells; ++i)
     axis.sides.push_back(length * i / cells);
   return axis;
 }
 
-bool can_coarsen(const BoxLattice& lattice) {
-  return lattice.cells_x > 1 || lattice.cells_y > 1 || lattice.layers() > 1;
+bool can_coarsen(const BoxGrid& box_grid) {
+  return box_grid.cells_x > 1 || box_grid.cells_y > 1 || box_grid.layers() > 1;
 }
 
 } // namespace
 
-std::array<LatticeAxis, 3> axes_of(const BoxLattice& lattice) {
-  LatticeAxis z{lattice.degree, false, {0.0}};
-  for (const double thickness : lattice.thickness)
+std::array<BoxGridAxis, 3> axes_of(const BoxGrid& box_grid) {
+  BoxGridAxis z{box_grid.degree, false, {0.0}};
+  for (const double thickness : box_grid.thickness)
     z.sides.push_back(z.sides.back() + thickness);
-  return {even_axis(lattice, lattice.cells_x, lattice.length_x),
-          even_axis(lattice, lattice.cells_y, lattice.length_y), z};
+  return {even_axis(box_grid, box_grid.cells_x, box_grid.length_x),
+          even_axis(box_grid, box_grid.cells_y, box_grid.length_y), z};
 }
 
-bool has_coarser(const BoxLattice& lattice) {
-  const NodeLayout layout(lattice);
-  return can_coarsen(lattice) &&
+bool has_coarser(const BoxGrid& box_grid) {
+  const NodeLayout layout(box_grid);
+  return can_coarsen(box_grid) &&
          3 * layout.planes() * static_cast<std::size_t>(layout.nodes_x()) *
                  static_cast<std::size_t>(layout.nodes_y()) >
              most_exact_unknowns;
 }
 
-BoxLattice coarser(const BoxLattice& lattice) {
-  BoxLattice coarse = lattice;
+BoxGrid coarser(const BoxGrid& box_grid) {
+  BoxGrid coarse = box_grid;
   double width =
-      *std::min_element(lattice.thickness.begin(), lattice.thickness.end());
-  if (lattice.cells_x > 1)
-    width = std::min(width, lattice.width_x());
-  if (lattice.cells_y > 1)
-    width = std::min(width, lattice.width_y());
+      *std::min_element(box_grid.thickness.begin(), box_grid.thickness.end());
+  if (box_grid.cells_x > 1)
+    width = std::min(width, box_grid.width_x());
+  if (box_grid.cells_y > 1)
+    width = std::min(width, box_grid.width_y());
   const auto is_same = [&] {
-    return coarse.cells_x == lattice.cells_x &&
-           coarse.cells_y == lattice.cells_y &&
-           coarse.thickness.size() == lattice.thickness.size();
+    return coarse.cells_x == box_grid.cells_x &&
+           coarse.cells_y == box_grid.cells_y &&
+           coarse.thickness.size() == box_grid.thickness.size();
   };
   for (double most = 2.0 * most_stretch * width;
-       is_same() && can_coarsen(lattice); most *= 2.0) {
-    coarse.cells_x = halved(lattice.cells_x, lattice.width_x(), most);
-    coarse.cells_y = halved(lattice.cells_y, lattice.width_y(), most);
-    coarse.thickness = merged_layers(lattice.thickness, most);
+       is_same() && can_coarsen(box_grid); most *= 2.0) {
+    coarse.cells_x = halved(box_grid.cells_x, box_grid.width_x(), most);
+    coarse.cells_y = halved(box_grid.cells_y, box_grid.width_y(), most);
+    coarse.thickness = merged_layers(box_grid.thickness, most);
   }
-  average_moduli(lattice, coarse);
+  average_moduli(box_grid, coarse);
   return coarse;
 }
 

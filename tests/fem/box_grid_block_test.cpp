@@ -1,15 +1,15 @@
-// Tests of fem/linear/lattice_block.hpp: the stiffness without a matrix and
+// Tests of fem/linear/box_grid_block.hpp: the stiffness without a matrix and
 // geometric multigrid, compared with deal.II's assembled matrix and the direct
 // solver. The tests also run on two and three ranks, which share the rows.
 #include "fem/linear/block_solver.hpp"
-#include "fem/linear/lattice_block.hpp"
+#include "fem/linear/box_grid_block.hpp"
 #include "tests/fem/block_vectors.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/fem/meshes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace asperity::fem::lattice_block_test {
+namespace asperity::fem::box_grid_block_test {
 
 using mechanics::BlockSides;
 using mechanics::FarBoundary;
@@ -18,7 +18,7 @@ constexpr double length = 1e-6; // m
 
 enum class Material { layers, heterogeneous_cells, sphere };
 
-struct LatticeCase {
+struct BoxGridCase {
   int degree;
   FarBoundary far_boundary;
   BlockSides sides;
@@ -27,7 +27,7 @@ struct LatticeCase {
 
 /// Boxes with unequal sides, 8 nodes and 13 rows of cells per plane, which no
 /// ranks share evenly, in layers of any thickness.
-BlockProblem problem_of(const LatticeCase& own) {
+BlockProblem problem_of(const BoxGridCase& own) {
   const Grid cells{8 / own.degree, 13, length, 1.2 * length};
   const Grid grid{8, 13 * own.degree, length, 1.2 * length};
   LayeredBlock layers;
@@ -51,8 +51,8 @@ BlockProblem problem_of(const LatticeCase& own) {
   return problem;
 }
 
-std::vector<LatticeCase> all_cases() {
-  std::vector<LatticeCase> found;
+std::vector<BoxGridCase> all_cases() {
+  std::vector<BoxGridCase> found;
   for (const int degree : {1, 2})
     for (const FarBoundary far_boundary :
          {FarBoundary::clamped, FarBoundary::sliding, FarBoundary::pressure})
@@ -66,23 +66,23 @@ std::vector<LatticeCase> all_cases() {
   return found;
 }
 
-class LatticeCases : public ::testing::TestWithParam<LatticeCase> {};
+class BoxGridCases : public ::testing::TestWithParam<BoxGridCase> {};
 
-TEST_P(LatticeCases, HaveTheStiffnessOfTheMatrix) {
+TEST_P(BoxGridCases, HaveTheStiffnessOfTheMatrix) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
-  const std::optional<BoxLattice> lattice = box_lattice(problem);
-  ASSERT_TRUE(lattice.has_value());
+  const std::optional<BoxGrid> box_grid = box_grid(problem);
+  ASSERT_TRUE(box_grid.has_value());
 
-  expect_matrix_product(system, LatticeBlock(system, *lattice));
+  expect_matrix_product(system, BoxGridBlock(system, *box_grid));
 }
 
 // Verifies the solution with pinned nodes, springs of any stiffness and nodes
 // in hard contact, which may stick under a clamped boundary.
-TEST_P(LatticeCases, HaveTheSolutionOfTheDirectSolver) {
+TEST_P(BoxGridCases, HaveTheSolutionOfTheDirectSolver) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
-  LatticeBlock block(system, *box_lattice(problem));
+  BoxGridBlock block(system, *box_grid(problem));
   for (const double spring : {0.0, 1e-2, 1e4}) {
     SCOPED_TRACE(spring);
     expect_direct_solution(
@@ -94,8 +94,8 @@ TEST_P(LatticeCases, HaveTheSolutionOfTheDirectSolver) {
     expect_direct_solution(system, block, {system, 0.0, true, true}, 100);
 }
 
-std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
-  const LatticeCase& own = info.param;
+std::string name_of(const ::testing::TestParamInfo<BoxGridCase>& info) {
+  const BoxGridCase& own = info.param;
   const std::array<const char*, 3> materials{"layers", "heterogeneous",
                                              "sphere"};
   return "q" + std::to_string(own.degree) + "_top" +
@@ -104,11 +104,11 @@ std::string name_of(const ::testing::TestParamInfo<LatticeCase>& info) {
          materials.at(static_cast<std::size_t>(own.material));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, LatticeCases, ::testing::ValuesIn(all_cases()),
+INSTANTIATE_TEST_SUITE_P(All, BoxGridCases, ::testing::ValuesIn(all_cases()),
                          name_of);
 
 // Verifies that a mesh that is not a grid of boxes is not treated as one.
-TEST(BoxLatticeOfAMesh, IsNoneForOtherMeshes) {
+TEST(BoxGridOfAMesh, IsNoneForOtherMeshes) {
   BlockProblem problem = problem_of(
       {1, FarBoundary::clamped, BlockSides::periodic, Material::layers});
   BlockProblem bent = problem;
@@ -120,11 +120,11 @@ TEST(BoxLatticeOfAMesh, IsNoneForOtherMeshes) {
   BlockProblem renumbered = problem;
   std::swap(renumbered.mesh.cells[0], renumbered.mesh.cells[1]);
 
-  EXPECT_TRUE(box_lattice(problem).has_value());
-  EXPECT_FALSE(box_lattice(bent).has_value());
-  EXPECT_FALSE(box_lattice(shifted).has_value());
-  EXPECT_FALSE(box_lattice(refined).has_value());
-  EXPECT_FALSE(box_lattice(renumbered).has_value());
+  EXPECT_TRUE(box_grid(problem).has_value());
+  EXPECT_FALSE(box_grid(bent).has_value());
+  EXPECT_FALSE(box_grid(shifted).has_value());
+  EXPECT_FALSE(box_grid(refined).has_value());
+  EXPECT_FALSE(box_grid(renumbered).has_value());
 }
 
-} // namespace asperity::fem::lattice_block_test
+} // namespace asperity::fem::box_grid_block_test

@@ -1,6 +1,6 @@
-#include "fem/linear/lattice_block.hpp"
+#include "fem/linear/box_grid_block.hpp"
 
-#include "fem/multigrid/lattice_levels.hpp"
+#include "fem/multigrid/box_grid_levels.hpp"
 #include "fem/multigrid/rigid_modes.hpp"
 #include "fem/parallel/mpi_group.hpp"
 #include "fem/parallel/ranks.hpp"
@@ -27,7 +27,7 @@ struct FaceEntry {
 
 /// The rank for each value, or nothing if every rank receives all.
 std::unique_ptr<ValueExchange> exchange_of(RankGroup& ranks,
-                                           const LatticeSlab& slab,
+                                           const BoxGridSlab& slab,
                                            std::span<const int> targets) {
   return slab.is_shared()
              ? std::make_unique<ValueExchange>(ranks, targets)
@@ -113,24 +113,24 @@ void UnknownExchange::give_back(std::span<const double> from,
     values[unknowns_[i]] = own[i];
 }
 
-LatticeNumbering::LatticeNumbering(const BlockSystem& system,
-                                   const BoxLattice& lattice)
+BoxGridNumbering::BoxGridNumbering(const BlockSystem& system,
+                                   const BoxGrid& box_grid)
     : nodes(system.space().owned().n_elements(), SlabPlaces::nowhere),
-      layout_(lattice),
-      depths_(axes_of(lattice)[2].sides) {
+      layout_(box_grid),
+      depths_(axes_of(box_grid)[2].sides) {
   if (!system.space().owned().is_contiguous())
     throw std::logic_error("the unknowns of a rank are not consecutive");
   if (!nodes.empty())
     first_owned_ = system.space().owned().nth_index_in_set(0);
   for (const auto& cell : system.space().dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
-      add_cell(system, lattice, cell);
+      add_cell(system, box_grid, cell);
 }
 
 /// Numbers the unknowns of a cell. The axes of a cell may be those of the
-/// lattice in any order and direction.
-void LatticeNumbering::add_cell(
-    const BlockSystem& system, const BoxLattice& lattice,
+/// grid of boxes in any order and direction.
+void BoxGridNumbering::add_cell(
+    const BlockSystem& system, const BoxGrid& box_grid,
     const dealii::DoFHandler<3>::active_cell_iterator& cell) {
   const BlockSpace& space = system.space();
   const auto& support = space.element().get_unit_support_points();
@@ -140,10 +140,10 @@ void LatticeNumbering::add_cell(
   const auto layer = static_cast<std::size_t>(
       std::upper_bound(depths_.begin(), depths_.end(), centre[2]) -
       depths_.begin() - 1);
-  const int degree = lattice.degree;
+  const int degree = box_grid.degree;
   const auto wrapped = [&](double place, double width, int n) {
     const int node = static_cast<int>(std::lround(place / width * degree));
-    return lattice.is_periodic ? node % n : node;
+    return box_grid.is_periodic ? node % n : node;
   };
   for (unsigned int i = 0; i < unknowns.size(); ++i) {
     Point<3> place = cell->vertex(0);
@@ -153,9 +153,9 @@ void LatticeNumbering::add_cell(
         (place[2] - depths_[layer]) / (depths_[layer + 1] - depths_[layer]);
     const unsigned int component =
         space.element().system_to_component_index(i).first;
-    take(space, lattice, unknowns[i], component,
-         layout_.index(wrapped(place[0], lattice.width_x(), layout_.nodes_x()),
-                       wrapped(place[1], lattice.width_y(), layout_.nodes_y()),
+    take(space, box_grid, unknowns[i], component,
+         layout_.index(wrapped(place[0], box_grid.width_x(), layout_.nodes_x()),
+                       wrapped(place[1], box_grid.width_y(), layout_.nodes_y()),
                        degree * static_cast<int>(layer) +
                            static_cast<int>(std::lround(share * degree)),
                        static_cast<int>(component)));
@@ -164,7 +164,7 @@ void LatticeNumbering::add_cell(
 
 /// Notes the node of an unknown, unless it is constrained; of a constrained one
 /// only whether it is a pin or the image of a node of the contact surface.
-void LatticeNumbering::take(const BlockSpace& space, const BoxLattice& lattice,
+void BoxGridNumbering::take(const BlockSpace& space, const BoxGrid& box_grid,
                             global_dof_index unknown, unsigned int component,
                             std::size_t node) {
   const auto& constraints = space.constraints();
@@ -179,7 +179,7 @@ void LatticeNumbering::take(const BlockSpace& space, const BoxLattice& lattice,
     return;
   }
   const bool is_far_held =
-      component == 2 ? lattice.holds_normal : lattice.holds_lateral;
+      component == 2 ? box_grid.holds_normal : box_grid.holds_lateral;
   const auto& entries = *constraints.get_constraint_entries(unknown);
   const bool is_zero =
       std::ranges::all_of(entries, [](const auto& e) { return e.second == 0; });
@@ -189,26 +189,26 @@ void LatticeNumbering::take(const BlockSpace& space, const BoxLattice& lattice,
     face[entries.front().first] = node;
 }
 
-LatticeExchange::LatticeExchange(const BlockSystem& system,
-                                 const BoxLattice& lattice,
-                                 const LatticeSlab& slab, RankGroup* ranks,
-                                 const LatticeNumbering& numbering)
+BoxGridExchange::BoxGridExchange(const BlockSystem& system,
+                                 const BoxGrid& box_grid,
+                                 const BoxGridSlab& slab, RankGroup* ranks,
+                                 const BoxGridNumbering& numbering)
     : ranks_(ranks),
       sharing_(slab.ranks()),
-      size_(slab.layout(lattice).size()),
-      unknowns_(unknowns_of(lattice, slab, ranks, numbering)) {
-  number_points(system, lattice, slab, numbering);
+      size_(slab.layout(box_grid).size()),
+      unknowns_(unknowns_of(box_grid, slab, ranks, numbering)) {
+  number_points(system, box_grid, slab, numbering);
 }
 
 UnknownExchange
-LatticeExchange::unknowns_of(const BoxLattice& lattice, const LatticeSlab& slab,
+BoxGridExchange::unknowns_of(const BoxGrid& box_grid, const BoxGridSlab& slab,
                              RankGroup* ranks,
-                             const LatticeNumbering& numbering) {
-  const SlabPlaces places(lattice, slab);
+                             const BoxGridNumbering& numbering) {
+  const SlabPlaces places(box_grid, slab);
   std::function<int(std::size_t)> rank_of;
   if (slab.is_shared())
     rank_of = [&](std::size_t node) {
-      return slab.rank_of(places.slice_of(node), lattice.degree);
+      return slab.rank_of(places.slice_of(node), box_grid.degree);
     };
   return {ranks, numbering.nodes, rank_of,
           [&](std::size_t node) { return places.of(node); }};
@@ -216,17 +216,17 @@ LatticeExchange::unknowns_of(const BoxLattice& lattice, const LatticeSlab& slab,
 
 /// A contact point belongs to the rank that has the row of cells in which it
 /// lies.
-void LatticeExchange::number_points(const BlockSystem& system,
-                                    const BoxLattice& lattice,
-                                    const LatticeSlab& slab,
-                                    const LatticeNumbering& numbering) {
+void BoxGridExchange::number_points(const BlockSystem& system,
+                                    const BoxGrid& box_grid,
+                                    const BoxGridSlab& slab,
+                                    const BoxGridNumbering& numbering) {
   const ContactPoints& points = system.contact();
   std::vector<int> targets;
   for (std::size_t i = 0; i < points.size(); ++i) {
     constexpr double rounding = 1e-6;
     const int row = static_cast<int>(
-        std::floor(points[i].place[1] / lattice.width_y() + rounding));
-    targets.push_back(slab.rank_of(row * lattice.degree, lattice.degree));
+        std::floor(points[i].place[1] / box_grid.width_y() + rounding));
+    targets.push_back(slab.rank_of(row * box_grid.degree, box_grid.degree));
   }
   order_ = order_by(targets);
   std::vector<std::uint32_t> sizes;
@@ -246,7 +246,7 @@ void LatticeExchange::number_points(const BlockSystem& system,
     entries = exchange_of(*ranks_, slab, entry_targets)
                   ->sent(std::span<const FaceEntry>(entries));
   }
-  const SlabPlaces places(lattice, slab);
+  const SlabPlaces places(box_grid, slab);
   for (const FaceEntry& entry : entries) {
     points_.column.push_back(places.with_images(entry.node));
     points_.weight.push_back(entry.value);
@@ -255,18 +255,18 @@ void LatticeExchange::number_points(const BlockSystem& system,
     points_.start.push_back(points_.start.back() + size);
 }
 
-void LatticeExchange::to_lattice(const Vector& from,
-                                 std::vector<double>& to) const {
+void BoxGridExchange::to_box_grid(const Vector& from,
+                                  std::vector<double>& to) const {
   to.resize(size_);
   unknowns_.send(from, to);
 }
 
-void LatticeExchange::from_lattice(const std::vector<double>& from,
-                                   Vector& to) const {
+void BoxGridExchange::from_box_grid(const std::vector<double>& from,
+                                    Vector& to) const {
   unknowns_.give_back(from, to);
 }
 
-MeshContact LatticeExchange::contact(std::span<const double> springs,
+MeshContact BoxGridExchange::contact(std::span<const double> springs,
                                      const std::vector<bool>& held,
                                      bool is_sticking) const {
   std::vector<double> stiffness;
@@ -284,44 +284,44 @@ MeshContact LatticeExchange::contact(std::span<const double> springs,
                            sharing_);
 }
 
-std::size_t LatticeExchange::bytes() const {
+std::size_t BoxGridExchange::bytes() const {
   return unknowns_.bytes() + order_.size() * sizeof(std::size_t) +
          points_.bytes();
 }
 
-LatticeBlock::LatticeBlock(const BlockSystem& system, const BoxLattice& lattice)
-    : LatticeBlock(system, lattice, LatticeNumbering(system, lattice)) {}
+BoxGridBlock::BoxGridBlock(const BlockSystem& system, const BoxGrid& box_grid)
+    : BoxGridBlock(system, box_grid, BoxGridNumbering(system, box_grid)) {}
 
-LatticeBlock::LatticeBlock(const BlockSystem& system, const BoxLattice& lattice,
-                           const LatticeNumbering& numbering)
+BoxGridBlock::BoxGridBlock(const BlockSystem& system, const BoxGrid& box_grid,
+                           const BoxGridNumbering& numbering)
     : ranks_(n_ranks() > 1 ? &mpi_group() : nullptr),
-      multigrid_(lattice, ranks_),
-      exchange_(system, lattice, multigrid_.slab(), ranks_, numbering) {
+      multigrid_(box_grid, ranks_),
+      exchange_(system, box_grid, multigrid_.slab(), ranks_, numbering) {
   take_pins(numbering);
   find_modes();
 }
 
 /// Takes the pins of all ranks, each once.
-void LatticeBlock::take_pins(const LatticeNumbering& numbering) {
-  std::vector<LatticeNumbering::Pin> pins = numbering.pins;
+void BoxGridBlock::take_pins(const BoxGridNumbering& numbering) {
+  std::vector<BoxGridNumbering::Pin> pins = numbering.pins;
   if (ranks_ != nullptr)
     pins = ValueExchange(*ranks_, pins.size())
-               .sent(std::span<const LatticeNumbering::Pin>(pins));
-  const SlabPlaces places(multigrid_.lattice(), multigrid_.slab());
-  for (const LatticeNumbering::Pin& pin : pins)
+               .sent(std::span<const BoxGridNumbering::Pin>(pins));
+  const SlabPlaces places(multigrid_.box_grid(), multigrid_.slab());
+  for (const BoxGridNumbering::Pin& pin : pins)
     if (std::ranges::none_of(
             pins_, [&](const Pin& own) { return own.node == pin.node; }))
       pins_.push_back({pin.node, places.of(pin.node), pin.component});
 }
 
-void LatticeBlock::vmult(Vector& to, const Vector& from) const {
-  exchange_.to_lattice(from, from_);
+void BoxGridBlock::vmult(Vector& to, const Vector& from) const {
+  exchange_.to_box_grid(from, from_);
   multigrid_.apply(from_, to_);
-  exchange_.from_lattice(to_, to);
+  exchange_.from_box_grid(to_, to);
 }
 
 /// Separates the pins that prevent a rigid motion from those that are held.
-void LatticeBlock::find_modes() {
+void BoxGridBlock::find_modes() {
   loose_.clear();
   held_pins_.clear();
   for (const Pin& pin : pins_)
@@ -329,9 +329,10 @@ void LatticeBlock::find_modes() {
       loose_.push_back(pin);
     else if (pin.place != SlabPlaces::nowhere)
       held_pins_.push_back(pin.place);
-  modes_ = rigid_modes(multigrid_.lattice(), multigrid_.slab(), has_contact_);
+  modes_ = rigid_modes(multigrid_.box_grid(), multigrid_.slab(), has_contact_);
   if (modes_.size() != loose_.size())
-    throw std::logic_error("the pins of a lattice do not match its motions");
+    throw std::logic_error(
+        "the pins of a grid of boxes do not match its motions");
   at_loose_.clear();
   for (const auto& mode : modes_)
     for (const Pin& pin : loose_)
@@ -339,7 +340,7 @@ void LatticeBlock::find_modes() {
           pin.place != SlabPlaces::nowhere ? mode[pin.place] : 0.0));
 }
 
-void LatticeBlock::prepare(std::span<const double> springs,
+void BoxGridBlock::prepare(std::span<const double> springs,
                            const std::vector<bool>& held, bool is_sticking) {
   MeshContact contact = exchange_.contact(springs, held, is_sticking);
   if (has_contact_ ==
@@ -354,7 +355,7 @@ void LatticeBlock::prepare(std::span<const double> springs,
 /// Solves M x = right_sides for the matrix M of the motions (rows) at the loose
 /// pins (columns), or for its transpose.
 std::vector<double>
-LatticeBlock::at_pins(const std::vector<double>& right_sides,
+BoxGridBlock::at_pins(const std::vector<double>& right_sides,
                       bool is_transposed) const {
   const auto size = static_cast<unsigned int>(loose_.size());
   dealii::FullMatrix<double> matrix(size);
@@ -371,7 +372,7 @@ LatticeBlock::at_pins(const std::vector<double>& right_sides,
 }
 
 /// Lets the loose pins carry the sums of the forces.
-void LatticeBlock::balance_forces() {
+void BoxGridBlock::balance_forces() {
   std::vector<double> sums(modes_.size(), 0.0);
   for (std::size_t mode = 0; mode < modes_.size(); ++mode)
     for (std::size_t i = 0; i < to_.size(); ++i)
@@ -385,7 +386,7 @@ void LatticeBlock::balance_forces() {
 }
 
 /// Subtracts the motions that the loose pins show.
-void LatticeBlock::remove_motions() {
+void BoxGridBlock::remove_motions() {
   std::vector<double> sums(modes_.size(), 0.0);
   for (std::size_t pin = 0; pin < loose_.size(); ++pin)
     if (loose_[pin].place != SlabPlaces::nowhere)
@@ -398,10 +399,10 @@ void LatticeBlock::remove_motions() {
       from_[i] -= sums[mode] * modes_[mode][i];
 }
 
-LinearSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
+LinearSolution BoxGridBlock::solve(Vector& unknowns, const Vector& forces,
                                    double tolerance, int most_iterations) {
-  exchange_.to_lattice(forces, to_);
-  exchange_.to_lattice(unknowns, from_);
+  exchange_.to_box_grid(forces, to_);
+  exchange_.to_box_grid(unknowns, from_);
   if (!modes_.empty())
     balance_forces();
   multigrid_.force() = to_;
@@ -409,16 +410,16 @@ LinearSolution LatticeBlock::solve(Vector& unknowns, const Vector& forces,
       multigrid_.solve(from_, tolerance, most_iterations);
   if (!modes_.empty())
     remove_motions();
-  exchange_.from_lattice(from_, unknowns);
+  exchange_.from_box_grid(from_, unknowns);
   return solution;
 }
 
-std::string LatticeBlock::name() const {
-  return "CG, multigrid on the lattice (" + std::to_string(levels()) +
+std::string BoxGridBlock::name() const {
+  return "CG, multigrid on the grid of boxes (" + std::to_string(levels()) +
          " levels)";
 }
 
-std::size_t LatticeBlock::bytes() const {
+std::size_t BoxGridBlock::bytes() const {
   std::size_t numbers = from_.size() + to_.size();
   for (const auto& mode : modes_)
     numbers += mode.size();

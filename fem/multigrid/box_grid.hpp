@@ -1,6 +1,6 @@
 #pragma once
 
-// A block on a lattice of boxes as plain data, and the order of its nodes in
+// A block on a grid of boxes as plain data, and the order of its nodes in
 // vectors. This folder does not depend on deal.II.
 
 #include "fem/multigrid/mesh_units.hpp"
@@ -21,7 +21,7 @@ struct CellModuli {
 
 /// Equal columns over the contact surface z = 0, divided into layers of any
 /// thickness.
-struct BoxLattice {
+struct BoxGrid {
   int degree = 1; ///< of the shape functions, 1 or 2
   int cells_x = 1, cells_y = 1;
   double length_x = 0.0, length_y = 0.0; ///< [m] > 0
@@ -49,12 +49,12 @@ struct BoxLattice {
 
 /// @throws std::domain_error  a number is outside its range or there are not as
 ///                            many moduli as layers or cells
-void require_lattice(const BoxLattice& lattice);
+void require_box_grid(const BoxGrid& box_grid);
 
-MeshUnits units_of(const BoxLattice& lattice);
+MeshUnits units_of(const BoxGrid& box_grid);
 
-/// The lattice in these units.
-BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units);
+/// The grid of boxes in these units.
+BoxGrid scaled(const BoxGrid& box_grid, const MeshUnits& units);
 
 /// The order of the nodes in vectors. With periodic sides the nodes at the far
 /// ends of x and y are images of those at 0. They have places of their own, so
@@ -66,19 +66,19 @@ BoxLattice scaled(const BoxLattice& lattice, const MeshUnits& units);
 ///       + x / degree
 ///
 /// All nodes of equal y are a slice, and slices follow each other, so that
-/// those of a process are consecutive (LatticeSlab). It counts them from its
+/// those of a process are consecutive (BoxGridSlab). It counts them from its
 /// first; the last may be an image of the first of the next process, as it is
 /// one of slice 0 where the sides are periodic. The end of a vector is padded
 /// with zeros, which may be read with the last cells.
 class NodeLayout {
 public:
-  /// All slices of the lattice.
-  explicit NodeLayout(const BoxLattice& lattice);
+  /// All slices of the grid of boxes.
+  explicit NodeLayout(const BoxGrid& box_grid);
 
   /// @param cells_y          number of rows of cells that this process holds
   /// @param has_image_slice  whether the last slice is an image of one of
   ///                         another process
-  NodeLayout(const BoxLattice& lattice, int cells_y, bool has_image_slice);
+  NodeLayout(const BoxGrid& box_grid, int cells_y, bool has_image_slice);
 
   std::size_t index(int x, int y, int plane, int component) const {
     return at(y) * slice_size() + at(plane) * row_size() +

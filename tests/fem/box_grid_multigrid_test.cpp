@@ -1,9 +1,9 @@
 // Tests of the convergence rate of conjugate gradients with the multigrid of
 // fem/multigrid, for any grid of boxes, moduli and contact. The stiffness
-// itself is compared with deal.II's in lattice_block_test.cpp.
+// itself is compared with deal.II's in box_grid_block_test.cpp.
+#include "fem/multigrid/box_grid_levels.hpp"
+#include "fem/multigrid/box_grid_multigrid.hpp"
 #include "fem/multigrid/chebyshev.hpp"
-#include "fem/multigrid/lattice_levels.hpp"
-#include "fem/multigrid/lattice_multigrid.hpp"
 #include "tests/fem/blocks.hpp"
 #include "tests/ranks/thread_ranks.hpp"
 
@@ -13,28 +13,28 @@
 #include <numbers>
 #include <vector>
 
-namespace asperity::fem::lattice_multigrid_test {
+namespace asperity::fem::box_grid_multigrid_test {
 
 /// A graded block with cubes at the surface, as deep as it is wide.
-BoxLattice graded_lattice(int degree, int cells, double growth) {
-  BoxLattice lattice;
-  lattice.degree = degree;
-  lattice.cells_x = lattice.cells_y = cells;
-  lattice.length_x = lattice.length_y = 1.0;
-  lattice.thickness = meshes::graded_layers(1.0 / cells, growth, 1.0);
-  lattice.moduli.assign(lattice.thickness.size(), {1.5, 1.0}); // nu = 0.3
-  return lattice;
+BoxGrid graded_box_grid(int degree, int cells, double growth) {
+  BoxGrid box_grid;
+  box_grid.degree = degree;
+  box_grid.cells_x = box_grid.cells_y = cells;
+  box_grid.length_x = box_grid.length_y = 1.0;
+  box_grid.thickness = meshes::graded_layers(1.0 / cells, growth, 1.0);
+  box_grid.moduli.assign(box_grid.thickness.size(), {1.5, 1.0}); // nu = 0.3
+  return box_grid;
 }
 
 /// Moduli from 10^-decades to 10^decades, evenly distributed in the exponent.
-void make_heterogeneous(BoxLattice& lattice, double decades) {
-  const std::size_t cells = lattice.thickness.size() *
-                            static_cast<std::size_t>(lattice.cells_x) *
-                            static_cast<std::size_t>(lattice.cells_y);
-  lattice.moduli.clear();
+void make_heterogeneous(BoxGrid& box_grid, double decades) {
+  const std::size_t cells = box_grid.thickness.size() *
+                            static_cast<std::size_t>(box_grid.cells_x) *
+                            static_cast<std::size_t>(box_grid.cells_y);
+  box_grid.moduli.clear();
   for (const double chance : random_field(cells, 4)) {
     const double factor = std::pow(10.0, decades * (2.0 * chance - 1.0));
-    lattice.moduli.push_back({1.5 * factor, factor});
+    box_grid.moduli.push_back({1.5 * factor, factor});
   }
 }
 
@@ -98,9 +98,9 @@ std::vector<double> random_forces(const NodeLayout& layout) {
 
 /// Iterations to a given residual relative to the force; 1000 if it is not
 /// reached.
-int iterations(const BoxLattice& lattice, const MeshContact& contact,
+int iterations(const BoxGrid& box_grid, const MeshContact& contact,
                double tolerance = 1e-8) {
-  LatticeMultigrid multigrid(lattice);
+  BoxGridMultigrid multigrid(box_grid);
   multigrid.set_contact(contact);
   const std::vector<double> force = random_forces(multigrid.layout());
   double square = 0.0;
@@ -113,37 +113,37 @@ int iterations(const BoxLattice& lattice, const MeshContact& contact,
   return solution.has_converged ? solution.iterations : 1000;
 }
 
-class LatticeDegrees : public ::testing::TestWithParam<int> {};
+class BoxGridDegrees : public ::testing::TestWithParam<int> {};
 
-INSTANTIATE_TEST_SUITE_P(Both, LatticeDegrees, ::testing::Values(1, 2));
+INSTANTIATE_TEST_SUITE_P(Both, BoxGridDegrees, ::testing::Values(1, 2));
 
 // Verifies that the number of iterations does not depend on the number of
 // cells, the grading ratio or the conditions at the sides.
-TEST_P(LatticeDegrees, NeedAsManyIterationsAtEverySize) {
+TEST_P(BoxGridDegrees, NeedAsManyIterationsAtEverySize) {
   for (const int cells : {6, 12, 24})
     for (const double growth : {1.0, 1.2, 1.5})
       for (const bool is_periodic : {true, false}) {
         if (cells * growth > 24.0 / GetParam())
           continue;
-        BoxLattice lattice = graded_lattice(GetParam(), cells, growth);
-        lattice.is_periodic = is_periodic;
-        EXPECT_LE(iterations(lattice, {}), 8)
+        BoxGrid box_grid = graded_box_grid(GetParam(), cells, growth);
+        box_grid.is_periodic = is_periodic;
+        EXPECT_LE(iterations(box_grid, {}), 8)
             << cells << " cells, growth " << growth;
       }
 }
 
 // Verifies that cells with unequal sides and an odd number of cells need no
 // more iterations.
-TEST_P(LatticeDegrees, NeedFewIterationsOnAnyLattice) {
-  BoxLattice odd = graded_lattice(GetParam(), 13, 1.3);
-  BoxLattice oblong = graded_lattice(GetParam(), 12, 1.3);
+TEST_P(BoxGridDegrees, NeedFewIterationsOnAnyBoxGrid) {
+  BoxGrid odd = graded_box_grid(GetParam(), 13, 1.3);
+  BoxGrid oblong = graded_box_grid(GetParam(), 12, 1.3);
   oblong.cells_y = 3;
-  BoxLattice narrow = graded_lattice(GetParam(), 12, 1.3);
+  BoxGrid narrow = graded_box_grid(GetParam(), 12, 1.3);
   narrow.length_y = 0.2;
-  BoxLattice coated = graded_lattice(GetParam(), 12, 1.3);
+  BoxGrid coated = graded_box_grid(GetParam(), 12, 1.3);
   coated.thickness.insert(coated.thickness.begin(), 2, 0.01);
   coated.moduli.insert(coated.moduli.begin(), 2, {15.0, 10.0});
-  BoxLattice single = graded_lattice(GetParam(), 1, 1.3);
+  BoxGrid single = graded_box_grid(GetParam(), 1, 1.3);
 
   EXPECT_LE(iterations(odd, {}), 9);
   EXPECT_LE(iterations(oblong, {}), 9);
@@ -154,40 +154,41 @@ TEST_P(LatticeDegrees, NeedFewIterationsOnAnyLattice) {
 
 // Verifies that nodes in hard contact and springs of any stiffness are
 // represented well enough on the coarse grids.
-TEST_P(LatticeDegrees, NeedFewIterationsInContact) {
-  const BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
-  const NodeLayout layout(lattice);
+TEST_P(BoxGridDegrees, NeedFewIterationsInContact) {
+  const BoxGrid box_grid = graded_box_grid(GetParam(), 24 / GetParam(), 1.2);
+  const NodeLayout layout(box_grid);
 
-  EXPECT_LE(iterations(lattice, held_nodes(layout)), 8);
+  EXPECT_LE(iterations(box_grid, held_nodes(layout)), 8);
   for (const double stiffness : {1e-4, 1.0, 1e2, 1e4}) {
-    const double own = stiffness / lattice.cells_x; // times mu h
-    EXPECT_LE(iterations(lattice, nodal_springs(layout, own)), 14) << stiffness;
+    const double own = stiffness / box_grid.cells_x; // times mu h
+    EXPECT_LE(iterations(box_grid, nodal_springs(layout, own)), 14)
+        << stiffness;
   }
 }
 
 // Verifies that heterogeneous moduli need a few more iterations, and contrasts
 // of six decades between neighbours some tens.
-TEST_P(LatticeDegrees, NeedMoreIterationsForHeterogeneousModuli) {
-  BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
-  const NodeLayout layout(lattice);
+TEST_P(BoxGridDegrees, NeedMoreIterationsForHeterogeneousModuli) {
+  BoxGrid box_grid = graded_box_grid(GetParam(), 24 / GetParam(), 1.2);
+  const NodeLayout layout(box_grid);
 
-  make_heterogeneous(lattice, 0.2); // a factor of 2.5
-  EXPECT_LE(iterations(lattice, held_nodes(layout), 1e-12), 15);
-  make_heterogeneous(lattice, 1.0);
-  EXPECT_LE(iterations(lattice, held_nodes(layout)), 24);
-  make_heterogeneous(lattice, 3.0);
-  EXPECT_LE(iterations(lattice, held_nodes(layout)), 100);
+  make_heterogeneous(box_grid, 0.2); // a factor of 2.5
+  EXPECT_LE(iterations(box_grid, held_nodes(layout), 1e-12), 15);
+  make_heterogeneous(box_grid, 1.0);
+  EXPECT_LE(iterations(box_grid, held_nodes(layout)), 24);
+  make_heterogeneous(box_grid, 3.0);
+  EXPECT_LE(iterations(box_grid, held_nodes(layout)), 100);
 }
 
 // States the limit of the method near incompressibility, where a smoother of
 // single nodes is a poor one: the iterations grow approximately as 1 / (1 - 2
 // nu)^0.5.
-TEST_P(LatticeDegrees, NeedManyIterationsNearIncompressibility) {
-  BoxLattice lattice = graded_lattice(GetParam(), 24 / GetParam(), 1.2);
+TEST_P(BoxGridDegrees, NeedManyIterationsNearIncompressibility) {
+  BoxGrid box_grid = graded_box_grid(GetParam(), 24 / GetParam(), 1.2);
   const auto at = [&](double poisson_ratio) {
     const double ratio = 2.0 * poisson_ratio / (1.0 - 2.0 * poisson_ratio);
-    lattice.moduli.assign(lattice.thickness.size(), {ratio, 1.0});
-    return iterations(lattice, {});
+    box_grid.moduli.assign(box_grid.thickness.size(), {ratio, 1.0});
+    return iterations(box_grid, {});
   };
 
   EXPECT_LE(at(0.45), 16);
@@ -197,24 +198,24 @@ TEST_P(LatticeDegrees, NeedManyIterationsNearIncompressibility) {
 
 // Verifies that the units do not change the iterations, although the cycle
 // works in single precision.
-TEST_P(LatticeDegrees, NeedAsManyIterationsInAnyUnit) {
-  BoxLattice lattice = graded_lattice(GetParam(), 8, 1.2);
-  const int expected = iterations(lattice, {});
-  lattice.length_x = lattice.length_y = 1e-25;
-  for (double& thickness : lattice.thickness)
+TEST_P(BoxGridDegrees, NeedAsManyIterationsInAnyUnit) {
+  BoxGrid box_grid = graded_box_grid(GetParam(), 8, 1.2);
+  const int expected = iterations(box_grid, {});
+  box_grid.length_x = box_grid.length_y = 1e-25;
+  for (double& thickness : box_grid.thickness)
     thickness *= 1e-25;
-  for (CellModuli& moduli : lattice.moduli)
+  for (CellModuli& moduli : box_grid.moduli)
     moduli = {1e-20 * moduli.lame, 1e-20 * moduli.shear};
 
-  EXPECT_EQ(iterations(lattice, {}), expected);
+  EXPECT_EQ(iterations(box_grid, {}), expected);
 }
 
 // The cycle is symmetric and positive, as conjugate gradients require.
 // Tolerance: single precision.
-TEST_P(LatticeDegrees, HaveASymmetricCycle) {
-  const BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
-  const NodeLayout layout(lattice);
-  LatticeMultigrid multigrid(lattice);
+TEST_P(BoxGridDegrees, HaveASymmetricCycle) {
+  const BoxGrid box_grid = graded_box_grid(GetParam(), 8, 1.3);
+  const NodeLayout layout(box_grid);
+  BoxGridMultigrid multigrid(box_grid);
   multigrid.set_contact(nodal_springs(layout, multigrid.unit()));
   const std::vector<double> a = random_forces(layout);
   std::vector<double> b(a.size(), 0.0);
@@ -245,55 +246,55 @@ TEST_P(LatticeDegrees, HaveASymmetricCycle) {
 // Verifies that merged layers stay below three times the smallest side of a
 // cell while there are layers to merge, and that moduli are averaged over the
 // volume.
-TEST(LatticeLevels, MergeShortCellsOnly) {
-  BoxLattice lattice = graded_lattice(1, 16, 1.5);
-  lattice.moduli.front() = {4.0, 3.0};
-  const BoxLattice next = coarser(lattice);
+TEST(BoxGridLevels, MergeShortCellsOnly) {
+  BoxGrid box_grid = graded_box_grid(1, 16, 1.5);
+  box_grid.moduli.front() = {4.0, 3.0};
+  const BoxGrid next = coarser(box_grid);
 
   EXPECT_EQ(next.cells_x, 8);
-  ASSERT_LT(next.thickness.size(), lattice.thickness.size());
+  ASSERT_LT(next.thickness.size(), box_grid.thickness.size());
   EXPECT_LE(next.thickness.front(), 3.0 / 16.0);
-  EXPECT_EQ(next.thickness.back(), lattice.thickness.back());
-  const double share = lattice.thickness[0] / next.thickness[0];
+  EXPECT_EQ(next.thickness.back(), box_grid.thickness.back());
+  const double share = box_grid.thickness[0] / next.thickness[0];
   EXPECT_NEAR(next.moduli[0].shear, 1.0 + 2.0 * share, 1e-12);
 }
 
 // Verifies that invalid grids are refused.
-TEST(BoxLattice, IsRefusedOutsideOfItsRange) {
-  BoxLattice lattice = graded_lattice(1, 4, 1.2);
-  lattice.moduli.pop_back();
-  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
-  lattice = graded_lattice(3, 4, 1.2);
-  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
-  lattice = graded_lattice(1, 4, 1.2);
-  lattice.is_periodic = lattice.holds_normal = false;
-  EXPECT_THROW(LatticeMultigrid{lattice}, std::domain_error);
+TEST(BoxGrid, IsRefusedOutsideOfItsRange) {
+  BoxGrid box_grid = graded_box_grid(1, 4, 1.2);
+  box_grid.moduli.pop_back();
+  EXPECT_THROW(BoxGridMultigrid{box_grid}, std::domain_error);
+  box_grid = graded_box_grid(3, 4, 1.2);
+  EXPECT_THROW(BoxGridMultigrid{box_grid}, std::domain_error);
+  box_grid = graded_box_grid(1, 4, 1.2);
+  box_grid.is_periodic = box_grid.holds_normal = false;
+  EXPECT_THROW(BoxGridMultigrid{box_grid}, std::domain_error);
 }
 
 // Verifies that the memory of a rank falls with the number of ranks. A quarter
 // of the rows takes a quarter of the memory. The image row adds a sixteenth of
-// it, and the coarse lattices that every rank has some per cent.
-TEST_P(LatticeDegrees, DivideTheirMemoryAmongRanks) {
-  BoxLattice lattice = graded_lattice(GetParam(), 8, 1.3);
-  lattice.cells_y = 64;
-  lattice.length_y = 8.0;
-  const std::size_t alone = LatticeMultigrid(lattice).bytes();
+// it, and the coarse grids of boxes that every rank has some per cent.
+TEST_P(BoxGridDegrees, DivideTheirMemoryAmongRanks) {
+  BoxGrid box_grid = graded_box_grid(GetParam(), 8, 1.3);
+  box_grid.cells_y = 64;
+  box_grid.length_y = 8.0;
+  const std::size_t alone = BoxGridMultigrid(box_grid).bytes();
   tests::on_thread_ranks(4, [&](RankGroup& ranks) {
-    EXPECT_LT(LatticeMultigrid(lattice, &ranks).bytes(), 35 * alone / 100);
+    EXPECT_LT(BoxGridMultigrid(box_grid, &ranks).bytes(), 35 * alone / 100);
   });
 }
 
-// Verifies that every rank solves a lattice of few rows alone, and that
+// Verifies that every rank solves a grid of boxes of few rows alone, and that
 // boundaries between ranks are those of coarser rows.
-TEST(LatticeRows, AreSharedIfThereAreMany) {
-  BoxLattice lattice = graded_lattice(1, 8, 1.3);
-  lattice.cells_y = 6;
+TEST(BoxGridRows, AreSharedIfThereAreMany) {
+  BoxGrid box_grid = graded_box_grid(1, 8, 1.3);
+  box_grid.cells_y = 6;
   tests::on_thread_ranks(4, [&](RankGroup& ranks) {
-    EXPECT_FALSE(LatticeMultigrid(lattice, &ranks).slab().is_shared());
+    EXPECT_FALSE(BoxGridMultigrid(box_grid, &ranks).slab().is_shared());
   });
-  lattice.cells_y = 64;
+  box_grid.cells_y = 64;
   tests::on_thread_ranks(3, [&](RankGroup& ranks) {
-    EXPECT_EQ(divided(lattice, &ranks).bounds(),
+    EXPECT_EQ(divided(box_grid, &ranks).bounds(),
               std::vector<int>({0, 16, 40, 64}));
   });
 }
@@ -314,4 +315,4 @@ TEST(Smoother, EigenvalueEstimateIsAnUpperBound) {
   EXPECT_LE(estimate, 1.1 * exact * (1.0 + 1e-5));
 }
 
-} // namespace asperity::fem::lattice_multigrid_test
+} // namespace asperity::fem::box_grid_multigrid_test

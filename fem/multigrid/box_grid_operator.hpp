@@ -1,10 +1,10 @@
 #pragma once
 
-// The stiffness of a block on a lattice of boxes as an operator without a
+// The stiffness of a block on a grid of boxes as an operator without a
 // matrix.
 
-#include "fem/multigrid/box_lattice.hpp"
-#include "fem/multigrid/lattice_slab.hpp"
+#include "fem/multigrid/box_grid.hpp"
+#include "fem/multigrid/box_grid_slab.hpp"
 #include "fem/multigrid/mesh_operator.hpp"
 
 #include <cstddef>
@@ -19,11 +19,11 @@ namespace asperity::fem {
 /// unknowns lets neighbouring cells be read and written together; with numbers
 /// of nodes as BoxOperator has them, a product takes 2.5 times as long.
 template <class Number>
-class LatticeOperator final : public MeshOperator<Number> {
+class BoxGridOperator final : public MeshOperator<Number> {
 public:
-  /// @param lattice   with all rows
+  /// @param grid of boxes   with all rows
   /// @param unknowns  those of the rows of `slab`
-  LatticeOperator(const BoxLattice& lattice, const LatticeSlab& slab,
+  BoxGridOperator(const BoxGrid& box_grid, const BoxGridSlab& slab,
                   UnknownLayout unknowns);
 
   /// The diagonal of K, zero at constrained unknowns and those of other ranks.
@@ -46,9 +46,9 @@ private:
 
   void add_cells(const Number* displacement, Number* force,
                  Number scale) const override;
-  void add_layer(const BoxLattice& lattice, const LatticeSlab& slab, int layer);
-  void take_factors(const BoxLattice& lattice, const LatticeSlab& slab,
-                    int layer, Layer& own) const;
+  void add_layer(const BoxGrid& box_grid, const BoxGridSlab& slab, int layer);
+  void take_factors(const BoxGrid& box_grid, const BoxGridSlab& slab, int layer,
+                    Layer& own) const;
   void add_diagonal(const Layer& layer, std::size_t plane, int x, int y,
                     std::vector<double>& sum) const;
 
