@@ -6,6 +6,7 @@
 #include "results/types/method_columns.hpp"
 #include "surfaces/analysis/reliable_range.hpp"
 
+#include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,16 +39,6 @@ double grid_error(const CurvePoint& row) {
 
 double solver_error(const CurvePoint& row) {
   return row[columns::certified_gap_error];
-}
-
-/// x of erf(x) = y, 0 < y < 1, by bisection to roundoff.
-double inverse_erf(double y) {
-  double low = 0.0, high = 6.0; // beyond, erf is 1
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::erf(middle) < y ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
 }
 
 double at_least_0(double number) {
@@ -148,7 +139,7 @@ HalfWidths AskedIntervals::of(const CurvePoint& row) const {
     return widths;
   // Of the theory, the load with this area: A = erf(x), x = 2^(1/2) p/(E* h').
   const double slope = all_->spectrum().rms_slope();
-  const double x = inverse_erf(area);
+  const double x = boost::math::erf_inv(area);
   const double load = x * all_->contact_modulus() * slope / std::numbers::sqrt2;
   widths.area +=
       std::abs(std::erf(x * slope / long_->spectrum().rms_slope()) - area);
