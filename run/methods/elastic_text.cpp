@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "input/types/units.hpp"
 #include "run/methods/elastic_method.hpp"
 
