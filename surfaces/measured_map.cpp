@@ -1,6 +1,7 @@
 #include "surfaces/measured_map.hpp"
 
 #include "base/plain_text.hpp"
+#include "base/shown_number.hpp"
 #include "input/input_error.hpp"
 #include "mechanics/limits.hpp"
 #include "surfaces/analysis/reliable_range.hpp"
@@ -306,12 +307,12 @@ mechanics::Edges continuation_of(const SurfaceSpec& surface) {
 std::vector<std::string> warnings_of(const MapFaults& faults) {
   std::vector<std::string> warnings;
   if (faults.spikes.count > 0)
-    warnings.push_back(fmt::format(
-        "{} spike{} of up to {:.3g} um beside all neighbours; --set "
-        "surface.remove_spikes={:g} removes {}",
-        faults.spikes.count, faults.spikes.count == 1 ? "" : "s",
-        faults.spikes.highest * 1e6, spike_threshold,
-        faults.spikes.count == 1 ? "it" : "them"));
+    warnings.push_back(
+        fmt::format("{} spike{} of up to {} beside all neighbours; --set "
+                    "surface.remove_spikes={:g} removes {}",
+                    faults.spikes.count, faults.spikes.count == 1 ? "" : "s",
+                    quantity_text(faults.spikes.highest, "m", 3),
+                    spike_threshold, faults.spikes.count == 1 ? "it" : "them"));
   if (faults.form_share > largest_form_share)
     warnings.push_back(fmt::format(
         "form: a second-order surface explains {:.3g} % of the variance; "

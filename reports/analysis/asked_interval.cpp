@@ -98,6 +98,8 @@ AskedIntervals::AskedIntervals(const results::Result& result,
   if (has_any(method, solver_error))
     parts_.push_back(
         {"solver", true, "the certified bound of the mean gap on this grid"});
+  if (method.realizations.size() > 1)
+    parts_.push_back({"realisations", true, "the 95 % interval of their mean"});
   if (result.case_text.empty() ||
       contact_case.surface.kind != SurfaceKind::measured)
     return;

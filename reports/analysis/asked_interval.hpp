@@ -41,7 +41,7 @@ struct HalfWidths {
 ///   the area of the step, says of area and gap if the waves of the shortest
 ///   reliable octave, and those beyond it, are left out; the octave that the
 ///   map does not resolve is taken to change as much.
-/// - Realisations are not in it: the caller has their spread.
+/// - Realisations: the caller adds their spread.
 class AskedIntervals {
 public:
   /// The result must outlive it.

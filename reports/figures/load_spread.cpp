@@ -37,6 +37,11 @@ void SpreadPanel::add(const std::string& label, const CurveStyle& style,
                       const SpreadCurve& curve) {
   const std::size_t before = rows_.size();
   add_rows(label, curve, false);
+  if (style.has_markers)
+    for (const auto& [step, at] : curve)
+      for (const double number : at.numbers)
+        if (number > 0.0)
+          least_marked_ = std::min(least_marked_, number / unit_);
   if (rows_.size() > before) {
     ChartCurve& drawn = panel_.add(label, style, next_++, 3, 4);
     if (style.has_markers) {
@@ -59,7 +64,11 @@ void SpreadPanel::add(const std::string& label, const CurveStyle& style,
 void SpreadPanel::move_to(Figure& figure, const std::string& label) {
   constexpr double below = 0.3; // of the least number: half a decade
   const bool has_numbers = least_ < std::numeric_limits<double>::infinity();
-  const double axis = has_numbers ? rounded(below * least_, 1) : 0.0;
+  const bool has_marked =
+      least_marked_ < std::numeric_limits<double>::infinity();
+  const double axis =
+      has_numbers ? rounded(below * (has_marked ? least_marked_ : least_), 1)
+                  : 0.0;
   CsvTable table({"curve", "index", "p [MPa]", quantity_, "least " + quantity_,
                   "largest " + quantity_, "realisations [1]", zero_ + " [1]"});
   bool has_zeros = false;
@@ -78,7 +87,7 @@ void SpreadPanel::move_to(Figure& figure, const std::string& label) {
   }
   panel_.x = {.label = "nominal pressure  [MPa]", .is_log = true};
   panel_.y = {.label = label, .is_log = has_numbers, .has_powers = has_numbers};
-  if (has_zeros)
+  if (has_zeros || least_ < axis) // a theory may fall by many decades
     panel_.y.low = axis;
   figure.panels = {std::move(panel_)};
   figure.data = table.text();

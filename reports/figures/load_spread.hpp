@@ -94,6 +94,8 @@ private:
   std::string quantity_, zero_;
   std::size_t next_ = 0;
   double least_ = std::numeric_limits<double>::infinity(); ///< > 0, over unit_
+  double least_marked_ =
+      std::numeric_limits<double>::infinity(); ///< likewise, of markers
   std::vector<Row> rows_;
   ChartPanel panel_;
 };

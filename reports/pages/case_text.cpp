@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "reports/analysis/measured_curve.hpp"
 #include "reports/pages/html_report.hpp"
 
@@ -5,54 +6,59 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace asperity::reports {
 namespace {
 
 using mechanics::SurfaceKind;
 
+std::string wavelength_text(double wavevector) {
+  return quantity_text(2.0 * std::numbers::pi / wavevector, "m", 3);
+}
+
 std::string kind_words(const mechanics::SurfaceSpec& surface) {
   switch (surface.kind) {
   case SurfaceKind::self_affine:
-    return fmt::format("self-affine surface, H = {:.3g}, roll-off at {:.3g} "
-                       "µm, wavelengths from {:.3g} to {:.3g} µm",
+    return fmt::format("self-affine surface, H = {:.3g}, roll-off at {}, "
+                       "wavelengths from {} to {}",
                        surface.hurst,
-                       6.283185307179586e6 / surface.wavevector_roll_off,
-                       6.283185307179586e6 / surface.wavevector_high,
-                       6.283185307179586e6 / surface.wavevector_low);
+                       wavelength_text(surface.wavevector_roll_off),
+                       wavelength_text(surface.wavevector_high),
+                       wavelength_text(surface.wavevector_low));
   case SurfaceKind::spectrum:
     return "surface with a tabulated spectrum";
   case SurfaceKind::measured:
     return "measured surface";
   case SurfaceKind::sphere:
-    return fmt::format("sphere of radius {:.6g} µm", surface.radius * 1e6);
+    return "sphere of radius " + quantity_text(surface.radius, "m", 6);
   case SurfaceKind::punch:
-    return fmt::format("flat punch of radius {:.6g} µm", surface.radius * 1e6) +
+    return "flat punch of radius " + quantity_text(surface.radius, "m", 6) +
            (surface.tilt == 0.0
                 ? ""
                 : fmt::format(", tilted by {:.3g}", surface.tilt));
   case SurfaceKind::cone:
     return fmt::format("cone of slope {:.4g}", surface.slope);
   case SurfaceKind::rounded_punch:
-    return fmt::format("flat punch of radius {:.6g} µm with an edge of radius "
-                       "{:.6g} µm",
-                       surface.radius * 1e6, surface.edge_radius * 1e6);
+    return fmt::format("flat punch of radius {} with an edge of radius {}",
+                       quantity_text(surface.radius, "m", 6),
+                       quantity_text(surface.edge_radius, "m", 6));
   case SurfaceKind::wave_1d:
-    return fmt::format("one-dimensional wave, amplitude {:.4g} nm, length "
-                       "{:.4g} µm",
-                       surface.amplitude * 1e9, surface.wavelength * 1e6);
+    return fmt::format("one-dimensional wave, amplitude {}, length {}",
+                       quantity_text(surface.amplitude, "m"),
+                       quantity_text(surface.wavelength, "m"));
   case SurfaceKind::wave_2d:
-    return fmt::format("two-dimensional wave, amplitude {:.4g} nm, length "
-                       "{:.4g} µm",
-                       surface.amplitude * 1e9, surface.wavelength * 1e6);
+    return fmt::format("two-dimensional wave, amplitude {}, length {}",
+                       quantity_text(surface.amplitude, "m"),
+                       quantity_text(surface.wavelength, "m"));
   }
   return "surface";
 }
 
 std::string surface_words(const mechanics::SurfaceSpec& surface) {
   return kind_words(surface) +
-         (surface.form_radius ? fmt::format(", on a sphere of radius {:.6g} µm",
-                                            *surface.form_radius * 1e6)
+         (surface.form_radius ? ", on a sphere of radius " +
+                                    quantity_text(*surface.form_radius, "m", 6)
                               : "");
 }
 
@@ -89,10 +95,10 @@ std::string grid_words(const ReportEntry& entry) {
   const results::SurfaceRecord& surface = stated_surface(entry);
   const Grid grid = surface.map_grid();
   std::string words = fmt::format(
-      "; {} × {} points over {:.4g} × {:.4g} µm, rms height {:.4g} nm, rms "
-      "slope {:.3g}",
-      grid.points_x, grid.points_y, grid.length_x * 1e6, grid.length_y * 1e6,
-      surface.rms_height * 1e9, surface.rms_slope);
+      "; {} × {} points over {} × {}, rms height {}, rms slope {:.3g}",
+      grid.points_x, grid.points_y, quantity_text(grid.length_x, "m"),
+      quantity_text(grid.length_y, "m"), quantity_text(surface.rms_height, "m"),
+      surface.rms_slope);
   if (result.surfaces.size() > 1)
     words += fmt::format("; {} realisations", result.surfaces.size());
   return words;
@@ -122,9 +128,15 @@ std::string load_words(const results::Result& result) {
   const auto [steps, least, largest] = loads_of(result);
   if (steps == 0)
     return "";
-  return fmt::format("; {} load step{}, p/E* from {:.3g} to {:.3g}", steps,
-                     steps == 1 ? "" : "s", least / result.contact_modulus,
-                     largest / result.contact_modulus);
+  const double modulus = result.contact_modulus;
+  if (least == largest)
+    return fmt::format("; {} load step{}, {} (p/E* = {:.3g})", steps,
+                       steps == 1 ? "" : "s", quantity_text(least, "Pa", 3),
+                       least / modulus);
+  return fmt::format("; {} load steps, {} to {} (p/E* from {:.3g} to {:.3g})",
+                     steps, quantity_text(least, "Pa", 3),
+                     quantity_text(largest, "Pa", 3), least / modulus,
+                     largest / modulus);
 }
 
 /// Puts what follows the first comma into parentheses.
@@ -162,8 +174,8 @@ std::string surface_sentence(const ReportEntry& entry) {
   const bool has_case = !result.case_text.empty();
   const mechanics::MaterialSpec& material = entry.contact_case->material;
   std::string words = fmt::format(
-      "An elastic block with E* = {:.4g} GPa{} was pressed against a{} {}{}",
-      result.contact_modulus * 1e-9,
+      "An elastic block with E* = {}{} was pressed against a{} {}{}",
+      quantity_text(result.contact_modulus, "Pa"),
       material.layers.empty()
           ? ""
           : fmt::format(" under {} bonded layer{}", material.layers.size(),
@@ -183,14 +195,14 @@ std::string surface_sentence(const ReportEntry& entry) {
   const results::SurfaceRecord& surface = stated_surface(entry);
   const Grid grid = surface.map_grid();
   words += fmt::format(
-      ". {} {} × {} points over {:.4g} × {:.4g} µm, with rms height {:.4g} nm "
-      "and rms slope {:.3g}{}.",
+      ". {} {} × {} points over {} × {}, with rms height {} and rms slope "
+      "{:.3g}{}.",
       result.surfaces.size() > 1
           ? fmt::format("Each of {} realisations had", result.surfaces.size())
           : "It had",
-      grid.points_x, grid.points_y, grid.length_x * 1e6, grid.length_y * 1e6,
-      surface.rms_height * 1e9, surface.rms_slope,
-      result.surfaces.size() > 1 ? " in the first one" : "");
+      grid.points_x, grid.points_y, quantity_text(grid.length_x, "m"),
+      quantity_text(grid.length_y, "m"), quantity_text(surface.rms_height, "m"),
+      surface.rms_slope, result.surfaces.size() > 1 ? " in the first one" : "");
   return words;
 }
 
@@ -217,8 +229,8 @@ std::string case_sentence(const ReportEntry& entry) {
     return fmt::format("A {}{}.", first->description,
                        load_words(*entry.result));
   return fmt::format(
-      "An elastic block, E* = {:.4g} GPa, pressed against a rigid {}{}{}.",
-      entry.result->contact_modulus * 1e-9,
+      "An elastic block, E* = {}, pressed against a rigid {}{}{}.",
+      quantity_text(entry.result->contact_modulus, "Pa"),
       entry.result->case_text.empty()
           ? "surface"
           : surface_words(entry.contact_case->surface),

@@ -327,7 +327,8 @@ Json entry_page(const ReportEntry& entry, Json page,
   for (Json& row : page["contact_against_load"])
     for (const char* const number :
          {"area_fraction", "area [m^2]", "mean_gap [m]"})
-      row[number]["half_width_95"] = row[number]["error"];
+      if (row[number]["error"] > 0.0)
+        row[number]["half_width_95"] = row[number]["error"];
   set_notices(page, entry);
   page["banner_class"] = banner_class(summary);
   page["banner"] = banner_words(summary);

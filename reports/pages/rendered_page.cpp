@@ -51,6 +51,9 @@ std::string formatted(double value, const std::string& format) {
     std::swap(factor, unit);
   const double scale = factor.empty() ? 1.0 : std::stod("1" + factor);
   const std::string sign = digits.starts_with('+') ? "+" : "";
+  if (sign.empty() && digits.ends_with('g'))
+    return digits_text(value * scale, std::stoi(digits)) +
+           (unit.empty() ? "" : " " + unit);
   return fmt::format(fmt::runtime(fmt::format("{{:{}.{}}}", sign,
                                               digits.substr(sign.size()))),
                      Shown{value * scale}) +

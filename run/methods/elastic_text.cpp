@@ -1,3 +1,4 @@
+#include "base/shown_number.hpp"
 #include "input/types/units.hpp"
 #include "run/methods/elastic_method.hpp"
 
@@ -26,9 +27,12 @@ std::string in_words(const ContactSettings& settings) {
                        settings.work_of_adhesion, range);
   }
   if (settings.hardness)
-    return fmt::format(
-        "{}, hardness {}", law.words,
-        cases::write_quantity(*settings.hardness, cases::Dimension::pressure));
+    return fmt::format("{}, hardness {}", law.words,
+                       settings.hardness->reference ==
+                               mechanics::ReferenceUnit::si
+                           ? quantity_text(settings.hardness->value, "Pa")
+                           : cases::write_quantity(*settings.hardness,
+                                                   cases::Dimension::pressure));
   if (!law.needs_penalty)
     return law.words;
   const char* unit =
@@ -43,9 +47,9 @@ std::string in_words(const ContactSettings& settings) {
 std::string in_words(const std::vector<mechanics::MaterialLayer>& layers) {
   std::string words;
   for (const mechanics::MaterialLayer& layer : layers)
-    words +=
-        fmt::format("{}E = {:g} Pa, nu = {:g}", words.empty() ? "" : "; ",
-                    layer.moduli.youngs_modulus, layer.moduli.poisson_ratio);
+    words += fmt::format("{}E = {}, nu = {:g}", words.empty() ? "" : "; ",
+                         quantity_text(layer.moduli.youngs_modulus, "Pa"),
+                         layer.moduli.poisson_ratio);
   return words;
 }
 

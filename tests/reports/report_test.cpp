@@ -332,7 +332,7 @@ TEST_F(Report, HasAVersionForPrint) {
 
   EXPECT_EQ(count(page, "<script"), 0U);
   EXPECT_GT(count(page, "<details"), 3U);
-  EXPECT_EQ(count(page, "<details"), count(page, "<details open=\"open\""));
+  EXPECT_EQ(count(page, "<details id="), 0U); // others are left out of prints
   EXPECT_NE(print_page(page, folder / "report.pdf", "/no/such/program"), "");
   EXPECT_FALSE(fs::exists(folder / "report.pdf"));
 }

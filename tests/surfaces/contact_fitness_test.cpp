@@ -23,7 +23,7 @@ std::vector<SpectrumRing> two_waves(double high, double steep) {
                         .degrees_of_freedom = 2.0,
                         .mean_square_height = height};
   };
-  return {ring(high, 1.0), ring(steep, 0.1)};
+  return {ring(high, 1.0), ring(steep, 0.3)};
 }
 
 TEST(ContactFitness, CountsPointsAndWaves) {
