@@ -51,7 +51,7 @@ std::string detached_note(double nominal_pressure);
 /// With w > 0 there may be several minima. The solver goes downhill from
 /// `start`, and reports a neighbouring one. Each iteration is one of L-BFGS
 /// with four pairs on the free nodes, those with an open gap or a negative
-/// residual r = K v + W' + p_0; its initial matrix M, about (K + k_c)^-1, is
+/// residual r = K v + W' + p_0; its initial matrix M, about (K + k)^-1, is
 /// that of AdhesiveState::precondition(). The step is clipped at the wall,
 /// shortened until the exact energy has fallen (Armijo), and thus no iteration
 /// raises the energy. It has converged if the

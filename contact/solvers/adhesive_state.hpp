@@ -91,10 +91,10 @@ public:
   void restrict_to_free(std::span<double> field) const;
 
   /// answer = M field [m] on the free nodes. With the repulsion D = W'' > 0 of
-  /// laws without a wall, S = (1 + D/k_c)^-1/2, the stiffness k_s of the
+  /// laws without a wall, S = (1 + D/k)^-1/2, the stiffness k_s of the
   /// shortest waves and that of the mean gap, k_u,
   ///
-  ///     M = S [(K + k_c)^-1 + (1/k_u - 1/k_c) P] S + (1 - S^2)/(D + k_s)
+  ///     M = S [(K + k)^-1 + (1/k_u - 1/k) P] S + (1 - S^2)/(D + k_s)
   ///
   /// where P takes the mean of a field.
   /// @param field  [Pa], as restrict_to_free() leaves it
@@ -153,6 +153,7 @@ private:
   double repulsion(std::size_t i) const;
 
   bool has_wall_;
+  double wave_stiffness_;          ///< k [Pa/m] of M
   double uniform_stiffness_ = 0.0; ///< k_u [Pa/m]
   std::vector<double> next_gap_, next_elastic_;
   std::vector<float> scratch_;

@@ -340,6 +340,30 @@ TEST(AdhesiveWork, IsSmallForASoftContactOfOneNode) {
   EXPECT_LT(iterations_of(elasticity, spike, 0.3, 1e-3, {1e-7, 2e-7}), 250);
 }
 
+// Faces that stick to a surface whose heights are mainly waves of its length,
+// to and from contact by the mean gap with two jumps: the waves that are left
+// at the end are softer than those of the heights. With k = k_c in M there are
+// 378 iterations instead of 210.
+TEST(AdhesiveWork, IsSmallWhereFacesStick) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  FourierOperator elasticity = problems::unit_halfspace(grid);
+  const std::vector<double> heights =
+      problems::rough_heights(grid, {0.8, 1.0, 8.0});
+  const double size = problems::rms(heights);
+  const double work = adhesive_scale(elasticity, heights) * size * size;
+  LoadSequence path(elasticity.clone(), heights,
+                    law_on(grid, ContactLaw::exponential, work,
+                           2.0 * std::sqrt(work * grid.spacing_x())),
+                    1e-8 * size, 2000);
+  int iterations = 0;
+  for (const double gap : {4.0, 3.0, 2.0, 1.0, 2.0, 3.0, 4.0}) {
+    const ContactSolution found = path.solve({Kind::mean_gap, gap * size});
+    EXPECT_TRUE(found.converged) << found.note;
+    iterations += found.iterations;
+  }
+  EXPECT_LT(iterations, 260);
+}
+
 // Repulsion is far stiffer than the shortest waves of a thin plate, and those
 // are far stiffer than the waves of the heights, k_c. Without the last term of
 // M there are 935 iterations.
