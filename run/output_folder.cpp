@@ -49,6 +49,7 @@ bool is_own_folder(const fs::path& folder) {
       {"paper.json", "\"asperity-paper\""},
       {"sweep.json", "\"asperity-sweep\""},
       {"sweep.csv", ",status,method,quantity,value,half_width_95,"},
+      {"loads.csv", "sample,method,nominal_pressure [Pa],is_unloading,"},
       {"bench.json", "\"asperity-bench\""},
       {"runs/last-run.log", ""}, // of a bench that was interrupted
       {"surface.json", "\"asperity-surface\""},
@@ -115,10 +116,10 @@ bool is_or_lies_in(const fs::path& file, const fs::path& output) {
 
 const OutputNames& report_outputs() {
   static const OutputNames names{
-      "curves.csv", "times.csv",       "summary.json",   "report.html",
-      "report.pdf", "methods.txt",     "methods.bib",    "paper.json",
-      "sweep.csv",  "comparison.json", "comparison.csv", "certificate.json",
-      "figures/",   "journal/"};
+      "curves.csv",       "times.csv",   "summary.json",    "report.html",
+      "report.pdf",       "methods.txt", "methods.bib",     "paper.json",
+      "sweep.csv",        "loads.csv",   "comparison.json", "comparison.csv",
+      "certificate.json", "figures/",    "journal/"};
   return names;
 }
 

@@ -133,7 +133,7 @@ private:
 
 /// The grid of boxes of a problem if its mesh consists of equal columns of
 /// boxes numbered as by layered_mesh; none for other meshes and two bodies.
-std::optional<BoxGrid> box_grid(const BlockProblem& problem);
+std::optional<BoxGrid> box_grid_of(const BlockProblem& problem);
 
 /// The stiffness of the block and its inverse on the grid of boxes. On several
 /// ranks, each solves for the nodes of its rows of cells (BoxGridSlab), or all

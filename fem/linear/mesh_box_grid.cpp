@@ -81,7 +81,7 @@ void join_equal_moduli(BoxGrid& box_grid) {
 
 } // namespace
 
-std::optional<BoxGrid> box_grid(const BlockProblem& problem) {
+std::optional<BoxGrid> box_grid_of(const BlockProblem& problem) {
   const meshes::BlockMesh& mesh = problem.mesh;
   if (problem.counter || !mesh.refine_below.empty() ||
       mesh.shape != meshes::CellShape::hexahedron || mesh.vertices.size() < 8)

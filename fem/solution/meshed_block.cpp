@@ -92,7 +92,7 @@ ContactNewton newton_of(const BlockProblem& problem, const BlockSystem& system,
   if (requested == LinearSolver::direct)
     return ContactNewton(system, requested);
   const std::optional<BoxGrid> box_grid =
-      has_own_mesh ? box_grid(problem) : std::nullopt;
+      has_own_mesh ? box_grid_of(problem) : std::nullopt;
   const BlockTraits traits = traits_of(problem, system, box_grid);
   switch (solver_of(traits)) {
   case BlockSolverKind::direct:

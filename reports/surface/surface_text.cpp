@@ -1,10 +1,12 @@
 #include "reports/numbers/number_text.hpp"
 #include "reports/surface/surface_page.hpp"
 #include "reports/surface/surface_quantities.hpp"
+#include "reports/sweeps/sweep_scatter.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity::reports {
@@ -70,6 +72,54 @@ std::string map_text(const surfaces::MapAnalysis& map) {
   return text + scatter_text(*map.fit);
 }
 
+/// The heights of several maps by nodes, a row each, with mean, standard
+/// deviation of one map and outliers; "" for fewer than two.
+std::string maps_text(const std::vector<surfaces::MapAnalysis>& maps) {
+  if (maps.size() < 2)
+    return "";
+  constexpr std::size_t name_width = 24;
+  constexpr std::size_t number_width = 12;
+  const std::array shown{"sq", "sdq", "ssk", "sku", "sz"};
+  std::string head = padded("map", name_width);
+  std::string means = padded("mean", name_width);
+  std::string deviations = padded("standard deviation", name_width);
+  std::string outliers;
+  std::vector<std::string> rows;
+  for (const surfaces::MapAnalysis& map : maps)
+    rows.push_back(padded(map.name, name_width));
+  for (const char* key : shown) {
+    std::vector<double> values;
+    SurfaceQuantity quantity;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+      const std::vector<SurfaceQuantity> all = quantities_of(maps[i]);
+      quantity = *std::ranges::find(all, key, &SurfaceQuantity::key);
+      values.push_back(quantity.by_nodes);
+      rows[i] += " " + padded(quantity_text(values[i], quantity.unit, 4),
+                              number_width);
+    }
+    const auto n = static_cast<double>(values.size());
+    double mean = 0.0;
+    double squares = 0.0;
+    for (const double value : values)
+      mean += value / n;
+    for (const double value : values)
+      squares += std::pow(value - mean, 2);
+    head += " " + padded(quantity.symbol, number_width);
+    means += " " + padded(quantity_text(mean, quantity.unit, 4), number_width);
+    deviations += " " + padded(quantity_text(std::sqrt(squares / (n - 1.0)),
+                                             quantity.unit, 2),
+                               number_width);
+    for (const std::size_t i : outliers_of(values))
+      outliers += fmt::format("{}{} of {}", outliers.empty() ? "" : "; ",
+                              quantity.symbol, maps[i].name);
+  }
+  std::string text = head + "\n";
+  for (const std::string& row : rows)
+    text += row + "\n";
+  return fmt::format("{}{}\n{}\noutliers: {}\n", text, means, deviations,
+                     outliers.empty() ? "none" : outliers);
+}
+
 std::string line_text(const surfaces::LineAnalysis& line) {
   return fmt::format("{}: {} points over {}\n  {}\n{}  reliable: {}\n",
                      line.name, line.line.heights.size(),
@@ -103,6 +153,7 @@ std::string surface_text(const SurfaceReport& report) {
     text += map_text(map);
   for (const surfaces::LineAnalysis& line : report.lines)
     text += line_text(line);
+  text += maps_text(report.maps);
   if (report.contact)
     text += contact_text(*report.contact);
   return text;

@@ -10,6 +10,7 @@
 #include "reports/pages/page_data.hpp"
 #include "reports/pages/pdf_page.hpp"
 #include "reports/report_template.hpp"
+#include "reports/sweeps/sample_loads.hpp"
 #include "reports/sweeps/sweep_figures.hpp"
 #include "reports/sweeps/sweep_scatter.hpp"
 
@@ -129,6 +130,55 @@ Json scatter_rows(const SweepRecord& record, const Results& results) {
   return rows;
 }
 
+/// A value of a column with its unit; a contact area in per cent.
+std::string column_text(const SampleColumn& column, double value, int digits) {
+  if (column.name == "area_fraction" && std::isfinite(value))
+    return fmt::format("{:.{}g} %", 100.0 * value, digits);
+  return quantity_text(value, column.unit, digits);
+}
+
+/// Adds the tables at the loads that all samples share: their statistics, and
+/// every sample.
+void set_loads(Json& page, const SampleLoads& table) {
+  page["load_heads"] = Json::array();
+  page["loads"] = Json::array();
+  page["sample_rows"] = Json::array();
+  for (const SampleColumn& column : table.columns) {
+    std::string head = column.name;
+    std::ranges::replace(head, '_', ' '); // allows line breaks
+    page["load_heads"].push_back(head);
+  }
+  for (const SampleLoad& load : table.loads) {
+    const std::string pressure = quantity_text(load.pressure, "Pa", 3) +
+                                 (load.is_unloading ? " (unloading)" : "");
+    Json cells = Json::array();
+    std::string outliers;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const SampleValues& values = load.columns[c];
+      cells.push_back(
+          {{"mean", column_text(table.columns[c], values.mean, 3)},
+           {"deviation", column_text(table.columns[c], values.deviation, 2)}});
+      if (c > 1) // of studies in loads.csv
+        continue;
+      for (const std::size_t sample : values.outliers)
+        if (outliers.find(table.samples[sample]) == outliers.npos)
+          outliers += (outliers.empty() ? "" : ", ") + table.samples[sample];
+    }
+    page["loads"].push_back({{"pressure", pressure},
+                             {"cells", cells},
+                             {"outliers", outliers.empty() ? "–" : outliers}});
+    for (std::size_t i = 0; i < table.samples.size(); ++i) {
+      Json of_sample = Json::array();
+      for (std::size_t c = 0; c < table.columns.size(); ++c)
+        of_sample.push_back(
+            column_text(table.columns[c], load.columns[c].values[i], 4));
+      page["sample_rows"].push_back({{"pressure", pressure},
+                                     {"sample", table.samples[i]},
+                                     {"cells", of_sample}});
+    }
+  }
+}
+
 /// One row per spectrum.
 Json limit_rows(const std::vector<SweepLimit>& limits) {
   Json rows = Json::array();
@@ -231,7 +281,8 @@ Json key_rows(const SweepRecord& record) {
   return rows;
 }
 
-void set_banner(Json& page, const Results& results) {
+/// @param answer  in the place of verdicts, if nothing is expected; may be ""
+void set_banner(Json& page, const Results& results, const std::string& answer) {
   std::size_t incomplete = 0;
   std::size_t judged = 0;
   std::size_t bad = 0;
@@ -243,7 +294,8 @@ void set_banner(Json& page, const Results& results) {
     }
   }
   std::string words =
-      judged == 0 ? "The case states no expectation."
+      judged == 0 && !answer.empty() ? answer
+      : judged == 0                  ? "The case states no expectation."
       : bad == 0 ? fmt::format("All expectations are met at {} points.", judged)
                  : fmt::format("Expectations are not met at {} of {} points.",
                                bad, judged);
@@ -258,6 +310,7 @@ void set_banner(Json& page, const Results& results) {
 
 std::string page_text(const SweepRecord& record, const Results& results,
                       const std::vector<SweepLimit>& limits,
+                      const SampleLoads& loads,
                       const std::vector<DrawnGroup>& groups,
                       const std::filesystem::path& out, bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
@@ -273,7 +326,8 @@ std::string page_text(const SweepRecord& record, const Results& results,
       : record.combine == cases::Combine::zip
           ? ", the lists of values side by side"
           : ", every value of each key with every value of the others");
-  set_banner(page, results);
+  set_banner(page, results, sample_sentence(loads));
+  set_loads(page, loads);
   page["keys"] = key_rows(record);
   page["quantity_heads"] = heads;
   page["rows"] = point_rows(record, results, quantities, out);
@@ -300,20 +354,31 @@ SweepReport write_sweep_report(const SweepRecord& record,
   std::filesystem::create_directories(out);
   write_file_atomically(out / "sweep.csv", sweep_csv(record, results));
   const std::vector<SweepLimit> limits = sweep_limits(record, results);
+  const SampleLoads loads = sample_loads(record, results);
+  report.answer = sample_loads_text(loads);
+  if (!loads.loads.empty())
+    write_file_atomically(out / "loads.csv", sample_loads_csv(loads));
   std::vector<FigureGroup> figures{
-      {"Quantities", "", sweep_trend_figures(record, results)},
+      {"All maps", "", sample_figures(loads)},
+      // Names of samples are no axis.
+      {"Quantities", "",
+       loads.loads.empty() ? sweep_trend_figures(record, results)
+                           : std::vector<Figure>()},
       {"Maps over both keys", "", sweep_heat_maps(record, results)},
       {"Limits and spectrum", "", sweep_limit_figures(limits)},
-      {"The curves", "", sweep_curve_figures(record, results)}};
+      {"The curves", "",
+       loads.loads.empty() ? sweep_curve_figures(record, results)
+                           : std::vector<Figure>()}};
   std::erase_if(figures,
                 [](const FigureGroup& group) { return group.figures.empty(); });
   const std::vector<DrawnGroup> groups =
       drawn_groups_of(figures, out, gnuplot, extras.journal, report.undrawn);
-  write_file_atomically(out / "report.html",
-                        page_text(record, results, limits, groups, out, false));
+  write_file_atomically(
+      out / "report.html",
+      page_text(record, results, limits, loads, groups, out, false));
   if (extras.has_pdf)
     if (const std::string problem = print_report(
-            page_text(record, results, limits, groups, out, true), out);
+            page_text(record, results, limits, loads, groups, out, true), out);
         !problem.empty())
       report.undrawn.push_back(problem);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));

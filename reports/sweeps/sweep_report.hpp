@@ -16,11 +16,13 @@ struct SweepReport {
   std::vector<std::unique_ptr<SweptResult>> results;
   std::vector<std::string> undrawn; ///< figures that could not be drawn, "name:
                                     ///< why"
+  /// Of samples that share their loads: area and mean gap at each, as text.
+  std::string answer = {};
 };
 
-/// Reads the results of all points and writes out/sweep.csv, report.html and
-/// figures/, and sweep.json beside the results. Points without a result are
-/// listed as such.
+/// Reads the results of all points and writes out/sweep.csv, for samples that
+/// share their loads loads.csv, report.html and figures/, and sweep.json beside
+/// the results. Points without a result are listed as such.
 ///
 /// @param folder      that of the sweep, with the results below points/
 /// @param is_trusted  as for read_swept_results()

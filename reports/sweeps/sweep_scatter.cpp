@@ -17,12 +17,6 @@ double median_of(std::vector<double> values) {
 
 } // namespace
 
-bool has_samples(const SweepRecord& record) {
-  return record.keys.size() == 1 &&
-         (record.keys.front().key == "surface.file" ||
-          record.keys.front().key == "surface.seed");
-}
-
 std::vector<std::size_t> outliers_of(std::span<const double> values) {
   constexpr std::size_t least_values = 5;
   constexpr double of_a_normal = 0.6745; // median |x| of a standard normal

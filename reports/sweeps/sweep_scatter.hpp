@@ -13,10 +13,6 @@
 
 namespace asperity::reports {
 
-/// Whether the points are samples of one surface: the only swept key is
-/// surface.file or surface.seed.
-bool has_samples(const SweepRecord& record);
-
 /// One quantity of one method over all samples, in the unit of the quantity.
 struct Scatter {
   std::string method;

@@ -48,6 +48,18 @@ spectrum_point(const mechanics::SurfaceSpec& surface) {
       moments.height * moments.curvature / (moments.slope * moments.slope)};
 }
 
+std::vector<SweptCurve> curves_of(const results::Result& result) {
+  std::vector<SweptCurve> curves;
+  for (const results::MethodRecord& method : result.methods) {
+    SweptCurve& curve = curves.emplace_back(SweptCurve{method.name, {}});
+    if (!method.realizations.empty())
+      for (const results::CurvePoint& row : method.realizations.front().points)
+        if (row.status == results::StepStatus::converged)
+          curve.rows.push_back(row);
+  }
+  return curves;
+}
+
 std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
                                         std::size_t point,
                                         const std::filesystem::path& folder,
@@ -75,6 +87,8 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     ReportEntry entry = entry_of(result, contact_case);
     swept->spectrum = spectrum_point(contact_case.surface);
     swept->series = series_of({&entry, 1});
+    if (has_samples(record))
+      swept->curves = curves_of(result);
     swept->summary = std::move(entry.summary);
     for (Series& series : swept->series) // the methods moved with the summary
       series.method = &*std::ranges::find(swept->summary.methods, series.label,
@@ -86,19 +100,6 @@ std::unique_ptr<SweptResult> read_point(const SweepRecord& record,
     swept->problem = error.what();
   }
   return swept;
-}
-
-/// Returns text as one cell of a CSV file, in quotes where it needs them.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == text.npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    if (letter == '"')
-      quoted += '"';
-    quoted += letter == '\n' || letter == '\r' ? ' ' : letter;
-  }
-  return quoted + "\"";
 }
 
 std::string csv_number(double number) {
@@ -127,6 +128,24 @@ Json quantities_json(const Summary& summary) {
 }
 
 } // namespace
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == text.npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    if (letter == '"')
+      quoted += '"';
+    quoted += letter == '\n' || letter == '\r' ? ' ' : letter;
+  }
+  return quoted + "\"";
+}
+
+bool has_samples(const SweepRecord& record) {
+  return record.keys.size() == 1 &&
+         (record.keys.front().key == "surface.file" ||
+          record.keys.front().key == "surface.seed");
+}
 
 Results read_swept_results(const SweepRecord& record,
                            const std::filesystem::path& folder,

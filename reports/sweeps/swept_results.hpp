@@ -23,6 +23,12 @@ struct SpectrumPoint {
   double nayak = 0.0;          ///< m_0 m_4/m_2^2 of the formula [1]
 };
 
+/// The converged load steps of one method, of its first realisation.
+struct SweptCurve {
+  std::string method;
+  std::vector<results::CurvePoint> rows;
+};
+
 /// What the report needs of one point. A point that has no result has a
 /// problem, and neither summary nor series.
 struct SweptResult {
@@ -32,11 +38,16 @@ struct SweptResult {
   std::string problem; ///< why there is no complete result; "" if there is
   std::optional<SpectrumPoint> spectrum; ///< of a self-affine surface
   Summary summary;
-  std::vector<Series> series; ///< of this point, whose methods point into
-                              ///< `summary`
+  std::vector<Series> series;     ///< of this point, whose methods point into
+                                  ///< `summary`
+  std::vector<SweptCurve> curves; ///< of samples (has_samples()); else empty
 
   bool has_result() const { return status != "missing"; }
 };
+
+/// Whether the points are samples of one surface: the only swept key is
+/// surface.file or surface.seed.
+bool has_samples(const SweepRecord& record);
 
 /// Reads the results of all points. Each is read and evaluated by itself, so
 /// that the fields of one point at most are in memory.
@@ -62,6 +73,9 @@ swept_methods(const std::vector<std::unique_ptr<SweptResult>>& results);
 const Estimate* swept_estimate(const SweptResult& result,
                                const std::string& method,
                                const std::string& quantity);
+
+/// Returns text as one cell of a CSV file, in quotes where it needs them.
+std::string csv_cell(const std::string& text);
 
 /// Returns one row per point, method and quantity: the values of the swept
 /// keys, value, half_width_95, realizations, verdict and remark.

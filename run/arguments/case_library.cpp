@@ -94,6 +94,11 @@ bool is_folder_of_cases(const fs::path& folder) {
   return fs::exists(folder / "case.toml") || is_collection(folder);
 }
 
+bool is_shipped(const std::string& word) {
+  const std::vector<std::string> words = shipped_words();
+  return std::ranges::find(words, word) != words.end();
+}
+
 FoundCases find_cases(const std::string& word) {
   const fs::path path(word);
   if (fs::is_directory(path) && fs::exists(path / "case.toml"))

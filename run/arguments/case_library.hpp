@@ -33,6 +33,9 @@ struct FoundCases {
 /// Returns true for a folder with a case.toml, and for a collection.
 bool is_folder_of_cases(const std::filesystem::path& folder);
 
+/// Returns true for the name of a shipped case or collection.
+bool is_shipped(const std::string& word);
+
 /// Finds the cases that an argument refers to: a file, a folder with a
 /// case.toml, the name of a shipped case ("polymer", "paper/polymer"), or a
 /// collection, which is a folder or a shipped one ("paper").

@@ -2,15 +2,22 @@
 
 #include "input/input_error.hpp"
 #include "input/input_file.hpp"
+#include "input/reader/read_case.hpp"
 #include "input/text/toml_text.hpp"
 #include "reports/sweeps/sweep_record.hpp"
 #include "run/arguments/case_library.hpp"
-#include "run/arguments/physics.hpp"
+#include "surfaces/maps/edges.hpp"
+#include "surfaces/maps/statistics.hpp"
+#include "surfaces/measured_map.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <limits>
+#include <sstream>
 #include <system_error>
 
 namespace asperity::run {
@@ -33,11 +40,9 @@ level = "plane"
 edges = "mirror"
 
 [material]
-contact_modulus = {modulus}
 poisson_ratio = 0.3 # needed by [fem] and [friction] only
 
 [load]
-# Twelve steps of equal ratios of the contact area; h' is the rms slope.
 nominal_pressure = {{ from = "0.01 E* h'", to = "1 E* h'", steps = 12, spacing = "area" }}
 
 # Persson's theory with the spectrum of the map.
@@ -50,25 +55,73 @@ gamma = 0.4
 # [fem]
 )";
 
-fs::path map_path(const MapOfCase& map) {
-  return map.folder.empty()
-             ? fs::absolute(map.file).lexically_normal()
-             : fs::relative(fs::absolute(map.file), fs::absolute(map.folder));
+/// A case as lines of text, of which keys are replaced.
+class CaseLines {
+public:
+  explicit CaseLines(const std::string& text) {
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+      lines_.push_back(line);
+  }
+
+  /// @param entry  "table.key=value"; an empty value removes the key
+  void put(const std::string& entry) {
+    const std::size_t equals = entry.find('=');
+    const std::size_t dot = entry.rfind('.', equals);
+    const std::string value = entry.substr(equals + 1);
+    const std::string key = entry.substr(dot + 1, equals - dot - 1) + " = ";
+    const auto table = table_called("[" + entry.substr(0, dot) + "]");
+    auto end =
+        std::find_if(table + 1, lines_.end(), [](const std::string& line) {
+          return line.starts_with('[');
+        });
+    const auto found =
+        std::find_if(table + 1, end, [&](const std::string& line) {
+          return line.starts_with(key);
+        });
+    if (found != end && value.empty())
+      lines_.erase(found);
+    else if (found != end)
+      *found = key + value;
+    else if (!value.empty()) {
+      while (end[-1].empty() || end[-1].starts_with('#'))
+        --end;
+      lines_.insert(end, key + value);
+    }
+  }
+
+  std::string text() const {
+    return fmt::format("{}\n", fmt::join(lines_, "\n"));
+  }
+
+private:
+  std::vector<std::string>::iterator table_called(const std::string& head) {
+    if (const auto found = std::ranges::find(lines_, head);
+        found != lines_.end())
+      return found;
+    lines_.insert(lines_.end(), {"", head});
+    return lines_.end() - 1;
+  }
+
+  std::vector<std::string> lines_;
+};
+
+bool is_of(const std::vector<std::string>& entries, const std::string& key) {
+  return std::ranges::any_of(entries, [&](const std::string& entry) {
+    return entry.starts_with(key + "=");
+  });
 }
 
-std::string titled_case_text(const MapOfCase& map, const std::string& title) {
-  if (map.contact_modulus.empty())
-    throw input::InputError(fmt::format(
-        "{} is not a case file (.toml); to press it as a measured map, please "
-        "add "
-        "--contact-modulus, for example --contact-modulus \"2 GPa\"",
-        map.file));
-  (void)positive_quantity("--contact-modulus", map.contact_modulus,
-                          input::Dimension::pressure);
-  return fmt::format(
+std::string titled_case_text(const fs::path& file, const std::string& title,
+                             const std::vector<std::string>& entries) {
+  CaseLines lines(fmt::format(
       fmt::runtime(text_of_case), fmt::arg("title", cases::toml_value(title)),
-      fmt::arg("file", cases::toml_value(map_path(map).string())),
-      fmt::arg("modulus", cases::toml_value(map.contact_modulus)));
+      fmt::arg("file", cases::toml_value(file.string()))));
+  if (is_of(entries, "material.youngs_modulus")) // nu is part of its E*
+    lines.put("material.poisson_ratio=");
+  for (const std::string& entry : entries)
+    lines.put(entry);
+  return lines.text();
 }
 
 /// Refuses an entry of a folder that is neither a file nor a folder. Left out,
@@ -96,7 +149,10 @@ void add_maps_in(const std::string& folder, NamedMaps& maps) {
       maps.files.push_back(fs::absolute(path).lexically_normal());
     else if (fs::is_directory(path, unreadable) ||
              fs::is_regular_file(path, unreadable))
-      maps.left_out.push_back(path.string());
+      maps.left_out.push_back(path.string() +
+                              (fs::is_directory(path, unreadable)
+                                   ? ": is a folder"
+                                   : ": is a case file"));
     else
       refuse_entry(path);
   }
@@ -115,22 +171,58 @@ bool is_map_file(const std::string& word) {
          fs::path(word).extension() != ".toml";
 }
 
-std::vector<std::string> map_overrides(const std::string& length,
-                                       const std::string& height_unit) {
-  std::vector<std::string> overrides;
-  if (!length.empty()) {
-    (void)positive_quantity("--length", length, input::Dimension::length);
-    overrides.push_back("surface.length=" + cases::toml_value(length));
-  }
-  if (!height_unit.empty())
-    overrides.push_back(
-        "surface.height_unit=" +
-        cases::toml_value(length_unit_text("--height-unit", height_unit)));
-  return overrides;
+fs::path path_of_map(const std::string& file, const std::string& folder) {
+  return folder.empty()
+             ? fs::absolute(file).lexically_normal()
+             : fs::relative(fs::absolute(file), fs::absolute(folder));
 }
 
-std::string map_case_text(const MapOfCase& map) {
-  return titled_case_text(map, fs::path(map.file).filename().string());
+std::string map_case_text(const fs::path& file,
+                          const std::vector<std::string>& entries) {
+  return titled_case_text(file, file.filename().string(), entries);
+}
+
+mechanics::SurfaceSpec map_surface(const std::string& file,
+                                   const CaseOptions& options,
+                                   const std::vector<std::string>& overrides) {
+  std::vector<std::string> entries;
+  for (std::string& entry : options.overrides({.are_maps = true}))
+    if (entry.starts_with("surface"))
+      entries.push_back(std::move(entry));
+  entries.emplace_back("material.contact_modulus=1.0");
+  std::vector<std::string> of_surface;
+  for (const std::string& entry : overrides)
+    if (entry.starts_with("surface"))
+      of_surface.push_back(entry);
+  return cases::read_case_text(map_case_text(path_of_map(file), entries), file,
+                               of_surface)
+      .surface;
+}
+
+std::optional<double> contact_modulus_of(const CaseOptions& options) {
+  std::vector<std::string> entries;
+  for (std::string& entry : options.overrides({.are_maps = true}))
+    if (entry.starts_with("material"))
+      entries.push_back(std::move(entry));
+  if (entries.empty())
+    return std::nullopt;
+  try {
+    return cases::read_case_text(map_case_text("map", entries), "map")
+        .material.contact_modulus;
+  } catch (const input::InputError& error) {
+    throw input::InputError(
+        options.with_options(refusal_without_lines(error.what(), "map"), true));
+  }
+}
+
+bool is_of_a_map(const std::string& refusal) {
+  return refusal.starts_with("surface.") ||
+         std::ranges::any_of(std::array{"surface.missing_value",
+                                        "surface.max_missing", "surface.fill",
+                                        "surface.cut_off"},
+                             [&](const char* key) {
+                               return refusal.find(key) != refusal.npos;
+                             });
 }
 
 NamedMaps maps_among(const std::vector<std::string>& words) {
@@ -139,7 +231,8 @@ NamedMaps maps_among(const std::vector<std::string>& words) {
     std::error_code unreadable;
     if (is_map_file(word))
       maps.files.push_back(fs::absolute(word).lexically_normal());
-    else if (fs::is_directory(word, unreadable) && !is_folder_of_cases(word))
+    else if (fs::is_directory(word, unreadable) && !is_folder_of_cases(word) &&
+             !is_shipped(word))
       add_maps_in(word, maps);
     else
       return {};
@@ -147,11 +240,44 @@ NamedMaps maps_among(const std::vector<std::string>& words) {
   return maps;
 }
 
+std::pair<double, double> examine_maps(NamedMaps& maps,
+                                       mechanics::SurfaceSpec surface) {
+  std::pair<double, double> slopes{std::numeric_limits<double>::infinity(),
+                                   0.0};
+  std::vector<std::string> refusals;
+  std::vector<std::string> no_maps;
+  std::vector<fs::path> read;
+  for (const fs::path& file : maps.files) {
+    surface.file = file.string();
+    try {
+      const double slope =
+          surfaces::statistics(
+              surfaces::with_edges(surfaces::levelled_map(surface),
+                                   surfaces::continuation_of(surface)))
+              .rms_slope;
+      slopes.first = std::min(slopes.first, slope);
+      slopes.second = std::max(slopes.second, slope);
+      read.push_back(file);
+    } catch (const input::InputError& error) {
+      const std::string refusal = error.what();
+      const bool may_be_left = !maps.folders.empty() && !is_of_a_map(refusal);
+      (may_be_left ? no_maps : refusals).push_back(refusal);
+    }
+  }
+  if (read.empty() && refusals.empty())
+    refusals = std::exchange(no_maps, {});
+  if (!refusals.empty())
+    throw input::InputError(fmt::format("{}", fmt::join(refusals, "\n")));
+  maps.files = std::move(read);
+  std::ranges::move(no_maps, std::back_inserter(maps.left_out));
+  return slopes;
+}
+
 std::string maps_sweep_text(const std::vector<fs::path>& files,
-                            const std::string& contact_modulus) {
+                            const std::vector<std::string>& entries) {
   std::string text =
-      titled_case_text({files.front().string(), contact_modulus},
-                       fmt::format("{} measured maps", files.size())) +
+      titled_case_text(files.front(),
+                       fmt::format("{} measured maps", files.size()), entries) +
       fmt::format("\n{}\n[sweep]\n\"surface.file\" = [\n", reports::maps_mark);
   for (const fs::path& file : files)
     text += "  " + cases::toml_value(file.string()) + ",\n";

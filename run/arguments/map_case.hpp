@@ -4,38 +4,48 @@
 // text, with the settings that suit any map.
 
 #include "input/input_error.hpp"
+#include "mechanics/surface_spec.hpp"
+#include "run/arguments/case_options.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::run {
 
-/// A map and what its file cannot contain.
-struct MapOfCase {
-  std::string file;            ///< path as the user gave it
-  std::string contact_modulus; ///< E*, a quantity of a case file: "2 GPa"
-  /// Folder of the case file, from which it names the map; "": the map is named
-  /// by its absolute path.
-  std::string folder = {};
-};
-
-/// Returns the overrides of a case by which a map gets what its file does not
-/// state.
-/// @param length       side length in x, "20 um"; "": stated
-/// @param height_unit  unit of its numbers, "nm" or "2 nm"; "": stated
-/// @throws input::InputError  one of them is no length with a unit
-std::vector<std::string> map_overrides(const std::string& length,
-                                       const std::string& height_unit);
-
 /// Returns true if the word names a regular file that is no case file: a map.
 bool is_map_file(const std::string& word);
 
-/// Returns the text of a case that presses the map on a half-space, in steps of
-/// equal ratios of the contact area from 1.6 % to 95 %, beside
-/// Persson's theory.
-/// @throws input::InputError  there is no valid contact modulus
-std::string map_case_text(const MapOfCase& map);
+/// Returns the text of a case that presses the map on a half-space, beside
+/// Persson's theory, with loads from light to nearly full contact.
+/// @param file     as the case names it
+/// @param entries  "table.key=value" in TOML, which are written into the case;
+///                 an empty value removes the key. Without a modulus in them
+///                 the case has none, which its reader refuses.
+std::string map_case_text(const std::filesystem::path& file,
+                          const std::vector<std::string>& entries);
+
+/// The path by which a case names its map.
+/// @param folder  of the case file; "": the map is named by its absolute path
+std::filesystem::path path_of_map(const std::string& file,
+                                  const std::string& folder = "");
+
+/// Reads what the options and the overrides of keys say about map files.
+/// @throws input::InputError  a mistake in them
+mechanics::SurfaceSpec map_surface(const std::string& file,
+                                   const CaseOptions& options,
+                                   const std::vector<std::string>& overrides);
+
+/// E* [Pa] of the bodies that the options describe; nothing if they describe
+/// none.
+/// @throws input::InputError  a mistake in them
+std::optional<double> contact_modulus_of(const CaseOptions& options);
+
+/// Whether a refusal to read a map names what the map needs; otherwise it is
+/// none.
+bool is_of_a_map(const std::string& refusal);
 
 /// The maps that the words of a command name.
 struct NamedMaps {
@@ -45,10 +55,22 @@ struct NamedMaps {
 };
 
 /// Returns the maps that a command names, by themselves or as all files of a
-/// folder that has no case; nothing unless all words are such.
+/// folder that has no case; nothing unless all words are such. A folder of the
+/// name of a shipped case is not meant.
 /// @throws input::InputError  a folder has no map, or an entry that may be
 ///                            meant as one and is no file: a link to nothing
 NamedMaps maps_among(const std::vector<std::string>& words);
+
+/// Reads every map. Files of a folder that are no maps are moved from
+/// `maps.files` to `maps.left_out`, with the reason; all other refusals are
+/// thrown at once.
+/// @param surface  what the case of each map says about it
+/// @return  the smallest and the largest rms slope
+/// @throws input::InputError  a map that was named by itself cannot be read, a
+///                            key or option is missing for one, or no file of
+///                            a folder is a map
+std::pair<double, double> examine_maps(NamedMaps& maps,
+                                       mechanics::SurfaceSpec surface);
 
 /// Returns a refusal without the lines of the case that was made for maps,
 /// because the user has no such file.
@@ -68,8 +90,7 @@ auto without_lines_of(const std::filesystem::path& made, const Work& work) {
 
 /// Returns the text of a sweep over the files of several maps, each as by
 /// map_case_text().
-/// @throws input::InputError  there is no valid contact modulus
 std::string maps_sweep_text(const std::vector<std::filesystem::path>& files,
-                            const std::string& contact_modulus);
+                            const std::vector<std::string>& entries);
 
 } // namespace asperity::run

@@ -12,7 +12,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace asperity::run {
@@ -54,21 +56,91 @@ std::string name_of_folder(const std::filesystem::path& folder) {
   return (path.has_filename() ? path : path.parent_path()).filename();
 }
 
-/// The case of a map, which has no case file.
-NamedCases asked_map(const MapOfCase& map,
-                     const std::vector<std::string>& overrides) {
-  const std::filesystem::path file =
-      std::filesystem::path(map.file).replace_extension();
-  NamedCases named;
-  const auto read = [&] {
-    return cases::read_case_text(map_case_text(map), file.string(), overrides);
-  };
-  named.cases.push_back({{{}, file.filename().string()},
-                         without_lines_of(file, read),
-                         "",
-                         overrides});
-  named.found.cases.push_back(named.cases.front().found);
-  return named;
+bool has_loads(const std::vector<std::string>& entries) {
+  return std::ranges::any_of(entries, [](const std::string& entry) {
+    return entry.starts_with("load=") || entry.starts_with("load.mean_gap=") ||
+           entry.starts_with("load.nominal_pressure");
+  });
+}
+
+/// Collects the refusals of several works, to be thrown at once.
+class RefusalList {
+public:
+  template <class Work>
+  void of(const Work& work) {
+    try {
+      work();
+    } catch (const input::InputError& error) {
+      std::string text = error.what();
+      while (text.ends_with('\n'))
+        text.pop_back();
+      refusals_ += (refusals_.empty() ? "" : "\n") + text;
+    }
+  }
+
+  bool empty() const { return refusals_.empty(); }
+
+  void throw_if_any(const CaseOptions& options) const {
+    if (!refusals_.empty())
+      throw input::InputError(options.with_options(refusals_, true));
+  }
+
+private:
+  std::string refusals_;
+};
+
+/// The entries of the case of maps that stand for options, with loads.
+/// @param made  path of the case that is made, for refusals
+std::vector<std::string>
+entries_of_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
+                const CaseOptions& options, const std::filesystem::path& made) {
+  constexpr double lightest = 0.01;     // p/(E* h') of 1.6 % contact area
+  constexpr double largest = 0.8;       // p/(E* h') of 89 %
+  constexpr double largest_share = 0.9; // of the hardness
+  const bool has_free_edges =
+      std::ranges::any_of(overrides, [](const std::string& entry) {
+        return entry == "surface.edges=free" ||
+               entry == "surface.edges=\"free\"";
+      });
+  RefusalList refusals;
+  std::vector<std::string> entries;
+  cases::Case first;
+  std::pair<double, double> slopes;
+  refusals.of([&] {
+    entries =
+        options.overrides({.are_maps = true, .has_free_edges = has_free_edges});
+  });
+  if (refusals.empty()) {
+    std::optional<mechanics::SurfaceSpec> surface;
+    try {
+      surface = map_surface(maps.files.front().string(), options, overrides);
+    } catch (const input::InputError&) { // refused below
+    }
+    refusals.of([&] {
+      first = without_lines_of(made, [&] {
+        return cases::read_case_text(map_case_text(maps.files.front(), entries),
+                                     made.string(), overrides);
+      });
+    });
+    if (surface)
+      refusals.of([&] { slopes = examine_maps(maps, *surface); });
+  }
+  refusals.throw_if_any(options);
+  if (has_loads(overrides) || has_loads(entries))
+    return entries;
+  const double modulus = first.material.contact_modulus;
+  double highest = std::numeric_limits<double>::infinity();
+  const mechanics::Scales scales{.contact_modulus = modulus,
+                                 .rms_slope = slopes.second};
+  for (const cases::MethodSpec& method : first.methods)
+    if (const auto hardness = method.hardness())
+      highest = std::min(highest, largest_share * hardness->in_si(scales));
+  const double heaviest = std::min(largest * modulus * slopes.second, highest);
+  entries.push_back("load.nominal_pressure=" +
+                    round_loads(std::min(lightest * modulus * slopes.first,
+                                         lightest * heaviest),
+                                heaviest, highest));
+  return entries;
 }
 
 NamedSweep read_sweep_called(const FoundCase& found,
@@ -82,6 +154,24 @@ NamedSweep read_sweep_called(const FoundCase& found,
     named.sweep.name = name_of_folder(found.file.parent_path());
   (void)reference_text_of(named.sweep.points.front().contact_case); // mistakes
   return named;
+}
+
+std::vector<std::string>
+with_overrides_of(const CaseOptions& options,
+                  const std::vector<std::string>& overrides) {
+  std::vector<std::string> all = options.overrides({});
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return all;
+}
+
+/// Reads a case; a refusal of the key of an option names the option.
+template <class Work>
+auto named_by_options(const CaseOptions& options, const Work& read) {
+  try {
+    return read();
+  } catch (const input::InputError& error) {
+    throw input::InputError(options.with_options(error.what(), false));
+  }
 }
 
 /// The file that an argument stands for, however it is written.
@@ -110,22 +200,47 @@ void rename_case(NamedCases& named, const std::string& name) {
 
 } // namespace
 
-NamedCases read_maps(const std::vector<std::filesystem::path>& files,
-                     const std::vector<std::string>& overrides,
-                     const std::string& contact_modulus,
+NamedCases read_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
+                     const CaseOptions& options,
                      const std::filesystem::path& folder) {
-  NamedSweep named{
-      {folder / reports::maps_file, name_of_folder(folder)}, {}, overrides};
-  named.text = maps_sweep_text(files, contact_modulus);
-  named.sweep = without_lines_of(named.found.file, [&] {
-    return cases::read_sweep({named.text, named.found.file.string(), {}},
-                             overrides);
+  const bool is_one = maps.folders.empty() && maps.files.size() == 1;
+  const std::filesystem::path made =
+      is_one ? std::filesystem::path(maps.files.front()).replace_extension()
+             : folder / reports::maps_file;
+  const std::vector<std::string> entries =
+      entries_of_maps(maps, overrides, options, made);
+  NamedCases named;
+  if (is_one) {
+    named.cases.push_back(
+        {{{}, made.filename().string()},
+         without_lines_of(made,
+                          [&] {
+                            return cases::read_case_text(
+                                map_case_text(maps.files.front(), entries),
+                                made.string(), overrides);
+                          }),
+         "",
+         overrides});
+    named.found.cases.push_back(named.cases.front().found);
+    return named;
+  }
+  NamedSweep sweep{{made, name_of_folder(folder)}, {}, overrides};
+  sweep.text = maps_sweep_text(maps.files, entries);
+  sweep.sweep = without_lines_of(made, [&] {
+    return cases::read_sweep({sweep.text, made.string(), {}}, overrides);
   });
-  named.sweep.name = named.found.name;
-  NamedCases maps;
-  maps.found.cases.push_back(named.found);
-  maps.sweep = std::move(named);
-  return maps;
+  sweep.sweep.name = sweep.found.name;
+  named.found.cases.push_back(sweep.found);
+  named.sweep = std::move(sweep);
+  return named;
+}
+
+std::string text_of_map(const std::string& file, const CaseOptions& options,
+                        const std::vector<std::string>& overrides,
+                        const std::filesystem::path& path) {
+  NamedMaps maps{{path_of_map(file)}, {}, {}};
+  return map_case_text(path_of_map(file, path.parent_path().string()),
+                       entries_of_maps(maps, overrides, options, path));
 }
 
 bool is_of_maps(const NamedSweep& sweep) {
@@ -189,31 +304,34 @@ void name_apart(std::vector<NamedCases>& all,
 NamedCases read_named_cases_or_sweep(const std::string& word,
                                      const std::vector<std::string>& overrides,
                                      bool is_quick,
-                                     const std::string& contact_modulus) {
-  if (is_map_file(word) || !contact_modulus.empty())
-    return read_named_cases(word, overrides, is_quick, contact_modulus);
+                                     const CaseOptions& options) {
+  if (is_map_file(word))
+    return read_named_cases(word, overrides, is_quick, options);
   FoundCases found = find_cases(word);
+  const std::vector<std::string> all = with_overrides_of(options, overrides);
   if (!found.collection.empty() ||
-      !cases::is_sweep(found.cases.front().file.string(), overrides))
-    return read_named_cases(word, overrides, is_quick);
-  NamedSweep sweep =
-      read_sweep_called(found.cases.front(), overrides, is_quick);
+      !cases::is_sweep(found.cases.front().file.string(), all))
+    return read_named_cases(word, overrides, is_quick, options);
+  NamedSweep sweep = named_by_options(options, [&] {
+    return read_sweep_called(found.cases.front(), all, is_quick);
+  });
   return {std::move(found), {}, std::move(sweep)};
 }
 
 NamedCases read_named_cases(const std::string& word,
                             const std::vector<std::string>& overrides,
-                            bool is_quick, const std::string& contact_modulus) {
-  if (is_map_file(word))
-    return asked_map({word, contact_modulus}, overrides);
+                            bool is_quick, const CaseOptions& options) {
+  if (is_map_file(word)) {
+    NamedMaps map{{path_of_map(word)}, {}, {}};
+    return read_maps(map, overrides, options);
+  }
   NamedCases named{find_cases(word), {}};
-  if (!contact_modulus.empty())
-    throw input::InputError(
-        fmt::format("--contact-modulus applies only to a measured map, but {} "
-                    "is a case: please use --set material.contact_modulus=...",
-                    word));
-  for (const FoundCase& found : named.found.cases)
-    named.cases.push_back(read_with_reference(found, overrides, is_quick));
+  const std::vector<std::string> all = with_overrides_of(options, overrides);
+  named_by_options(options, [&] {
+    for (const FoundCase& found : named.found.cases)
+      named.cases.push_back(read_with_reference(found, all, is_quick));
+    return true;
+  });
   return named;
 }
 

@@ -6,6 +6,8 @@
 #include "input/sweeps/sweep.hpp"
 #include "input/types/case.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/arguments/case_options.hpp"
+#include "run/arguments/map_case.hpp"
 #include "run/output_folder.hpp"
 
 #include <filesystem>
@@ -46,29 +48,39 @@ struct NamedCases {
 /// @param overrides  "key.path=value" entries that are applied to every case
 /// @param is_quick   if true, the case's quick.set is applied before
 ///                   `overrides`
-/// @param contact_modulus  E* for a measured map, which may stand for a case;
-///                   "" if none is given
+/// @param options    of the command, which go before `overrides`
 /// @throws input::InputError  the argument matches no case, a case is invalid,
-///                            or a map has no contact modulus
+///                            or a map needs an option; everything that is
+///                            wrong is named at once
 NamedCases read_named_cases(const std::string& word,
                             const std::vector<std::string>& overrides = {},
                             bool is_quick = false,
-                            const std::string& contact_modulus = "");
+                            const CaseOptions& options = {});
 
 /// Does the same for commands that also accept a sweep.
 NamedCases read_named_cases_or_sweep(
     const std::string& word, const std::vector<std::string>& overrides = {},
-    bool is_quick = false, const std::string& contact_modulus = "");
+    bool is_quick = false, const CaseOptions& options = {});
 
-/// Reads several maps as one sweep over their files.
+/// Reads one map as a case, or several as one sweep over their files. Without
+/// loads in the options and overrides, all are pressed with the same ones, from
+/// a contact area of at most 1.6 % of the map of the smallest slope to at least
+/// 89 % of that of the largest (Persson's theory), and below a hardness.
 ///
-/// @param files   at least two
-/// @param folder  of the sweep, into which its case file will be written
+/// @param maps    of which the files that are no maps are left out
+/// @param folder  of the sweep, into which its case file will be written; not
+///                used for one map that is named by itself
 /// @throws input::InputError  as read_named_cases()
-NamedCases read_maps(const std::vector<std::filesystem::path>& files,
-                     const std::vector<std::string>& overrides,
-                     const std::string& contact_modulus,
-                     const std::filesystem::path& folder);
+NamedCases read_maps(NamedMaps& maps, const std::vector<std::string>& overrides,
+                     const CaseOptions& options,
+                     const std::filesystem::path& folder = {});
+
+/// Returns the text of a case that presses a map, with the loads of
+/// read_maps().
+/// @param path  of the case file that is made
+std::string text_of_map(const std::string& file, const CaseOptions& options,
+                        const std::vector<std::string>& overrides,
+                        const std::filesystem::path& path);
 
 /// Returns true for the case file of several maps, of which each point gets a
 /// report of its own; such a sweep has the name of its folder.

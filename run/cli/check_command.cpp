@@ -19,6 +19,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 namespace asperity::cli {
 namespace {
@@ -80,20 +81,20 @@ public:
   void read() {
     std::vector<std::string> words;
     std::vector<run::NamedCases> read;
-    for (const std::string& target : command_.targets) {
-      target_ = target;
-      if (run::is_result(target) && !fs::exists(target))
-        throw input::InputError(target + ": there is no such file");
-      if (!run::is_result(target) && !is_sweep_folder(target)) {
-        words.push_back(target);
-        read.push_back(run::read_named_cases_or_sweep(
-            target, command_.overrides, command_.is_quick));
-      }
-    }
+    for (const std::string& target : command_.targets)
+      guard(target, [&] {
+        if (run::is_result(target) && !fs::exists(target))
+          throw input::InputError(target + ": there is no such file");
+        if (!run::is_result(target) && !is_sweep_folder(target)) {
+          read.push_back(run::read_named_cases_or_sweep(
+              target, command_.overrides, command_.is_quick));
+          words.push_back(target);
+        }
+      });
     run::name_apart(read, words);
     for (std::size_t i = 0; i < words.size(); ++i)
       to_run_.emplace(words[i], std::move(read[i]));
-    if (words.empty())
+    if (words.empty() && failed_.empty())
       require_a_case(command_);
   }
 
@@ -104,19 +105,11 @@ public:
         checks_.add_problem(target, "interrupted", run::exit_interrupted);
         return;
       }
-      const auto named = to_run_.find(target);
-      if (named == to_run_.end() && is_sweep_folder(target)) {
-        check_sweep_folder(target, checks_);
-      } else if (named == to_run_.end()) {
-        results::require_readable(target);
-        checks_.add(target, run::summary_of(results::read_result(
-                                target, results::MapsInFile::large)));
-      } else {
-        check_cases(named->second);
-      }
+      if (!failed_.contains(target))
+        guard(target, [&] { check(target); });
       if (is_cut_short_)
         return;
-      checks_.end_target(target);
+      checks_.end_target(target, failed_.contains(target));
     }
   }
 
@@ -124,6 +117,46 @@ public:
   const std::string& target() const { return target_; }
 
 private:
+  /// Works on a target. What makes it fail is printed and recorded, and the
+  /// other targets are checked all the same.
+  template <class Work>
+  void guard(const std::string& target, const Work& work) {
+    target_ = target;
+    const auto fail = [&](const std::string& problem, run::ExitCode exit_code) {
+      fmt::print(stderr, "{}\n", problem);
+      checks_.add_problem(target_, problem, exit_code);
+      failed_.insert(target);
+    };
+    try {
+      work();
+    } catch (const input::InputError& error) {
+      fail(error.what(), run::exit_bad_input);
+    } catch (const std::domain_error& error) {
+      fail(error.what(), run::exit_bad_input);
+    } catch (const UnusableFolder& error) {
+      fail(error.what(), run::exit_bad_input);
+    } catch (const fs::filesystem_error& error) {
+      fail(fmt::format("asperity: {}: {}", error.path1().string(),
+                       error.code().message()),
+           exit_of(error.code()));
+    } catch (const std::exception& error) {
+      fail(fmt::format("asperity: {}", error.what()), run::exit_internal);
+    }
+  }
+
+  void check(const std::string& target) {
+    const auto named = to_run_.find(target);
+    if (named == to_run_.end() && is_sweep_folder(target)) {
+      check_sweep_folder(target, checks_);
+    } else if (named == to_run_.end()) {
+      results::require_readable(target);
+      checks_.add(target, run::summary_of(results::read_result(
+                              target, results::MapsInFile::large)));
+    } else {
+      check_cases(named->second);
+    }
+  }
+
   void check_sweep(const run::NamedSweep& named) {
     RunCommand command;
     command.methods = command_.methods;
@@ -171,16 +204,18 @@ private:
   Checks& checks_;
   methods::Cache cache_;
   std::map<std::string, run::NamedCases> to_run_;
+  std::set<std::string> failed_;
   std::string target_;
   bool is_cut_short_ = false; ///< the run of a case was interrupted
 };
 
 /// Checks results against the expectations of their cases. All cases among the
-/// targets are read before the first one is run. The JUnit file is written
+/// targets are read before the first one is run. A target that cannot be read
+/// or run is reported, and the others are checked. The JUnit file is written
 /// however the command ends.
 ///
-/// @throws input::InputError  a target cannot be read, the folder of the JUnit
-///                            file does not exist, or an option for cases is
+/// @throws input::InputError  the folder of the JUnit file does not exist, two
+///                            cases have one folder, or an option for cases is
 ///                            given without a case
 run::ExitCode check_targets(const CheckCommand& command) {
   require_junit_folder(command.junit);

@@ -30,6 +30,13 @@ run::ExitCode worse(run::ExitCode one, run::ExitCode other) {
   return std::max(one, other);
 }
 
+run::ExitCode exit_of(const std::error_code& error) {
+  return error == std::errc::filename_too_long ||
+                 error == std::errc::too_many_symbolic_link_levels
+             ? run::exit_bad_input
+             : run::exit_internal;
+}
+
 void print_verdicts(const reports::Summary& summary) {
   for (const reports::Verdict& verdict : summary.verdicts)
     fmt::print("{}\n", reports::check_line(verdict));
@@ -96,8 +103,8 @@ void Checks::add_problem(const std::string& case_name,
   end_ = worse(end_, exit_code);
 }
 
-void Checks::end_target(const std::string& target) {
-  if (!has_checked_) {
+void Checks::end_target(const std::string& target, bool has_failed) {
+  if (!has_checked_ && !has_failed) {
     fmt::print(stderr, "{}: {}\n", target, why_nothing_);
     end_ = worse(end_, run::exit_bad_input);
   }

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace asperity::cli {
@@ -15,6 +16,10 @@ namespace asperity::cli {
 /// Returns the more severe of two exit codes. A result that cannot be trusted
 /// is more severe than one outside its expected range.
 run::ExitCode worse(run::ExitCode one, run::ExitCode other);
+
+/// The exit code after a failed operation on a file. A name that no file can
+/// have is a mistake of the user.
+run::ExitCode exit_of(const std::error_code& error);
 
 /// Prints one line for each verdict, each published value, each method with
 /// load steps that did not converge, and each quantity that could not be
@@ -44,7 +49,8 @@ public:
   /// Finishes the current target. A target for which nothing was checked counts
   /// as bad input: exit code 0 would claim that it was checked, and 1 that an
   /// expectation is not met.
-  void end_target(const std::string& target);
+  /// @param has_failed  it was recorded as a problem
+  void end_target(const std::string& target, bool has_failed = false);
 
   /// Writes the JUnit file of all checks unless `junit` is empty, and what
   /// --json prints.

@@ -3,12 +3,15 @@
 // The command line while it is described: its commands, and the options that
 // several of them share.
 
+#include "run/arguments/case_options.hpp"
 #include "run/exit_code.hpp"
 #include "run/output.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <set>
 #include <string>
@@ -62,6 +65,25 @@ inline void add_overrides(CLI::App* command,
                    "override a key of the case file, e.g.\n"
                    "surface.points=128; may be repeated")
       ->allow_extra_args(false);
+}
+
+/// Adds the options that stand for keys of a case.
+inline void add_case_options(CLI::App* command, run::CaseOptions& options,
+                             std::initializer_list<run::OptionGroup> groups = {
+                                 run::OptionGroup::map, run::OptionGroup::body,
+                                 run::OptionGroup::load,
+                                 run::OptionGroup::effect}) {
+  for (const run::CaseOption& option : run::case_options())
+    if (std::ranges::find(groups, option.group) != groups.end())
+      command
+          ->add_option(std::string(option.name), options.place(option.name),
+                       option.help)
+          ->type_name(std::string(option.value))
+          ->multi_option_policy(option.group == run::OptionGroup::load
+                                    ? CLI::MultiOptionPolicy::Join
+                                    : CLI::MultiOptionPolicy::Throw)
+          ->delimiter(',')
+          ->group("Maps, bodies and physics");
 }
 
 /// Adds --quiet, and --json with a text that says what is printed as JSON.

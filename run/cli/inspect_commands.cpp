@@ -27,7 +27,7 @@ namespace {
 struct DescribeCommand {
   std::string contact_case; ///< case file, folder, shipped case, collection or
                             ///< map file
-  std::string contact_modulus; ///< E* for a map file; "" for a case
+  run::CaseOptions options;
   std::vector<std::string> methods;
   std::vector<std::string> overrides; ///< "key.path=value"
   bool is_quick = false;              ///< apply quick.set
@@ -39,7 +39,7 @@ struct DescribeCommand {
 run::ExitCode describe_cases(const DescribeCommand& command) {
   const run::NamedCases named =
       run::read_named_cases(command.contact_case, command.overrides,
-                            command.is_quick, command.contact_modulus);
+                            command.is_quick, command.options);
   methods::Cache cache(methods::cache_folder(), methods::cache_size());
   std::string json;
   std::string text;
@@ -119,8 +119,7 @@ void add_describe(CommandLine& line) {
                    "or measured map")
       ->required();
   add_methods(command, describe.methods);
-  command->add_option("--contact-modulus", describe.contact_modulus,
-                      "E* of the block under a map file, e.g. \"2 GPa\"");
+  add_case_options(command, describe.options);
   add_overrides(command, describe.overrides);
   add_quick(command, describe.is_quick);
   add_threads(command, describe.threads);

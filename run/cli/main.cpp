@@ -6,6 +6,7 @@
 #include "input/input_error.hpp"
 #include "input/nearest.hpp"
 #include "run/arguments/case_library.hpp"
+#include "run/cli/checks.hpp"
 #include "run/cli/command_line.hpp"
 #include "run/cli/manual/command_model.hpp"
 #include "run/mpi_world.hpp"
@@ -101,14 +102,6 @@ void open_standard_descriptors() {
 /// nothing.
 void complain(const std::string& text) {
   std::fputs((text + "\n").c_str(), stderr);
-}
-
-/// A name that no file can have is a mistake of the user.
-run::ExitCode exit_of(const std::error_code& error) {
-  return error == std::errc::filename_too_long ||
-                 error == std::errc::too_many_symbolic_link_levels
-             ? run::exit_bad_input
-             : run::exit_internal;
 }
 
 } // namespace

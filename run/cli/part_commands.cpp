@@ -69,8 +69,8 @@ std::vector<std::string> run_words(const run::NamedCases& named,
     add({"--methods", method});
   if (command.is_exact)
     add({"--exactly"});
-  if (!named.sweep && !command.contact_modulus.empty())
-    add({"--contact-modulus", command.contact_modulus});
+  if (found.file.empty()) // of other cases they are overrides
+    add(command.options.words());
   add({"--out", folder.string()});
   return words;
 }
@@ -353,7 +353,7 @@ void add_plan(CommandLine& line) {
   command
       ->add_option("case", run.cases,
                    "case file, its folder, shipped case or\n"
-                   "collection, or measured map")
+                   "collection, measured map or folder of maps")
       ->required();
   CLI::Option* slurm =
       command->add_flag("--slurm", plan.is_for_slurm,
@@ -374,8 +374,7 @@ void add_plan(CommandLine& line) {
   add_methods(command, run.methods);
   command->add_flag("--exactly", run.is_exact,
                     "--methods gives full names only");
-  command->add_option("--contact-modulus", run.contact_modulus,
-                      "E* of the block under a map file, e.g. \"2 GPa\"");
+  add_case_options(command, run.options);
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out,
                       "output folder of the run (default: out/<case>)");

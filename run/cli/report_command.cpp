@@ -5,7 +5,7 @@
 #include "reports/pages/report.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
-#include "run/arguments/physics.hpp"
+#include "run/arguments/case_options.hpp"
 #include "run/cli/run_command.hpp"
 #include "run/cli/sweep_commands.hpp"
 #include "run/output.hpp"

@@ -7,7 +7,6 @@
 #include "run/arguments/case_library.hpp"
 #include "run/arguments/map_case.hpp"
 #include "run/arguments/named_cases.hpp"
-#include "run/arguments/physics.hpp"
 #include "run/cli/case_run.hpp"
 #include "run/cli/checks.hpp"
 #include "run/cli/part_commands.hpp"
@@ -83,24 +82,6 @@ run::ExitCode run_to_target(const run::ReadCase& read,
              : worse(end, print_findings(run::write_outputs(options.folder,
                                                             command.has_pdf),
                                          options.folder));
-}
-
-/// The maps that one command presses, if they are several.
-run::NamedMaps maps_of_sweep(const RunCommand& command) {
-  const auto is_folder = [](const std::string& word) {
-    std::error_code unreadable;
-    return fs::is_directory(word, unreadable);
-  };
-  if (command.contact_modulus.empty() &&
-      std::ranges::any_of(command.cases, is_folder))
-    return {}; // a shipped case may have the name of a folder
-  run::NamedMaps maps = run::maps_among(command.cases);
-  if (maps.folders.empty() && maps.files.size() < 2)
-    return {};
-  if (!maps.left_out.empty())
-    fmt::print(stderr, "warning: left out, because they are no maps: {}\n",
-               fmt::join(maps.left_out, ", "));
-  return maps;
 }
 
 /// A folder of maps is read as a whole, so that nothing is written into it.
@@ -255,66 +236,6 @@ run::ExitCode run_asked(const run::NamedCases& named, const RunCommand& command,
   return end;
 }
 
-/// The overrides of a run, with those that --length and --height-unit give a
-/// map whose file does not state them, and those of --flow, --work-of-adhesion,
-/// --friction and --hardness.
-/// @param has_maps_only  the words are maps, or folders of them
-std::vector<std::string> overrides_of(const RunCommand& command,
-                                      bool has_maps_only) {
-  std::vector<std::string> overrides =
-      run::map_overrides(command.length, command.height_unit);
-  const auto is_case = [&](const std::string& word) {
-    std::error_code error; // of names that no file can have
-    const bool is_missing_file =
-        fs::path(word).has_extension() && !fs::exists(word, error);
-    return !has_maps_only && !run::is_map_file(word) && !is_missing_file;
-  };
-  for (const std::string& word : command.cases)
-    if (!overrides.empty() && is_case(word))
-      throw input::InputError(fmt::format(
-          "--length and --height-unit apply only to measured maps, but {} is a "
-          "case: please use --set {}",
-          word, overrides.front()));
-  for (const auto& [option, value] :
-       {std::pair("--work-of-adhesion", &command.work_of_adhesion),
-        std::pair("--hardness", &command.hardness)})
-    if (!command.friction.empty() && !value->empty())
-      throw input::InputError(fmt::format(
-          "--friction cannot be combined with {}: partial slip follows from "
-          "the "
-          "normal contact of a half-space without adhesion and hardness",
-          option));
-  if (!command.flow.empty())
-    for (std::string& flow : run::flow_overrides(command.flow))
-      overrides.push_back(std::move(flow));
-  // With free edges only loads by pressure can be prescribed.
-  const bool has_free_edges =
-      std::ranges::any_of(command.overrides, [](const std::string& set) {
-        return set == "surface.edges=free" || set == "surface.edges=\"free\"";
-      });
-  using run::AdhesivePath;
-  const AdhesivePath path = std::ranges::any_of(command.cases, is_case)
-                                ? AdhesivePath::of_case
-                            : has_free_edges ? AdhesivePath::by_pressure
-                                             : AdhesivePath::by_gap;
-  if (!command.work_of_adhesion.empty())
-    for (std::string& adhesion :
-         run::adhesion_overrides(command.work_of_adhesion, path))
-      overrides.push_back(std::move(adhesion));
-  if (!command.friction.empty())
-    overrides.push_back("friction.coefficient=" + command.friction);
-  if (!command.hardness.empty()) {
-    (void)run::positive_quantity("--hardness", command.hardness,
-                                 input::Dimension::pressure);
-    overrides.push_back("halfspace.hardness=\"" + command.hardness + "\"");
-    if (has_maps_only)
-      overrides.push_back("theory.hardness=\"" + command.hardness + "\"");
-  }
-  overrides.insert(overrides.end(), command.overrides.begin(),
-                   command.overrides.end());
-  return overrides;
-}
-
 } // namespace
 
 void add_answer(run::JsonAnswer& answer, const std::string& name,
@@ -343,60 +264,23 @@ fs::path folder_of(const std::string& name, const std::string& out,
   return n_targets == 1 ? fs::path(out) : fs::path(out) / name;
 }
 
-namespace {
-
-std::vector<run::NamedCases>
-read_with(const std::vector<std::string>& overrides, const run::NamedMaps& maps,
-          const RunCommand& command) {
-  std::vector<run::NamedCases> all;
-  if (!maps.files.empty()) {
+std::vector<run::NamedCases> read_asked(const RunCommand& command) {
+  run::NamedMaps maps = run::maps_among(command.cases);
+  if (!maps.folders.empty() || maps.files.size() > 1) {
     const fs::path folder = folder_of_maps(maps.files, command.out);
     require_other_folder(maps, folder);
-    all.push_back(
-        run::read_maps(maps.files, overrides, command.contact_modulus, folder));
-    return all;
+    std::vector<run::NamedCases> of_maps{
+        run::read_maps(maps, command.overrides, command.options, folder)};
+    for (const std::string& left_out : maps.left_out)
+      fmt::print(stderr, "left out, no map: {}\n", left_out);
+    return of_maps;
   }
+  std::vector<run::NamedCases> all;
   for (const std::string& word : command.cases)
     all.push_back(run::read_named_cases_or_sweep(
-        word, overrides, command.is_quick, command.contact_modulus));
+        word, command.overrides, command.is_quick, command.options));
   run::name_apart(all, command.cases);
   return all;
-}
-
-/// The cases that the program has made for maps, with the loads that it has
-/// chosen.
-std::vector<cases::Case> made_cases(const std::vector<run::NamedCases>& all,
-                                    const RunCommand& command) {
-  const bool has_loads =
-      !command.work_of_adhesion.empty() ||
-      std::ranges::any_of(command.overrides, [](const std::string& entry) {
-        return entry.starts_with("load");
-      });
-  std::vector<cases::Case> made;
-  for (const run::NamedCases& named : all) {
-    if (has_loads || run::made_case_of(named).empty())
-      continue;
-    for (const run::ReadCase& read : named.cases)
-      made.push_back(read.contact_case);
-    if (named.sweep)
-      for (const cases::SweptPoint& point : named.sweep->sweep.points)
-        made.push_back(point.contact_case);
-  }
-  return made;
-}
-
-} // namespace
-
-std::vector<run::NamedCases> read_asked(const RunCommand& command) {
-  const run::NamedMaps maps = maps_of_sweep(command);
-  std::vector<std::string> overrides =
-      overrides_of(command, !maps.files.empty());
-  std::vector<run::NamedCases> all = read_with(overrides, maps, command);
-  std::string loads = run::loads_below_hardness(made_cases(all, command));
-  if (loads.empty())
-    return all;
-  overrides.insert(overrides.begin(), std::move(loads));
-  return read_with(overrides, maps, command);
 }
 
 namespace {
@@ -431,35 +315,6 @@ run::ExitCode run_cases(const RunCommand& command) {
                                [&] { return run_read_cases(all, command); });
 }
 
-namespace {
-
-// What a map's file leaves open, and the physics of its surface.
-void add_map_options(CLI::App* command, RunCommand& run) {
-  command->add_option("--contact-modulus", run.contact_modulus,
-                      "E* of the block under a map file, e.g. \"2 GPa\"");
-  command->add_option("--length", run.length,
-                      "side length in x of a map whose file states none,\n"
-                      "e.g. \"20 um\"");
-  command->add_option("--height-unit", run.height_unit,
-                      "unit of the heights of such a map, e.g. nm");
-  command->add_option("--flow", run.flow,
-                      "fluid that leaks through the gap: water, air, or a\n"
-                      "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
-                      "100 kPa or flow.pressure_drop");
-  command->add_option(
-      "--work-of-adhesion", run.work_of_adhesion,
-      "of the faces of a half-space, e.g. \"50 mJ/m^2\"; a map\n"
-      "is pressed and pulled off");
-  command->add_option("--friction", run.friction,
-                      "coefficient of friction, for partial slip under the\n"
-                      "largest load");
-  command->add_option("--hardness", run.hardness,
-                      "largest contact pressure of the half-space and of\n"
-                      "the theory of a map, e.g. \"2 GPa\"");
-}
-
-} // namespace
-
 void add_run(CommandLine& line) {
   auto [command, run] =
       line.add<RunCommand>("run",
@@ -469,11 +324,11 @@ void add_run(CommandLine& line) {
   command
       ->add_option("case", run.cases,
                    "case files, their folders, shipped cases or\n"
-                   "collections (see 'asperity list'), or measured\n"
-                   "maps")
+                   "collections (see 'asperity list'), measured maps or\n"
+                   "folders of maps")
       ->required();
   add_methods(command, run.methods);
-  add_map_options(command, run);
+  add_case_options(command, run.options);
   add_overrides(command, run.overrides);
   command->add_option("--out", run.out, "output folder (default: out/<case>)");
   command->add_flag("--resume", run.resume,

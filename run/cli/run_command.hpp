@@ -29,13 +29,7 @@ struct RunCommand {
   std::string target_error = {}; ///< e.g. "1%"; empty: the settings of the case
   bool no_report = false; ///< write result.h5 only, as benchmarks need it
   bool uses_cache = true;
-  std::string contact_modulus = {};  ///< E* for map files, e.g. "2 GPa"
-  std::string length = {};           ///< of map files that state none, "20 um"
-  std::string height_unit = {};      ///< of such files, "nm"
-  std::string flow = {};             ///< fluid in the gap, "water"
-  std::string work_of_adhesion = {}; ///< of [halfspace], "50 mJ/m^2"
-  std::string friction = {};         ///< coefficient of friction
-  std::string hardness = {};         ///< largest contact pressure, "2 GPa"
+  run::CaseOptions options = {};
   bool is_dry = false;   ///< print the plan without running anything
   bool has_pdf = false;  ///< also print the report
   std::string part = {}; ///< "3/8": only this share; empty: everything

@@ -7,7 +7,7 @@
 #include "input/reader/documents.hpp"
 #include "input/reader/read_case.hpp"
 #include "run/arguments/case_library.hpp"
-#include "run/arguments/map_case.hpp"
+#include "run/arguments/named_cases.hpp"
 #include "run/cli/command_line.hpp"
 #include "run/methods/cache/cache.hpp"
 #include "run/output.hpp"
@@ -76,7 +76,8 @@ run::ExitCode list_cases(const bool&) {
 
 struct NewCommand {
   std::string name;                   ///< folder to create
-  run::MapOfCase map = {};            ///< without a file: the template
+  std::string map;                    ///< "": the template
+  run::CaseOptions options;           ///< of the map
   std::vector<std::string> overrides; ///< "key.path=value"
 };
 
@@ -86,17 +87,16 @@ run::ExitCode new_case(const NewCommand& made) {
   if (fs::exists(file))
     throw input::InputError(file.string() +
                             " already exists; choose another name");
-  const bool has_map = !made.map.file.empty();
-  if (!has_map && !made.map.contact_modulus.empty())
-    throw input::InputError("--contact-modulus needs --map");
-  run::MapOfCase map = made.map;
-  map.folder = made.name;
+  const bool has_map = !made.map.empty();
+  if (!has_map && !made.options.empty())
+    throw input::InputError("options of maps, bodies and physics need --map; "
+                            "the template states these by its keys");
   const std::string text = cases::text_with_overrides(
-      has_map ? run::map_case_text(map)
+      has_map ? run::text_of_map(made.map, made.options, made.overrides, file)
               : cases::case_template(fs::path(made.name).filename().string()),
       made.overrides);
   cases::Case read = cases::read_case_text(text, file.string());
-  read.surface.file = made.map.file; // its folder does not exist yet
+  read.surface.file = made.map; // its folder does not exist yet
   if (has_map)
     print_map(read.surface);
   fs::create_directories(file.parent_path());
@@ -115,11 +115,10 @@ void add_new(CommandLine& line) {
       "new", "Write a commented case file to start from.", new_case);
   command->add_option("name", made.name, "folder to create for case.toml")
       ->required();
-  command->add_option("--map", made.map.file,
+  command->add_option("--map", made.map,
                       "the case presses this measured map, with loads\n"
                       "that suit it");
-  command->add_option("--contact-modulus", made.map.contact_modulus,
-                      "E* of the block, with --map, e.g. \"2 GPa\"");
+  add_case_options(command, made.options);
   add_overrides(command, made.overrides);
   add_quiet(command, line.output);
   add_example(command, "new my-case --map map.x3p --contact-modulus \"2 GPa\"");

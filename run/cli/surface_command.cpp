@@ -9,6 +9,7 @@
 #include "reports/surface/surface_page.hpp"
 #include "results/result_reader.hpp"
 #include "results/trial_read.hpp"
+#include "run/arguments/map_case.hpp"
 #include "run/arguments/physics.hpp"
 #include "run/cli/run_command.hpp"
 #include "run/cli/surface_input.hpp"
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <unistd.h>
@@ -191,25 +193,50 @@ void add_analysis(SurfaceInput input, std::optional<double> tip_radius,
   report.maps.back().warnings = map.warnings;
 }
 
+/// Adds the maps of a folder, and names what is left out, because it is none.
+void add_folder(const run::NamedMaps& maps,
+                const std::function<void(const std::string&)>& add) {
+  std::string refusals;
+  std::vector<std::string> left_out = maps.left_out;
+  for (const fs::path& file : maps.files)
+    try {
+      add(fs::proximate(file).string());
+    } catch (const input::InputError& error) {
+      if (run::is_of_a_map(error.what()))
+        refusals += (refusals.empty() ? "" : "\n") + std::string(error.what());
+      else
+        left_out.emplace_back(error.what());
+    }
+  if (!refusals.empty())
+    throw input::InputError(refusals);
+  for (const std::string& one : left_out)
+    fmt::print(stderr, "left out, no map: {}\n", one);
+}
+
 reports::SurfaceReport analysed(const SurfaceCommand& command) {
   std::optional<double> tip_radius;
   if (!command.tip_radius.empty())
     tip_radius = run::positive_quantity("--tip-radius", command.tip_radius,
                                         input::Dimension::length);
-  std::optional<double> contact_modulus;
-  if (!command.contact_modulus.empty())
-    contact_modulus =
-        run::positive_quantity("--contact-modulus", command.contact_modulus,
-                               input::Dimension::pressure);
+  const std::optional<double> contact_modulus =
+      run::contact_modulus_of(command.options);
   reports::SurfaceReport report;
-  for (const std::string& word : command.inputs) {
+  const auto add = [&](const std::string& word) {
     SurfaceInput input = read_surface_input(word, command);
+    if (!command.against.empty())
+      put_against(input, read_surface_input(command.against, command));
     try {
       add_analysis(std::move(input), tip_radius, report);
     } catch (const std::domain_error& error) { // flat, or too few points
       throw input::InputError(word + ": " + error.what());
     }
-  }
+  };
+  for (const std::string& word : command.inputs)
+    if (const run::NamedMaps maps = run::maps_among({word});
+        !maps.folders.empty())
+      add_folder(maps, add);
+    else
+      add(word);
   for (surfaces::MapAnalysis& map : report.maps)
     for (const surfaces::MapAnalysis& other : report.maps)
       limit_by_repeat(map.range, map.map, other.map, map.is_periodic);
@@ -219,10 +246,9 @@ reports::SurfaceReport analysed(const SurfaceCommand& command) {
           : fmt::format("{} measurements of one surface", report.parts());
   require_reliable(report);
   if (contact_modulus && report.parts() != 1)
-    throw input::InputError(
-        "--contact-modulus predicts the contact of one map or line scan; give "
-        "one");
-  if (contact_modulus)
+    fmt::print(stderr, "contact is predicted for one map or line scan only; "
+                       "asperity run presses all of them\n");
+  else if (contact_modulus)
     add_contact(report, *contact_modulus, command.gamma);
   return report;
 }
@@ -294,30 +320,15 @@ run::ExitCode inspect_surface(const SurfaceCommand& command) {
 void add_input_options(CLI::App* command, SurfaceCommand& surface) {
   command
       ->add_option("input", surface.inputs,
-                   "map files or line scans of one surface, or a case")
+                   "map files, folders of them or line scans of one\n"
+                   "surface, or a case")
       ->required();
-  command
-      ->add_option("--level", surface.level,
-                   "form removed from a file, as [surface] level:\n"
-                   "none, plane, bow, sphere or cylinder")
-      ->capture_default_str();
   command->add_flag("--periodic", surface.is_periodic,
                     "a file continues at its edges; without this, a\n"
                     "window is used for the spectrum");
-  command->add_option("--length", surface.length,
-                      "side length in x of a file that states none,\n"
-                      "e.g. \"20 um\"");
-  command->add_option("--height-unit", surface.height_unit,
-                      "unit of the heights of such a file, e.g. nm");
-  command->add_option("--missing-value", surface.missing_value,
-                      "number at points of such a file that were not\n"
-                      "measured, e.g. -9999");
-  command->add_option("--length-unit", surface.length_unit,
-                      "unit of the positions of a list or line scan,\n"
-                      "e.g. um");
+  add_case_options(command, surface.options,
+                   {run::OptionGroup::map, run::OptionGroup::body});
   add_overrides(command, surface.overrides);
-  command->add_option("--channel", surface.channel,
-                      "channel of the file, by its title or number");
   command->add_flag("--channels", surface.lists_channels,
                     "list the channels of the files and end");
 }
@@ -331,12 +342,12 @@ void add_surface(CommandLine& line) {
       "of a case: parameters, spectrum, report.",
       inspect_surface);
   add_input_options(command, surface);
+  command->add_option("--against", surface.against,
+                      "map of the face that lies on this one: the sum of\n"
+                      "both, which --write keeps for asperity run");
   command->add_option("--tip-radius", surface.tip_radius,
                       "radius of the tip, e.g. \"10 nm\": limits the\n"
                       "reliable range");
-  command->add_option("--contact-modulus", surface.contact_modulus,
-                      "E*, e.g. \"2 GPa\": adds separation and contact\n"
-                      "area by Persson's theory");
   command->add_option("--gamma", surface.gamma, "gamma of this theory")
       ->check(CLI::Range(1e-3, 1.0))
       ->capture_default_str();

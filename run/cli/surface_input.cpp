@@ -23,28 +23,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The case that `asperity run MAP` would run, with the options as overrides.
-cases::Case case_of_file(const std::string& file,
-                         const SurfaceCommand& command) {
-  std::vector<std::string> overrides{"surface.level=" + command.level};
+/// What `asperity run MAP` would read.
+mechanics::SurfaceSpec spec_of_file(const std::string& file,
+                                    const SurfaceCommand& command) {
+  std::vector<std::string> overrides;
   if (command.is_periodic)
     overrides.emplace_back("surface.edges=periodic");
-  if (!command.channel.empty())
-    overrides.push_back("surface.channel=" +
-                        cases::toml_value(command.channel));
-  for (std::string& entry :
-       run::map_overrides(command.length, command.height_unit))
-    overrides.push_back(std::move(entry));
-  if (!command.missing_value.empty())
-    overrides.push_back("surface.missing_value=" + command.missing_value);
-  if (!command.length_unit.empty())
-    overrides.push_back("surface.length_unit=" +
-                        cases::toml_value(run::length_unit_text(
-                            "--length-unit", command.length_unit)));
   overrides.insert(overrides.end(), command.overrides.begin(),
                    command.overrides.end());
-  return cases::read_case_text(run::map_case_text({file, "1 Pa"}), file,
-                               overrides);
+  return run::map_surface(file, command.options, overrides);
 }
 
 std::string level_words(mechanics::Levelling level) {
@@ -74,21 +61,26 @@ SurfaceInput measured_input(const mechanics::SurfaceSpec& surface) {
 
 SurfaceInput line_input(const std::string& file,
                         const SurfaceCommand& command) {
-  if (!command.missing_value.empty())
-    throw input::InputError(
-        file + ": --missing-value: the points of a line scan must be measured");
-  surfaces::LineScale scale;
-  if (!command.length.empty())
-    scale.length = run::positive_quantity("--length", command.length,
-                                          input::Dimension::length);
-  const auto unit = [](const char* option, const std::string& text) {
-    return text.empty() ? std::nullopt
-                        : std::optional(run::positive_quantity(
-                              option, run::length_unit_text(option, text),
-                              input::Dimension::length));
+  for (const char* option : {"--missing-value", "--remove-spikes", "--cut-off"})
+    if (command.options.has(option))
+      throw input::InputError(fmt::format(
+          "{}: {} applies to maps, but this is a line scan", file, option));
+  const auto unit = [&](const char* option) {
+    return command.options.has(option)
+               ? std::optional(run::positive_quantity(
+                     option,
+                     run::length_unit_text(option,
+                                           command.options.value(option)),
+                     input::Dimension::length))
+               : std::nullopt;
   };
-  scale.height_unit = unit("--height-unit", command.height_unit);
-  scale.length_unit = unit("--length-unit", command.length_unit);
+  surfaces::LineScale scale;
+  if (command.options.has("--length"))
+    scale.length =
+        run::positive_quantity("--length", command.options.value("--length"),
+                               input::Dimension::length);
+  scale.height_unit = unit("--height-unit");
+  scale.length_unit = unit("--length-unit");
   surfaces::LineScan line = surfaces::read_line_scan(file, scale);
   for (const double height : line.heights)
     if (!(std::abs(height) <= mechanics::largest_length))
@@ -96,15 +88,13 @@ SurfaceInput line_input(const std::string& file,
           "{}: a height of {:.3g} m, but lengths must be at most {} m; check "
           "their unit",
           file, height, mechanics::largest_length));
-  if (command.level != "none" && command.level != "plane" &&
-      command.level != "bow")
-    throw input::InputError(
-        fmt::format("--level {}: a line scan is levelled by "
-                    "none, plane or bow",
-                    command.level));
-  const int degree = command.level == "none"    ? 0
-                     : command.level == "plane" ? 1
-                                                : 2;
+  const std::string level = command.options.has("--level")
+                                ? command.options.value("--level")
+                                : "plane";
+  if (level != "none" && level != "plane" && level != "bow")
+    throw input::InputError(fmt::format(
+        "--level {}: a line scan is levelled by none, plane or bow", level));
+  const int degree = level == "none" ? 0 : level == "plane" ? 1 : 2;
   surfaces::level_line(line, degree);
   SurfaceInput input;
   input.origin = degree == 0   ? "Line scan; mean height removed."
@@ -123,19 +113,10 @@ SurfaceInput file_input(const std::string& file,
   if (!has_format && surfaces::is_line_scan(file))
     return line_input(file, command);
   try {
-    return measured_input(case_of_file(file, command).surface);
+    return measured_input(spec_of_file(file, command));
   } catch (const input::InputError& error) {
-    const std::string message = error.what();
-    if (message.find("surface.length_unit is missing") != std::string::npos)
-      throw input::InputError(message +
-                              "\ngive --length-unit um and --height-unit nm");
-    if (message.find("surface.length is missing") != std::string::npos ||
-        message.find("surface.height_unit is missing") != std::string::npos)
-      throw input::InputError(message +
-                              "\ngive --length \"20 um\" and --height-unit nm");
-    if (message.find("surface.missing_value =") != std::string::npos)
-      throw input::InputError(message + "\ngive --missing-value NUMBER");
-    throw;
+    throw input::InputError(command.options.with_options(
+        run::refusal_without_lines(error.what(), file), true));
   }
 }
 
@@ -182,6 +163,54 @@ SurfaceInput read_surface_input(const std::string& word,
                    ? name.parent_path().filename().string()
                    : name.filename().string();
   return input;
+}
+
+void put_against(SurfaceInput& input, const SurfaceInput& other) {
+  auto* const map = std::get_if<SurfaceMap>(&input.heights);
+  const auto* const face = std::get_if<SurfaceMap>(&other.heights);
+  if (map == nullptr || face == nullptr)
+    throw input::InputError("--against lays one map on another, but " +
+                            (map == nullptr ? input.name : other.name) +
+                            " is a line scan");
+  constexpr double tolerance = 1e-3;
+  const Grid& one = map->map.grid;
+  const Grid& two = face->map.grid;
+  const auto differ = [](double a, double b) {
+    return std::abs(a - b) > tolerance * a;
+  };
+  if (differ(one.spacing_x(), two.spacing_x()) ||
+      differ(one.spacing_y(), two.spacing_y()))
+    throw input::InputError(fmt::format(
+        "--against {}: its points are {:.4g} x {:.4g} m apart, but must be as "
+        "those of {}, {:.4g} x {:.4g} m; please sample one map anew",
+        other.name, two.spacing_x(), two.spacing_y(), input.name,
+        one.spacing_x(), one.spacing_y()));
+  const bool is_whole =
+      one.points_x == two.points_x && one.points_y == two.points_y;
+  if ((map->is_periodic || face->is_periodic) &&
+      !(map->is_periodic && face->is_periodic && is_whole))
+    throw input::InputError("--against: both maps must be periodic and of one "
+                            "size, or none");
+  Grid grid = one;
+  grid.points_x = std::min(one.points_x, two.points_x);
+  grid.points_y = std::min(one.points_y, two.points_y);
+  grid.length_x = one.spacing_x() * grid.points_x;
+  grid.length_y = one.spacing_y() * grid.points_y;
+  surfaces::HeightMap sum{grid, std::vector<double>(grid.size())};
+  for (int y = 0; y < grid.points_y; ++y)
+    for (int x = 0; x < grid.points_x; ++x)
+      sum.heights[grid.index(x, y)] =
+          map->map.heights[one.index(x, y)] +
+          face->map.heights[two.index(two.points_x - 1 - x, y)];
+  const double mean = surfaces::mean_height(sum);
+  for (double& height : sum.heights)
+    height -= mean;
+  map->map = std::move(sum);
+  for (const std::string& warning : face->warnings)
+    map->warnings.push_back(other.name + ": " + warning);
+  input.origin += fmt::format(" Against it, turned over along x: {}. {}",
+                              other.name, other.origin);
+  input.name += " against " + other.name;
 }
 
 } // namespace asperity::cli

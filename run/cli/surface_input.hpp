@@ -17,15 +17,10 @@ namespace asperity::cli {
 struct SurfaceCommand {
   std::vector<std::string> inputs; ///< map files, line scans or cases
   std::vector<std::string> overrides;
-  std::string level = "plane"; ///< [surface] level of a file
+  run::CaseOptions options;    ///< of maps and bodies
+  std::string against;         ///< map of the face on the first one; "": none
   bool is_periodic = false;    ///< --edges periodic
-  std::string length;          ///< "20 um"; empty: the file states it
-  std::string height_unit;     ///< "nm"; empty: the file states it
-  std::string missing_value;   ///< "-9999"; empty: no number marks a point
-  std::string length_unit;     ///< "um", of positions; empty: stated or none
-  std::string channel;         ///< title or number; empty: the one with heights
   std::string tip_radius;      ///< "10 nm"; empty: not known
-  std::string contact_modulus; ///< "2 GPa"; empty: no theory
   double gamma = 0.4;          ///< of the theory, as `run MAP` sets it
   std::string out;             ///< empty: out/<name>
   std::string write;           ///< file to convert the map to
@@ -58,5 +53,17 @@ struct SurfaceInput {
 /// @throws input::InputError  it is neither, or cannot be read
 SurfaceInput read_surface_input(const std::string& word,
                                 const SurfaceCommand& command);
+
+/// Adds the map of a face that lies on that of the input, turned over along x:
+///
+///     h(x, y) = h_1(x, y) + h_2(L - x, y)
+///
+/// over the part that both have, from the first point on. The gap between two
+/// rough elastic faces is that of a rigid face with the sum of their heights
+/// and a flat one with the contact modulus of both bodies (Johnson, Contact
+/// Mechanics, 1985, chapter 4).
+/// @throws input::InputError  one of them is no map, their spacings differ by
+///                            more than 1e-3, or only one is periodic
+void put_against(SurfaceInput& input, const SurfaceInput& other);
 
 } // namespace asperity::cli

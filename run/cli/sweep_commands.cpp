@@ -145,6 +145,7 @@ run::ExitCode run_named_sweep(const run::NamedSweep& named,
   const SweepEnd ended = run_to(named, command, folder);
   run::ExitCode end = ended.outcome.worst;
   if (ended.report) {
+    fmt::print("{}", ended.report->answer);
     end = worse(end, print_findings(ended.outcome.record, *ended.report));
     fmt::print("report: {}\n", (ended.folder / "report.html").string());
   }

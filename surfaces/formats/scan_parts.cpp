@@ -59,16 +59,17 @@ void require_file(const MapBytes& bytes) {
 
 Grid grid_by_scale(const Grid& points, const std::string& name,
                    const std::string& what, const MapScale& scale) {
+  std::string missing;
   if (!scale.length)
-    throw input::InputError(fmt::format("surface.length is missing: {} is {}, "
-                                        "which does not give its width",
-                                        name, what));
+    missing = fmt::format("surface.length is missing: {} is {}, which does not "
+                          "give its width",
+                          name, what);
   if (!scale.height_unit)
-    throw input::InputError(
-        fmt::format("surface.height_unit is missing: {} is "
-                    "{}, which does not give the unit of its "
-                    "heights",
-                    name, what));
+    missing += fmt::format("{}surface.height_unit is missing: {} is {}, which "
+                           "does not give the unit of its heights",
+                           missing.empty() ? "" : "\n", name, what);
+  if (!missing.empty())
+    throw input::InputError(missing);
   require_positive("length", *scale.length, "m");
   require_positive("height_unit", *scale.height_unit, "m");
   Grid grid = points;

@@ -50,7 +50,7 @@ bool is_touched(const dealii::Point<2>& place) {
 Cost own_cost(const BlockProblem& problem, const BlockSystem& system,
               const Patch& patch, Patch::Vector& displacement) {
   const CpuClock setting_up;
-  BoxGridBlock box_grid(system, *box_grid(problem));
+  BoxGridBlock box_grid(system, *box_grid_of(problem));
   const Cost cost = cost_of(box_grid, setting_up, patch, displacement);
   std::printf("           %zu levels, %.0f bytes an unknown\n",
               box_grid.levels(),
@@ -64,7 +64,7 @@ void run(int degree, int points, int pairs, bool with_both) {
   const BlockSystem system(problem);
   std::printf("%s%.2f s CPU for mesh and unknowns\n", system.report().c_str(),
               building.seconds());
-  const Patch patch(system, BoxGridBlock(system, *box_grid(problem)),
+  const Patch patch(system, BoxGridBlock(system, *box_grid_of(problem)),
                     is_touched);
   compare_in_pairs(problem, system, patch, pairs, with_both,
                    [&](auto& displacement) {

@@ -40,9 +40,14 @@ def compare(helps, general, page):
     told = sections(page)
     yield from differences("commands", set(helps),
                            {name for name in told if name.islower()} - OF_THE_SCRIPT)
+    shared = set(ROW.findall(told.get("Shared options", "")))
+    yield from differences("Shared options", set(), shared - set(OPTION.findall(helps.get("run", ""))))
     for command in helps.keys() & told.keys():
-        yield from differences(command, set(OPTION.findall(helps[command])) - {"--help"},
-                               set(ROW.findall(told[command])))
+        options = set(OPTION.findall(helps[command])) - {"--help"}
+        rows = set(ROW.findall(told[command]))
+        if "(#shared-options)" in told[command]:
+            rows |= shared & options
+        yield from differences(command, options, rows)
     codes = general.partition("exit codes:")[2]
     yield from differences("exit codes", set(re.findall(r"(?:^|, )\s*(\d+) ", codes, re.MULTILINE)),
                            set(re.findall(r"^\| (\d+) \|", told["Exit codes"], re.MULTILINE)))
@@ -56,6 +61,10 @@ def check_itself():
     assert len(list(compare(helps, general, page.replace("--out", "--in")))) == 2
     assert len(list(compare(helps, general, page.replace("`run`", "`walk`")))) == 2
     assert len(list(compare(helps, general, page.replace("| 1 |", "| 2 |")))) == 2
+    shared = page.replace("| `--out DIR` | y |", "(#shared-options)\n## Shared options\n| `--out DIR` | y |")
+    assert not list(compare(helps, general, shared))
+    assert len(list(compare(helps, general, shared.replace("(#shared-options)", "")))) == 1
+    assert len(list(compare(helps, general, shared.replace("--out", "--in")))) == 2
 
 
 def main(program, page):

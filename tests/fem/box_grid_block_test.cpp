@@ -71,7 +71,7 @@ class BoxGridCases : public ::testing::TestWithParam<BoxGridCase> {};
 TEST_P(BoxGridCases, HaveTheStiffnessOfTheMatrix) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
-  const std::optional<BoxGrid> box_grid = box_grid(problem);
+  const std::optional<BoxGrid> box_grid = box_grid_of(problem);
   ASSERT_TRUE(box_grid.has_value());
 
   expect_matrix_product(system, BoxGridBlock(system, *box_grid));
@@ -82,7 +82,7 @@ TEST_P(BoxGridCases, HaveTheStiffnessOfTheMatrix) {
 TEST_P(BoxGridCases, HaveTheSolutionOfTheDirectSolver) {
   const BlockProblem problem = problem_of(GetParam());
   const BlockSystem system(problem);
-  BoxGridBlock block(system, *box_grid(problem));
+  BoxGridBlock block(system, *box_grid_of(problem));
   for (const double spring : {0.0, 1e-2, 1e4}) {
     SCOPED_TRACE(spring);
     expect_direct_solution(
@@ -120,7 +120,7 @@ TEST(BoxGridOfAMesh, IsNoneForOtherMeshes) {
   BlockProblem renumbered = problem;
   std::swap(renumbered.mesh.cells[0], renumbered.mesh.cells[1]);
 
-  EXPECT_TRUE(box_grid(problem).has_value());
+  EXPECT_TRUE(box_grid_of(problem).has_value());
   EXPECT_FALSE(box_grid(bent).has_value());
   EXPECT_FALSE(box_grid(shifted).has_value());
   EXPECT_FALSE(box_grid(refined).has_value());

@@ -95,11 +95,11 @@ def check_maps(runner):
         (maps / f"{name}.txt").write_text("# Channel: Z\n# Width: 4 um\n# Height: 4 um\n"
                                           f"# Value units: m\n{rows}\n")
     ask = ["run", "maps", "--contact-modulus", "2 GPa", "--no-cache"]
-    (maps / "notes").write_text("measured in 2024\n")
+    (maps / "bare.txt").write_text("1 2 3\n4 5 6\n7 8 9\n")
     output = runner.run(*ask, ranks=2, code=2)
-    assert "notes:1: column 1: found 'measured'" in output, output
+    assert "bare.txt is a plain matrix" in output and "--height-unit nm" in output, output
     assert not (runner.folder / "out/maps").exists()
-    (maps / "notes").unlink()
+    (maps / "bare.txt").unlink()
     output = runner.run(*ask, ranks=2)
     assert output.count("maps: 2 points on 2 ranks") == 1, output
     runner.run(*ask, "--out", "one/maps")

@@ -126,8 +126,9 @@ def check_several(program, folder):
         for end in ("low", "high"):
             assert np.isclose(part["reliable"][end], alone["reliable"][end]), (end, part["reliable"])
     message = run(program, folder / "wide-gwyddion.txt", folder / "narrow-gwyddion.txt", "--contact-modulus",
-                  "2 GPa", code=2)
+                  "2 GPa", "--no-report")
     assert "one map or line scan" in message, message
+    assert "\nmean " in message and "\nstandard deviation " in message and "\noutliers: none\n" in message, message
     # Two scans of one place: what they do not share limits the range of both, and a third place none.
     place, rng = rough(128, 2, 1.0), np.random.default_rng(7)
     for scan in ("first", "second"):
@@ -139,6 +140,26 @@ def check_several(program, folder):
                           folder / "narrow-gwyddion.txt", "--json"))["maps"]
     reasons = [entry["reliable"]["high_reason"] for entry in maps]
     assert reasons == ["noise between scans", "noise between scans", "sampling"], reasons
+
+
+def check_against(program, folder):
+    """Two faces are the sum of their heights, of which the second is turned over along x."""
+    one, other = rough(64, 5, 1.0), rough(64, 6, 1.0)[:, :48]
+    for name, heights in (("one", one), ("other", other)):
+        write_map(folder / f"face-{name}.txt", heights)
+        text = (folder / f"face-{name}.txt").read_text()
+        (folder / f"face-{name}.txt").write_text(f"# Width: {heights.shape[1] / 8} µm\n# Height: 8.0 µm\n"
+                                                 "# Value units: nm\n" + text)
+    words = [folder / "face-one.txt", "--against", folder / "face-other.txt", "--level", "none", "--no-report"]
+    printed = run(program, *words, "--write", folder / "faces.npy")
+    assert "face-one.txt against face-other.txt: 48 x 64 points" in printed, printed
+    expected = one[:, :48] - one.mean() + other[:, ::-1] - other.mean()
+    written = np.load(folder / "faces.npy") * 1e9
+    assert np.allclose(written, expected - expected.mean(), atol=1e-6 * np.abs(expected).max())
+    write_map(folder / "coarse.txt", other)
+    message = run(program, folder / "wave.txt", "--against", folder / "coarse.txt", "--length", "10 um",
+                  "--height-unit", "nm", code=2)
+    assert "apart, but must be as those of wave.txt" in message, message
 
 
 def check_line(program, folder):
@@ -337,13 +358,13 @@ def check_messages(program, folder):
             ([some], '--length "20 um"'),
             ([some, "--length", "1 Pa", "--height-unit", "nm"], '--length = "1 Pa" has the unit Pa'),
             ([some, "--length", "10", "--height-unit", "nm"],
-             '--length = "10" has no unit; write "10 m"'),
+             '--length = "10" has no unit; allowed: m, mm, um, nm, angstrom'),
             ([some, "--length", "1 um", "--height-unit", "5"], '--height-unit = "5" has no unit'),
             ([some, "--length", "1 um", "--height-unit", "Nm"], "nearest: nm"),
             ([line, "--length-unit", "3", "--height-unit", "nm"], '--length-unit = "3" has no unit'),
             ([line, "--length-unit", "mm"], "gives the unit 'in'"),
             ([some, "--tip-radius", "10", *scale], '--tip-radius = "10" has no unit'),
-            ([some, *scale, "--level", "spere"], "surface.level"),
+            ([some, *scale, "--level", "spere"], '--level = "spere", but must be'),
             ([some, *scale, "--tip-radius", "-1 nm"], "--tip-radius"),
             ([some, *scale, "--contact-modulus", "2 nm"], "--contact-modulus"),
             ([some, *scale, "--gamma", "2"], "--gamma"),
@@ -380,6 +401,7 @@ def main(program, scratch):
     check_few_rows(program, folder)
     check_case(program)
     check_several(program, folder)
+    check_against(program, folder)
     check_line(program, folder)
     check_channels(program, folder)
     check_encodings(program, folder)

@@ -92,7 +92,10 @@ TEST_F(MapWriter, RequestsTheScalesThatAFileLacks) {
   const std::string npy = written("a.npy");
   EXPECT_EQ(refusal(npy, {}), "surface.length is missing: " + npy +
                                   " is an .npy file, which does not give its "
-                                  "width");
+                                  "width\nsurface.height_unit is missing: " +
+                                  npy +
+                                  " is an .npy file, which does not give the "
+                                  "unit of its heights");
   const std::string hdf5 = written("a.h5");
   EXPECT_EQ(refusal(hdf5, {1e-6, {}}),
             "surface.length = 1e-06 m, but must be left out: " + hdf5 +

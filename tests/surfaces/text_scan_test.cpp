@@ -320,7 +320,9 @@ TEST(FourierScan, IsNoOtherTable) {
       2);
   EXPECT_EQ(refusal("1 0 1 2\n-1 0 1 -2\n"),
             "surface.length is missing: map.txt is a list of Fourier "
-            "coefficients, which does not give its width");
+            "coefficients, which does not give its width\n"
+            "surface.height_unit is missing: map.txt is a list of Fourier "
+            "coefficients, which does not give the unit of its heights");
   EXPECT_NE(refusal("5000 0 1 0\n-5000 0 1 0\n", {1.0, 1.0})
                 .find("of more than the 2048 waves"),
             std::string::npos);
@@ -464,7 +466,9 @@ TEST(TextScan, NamesTheMistakeInTheHeader) {
 TEST(TextScan, NamesMissingAndSuperfluousKeysOfTheCase) {
   EXPECT_EQ(refusal("1 2\n3 4\n"),
             "surface.length is missing: map.txt is a plain matrix, which does "
-            "not give its width");
+            "not give its width\n"
+            "surface.height_unit is missing: map.txt is a plain matrix, which "
+            "does not give the unit of its heights");
   EXPECT_EQ(refusal("# Width: 1 um\n# Height: 1 um\n1 2\n3 4\n"),
             "surface.height_unit is missing: map.txt has no line '# Value "
             "units: m'");

@@ -82,7 +82,6 @@ void name_values(CLI::App& program) {
                                                   {"--budget", "SECONDS"},
                                                   {"--tolerance", "X"},
                                                   {"--map", "FILE"},
-                                                  {"--contact-modulus", "E"},
                                                   {"--part", "I/N"},
                                                   {"--parts", "N"},
                                                   {"--time", "T"}};

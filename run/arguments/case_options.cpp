@@ -1,0 +1,391 @@
+#include "run/arguments/case_options.hpp"
+
+#include "input/input_error.hpp"
+#include "input/nearest.hpp"
+#include "input/reader/vocabulary.hpp"
+#include "input/text/toml_text.hpp"
+#include "input/units.hpp"
+#include "run/arguments/physics.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <optional>
+
+namespace asperity::run {
+namespace {
+
+using enum OptionGroup;
+
+const std::vector<CaseOption>& option_rows() {
+  static const std::vector<CaseOption> rows{
+      {map, "--length", "surface.length", "Q", "20 um",
+       "side length in x of a map whose file states none,\n"
+       "e.g. \"20 um\""},
+      {map, "--height-unit", "surface.height_unit", "U", "nm",
+       "unit of the heights of such a map, e.g. nm"},
+      {map, "--length-unit", "surface.length_unit", "U", "um",
+       "unit of the positions of a list x y z, e.g. um"},
+      {map, "--missing-value", "surface.missing_value", "X", "-9999",
+       "number at points of a map that were not measured,\n"
+       "e.g. -9999"},
+      {map, "--channel", "surface.channel", "NAME", "Height",
+       "channel of the file, by its title or number"},
+      {map, "--level", "surface.level", "FORM", "plane",
+       "form removed from a map: none, plane, bow, sphere or\n"
+       "cylinder (default: plane)"},
+      {map, "--remove-spikes", "surface.remove_spikes", "X", "8",
+       "replace points of a map that are so many robust\n"
+       "standard deviations off their neighbours, e.g. 8"},
+      {map, "--cut-off", "surface.cut_off", "Q", "600 nm",
+       "remove shorter waves of a map, e.g. \"600 nm\", or\n"
+       "\"reliable\": those in its noise"},
+      {body, "--contact-modulus", "material.contact_modulus", "Q", "2 GPa",
+       "E* of the block, or of both bodies, e.g. \"2 GPa\""},
+      {body, "--youngs-modulus", "material.youngs_modulus", "Q", "2 GPa",
+       "E of the block in the place of E*, e.g. \"2 GPa\""},
+      {body, "--poisson-ratio", "material.poisson_ratio", "X", "0.3",
+       "Poisson's ratio of the block, e.g. 0.3"},
+      {body, "--counter-youngs-modulus", "material.counter.youngs_modulus", "Q",
+       "210 GPa",
+       "E of the body on it (default: it is rigid),\n"
+       "e.g. \"210 GPa\""},
+      {body, "--counter-poisson-ratio", "material.counter.poisson_ratio", "X",
+       "0.3", "Poisson's ratio of that body, e.g. 0.3"},
+      {load, "--pressure", "load.nominal_pressure", "Q", "1 MPa",
+       "nominal pressure, e.g. \"1 MPa\", or a range of them,\n"
+       "\"1 kPa..1 MPa\"; may be repeated"},
+      {effect, "--flow", "flow.viscosity", "FLUID", "water",
+       "fluid that leaks through the gap: water, air, or a\n"
+       "viscosity, e.g. \"0.1 Pa s\"; the pressure drop is\n"
+       "100 kPa or flow.pressure_drop"},
+      {effect, "--work-of-adhesion", "halfspace.work_of_adhesion", "Q",
+       "50 mJ/m^2",
+       "of the faces of a half-space, e.g. \"50 mJ/m^2\"; a map\n"
+       "is pressed and pulled off"},
+      {effect, "--friction", "friction.coefficient", "X", "0.5",
+       "coefficient of friction, for partial slip under the\n"
+       "largest load"},
+      {effect, "--hardness", "halfspace.hardness", "Q", "2 GPa",
+       "largest contact pressure of the half-space and of\n"
+       "the theory of a map, e.g. \"2 GPa\""},
+      {effect, "--thermal-conductivity", "conductance.thermal_conductivity",
+       "Q", "0.2 W/(m K)",
+       "of the block, e.g. \"0.2 W/(m K)\": heat through the\n"
+       "contact"},
+      {effect, "--counter-thermal-conductivity",
+       "conductance.counter_thermal_conductivity", "Q", "16 W/(m K)",
+       "of the body on it, e.g. \"16 W/(m K)\""},
+      {effect, "--resistivity", "conductance.resistivity", "Q", "17 nOhm m",
+       "of the block, e.g. \"17 nOhm m\": current through the\n"
+       "contact"},
+      {effect, "--counter-resistivity", "conductance.counter_resistivity", "Q",
+       "24 nOhm m", "of the body on it, e.g. \"24 nOhm m\""}};
+  return rows;
+}
+
+/// The value of an option as TOML: a quantity must have its unit, so that
+/// "2e9" is no number in SI.
+std::string toml_of(const CaseOption& option, const std::string& value) {
+  const std::size_t dot = option.key.rfind('.');
+  const cases::Key* const key =
+      cases::find_key(std::string(option.key.substr(0, dot)),
+                      std::string(option.key.substr(dot + 1)));
+  const bool is_number = key != nullptr &&
+                         key->type == cases::ValueType::quantity &&
+                         key->dimension == input::Dimension::none;
+  return is_number ? value : cases::toml_value(value);
+}
+
+/// A load that is easy to read.
+struct RoundLoad {
+  double value = 0.0; ///< [Pa]
+  std::string text;   ///< in TOML
+};
+
+/// 1, 1.5, 2, 3, 5 and 7 times powers of ten around a range, or for more than
+/// 2.6 decades 1, 2 and 5 times.
+std::vector<RoundLoad> load_series(double low, double high) {
+  static constexpr const char* units[] = {"Pa", "kPa", "MPa", "GPa"};
+  const std::vector<double> digits =
+      std::log10(high / low) > 2.6
+          ? std::vector<double>{1.0, 2.0, 5.0}
+          : std::vector<double>{1.0, 1.5, 2.0, 3.0, 5.0, 7.0};
+  std::vector<RoundLoad> series;
+  const int end = static_cast<int>(std::ceil(std::log10(high))) + 1;
+  for (int decade = static_cast<int>(std::floor(std::log10(low))) - 1;
+       decade <= end; ++decade) {
+    const int unit =
+        std::clamp(static_cast<int>(std::floor(decade / 3.0)), 0, 3);
+    for (const double digit : digits)
+      series.push_back({digit * std::pow(10.0, decade),
+                        fmt::format("\"{:.6g} {}\"",
+                                    digit * std::pow(10.0, decade - 3 * unit),
+                                    units[unit])});
+  }
+  return series;
+}
+
+std::string trimmed_word(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(' ');
+  return begin == text.npos
+             ? ""
+             : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+/// The pressures of one word of --pressure, each as TOML.
+std::vector<std::string> pressures_of(const std::string& word) {
+  const std::size_t dots = word.find("..");
+  if (dots == word.npos)
+    return {cases::toml_value(word)};
+  const std::string from = trimmed_word(word.substr(0, dots));
+  const std::string to = trimmed_word(word.substr(dots + 2));
+  const double low =
+      positive_quantity("--pressure", from, input::Dimension::pressure);
+  const double high =
+      positive_quantity("--pressure", to, input::Dimension::pressure);
+  if (!(low < high))
+    throw input::InputError(fmt::format(
+        "--pressure = \"{}\", but a range goes from the smaller pressure to "
+        "the larger one: \"1 kPa..1 MPa\"",
+        word));
+  std::vector<std::string> loads{cases::toml_value(from)};
+  constexpr double apart = 1e-6; // from an end, which the user has written
+  for (const RoundLoad& load : load_series(low, high))
+    if (load.value > low * (1.0 + apart) && load.value < high * (1.0 - apart))
+      loads.push_back(load.text);
+  loads.push_back(cases::toml_value(to));
+  return loads;
+}
+
+/// The values of --pressure, which are separated by commas, as a list in TOML.
+std::string pressure_list(const std::string& words) {
+  std::vector<std::string> pressures;
+  for (std::size_t begin = 0; begin <= words.size();) {
+    const std::size_t comma = std::min(words.find(',', begin), words.size());
+    for (std::string& one :
+         pressures_of(trimmed_word(words.substr(begin, comma - begin))))
+      pressures.push_back(std::move(one));
+    begin = comma + 1;
+  }
+  return fmt::format("[{}]", fmt::join(pressures, ", "));
+}
+
+/// Replaces each occurrence, and says whether there was one.
+bool replace_text(std::string& text, const std::string& from,
+                  const std::string& to) {
+  bool is_found = false;
+  for (std::size_t at = text.find(from); at != text.npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+    is_found = true;
+  }
+  return is_found;
+}
+
+/// A word of a command line.
+std::string written(std::string_view example) {
+  return example.find(' ') == example.npos ? std::string(example)
+                                           : fmt::format("\"{}\"", example);
+}
+
+/// Makes the entries of a case, and collects what is refused.
+class OverrideMaker {
+public:
+  OverrideMaker(const CaseOptions& options, const AskedOf& asked)
+      : options_(options), asked_(asked) {}
+
+  std::vector<std::string>
+  made(const std::map<std::string, std::string, std::less<>>& values) {
+    for (const CaseOption& option : option_rows())
+      if (const auto found = values.find(option.name);
+          found != values.end() && !found->second.empty())
+        collect([&] { add(option, found->second); });
+    for (const char* other : {"--work-of-adhesion", "--hardness"})
+      if (options_.has("--friction") && options_.has(other))
+        refusals_.push_back(fmt::format(
+            "--friction cannot be combined with {}: partial slip follows from "
+            "the normal contact of a half-space without adhesion and hardness",
+            other));
+    if (!refusals_.empty())
+      throw input::InputError(fmt::format("{}", fmt::join(refusals_, "\n")));
+    return std::move(entries_);
+  }
+
+private:
+  template <class Work>
+  void collect(const Work& work) {
+    try {
+      work();
+    } catch (const input::InputError& error) {
+      refusals_.emplace_back(error.what());
+    }
+  }
+
+  void put(std::string_view key, const std::string& toml) {
+    entries_.push_back(fmt::format("{}={}", key, toml));
+  }
+
+  /// Removes another key for the same thing from a case.
+  void drop(const char* key, const char* option) {
+    if (!asked_.are_maps && !options_.has(option))
+      put(key, "");
+  }
+
+  void add(const CaseOption& option, const std::string& value) {
+    if (option.name == "--flow")
+      return (void)std::ranges::move(flow_overrides(value),
+                                     std::back_inserter(entries_));
+    if (option.name == "--pressure")
+      return add_pressures(pressure_list(value));
+    if (option.name == "--height-unit" || option.name == "--length-unit")
+      return put(option.key, cases::toml_value(length_unit_text(
+                                 std::string(option.name), value)));
+    put(option.key, toml_of(option, value));
+    if (option.name == "--work-of-adhesion")
+      add_adhesion();
+    if (option.name == "--hardness" && asked_.are_maps)
+      put("theory.hardness", cases::toml_value(value));
+    if (option.name == "--contact-modulus") {
+      drop("material.youngs_modulus", "--youngs-modulus");
+      drop("material.counter", "--counter-youngs-modulus");
+    }
+    if (option.name == "--youngs-modulus")
+      drop("material.contact_modulus", "--contact-modulus");
+  }
+
+  void add_pressures(const std::string& list) {
+    if (asked_.are_maps) {
+      put("load.nominal_pressure", list);
+      if (options_.has("--work-of-adhesion"))
+        put("load.cycle", "\"load-unload\"");
+    } else {
+      put("load", fmt::format("{{ nominal_pressure = {} }}", list));
+    }
+  }
+
+  /// The exponential law, and for maps their loads: mean gaps from 4 h_rms to
+  /// 0.5 h_rms and back, or pressures from 0.001 E* h' to 0.3 E* h' and back.
+  void add_adhesion() {
+    put("halfspace.contact", "\"exponential\"");
+    if (!asked_.are_maps || options_.has("--pressure"))
+      return;
+    put("load.cycle", "\"load-unload\"");
+    put("load.nominal_pressure",
+        asked_.has_free_edges ? R"({ from = "0.001 E* h'", to = "0.3 E* h'", )"
+                                R"(steps = 10, spacing = "log" })"
+                              : "");
+    if (!asked_.has_free_edges)
+      put("load.mean_gap", R"({ from = "4 h_rms", to = "0.5 h_rms", )"
+                           R"(steps = 15, spacing = "linear" })");
+  }
+
+  const CaseOptions& options_;
+  const AskedOf& asked_;
+  std::vector<std::string> entries_;
+  std::vector<std::string> refusals_;
+};
+
+} // namespace
+
+std::span<const CaseOption> case_options() {
+  return option_rows();
+}
+
+std::string& CaseOptions::place(std::string_view name) {
+  return values_[std::string(name)];
+}
+
+std::string CaseOptions::value(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? "" : found->second;
+}
+
+bool CaseOptions::empty() const {
+  return std::ranges::all_of(
+      values_, [](const auto& entry) { return entry.second.empty(); });
+}
+
+std::vector<std::string> CaseOptions::overrides(const AskedOf& asked) const {
+  return OverrideMaker(*this, asked).made(values_);
+}
+
+std::vector<std::string> CaseOptions::words() const {
+  std::vector<std::string> words;
+  for (const auto& [name, value] : values_)
+    if (!value.empty())
+      words.insert(words.end(), {name, value});
+  return words;
+}
+
+std::string CaseOptions::with_options(const std::string& refusal,
+                                      bool has_hints) const {
+  std::string text;
+  for (std::size_t begin = 0; begin < refusal.size();) {
+    const std::size_t end = std::min(refusal.find('\n', begin), refusal.size());
+    std::string line = refusal.substr(begin, end - begin);
+    begin = end + 1;
+    if (has_hints && line.ends_with("mistake(s) in the case file"))
+      continue; // which the user does not have
+    for (const CaseOption& option : option_rows()) {
+      const std::string key(option.key);
+      const std::string name(option.name);
+      if (has(option.name) && line.find(key + " = \"") != line.npos)
+        if (const std::size_t note = line.find(" (a number without quotes is");
+            note != line.npos) // an option has its unit
+          line.erase(note);
+      if (has(option.name))
+        for (const char* from : {"--set: ", "the case of the map: "})
+          replace_text(line, from + key + " ", name + " ");
+      if (has_hints && line.find(key + " is missing") != line.npos)
+        line += option.name == "--youngs-modulus"
+                    ? "; please add --contact-modulus \"2 GPa\", or "
+                      "--youngs-modulus \"2 GPa\" with --poisson-ratio 0.3"
+                    : fmt::format("; please add {} {}", name,
+                                  written(option.example));
+    }
+    if (has_hints) {
+      replace_text(line, "the case of the map: ", "");
+      line.erase(0, line.find_first_not_of(' '));
+    }
+    text += line + (end < refusal.size() ? "\n" : "");
+  }
+  return text;
+}
+
+std::vector<std::string> flow_overrides(const std::string& fluid) {
+  const std::map<std::string, std::string> viscosities{{"air", "1.85e-5 Pa s"},
+                                                       {"water", "0.89 mPa s"}};
+  std::string viscosity = fluid;
+  if (const auto named = viscosities.find(fluid); named != viscosities.end())
+    viscosity = named->second;
+  else if (fluid.empty() ||
+           std::isalpha(static_cast<unsigned char>(fluid.front())) != 0)
+    throw input::InputError(fmt::format(
+        "--flow = \"{}\" is no known fluid: water, air, or a viscosity such as "
+        "\"0.1 Pa s\"; nearest: {}",
+        fluid, input::nearest(fluid, {"air", "water"})));
+  (void)positive_quantity("--flow", viscosity, input::Dimension::viscosity);
+  return {"flow.viscosity=\"" + viscosity + "\"",
+          "flow.pressure_drop=\"100 kPa\""};
+}
+
+std::string round_loads(double low, double high, double highest) {
+  const std::vector<RoundLoad> series = load_series(low, high);
+  auto first = std::ranges::find_if(
+      series, [&](const RoundLoad& load) { return load.value > low; });
+  first = first == series.begin() ? first : first - 1;
+  std::vector<std::string> loads;
+  for (auto load = first; load != series.end() && load->value <= highest;
+       ++load) {
+    loads.push_back(load->text);
+    if (load->value >= high)
+      break;
+  }
+  return fmt::format("[{}]", fmt::join(loads, ", "));
+}
+
+} // namespace asperity::run

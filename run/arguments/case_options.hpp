@@ -1,0 +1,85 @@
+#pragma once
+
+// The options of the command line that stand for keys of a case, in one list
+// that all commands on cases and maps share.
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace asperity::run {
+
+/// What an option describes: the reading of a map, the elastic bodies, the
+/// loads, or an effect besides elastic contact.
+enum class OptionGroup { map, body, load, effect };
+
+/// An option that stands for a key of a case. Unit, range and allowed words are
+/// those of the key, whose reader checks the value.
+struct CaseOption {
+  OptionGroup group;
+  std::string_view name;    ///< "--youngs-modulus"
+  std::string_view key;     ///< "material.youngs_modulus"
+  std::string_view value;   ///< how help names the value: "Q"
+  std::string_view example; ///< "2 GPa"
+  std::string help;         ///< lines of at most 52 characters
+};
+
+/// All options, in the order of the help.
+std::span<const CaseOption> case_options();
+
+/// What is run with the options.
+struct AskedOf {
+  bool are_maps = false;       ///< cases that the program makes for maps
+  bool has_free_edges = false; ///< only loads by pressure can be prescribed
+};
+
+/// The values that a user gives to the options.
+class CaseOptions {
+public:
+  /// Where the value of an option is stored, at a stable address.
+  std::string& place(std::string_view name);
+  /// The value of an option; "" if it is not given.
+  std::string value(std::string_view name) const;
+
+  bool has(std::string_view name) const { return !value(name).empty(); }
+
+  bool empty() const; ///< no option is given
+
+  /// Returns the entries "key.path=value" of a case that the options stand for.
+  /// Where a case has another key for the same thing, it is removed.
+  /// @throws input::InputError  an unknown fluid, a range of pressures without
+  ///                            two ends, or --friction with adhesion or
+  ///                            hardness; all of these at once
+  std::vector<std::string> overrides(const AskedOf& asked) const;
+
+  /// The words of a command line that give the same options.
+  std::vector<std::string> words() const;
+
+  /// Names the option in the place of the key in each line of a refusal by the
+  /// reader of cases, if the option was given.
+  /// @param has_hints  add to what is missing the option that gives it
+  std::string with_options(const std::string& refusal, bool has_hints) const;
+
+private:
+  std::map<std::string, std::string, std::less<>> values_;
+};
+
+/// A fluid flows through the gap, under a pressure drop of 100 kPa. Viscosities
+/// at 25 C and 100 kPa.
+/// @param fluid  "water", "air", or a viscosity, "0.1 Pa s"
+/// @throws input::InputError  it is none of them
+/// @see  W. M. Haynes (ed.), CRC Handbook of Chemistry and Physics
+std::vector<std::string> flow_overrides(const std::string& fluid);
+
+/// Returns loads that are easy to read, from the largest below `low` to the
+/// smallest above `high`, as a list in TOML: ["10 kPa", "15 kPa", ...]. They
+/// are 1, 1.5, 2, 3, 5 and 7 times powers of ten, or for more than 2.6 decades
+/// 1, 2 and 5 times.
+/// @param low, high  [Pa], 0 < low < high
+/// @param highest    [Pa], which no load exceeds
+std::string round_loads(double low, double high, double highest);
+
+} // namespace asperity::run
