@@ -6,6 +6,7 @@
 #include <utility>
 
 namespace asperity::reports {
+namespace {
 
 std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
   const results::Result& result = *entry.result;
@@ -49,5 +50,12 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
   figure.panels = {std::move(panel)};
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::adhesion_loop{.names = {"adhesion-loop"},
+                                          .section = FigureSection::studies,
+                                          .draw =
+                                              drawn_by<adhesion_loop_figure>};
 
 } // namespace asperity::reports
