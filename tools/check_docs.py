@@ -26,9 +26,9 @@ ELSEWHERE = re.compile(r"^(https?:|mailto:)")
 HEADING = re.compile(r"^#+ +(.*)$")
 ROW = re.compile(r"^\| `([a-z-]+)(?:<[a-z]+>)?` \|", re.MULTILINE)
 SET_NAME = re.compile(r'\.name = "([a-z-]+)";')
-STUDY_NAMES = re.compile(r"\.figure_names = \{([^}]*)\}")
-DRAWN = {"reports/figures/figure_names.cpp": re.compile(r'"([a-z0-9-]+)"'),
-         "reports/surface/surface_figures.cpp": SET_NAME,
+LISTED_NAMES = re.compile(r"\.(?:figure_)?names = \{([^}]*)\}")
+LISTS = ("reports/figures/*.cpp", "studies/*/*_pages.cpp")
+DRAWN = {"reports/surface/surface_figures.cpp": SET_NAME,
          "reports/surface/spectrum_plots.cpp": SET_NAME,
          "reports/surface/contact_plots.cpp": SET_NAME,
          # figure.name = "phases"; {"growth", "Cost against ...
@@ -74,8 +74,8 @@ def drawn_figures(root):
     """The names of figures in the sources; one that ends with "-" is continued at run time."""
     return {name for source, names in DRAWN.items()
             for name in names.findall((root / source).read_text())} | {
-                name for page in (root / "studies").glob("*/*_pages.cpp")
-                for listed in STUDY_NAMES.findall(page.read_text())
+                name for pages in LISTS for page in root.glob(pages)
+                for listed in LISTED_NAMES.findall(page.read_text())
                 for name in re.findall(r'"([a-z0-9-]+)"', listed)}
 
 

@@ -151,7 +151,11 @@ struct FourierOperator::Shared {
         [&](int jx, std::span<double> of_jy) {
           std::ranges::copy(kept.column(jx), of_jy.begin());
         },
-        of_window(), short_wave, convolution.threads());
+        of_window(), short_wave, convolution.threads(),
+        [](const Grid& whole, const EvenColumn& column,
+           int threads) -> std::unique_ptr<SurfaceOperator> {
+          return std::make_unique<FourierOperator>(whole, column, threads);
+        });
   }
 
   /// (points_x/4, 0), or (0, points_y/4) if the x direction has too few points.

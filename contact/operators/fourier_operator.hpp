@@ -4,7 +4,6 @@
 // real compliance per wavevector, periodic or with free boundaries.
 
 #include "base/ranks/convolution.hpp"
-#include "base/require.hpp"
 #include "contact/operators/even_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 
@@ -22,33 +21,6 @@ Grid padded_grid(const Grid& grid);
 /// A quarter more points and lengths in both directions, for the preconditioner
 /// with free boundaries. That of a coarse grid is the coarse one of this.
 Grid grid_with_margin(const Grid& grid);
-
-/// The symbol of (C + c)^-1, which is found again when c changes.
-class InverseSymbol {
-public:
-  using Symbol = Convolution<float>::Symbol;
-
-  /// @param convolution       always the same one
-  /// @param compliance        C [m/Pa] > 0 of the columns of this rank
-  /// @param local_compliance  c [m/Pa] >= 0
-  const Symbol& of(const Convolution<float>& convolution,
-                   const EvenColumn& compliance, double local_compliance) {
-    require_not_negative("local_compliance", local_compliance, "m/Pa");
-    if (local_compliance_ != local_compliance) {
-      symbol_ = convolution.arranged([&](int jx, std::span<double> of_jy) {
-        compliance(jx, of_jy);
-        for (double& value : of_jy)
-          value = 1.0 / (value + local_compliance);
-      });
-      local_compliance_ = local_compliance;
-    }
-    return symbol_;
-  }
-
-private:
-  double local_compliance_ = -1.0; ///< that of symbol_ [m/Pa]
-  Symbol symbol_;
-};
 
 /// The operator displacement(q) = C(q) pressure(q), used for the half-space,
 /// the elastic slab and the condensed linear finite-element block. C is even in

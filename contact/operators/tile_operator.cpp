@@ -124,12 +124,12 @@ void each_coarse_node(const Grid& coarse, int tx, int ty,
             static_cast<std::size_t>(i));
 }
 
-void apply(FourierOperator& smooth, std::span<const double> pressure,
+void apply(SurfaceOperator& smooth, std::span<const double> pressure,
            std::span<double> displacement) {
   smooth.displacement(pressure, displacement);
 }
 
-void apply(FourierOperator& smooth, std::span<const float> pressure,
+void apply(SurfaceOperator& smooth, std::span<const float> pressure,
            std::span<float> displacement) {
   smooth.displacement_change(pressure, displacement);
 }
@@ -141,7 +141,7 @@ struct TileOperator::Symbols {
   std::vector<double> compliance; ///< of the window
   double short_wave;
   int threads;
-  FourierOperator smooth;
+  std::unique_ptr<SurfaceOperator> smooth;
   Convolution<float> convolution;
   Convolution<double> exact;
   Convolution<float>::Symbol sharp;
@@ -149,14 +149,14 @@ struct TileOperator::Symbols {
 
   Symbols(const Grid& fine_, const EvenColumn& coarse_compliance,
           std::vector<double> window_compliance, double short_wave_,
-          int threads_)
+          int threads_, WholeGrid whole)
       : fine(fine_),
         window(window_of(fine)),
         coarse(coarse_of(fine)),
         compliance(std::move(window_compliance)),
         short_wave(short_wave_),
         threads(threads_),
-        smooth(coarse, smooth_part(coarse, coarse_compliance), threads),
+        smooth(whole(coarse, smooth_part(coarse, coarse_compliance), threads)),
         convolution(window),
         exact(window),
         sharp(convolution.arranged(sharp_part(window, compliance))),
@@ -166,9 +166,9 @@ struct TileOperator::Symbols {
 std::shared_ptr<const TileOperator::Symbols>
 TileOperator::symbols(const Grid& fine, const EvenColumn& coarse,
                       std::vector<double> window, double short_wave,
-                      int threads) {
+                      int threads, WholeGrid whole) {
   return std::make_shared<const Symbols>(fine, coarse, std::move(window),
-                                         short_wave, threads);
+                                         short_wave, threads, whole);
 }
 
 TileOperator::TileOperator(const std::shared_ptr<const Symbols>& symbols,
@@ -178,7 +178,7 @@ TileOperator::TileOperator(const std::shared_ptr<const Symbols>& symbols,
                        .threads = symbols->threads}),
       symbols_(symbols),
       tiles_(std::move(tiles)),
-      smooth_(symbols_->smooth),
+      smooth_(symbols_->smooth->clone()),
       windows_(static_cast<std::size_t>(symbols_->threads),
                symbols_->convolution),
       exact_windows_(windows_.size(), symbols_->exact) {
@@ -229,7 +229,7 @@ void TileOperator::displace(std::span<const Real> pressure,
                             Windows<Real>& windows,
                             std::span<Real> displacement) {
   std::vector<Real> coarse = spread(pressure);
-  apply(smooth_, std::span<const Real>(coarse), std::span(coarse));
+  apply(*smooth_, std::span<const Real>(coarse), std::span(coarse));
   convolve(pressure, symbol, windows, displacement);
   interpolate(coarse, displacement);
 }

@@ -4,7 +4,7 @@
 // contact that covers a small part of the surface.
 
 #include "base/ranks/convolution.hpp"
-#include "contact/operators/fourier_operator.hpp"
+#include "contact/operators/even_symbol.hpp"
 #include "contact/operators/surface_operator.hpp"
 #include "contact/operators/tiles.hpp"
 
@@ -15,9 +15,9 @@
 
 namespace asperity::contact {
 
-/// An approximation of a FourierOperator between the nodes of some tiles, whose
-/// work grows with their number and not with the grid. C(q) is divided into two
-/// positive parts (Ewald's method with a plane of charges),
+/// An approximation of a periodic operator with a C(q) between the nodes of
+/// some tiles, whose work grows with their number and not with the grid. C(q)
+/// is divided into two positive parts (Ewald's method with a plane of charges),
 ///
 ///     C(q) = C(q) erf(q s / sqrt 2) + C(q) erfc(q s / sqrt 2),
 ///
@@ -34,22 +34,28 @@ namespace asperity::contact {
 /// prescribed.
 ///
 /// @par Accuracy  On a half-space, the displacements differ from those of the
-///            FourierOperator by 3e-5 of the largest and a constant. On a slab
+///            whole surface by 3e-5 of the largest and a constant. On a slab
 ///            of few spacings the difference is larger.
 class TileOperator final : public SurfaceOperator {
 public:
   /// What the operators of all tiles of a grid share; immutable.
   struct Symbols;
 
+  /// Makes the operator of a whole periodic grid by its C(q) [m/Pa].
+  using WholeGrid = std::unique_ptr<SurfaceOperator> (*)(
+      const Grid& grid, const EvenColumn& compliance, int threads);
+
   /// @param fine        of the nodes, spacings equal, points a multiple of 128
   /// @param coarse      C(q) [m/Pa] of the waves of every fourth node
   /// @param window      C(q) of the waves of a window, jy = 0..64 of each jx =
   ///                    0..64, the first without meaning
   /// @param short_wave  see SurfaceOperator
+  /// @param whole       for the coarse nodes
   static std::shared_ptr<const Symbols> symbols(const Grid& fine,
                                                 const EvenColumn& coarse,
                                                 std::vector<double> window,
-                                                double short_wave, int threads);
+                                                double short_wave, int threads,
+                                                WholeGrid whole);
 
   TileOperator(const std::shared_ptr<const Symbols>& symbols, Tiles tiles);
 
@@ -90,7 +96,7 @@ private:
   Tiles tiles_;
   /// The places of the tiles around each tile, row by row; -1: not there.
   std::vector<std::array<int, 9>> around_;
-  FourierOperator smooth_;
+  std::unique_ptr<SurfaceOperator> smooth_; ///< on the coarse nodes
   Windows<float> windows_;
   Windows<double> exact_windows_;
   InverseSymbol inverse_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace asperity::reports {
+namespace {
 
 std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
   const results::Result& result = *entry.result;
@@ -70,5 +71,12 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
   }
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::adhesion_loop{.names = {"adhesion-loop"},
+                                          .section = FigureSection::studies,
+                                          .draw =
+                                              drawn_by<adhesion_loop_figure>};
 
 } // namespace asperity::reports

@@ -13,7 +13,6 @@
 
 namespace asperity::reports {
 namespace {
-
 // Describes the fitted factor, for example "1.31; 1.5 over the lighter half of
 // the loads, 1.3 over the heavier".
 std::string scale_words(const Series& fitted) {
@@ -56,10 +55,6 @@ std::string area_caption(const Series* fitted) {
   return caption;
 }
 
-} // namespace
-
-namespace {
-
 /// The axes of contact area against nominal pressure.
 ChartPanel area_panel(std::span<const Series> series,
                       const FigureScales& scales) {
@@ -88,8 +83,6 @@ ChartPanel area_panel(std::span<const Series> series,
   }
   return panel;
 }
-
-} // namespace
 
 Figure area_figure(std::span<const Series> series, const FigureScales& scales) {
   Figure figure;
@@ -136,8 +129,6 @@ Figure area_figure(std::span<const Series> series, const FigureScales& scales) {
   return figure;
 }
 
-namespace {
-
 /// Returns " Fitted: fem 2.28 ± 0.06."; empty without a fit.
 std::string fitted_kappas(std::span<const Series> series) {
   std::string limits;
@@ -147,8 +138,6 @@ std::string fitted_kappas(std::span<const Series> series) {
                             one.label, number_text(quantity(one, "kappa")));
   return limits.empty() ? limits : limits + ".";
 }
-
-} // namespace
 
 Figure area_coefficient_figure(std::span<const Series> series) {
   Figure figure;
@@ -201,8 +190,6 @@ Figure area_coefficient_figure(std::span<const Series> series) {
   return figure;
 }
 
-namespace {
-
 // Describes the excess of the methods that have it, for example
 // "fem counted +22 %, by (21) +15 %".
 std::string excess_words(std::span<const Series> series) {
@@ -220,8 +207,6 @@ std::string excess_words(std::span<const Series> series) {
   }
   return words.empty() ? "" : " Above the theory at light load: " + words + ".";
 }
-
-} // namespace
 
 std::optional<Figure> area_theory_figure(std::span<const Series> series) {
   Figure figure;
@@ -275,5 +260,23 @@ std::optional<Figure> area_theory_figure(std::span<const Series> series) {
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::area_pressure{.names = {"area-pressure"},
+                                          .section = FigureSection::curves,
+                                          .draw = drawn_by<area_figure>,
+                                          .applies = has_rough_contact};
+
+const ReportFigure figures::area_coefficient{
+    .names = {"area-coefficient"},
+    .section = FigureSection::curves,
+    .draw = drawn_by<area_coefficient_figure>,
+    .applies = has_rough_contact};
+
+const ReportFigure figures::area_theory{.names = {"area-theory"},
+                                        .section = FigureSection::curves,
+                                        .draw = drawn_by<area_theory_figure>,
+                                        .applies = has_rough_contact};
 
 } // namespace asperity::reports

@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace asperity::reports {
+namespace {
 
 std::optional<Figure> cost_figure(std::span<const Series> series,
                                   const FigureScales& scales) {
@@ -55,5 +56,11 @@ std::optional<Figure> cost_figure(std::span<const Series> series,
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::cost{.names = {"cost"},
+                                 .section = FigureSection::cost,
+                                 .draw = drawn_by<cost_figure>};
 
 } // namespace asperity::reports

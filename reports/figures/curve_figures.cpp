@@ -88,8 +88,6 @@ void add_gap_curves(std::span<const Series> series, CsvTable& table,
   }
 }
 
-} // namespace
-
 Figure pressure_gap_figure(std::span<const Series> series,
                            const FigureScales& scales) {
   Figure figure;
@@ -168,5 +166,18 @@ std::optional<Figure> gap_deviation_figure(std::span<const Series> series,
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::pressure_gap{.names = {"pressure-gap"},
+                                         .section = FigureSection::curves,
+                                         .draw = drawn_by<pressure_gap_figure>,
+                                         .applies = has_rough_contact};
+
+const ReportFigure figures::gap_deviation{.names = {"gap-deviation"},
+                                          .section = FigureSection::curves,
+                                          .draw =
+                                              drawn_by<gap_deviation_figure>,
+                                          .applies = has_rough_contact};
 
 } // namespace asperity::reports

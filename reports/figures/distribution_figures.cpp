@@ -228,8 +228,6 @@ std::vector<Figure> figure_a_method(const ReportEntry& entry, Draw draw) {
   return figures;
 }
 
-} // namespace
-
 std::vector<Figure> pressure_distribution_figures(const ReportEntry& entry) {
   return figure_a_method(entry,
                          [](const results::MethodRecord& method,
@@ -247,5 +245,19 @@ std::vector<Figure> gap_distribution_figures(const ReportEntry& entry) {
         contact_criterion_of(*entry.contact_case, method, scales.rms_height));
   });
 }
+
+} // namespace
+
+const ReportFigure figures::pressure_distribution{
+    .names = {"pressure-distribution-"},
+    .section = FigureSection::contact,
+    .draw = drawn_by<pressure_distribution_figures>,
+    .applies = is_rough};
+
+const ReportFigure figures::gap_distribution{
+    .names = {"gap-distribution-"},
+    .section = FigureSection::contact,
+    .draw = drawn_by<gap_distribution_figures>,
+    .applies = is_rough};
 
 } // namespace asperity::reports

@@ -100,8 +100,6 @@ std::string error_words(const ReportEntry& entry, const std::string& quantity) {
   return words;
 }
 
-} // namespace
-
 std::vector<Figure> exact_figures(const ReportEntry& entry) {
   const std::vector<Series> series = series_of(std::span(&entry, 1));
   std::vector<Figure> figures;
@@ -130,5 +128,12 @@ std::vector<Figure> exact_figures(const ReportEntry& entry) {
        entry.result->surfaces.front().rms_height}));
   return figures;
 }
+
+} // namespace
+
+const ReportFigure figures::exact{.names = {"exact-area", "exact-gap"},
+                                  .section = FigureSection::contact,
+                                  .draw = drawn_by<exact_figures>,
+                                  .applies = is_exact};
 
 } // namespace asperity::reports

@@ -1,7 +1,6 @@
 #include "reports/figures/figures.hpp"
 
 #include "reports/analysis/warnings.hpp"
-#include "reports/figures/height_figure.hpp"
 #include "reports/figures/plot_parts.hpp"
 #include "reports/study_pages.hpp"
 
@@ -89,28 +88,17 @@ void leave_out_empty_panels(std::vector<Figure>& figures) {
   });
 }
 
-void append(std::vector<Figure>& figures, Figure figure) {
-  figures.push_back(std::move(figure));
-}
-
-void append(std::vector<Figure>& figures, std::optional<Figure> figure) {
-  if (figure)
-    figures.push_back(std::move(*figure));
-}
-
-void append(std::vector<Figure>& figures, std::vector<Figure> more) {
-  std::move(more.begin(), more.end(), std::back_inserter(figures));
-}
-
 // Adds the figures that `build` returns. If it throws, a placeholder figure
 // that states the reason is added instead, so that the report continues.
 template <class Build>
-void add(std::vector<Figure>& figures, const char* name, const Build& build) {
+void add(std::vector<Figure>& figures, std::string name, const Build& build) {
   try {
-    append(figures, build());
+    std::ranges::move(build(), std::back_inserter(figures));
   } catch (const std::bad_alloc&) {
     throw; // a system error, not a property of the data
   } catch (const std::exception& error) {
+    if (name.ends_with('-'))
+      name.pop_back();
     Figure none;
     none.name = none.title = name;
     none.problem = error.what();
@@ -149,98 +137,72 @@ bool is_never_pressed(std::span<const ReportEntry> entries,
          });
 }
 
-FigureGroup shared_curves(std::span<const ReportEntry> entries,
-                          std::span<const Series> series) {
-  FigureGroup group{"The curves", "", {}};
-  const bool has_rough =
-      std::any_of(entries.begin(), entries.end(), [](const ReportEntry& e) {
-        return !is_exact_shape(*e.contact_case);
-      });
-  if (!has_rough || is_never_pressed(entries, series))
-    return group;
-  auto& figures = group.figures;
-  const FigureScales scales = figure_scales(entries);
-  add(figures, "pressure-gap",
-      [&] { return pressure_gap_figure(series, scales); });
-  add(figures, "gap-deviation",
-      [&] { return gap_deviation_figure(series, scales); });
-  add(figures, "area-pressure", [&] { return area_figure(series, scales); });
-  add(figures, "area-coefficient",
-      [&] { return area_coefficient_figure(series); });
-  add(figures, "area-theory", [&] { return area_theory_figure(series); });
+/// Returns the figures of a part of the page that the list has.
+FigureGroup group_of(FigureSection section, const char* heading,
+                     const FigureData& data) {
+  FigureGroup group{heading, "", {}};
+  for (const ReportFigure* const figure : report_figures())
+    if (figure->section == section &&
+        (figure->applies == nullptr || figure->applies(data)))
+      add(group.figures, figure->names[0], [&] { return figure->draw(data); });
   return group;
 }
 
-FigureGroup figures_of_one(const ReportEntry& entry, std::size_t index,
-                           bool is_one_of_many) {
-  FigureGroup group{"Surface and contact", "", {}};
-  if (is_one_of_many) {
-    group.heading += ": " + entry.summary.case_name;
-    group.folder = folder_name(index, entry.summary.case_name);
-  }
-  auto& figures = group.figures;
-  const bool is_exact = is_exact_shape(*entry.contact_case);
-  if (is_exact)
-    add(figures, "exact", [&] { return exact_figures(entry); });
-  add(figures, "surface", [&] { return surface_figure(entry); });
-  add(figures, "two-faces", [&] { return two_faces_figure(entry); });
-  add(figures, "spectrum", [&] { return spectrum_figure(entry); });
-  add(figures, "height-distribution", [&] { return height_figure(entry); });
-  if (!is_exact) {
-    add(figures, "pressure-distribution",
-        [&] { return pressure_distribution_figures(entry); });
-    add(figures, "gap-distribution",
-        [&] { return gap_distribution_figures(entry); });
-  }
-  add(figures, "plastic-area", [&] { return plastic_area_figure(entry); });
-  add(figures, "maps", [&] { return map_figures(entry); });
-  add(figures, "stress-inside", [&] { return stress_figures(entry); });
-  return group;
-}
-
-/// Returns the figures of the studies of one result; the group is empty if the
-/// result has none.
-FigureGroup study_figures(const ReportEntry& entry, std::size_t index,
-                          std::span<const Series> series, bool is_one_of_many) {
-  FigureGroup group{
-      "Magnification, adhesion, flow, conductance and friction", "", {}};
-  if (is_one_of_many) {
-    group.heading += ": " + entry.summary.case_name;
-    group.folder = folder_name(index, entry.summary.case_name);
-  }
-  add(group.figures, "adhesion-loop",
-      [&] { return adhesion_loop_figure(entry); });
+/// Adds the two parts of the page of one result.
+void add_groups_of_one(std::vector<FigureGroup>& groups, const FigureData& all,
+                       std::size_t index) {
+  const ReportEntry& entry = all.entries[index];
+  const FigureData data{{&entry, 1}, all.series, all.scales};
+  FigureGroup contact =
+      group_of(FigureSection::contact, "Surface and contact", data);
+  FigureGroup studies =
+      group_of(FigureSection::studies,
+               "Magnification, adhesion, flow, conductance and friction", data);
   for (const StudyPages* const study : study_pages())
     if (study->figures != nullptr)
-      add(group.figures, study->name.c_str(),
-          [&] { return study->figures(entry, index, series); });
-  return group;
+      add(studies.figures, study->name,
+          [&] { return study->figures(entry, index, all.series); });
+  for (FigureGroup* const group : {&contact, &studies}) {
+    if (all.entries.size() > 1) {
+      group->heading += ": " + entry.summary.case_name;
+      group->folder = folder_name(index, entry.summary.case_name);
+    }
+    groups.push_back(std::move(*group));
+  }
 }
 
 } // namespace
 
+bool has_rough_contact(const FigureData& data) {
+  return std::ranges::any_of(data.entries,
+                             [](const ReportEntry& entry) {
+                               return !is_exact_shape(*entry.contact_case);
+                             }) &&
+         !is_never_pressed(data.entries, data.series);
+}
+
+bool is_exact(const FigureData& data) {
+  return is_exact_shape(*data.entries.front().contact_case);
+}
+
+bool is_rough(const FigureData& data) {
+  return !is_exact(data);
+}
+
 std::vector<FigureGroup> figures_of(std::span<const ReportEntry> entries) {
   const std::vector<Series> series = series_of(entries);
-  const bool has_many = entries.size() > 1;
+  const FigureData data{entries, series, figure_scales(entries)};
   std::vector<FigureGroup> groups;
-  groups.push_back(shared_curves(entries, series));
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    groups.push_back(figures_of_one(entries[i], i, has_many));
-    groups.push_back(study_figures(entries[i], i, series, has_many));
-  }
-  FigureGroup differences{"Differences of the pressures", "", {}};
-  add(differences.figures, "pressure-difference",
-      [&] { return difference_figures(entries); });
-  groups.push_back(std::move(differences));
-  FigureGroup cost{"Cost", "", {}};
-  add(cost.figures, "cost",
-      [&] { return cost_figure(series, figure_scales(entries)); });
-  groups.push_back(std::move(cost));
-  const FigureScales scales = figure_scales(entries);
+  groups.push_back(group_of(FigureSection::curves, "The curves", data));
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    add_groups_of_one(groups, data, i);
+  groups.push_back(group_of(FigureSection::differences,
+                            "Differences of the pressures", data));
+  groups.push_back(group_of(FigureSection::cost, "Cost", data));
   for (FigureGroup& group : groups) {
     leave_out_empty_panels(group.figures);
     for (Figure& figure : group.figures)
-      put_units(figure, scales);
+      put_units(figure, data.scales);
   }
   std::erase_if(groups,
                 [](const FigureGroup& group) { return group.figures.empty(); });

@@ -39,8 +39,6 @@ std::map<int, AreaSums> yielding_steps(const results::MethodRecord& method) {
   return steps;
 }
 
-} // namespace
-
 std::optional<Figure> plastic_area_figure(const ReportEntry& entry) {
   Figure figure;
   figure.name = "plastic-area";
@@ -82,5 +80,11 @@ std::optional<Figure> plastic_area_figure(const ReportEntry& entry) {
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::plastic_area{.names = {"plastic-area"},
+                                         .section = FigureSection::contact,
+                                         .draw = drawn_by<plastic_area_figure>};
 
 } // namespace asperity::reports

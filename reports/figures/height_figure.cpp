@@ -1,7 +1,6 @@
-#include "reports/figures/height_figure.hpp"
-
 #include "base/shown_number.hpp"
 #include "reports/analysis/two_surfaces.hpp"
+#include "reports/figures/figures.hpp"
 #include "reports/figures/plot_parts.hpp"
 
 #include <fmt/format.h>
@@ -41,11 +40,7 @@ std::string capital(std::string text) {
   return text;
 }
 
-} // namespace
-
 std::optional<Figure> height_figure(const ReportEntry& entry) {
-  if (is_exact_shape(*entry.contact_case))
-    return std::nullopt;
   Figure figure;
   figure.name = "height-distribution";
   figure.title = "Distribution of the heights";
@@ -89,5 +84,13 @@ std::optional<Figure> height_figure(const ReportEntry& entry) {
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::height_distribution{
+    .names = {"height-distribution"},
+    .section = FigureSection::contact,
+    .draw = drawn_by<height_figure>,
+    .applies = is_rough};
 
 } // namespace asperity::reports

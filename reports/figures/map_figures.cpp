@@ -144,8 +144,6 @@ Figure difference_figure(const std::string& name, const std::string& reference,
   return figure;
 }
 
-} // namespace
-
 std::vector<Figure> difference_figures(std::span<const ReportEntry> entries) {
   std::vector<Figure> figures;
   const std::vector<results::MethodRecord>& own =
@@ -259,5 +257,24 @@ std::optional<Figure> two_faces_figure(const ReportEntry& entry) {
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::surface{.names = {"surface"},
+                                    .section = FigureSection::contact,
+                                    .draw = drawn_by<surface_figure>};
+
+const ReportFigure figures::two_faces{.names = {"two-faces"},
+                                      .section = FigureSection::contact,
+                                      .draw = drawn_by<two_faces_figure>};
+
+const ReportFigure figures::maps{.names = {"maps-"},
+                                 .section = FigureSection::contact,
+                                 .draw = drawn_by<map_figures>};
+
+const ReportFigure figures::pressure_difference{
+    .names = {"pressure-difference-"},
+    .section = FigureSection::differences,
+    .draw = drawn_by<difference_figures>};
 
 } // namespace asperity::reports

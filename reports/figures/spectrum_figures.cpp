@@ -28,8 +28,6 @@ double add_formula(const mechanics::SurfaceSpec& spec, std::size_t index,
   return 0.03 * formula.density(spec.wavevector_high);
 }
 
-} // namespace
-
 std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   const auto& surfaces = entry.result->surfaces;
   const mechanics::SurfaceSpec& spec = entry.contact_case->surface;
@@ -84,5 +82,11 @@ std::optional<Figure> spectrum_figure(const ReportEntry& entry) {
   figure.data = table.text();
   return figure;
 }
+
+} // namespace
+
+const ReportFigure figures::spectrum{.names = {"spectrum"},
+                                     .section = FigureSection::contact,
+                                     .draw = drawn_by<spectrum_figure>};
 
 } // namespace asperity::reports

@@ -220,8 +220,6 @@ std::optional<Figure> section_figure(const ReportEntry& entry,
   return figure;
 }
 
-} // namespace
-
 std::vector<Figure> stress_figures(const ReportEntry& entry) {
   std::vector<Figure> figures;
   for (const results::MethodRecord& method : entry.result->methods)
@@ -231,5 +229,12 @@ std::vector<Figure> stress_figures(const ReportEntry& entry) {
     figures.insert(figures.begin(), strength_figure(entry));
   return figures;
 }
+
+} // namespace
+
+const ReportFigure figures::stress{
+    .names = {"stress-inside", "stress-section-"},
+    .section = FigureSection::contact,
+    .draw = drawn_by<stress_figures>};
 
 } // namespace asperity::reports

@@ -1,9 +1,9 @@
-// Tests of reports/analysis/claims.hpp and height_figure.hpp with curves and
-// surfaces whose results are known beforehand.
+// Tests of reports/analysis/claims.hpp and of the figure of heights with curves
+// and surfaces whose results are known beforehand.
 #include "reports/analysis/claims.hpp"
 #include "reports/analysis/comparison.hpp"
-#include "reports/figures/height_figure.hpp"
 #include "reports/pages/report.hpp"
+#include "tests/reports/drawn.hpp"
 #include "theory/exact/asperity_models.hpp"
 #include "theory/persson/highest_peak.hpp"
 
@@ -152,12 +152,12 @@ TEST_F(Claims, AreExplained) {
 TEST_F(Claims, DrawADensityOfHeights) {
   const ReportEntry entry = entry_of(result, rough);
 
-  const auto figure = height_figure(entry);
+  const std::vector<Figure> found = drawn(figures::height_distribution, entry);
 
-  ASSERT_TRUE(figure);
+  ASSERT_EQ(found.size(), 1U);
   double total = 0.0;
   double second = 0.0;
-  std::istringstream lines(figure->data);
+  std::istringstream lines(found[0].data);
   for (std::string line; std::getline(lines, line);) {
     if (line.find("realisation") == std::string::npos)
       continue;
@@ -178,7 +178,7 @@ TEST_F(Claims, DrawNoHeightsThatAreNotThere) {
   result.surfaces[0].heights.clear();
   const ReportEntry entry = entry_of(result, rough);
 
-  EXPECT_FALSE(height_figure(entry));
+  EXPECT_TRUE(drawn(figures::height_distribution, entry).empty());
 }
 
 } // namespace asperity::reports::claims_test

@@ -1,8 +1,8 @@
 // Tests of the figures of pressures, gaps and areas: the drawn numbers are
 // those of the maps, on their own grid.
-#include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 #include "results/types/method_columns.hpp"
+#include "tests/reports/drawn.hpp"
 #include "theory/persson/pressure_distribution.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,8 @@ TEST_F(Distributions, ShowTheFitAndItsRatioToTheory) {
   }
 
   const ReportEntry made = entry();
-  const std::vector<Figure> figures = pressure_distribution_figures(made);
+  const std::vector<Figure> figures =
+      drawn(figures::pressure_distribution, made);
 
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(figures[0].name, "pressure-distribution-fem");
@@ -116,7 +117,7 @@ TEST_F(Distributions, OfGapsAreOfNodesWithoutContact) {
   }
 
   const ReportEntry made = entry();
-  const std::vector<Figure> figures = gap_distribution_figures(made);
+  const std::vector<Figure> figures = drawn(figures::gap_distribution, made);
 
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_NE(figures[0].panels[0].curves[0].label.find("40 % in contact"),
@@ -135,16 +136,16 @@ TEST_F(Distributions, AreDrawnOnTheirOwnGrid) {
   fields.gap[7] = 1e-9;
   ReportEntry made = entry();
 
-  ASSERT_EQ(map_figures(made).size(), 1U);
-  const Figure figure = map_figures(made)[0];
+  ASSERT_EQ(drawn(figures::maps, made).size(), 1U);
+  const Figure figure = drawn(figures::maps, made)[0];
   ASSERT_FALSE(figure.maps.empty());
   for (const auto& [name, text] : figure.maps)
     EXPECT_NE(text.find(",0.05,0.15,0.25,"), std::string::npos) << name;
 
   fields.pressure.pop_back();
   made = entry();
-  EXPECT_TRUE(map_figures(made).empty());
-  EXPECT_TRUE(pressure_distribution_figures(made).empty());
+  EXPECT_TRUE(drawn(figures::maps, made).empty());
+  EXPECT_TRUE(drawn(figures::pressure_distribution, made).empty());
 }
 
 // The browser's maps are named by their load and are in units of E* h'
@@ -155,7 +156,7 @@ TEST_F(Distributions, HaveTheirLoadAndTheirUnitsInTheBrowser) {
   fields.pressure[5] = 3.0 * modulus * result.surfaces[0].rms_slope;
   fields.gap[7] = 2.0 * result.surfaces[0].rms_height;
 
-  const std::vector<Figure> figures = map_figures(entry());
+  const std::vector<Figure> figures = drawn(figures::maps, entry());
 
   const MapFrame frame = figures.at(0).stack.value().frames.at(0);
   EXPECT_EQ(frame.title, "p/E* = 0.02");
@@ -168,7 +169,8 @@ TEST_F(Distributions, OfATensileMapAreDrawnWithoutACurve) {
   fields.pressure[5] = 2e6;
 
   const ReportEntry made = entry();
-  const std::vector<Figure> figures = pressure_distribution_figures(made);
+  const std::vector<Figure> figures =
+      drawn(figures::pressure_distribution, made);
 
   ASSERT_EQ(figures.size(), 1U);
   EXPECT_EQ(curves_of(figures[0]).size(), 1U);
@@ -182,12 +184,12 @@ TEST_F(Distributions, OfAreasAreDrawnAgainstTheTheory) {
                   .area_fraction(point.nominal_pressure);
   const ReportEntry made = entry();
 
-  const auto figure = area_theory_figure(series_of(std::span(&made, 1)));
+  const std::vector<Figure> found = drawn(figures::area_theory, made);
 
-  ASSERT_TRUE(figure.has_value());
-  EXPECT_NE(figure->caption.find("fem counted +25 %, by Eq. (21) +50 %"),
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].caption.find("fem counted +25 %, by Eq. (21) +50 %"),
             std::string::npos);
-  const auto curves = curves_of(*figure);
+  const auto curves = curves_of(found[0]);
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves.at("fem").size(), 16U);
   for (const auto& row : curves.at("fem")) {
@@ -197,7 +199,7 @@ TEST_F(Distributions, OfAreasAreDrawnAgainstTheTheory) {
 
   result.methods.erase(result.methods.begin());
   const ReportEntry alone = entry_of(result, rough);
-  EXPECT_FALSE(area_theory_figure(series_of(std::span(&alone, 1))).has_value());
+  EXPECT_TRUE(drawn(figures::area_theory, alone).empty());
 }
 
 } // namespace asperity::reports::distribution_figures_test

@@ -2,9 +2,9 @@
 // written out here, have no error; a known offset is the error that is found.
 // Those of spheres and waves come first, those of punches last.
 #include "reports/analysis/warnings.hpp"
-#include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
 #include "results/types/method_columns.hpp"
+#include "tests/reports/drawn.hpp"
 #include "tests/reports/exact_samples.hpp"
 #include "theory/exact/punches.hpp"
 
@@ -63,7 +63,8 @@ TEST(ExactFigures, StateTheErrors) {
   result.surfaces.emplace_back();
   result.surfaces[0].rms_height = wave.surface.amplitude / std::numbers::sqrt2;
 
-  const std::vector<Figure> figures = exact_figures(entry_of(result, wave));
+  const std::vector<Figure> figures =
+      drawn(figures::exact, entry_of(result, wave));
 
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_NE(figures[0].caption.find("Largest error: halfspace 0.02."),

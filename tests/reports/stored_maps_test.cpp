@@ -2,11 +2,10 @@
 // the same result in memory, byte for byte.
 #include "reports/analysis/summary.hpp"
 #include "reports/analysis/warnings.hpp"
-#include "reports/figures/figures.hpp"
 #include "reports/figures/gnuplot_script.hpp"
-#include "reports/figures/height_figure.hpp"
 #include "results/result_reader.hpp"
 #include "results/result_writer.hpp"
+#include "tests/reports/drawn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,13 +96,13 @@ TEST_F(StoredMaps, GiveTheFiguresOfMapsInMemory) {
   const ReportEntry held = entry_of(in_memory_);
   const ReportEntry stored = entry_of(in_file_);
   const auto all = [](const ReportEntry& entry) {
-    std::vector<Figure> figures = map_figures(entry);
-    for (const auto& more : {pressure_distribution_figures(entry),
-                             gap_distribution_figures(entry)})
-      figures.insert(figures.end(), more.begin(), more.end());
-    figures.push_back(surface_figure(entry).value());
-    figures.push_back(height_figure(entry).value());
-    return figures;
+    std::vector<Figure> all_drawn;
+    for (const ReportFigure* const figure :
+         {&figures::maps, &figures::pressure_distribution,
+          &figures::gap_distribution, &figures::surface,
+          &figures::height_distribution})
+      std::ranges::move(drawn(*figure, entry), std::back_inserter(all_drawn));
+    return all_drawn;
   };
   const std::vector<Figure> expected = all(held);
   const std::vector<Figure> found = all(stored);

@@ -1,7 +1,7 @@
 // Tests of the figures of the stress below the surface: a full 3-D block shows
 // its own numbers beside those from its pressure, other methods the latter.
-#include "reports/figures/figures.hpp"
 #include "reports/pages/report.hpp"
+#include "tests/reports/drawn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,8 @@ protected:
     return made;
   }
 
-  std::vector<Figure> figures() const {
-    return stress_figures(entry_of(result, rough));
+  std::vector<Figure> shown() const {
+    return drawn(figures::stress, entry_of(result, rough));
   }
 
   cases::Case rough = synthetic::contact_case();
@@ -55,7 +55,7 @@ protected:
 };
 
 TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
-  const Figure strength = figures().front();
+  const Figure strength = shown().front();
 
   EXPECT_NE(strength.data.find("\"fem\",0,0.01,0.5,2,"), std::string::npos)
       << strength.data;
@@ -71,7 +71,7 @@ TEST_F(StressFigures, ShowTheBlocksOwnAndWhatItsPressureGives) {
 TEST_F(StressFigures, DoNotMentionAbsentFullBlocks) {
   result.tables[0].columns.resize(3);
 
-  const Figure strength = figures().front();
+  const Figure strength = shown().front();
 
   EXPECT_EQ(strength.data.find("from its pressure"), std::string::npos);
   EXPECT_EQ(strength.caption.find("full 3-D model"), std::string::npos);
@@ -81,8 +81,8 @@ TEST_F(StressFigures, DoNotMentionAbsentFullBlocks) {
 // a table of loads, it has that of the section.
 TEST_F(StressFigures, HaveASectionPerLoad) {
   const double modulus = synthetic::contact_modulus;
-  ASSERT_TRUE(figures()[1].stack);
-  EXPECT_EQ(figures()[1].stack->frames.size(), 1U);
+  ASSERT_TRUE(shown()[1].stack);
+  EXPECT_EQ(shown()[1].stack->frames.size(), 1U);
   result.tables.push_back(
       table("stress-sections-fem",
             {{"nominal_pressure", std::vector<double>(4, 0.01 * modulus)},
@@ -97,7 +97,7 @@ TEST_F(StressFigures, HaveASectionPerLoad) {
                                   ? 2.0 * modulus
                                   : column.values[static_cast<std::size_t>(i)]);
 
-  const MapStack stack = figures()[1].stack.value();
+  const MapStack stack = shown()[1].stack.value();
 
   ASSERT_EQ(stack.frames.size(), 2U);
   EXPECT_EQ(stack.frames[0].title, "p / E* = 0.01");
@@ -114,7 +114,7 @@ TEST_F(StressFigures, HaveASectionPerLoad) {
 // A point without stress is not the maximum, and the section states the origin
 // of its numbers.
 TEST_F(StressFigures, LeaveOutPlacesWithoutStress) {
-  const std::vector<Figure> all = figures();
+  const std::vector<Figure> all = shown();
 
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[1].name, "stress-section-fem");
@@ -131,7 +131,7 @@ TEST_F(StressFigures, ShowBothBodies) {
     if (made.name == "stress-section-fem")
       made.columns.front().values = {-1e-6, -1e-6, 0.0, 0.0};
 
-  const Figure section = figures()[1];
+  const Figure section = shown()[1];
 
   EXPECT_EQ(section.title, "Section through both bodies, fem");
   EXPECT_NE(section.caption.find("in the second body"), std::string::npos);

@@ -1,10 +1,9 @@
 // Tests of reports/analysis/two_surfaces.hpp: two surfaces without a mechanical
 // method are those of one contact, whose roughness is their sum.
 #include "reports/analysis/two_surfaces.hpp"
-#include "reports/figures/figures.hpp"
-#include "reports/figures/height_figure.hpp"
 #include "reports/pages/report.hpp"
 #include "surfaces/maps/shells.hpp"
+#include "tests/reports/drawn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -91,23 +90,27 @@ TEST_F(TwoSurfaces, AreNoneWithAMechanicalMethod) {
 TEST_F(TwoSurfaces, AreDrawnWithTheirSum) {
   const ReportEntry pair = entry_of(result, rough);
 
-  const auto maps = two_faces_figure(pair);
+  const std::vector<Figure> maps = drawn(figures::two_faces, pair);
 
-  ASSERT_TRUE(maps);
-  EXPECT_EQ(maps->maps.size(), 3U);
+  ASSERT_EQ(maps.size(), 1U);
+  EXPECT_EQ(maps[0].maps.size(), 3U);
   for (const FigureGroup& group : figures_of(std::span(&pair, 1)))
     for (const Figure& figure : group.figures) {
       EXPECT_FALSE(figure.title.empty()) << figure.name;
       EXPECT_FALSE(figure.caption.empty()) << figure.name;
     }
   for (const char* curve : {"realisation 0", "realisation 1", "sum of both"})
-    EXPECT_NE(spectrum_figure(pair)->data.find(curve), std::string::npos);
-  EXPECT_NE(height_figure(pair)->caption.find("Sum of both: skewness"),
+    EXPECT_NE(drawn(figures::spectrum, pair).at(0).data.find(curve),
+              std::string::npos);
+  EXPECT_NE(drawn(figures::height_distribution, pair)
+                .at(0)
+                .caption.find("Sum of both: skewness"),
             std::string::npos);
   result.surfaces.pop_back();
   const ReportEntry one = entry_of(result, rough);
-  EXPECT_FALSE(two_faces_figure(one));
-  EXPECT_EQ(spectrum_figure(one)->data.find("sum of both"), std::string::npos);
+  EXPECT_TRUE(drawn(figures::two_faces, one).empty());
+  EXPECT_EQ(drawn(figures::spectrum, one).at(0).data.find("sum of both"),
+            std::string::npos);
 }
 
 } // namespace asperity::reports::two_surfaces_test
