@@ -95,8 +95,8 @@ BlockMesh layered_mesh(const Grid& face, const std::vector<double>& thickness) {
   mesh.length_y = face.length_y;
   mesh.depth = std::accumulate(thickness.begin(), thickness.end(), 0.0);
   const VertexGrid at{static_cast<unsigned int>(face.points_x),
-                   static_cast<unsigned int>(face.points_y),
-                   static_cast<unsigned int>(thickness.size())};
+                      static_cast<unsigned int>(face.points_y),
+                      static_cast<unsigned int>(thickness.size())};
 
   add_vertices(mesh, at, thickness);
   add_cells(mesh, at);

@@ -105,7 +105,7 @@ std::optional<BoxGrid> coarsest_box_grid(const BlockProblem& problem) {
   BlockProblem coarsest = problem;
   coarsest.mesh.refine_below.clear();
   coarsest.degree = 1;
-  return box_grid(coarsest);
+  return box_grid_of(coarsest);
 }
 
 /// The cells of this rank.

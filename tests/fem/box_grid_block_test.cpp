@@ -121,10 +121,10 @@ TEST(BoxGridOfAMesh, IsNoneForOtherMeshes) {
   std::swap(renumbered.mesh.cells[0], renumbered.mesh.cells[1]);
 
   EXPECT_TRUE(box_grid_of(problem).has_value());
-  EXPECT_FALSE(box_grid(bent).has_value());
-  EXPECT_FALSE(box_grid(shifted).has_value());
-  EXPECT_FALSE(box_grid(refined).has_value());
-  EXPECT_FALSE(box_grid(renumbered).has_value());
+  EXPECT_FALSE(box_grid_of(bent).has_value());
+  EXPECT_FALSE(box_grid_of(shifted).has_value());
+  EXPECT_FALSE(box_grid_of(refined).has_value());
+  EXPECT_FALSE(box_grid_of(renumbered).has_value());
 }
 
 } // namespace asperity::fem::box_grid_block_test
