@@ -13,6 +13,10 @@
 namespace asperity::reports {
 namespace {
 
+/// Contact area above which no outliers are named: the gaps vanish, and differ
+/// by roundoff where contact is complete.
+constexpr double complete_contact = 0.95;
+
 using Results = std::vector<std::unique_ptr<SweptResult>>;
 using results::CurvePoint;
 
@@ -204,6 +208,9 @@ SampleLoads sample_loads(const SweepRecord& record, const Results& results) {
     }
     for (SampleValues& column : load.columns)
       evaluate(column);
+    if (load.columns[0].mean > complete_contact)
+      for (SampleValues& column : load.columns)
+        column.outliers.clear();
     table.loads.push_back(std::move(load));
   }
   return table;

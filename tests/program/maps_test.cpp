@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <sstream>
 #include <sys/stat.h>
 
 namespace asperity::program::maps_test {
@@ -160,6 +162,23 @@ TEST_F(Maps, ArePressedWithTheSameRoundLoads) {
        {"\n1.txt,halfspace,", "\n2.txt,halfspace,", "\nmean,halfspace,",
         "\nstandard deviation,halfspace,"})
     EXPECT_NE(table.find(row), std::string::npos) << table;
+  const auto numbers = [&](const std::string& row) { // of the first load
+    const std::size_t begin = table.find("\n" + row + ",halfspace,") + 1;
+    std::istringstream line(
+        table.substr(begin, table.find('\n', begin) - begin));
+    std::vector<double> found;
+    for (std::string cell; std::getline(line, cell, ',');)
+      found.push_back(std::atof(cell.c_str()));
+    return found;
+  };
+  for (const std::size_t column : {4U, 5U}) { // area and mean gap
+    const double one = numbers("1.txt")[column];
+    const double other = numbers("2.txt")[column];
+    EXPECT_NE(one, other);
+    EXPECT_NEAR(numbers("mean")[column], 0.5 * (one + other), 1e-8 * one);
+    EXPECT_NEAR(numbers("standard deviation")[column],
+                std::abs(one - other) / std::sqrt(2.0), 1e-8 * one);
+  }
   EXPECT_NE(text_of(folder / "all/report.html").find("over 2 maps."),
             std::string::npos);
 }
