@@ -129,7 +129,7 @@ std::string load_words(const results::Result& result) {
   if (steps == 0)
     return "";
   const double modulus = result.contact_modulus;
-  if (least == largest)
+  if (!(largest > least * (1.0 + 1e-9)) || steps == 1)
     return fmt::format("; {} load step{}, {} (p/E* = {:.3g})", steps,
                        steps == 1 ? "" : "s", quantity_text(least, "Pa", 3),
                        least / modulus);
