@@ -62,8 +62,11 @@ std::vector<PhysicalLoad> physical_loads(const results::MethodRecord& method,
                          row.status == results::StepStatus::converged &&
                          std::isfinite(row.nominal_pressure + row.mean_gap);
       step.pressures.push_back({.value = row.nominal_pressure});
+      // Where a node has yielded, the area is only counted.
+      const bool is_corrected =
+          row.area_fraction > 0.0 && std::isfinite(row[*area]);
       step.areas.push_back(
-          {.value = row.area_fraction == 0.0 ? 0.0 : row[*area]});
+          {.value = is_corrected ? row[*area] : row.area_fraction});
       step.gaps.push_back({.value = row.mean_gap});
       step.plastic.push_back({.value = row[columns::plastic_area]});
       const HalfWidths errors = intervals.of(row);

@@ -76,6 +76,17 @@ TEST_F(Answers, HaveIntervalsFromTheShortWavesOfAMap) {
   EXPECT_LT(intervals.of(row).area - grid, 0.5 * row.area_fraction);
 }
 
+// Where a node has yielded, the area is not corrected, but it is counted.
+TEST_F(Answers, SayTheCountedAreaWhereNoneIsCorrected) {
+  for (results::Curve& curve : result.methods.back().realizations)
+    for (results::CurvePoint& row : curve.points)
+      if (row.step > 0)
+        row.area_fraction_corrected = std::numeric_limits<double>::quiet_NaN();
+  write(result);
+  for (const nlohmann::json& answer : summary()["answers"])
+    EXPECT_EQ(answer.get<std::string>().find("–"), std::string::npos) << answer;
+}
+
 TEST_F(Answers, StandWithoutVerdictsIfThereIsNoExpectation) {
   rough.expectations.clear();
   result.case_text = "";
