@@ -7,6 +7,7 @@
 #include "results/provenance.hpp"
 #include "run/arguments/case_library.hpp"
 #include "run/cli/command_line.hpp"
+#include "run/interrupt.hpp"
 #include "run/mpi_world.hpp"
 #include "run/output.hpp"
 #include "run/output_folder.hpp"
@@ -32,6 +33,7 @@ struct RobustnessCommand {
   std::vector<std::string> cases; ///< cases to perturb; none: random
   int instances = 2000; ///< number of instances that match `only`, per case
   std::uint64_t seed = 1;
+  int first = 0;               ///< index of the first instance
   std::string only;            ///< see robustness::InstanceFilter
   std::optional<int> instance; ///< run only this instance and print all details
   int threads = 0;             ///< number of processes; 0: all cores
@@ -65,8 +67,8 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
   return sources;
 }
 
-/// Returns the requested instances: the first ones of the seed that match the
-/// filter.
+/// Returns the requested instances: the first ones of the seed from `first` on
+/// that match the filter.
 std::vector<Instance> instances_of(const Source& source,
                                    const RobustnessCommand& command) {
   // The search ends if fewer than one instance in this many matches.
@@ -74,11 +76,13 @@ std::vector<Instance> instances_of(const Source& source,
   const robustness::InstanceFilter filter(command.only);
   std::vector<Instance> instances;
   const auto wanted = static_cast<std::size_t>(command.instances);
-  for (int index = 0; instances.size() < wanted; ++index) {
+  for (int index = command.first;
+       instances.size() < wanted && !run::is_interrupted(); ++index) {
     const Instance instance = source.draw(command.seed, index);
     if (filter.takes(instance))
       instances.push_back(instance);
-    if (index / most_drawn_for_one > static_cast<int>(instances.size()))
+    if ((index - command.first) / most_drawn_for_one >
+        static_cast<int>(instances.size()))
       break;
   }
   return instances;
@@ -118,7 +122,7 @@ Results results_of(const std::vector<Instance>& instances,
   auto last_line = begin;
   std::fflush(stdout); // otherwise a child process would print it again
   robustness::run_instances(
-      instances, {command.threads, 60.0},
+      instances, {command.threads, 60.0, run::is_interrupted},
       [&](const robustness::InstanceReport& report) {
         results[report.index] = {by_index.at(report.index), report};
         const auto now = Clock::now();
@@ -140,6 +144,25 @@ Results results_of(const std::vector<Instance>& instances,
         return robustness::run_instance(instance);
       });
   return results;
+}
+
+/// The command for what an interrupted run has left: the instances from the
+/// first one on that has not ended, some of which may have.
+std::string rest_of(const std::vector<Instance>& instances,
+                    const Results& results, const Source& source,
+                    const RobustnessCommand& command) {
+  const auto left =
+      std::ranges::find_if(instances, [&](const Instance& instance) {
+        return !results.contains(instance.index);
+      });
+  if (left == instances.end() && !instances.empty())
+    return "nothing is left";
+  return fmt::format(
+      "continue with {}{} --first {} --instances {} --out {}-rest",
+      rerun_of(source, command),
+      command.only.empty() ? "" : " --only " + command.only,
+      instances.empty() ? command.first : left->index,
+      command.instances - (left - instances.begin()), command.out);
 }
 
 run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
@@ -179,6 +202,12 @@ run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
              total.of(robustness::Outcome::verified),
              total.of(robustness::Outcome::refused), total.others(),
              (folder / "stress.json").string());
+  if (run::is_interrupted()) {
+    fmt::print("interrupted after {} of {} problem instances; {}\n",
+               results.size(), command.instances,
+               rest_of(instances, results, source, command));
+    return run::exit_interrupted;
+  }
   return total.others() > 0 ? run::exit_not_converged : run::exit_good;
 }
 
@@ -208,18 +237,23 @@ run::ExitCode run_instance_alone(const Source& source,
 /// the sub-folder with the name of the case.
 ///
 /// @return  exit_not_converged if any instance is neither verified nor
-///          refused
+///          refused, exit_interrupted after an interrupt
 run::ExitCode run_robustness(const RobustnessCommand& command) {
   if (run::n_mpi_ranks() > 1)
     throw input::InputError("asperity robustness distributes its instances "
                             "among processes itself; please start it without "
                             "mpirun");
+  if (!command.instance)
+    run::catch_interrupts();
   run::ExitCode worst = run::exit_good;
   std::string json; // of each source
-  for (const Source& source : sources_of(command))
+  for (const Source& source : sources_of(command)) {
     worst =
         std::max(worst, command.instance ? run_instance_alone(source, command)
                                          : run_source(source, command, json));
+    if (run::is_interrupted())
+      break;
+  }
   if (run::wants_json() && !command.instance)
     run::emit_answer(command.cases.size() > 1 ? "[" + json + "]\n" : json);
   return worst;
@@ -244,6 +278,10 @@ void add_robustness(CommandLine& line) {
       ->check(CLI::Range(1, 10000000));
   command->add_option("--seed", robustness.seed,
                       "seed of the instances (default: 1)");
+  command
+      ->add_option("--first", robustness.first,
+                   "index of the first instance (default: 0)")
+      ->check(CLI::Range(0, 1000000000));
   command->add_option("--only", robustness.only,
                       "only instances of a family or with a value of an\n"
                       "axis: slab, law=hard");

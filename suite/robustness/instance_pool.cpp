@@ -58,8 +58,13 @@ public:
   void run() {
     for (std::size_t first = 0; first < stride_; ++first)
       start(workers_.emplace_back(), first);
-    while (std::any_of(workers_.begin(), workers_.end(), is_running))
+    while (std::any_of(workers_.begin(), workers_.end(), is_running)) {
+      if (settings_.is_interrupted != nullptr && settings_.is_interrupted()) {
+        kill_all();
+        return;
+      }
       wait_and_read();
+    }
   }
 
 private:
@@ -83,6 +88,13 @@ private:
         write_all(pipe, to_line(run_one_(instances_[i])) + "\n");
     });
     worker.since = Clock::now();
+  }
+
+  /// The children hold the interrupt only as a flag, so they are not asked.
+  void kill_all() {
+    for (Worker& worker : workers_)
+      if (worker.child)
+        worker.child->kill();
   }
 
   void wait_and_read() {

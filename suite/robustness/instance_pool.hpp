@@ -17,6 +17,8 @@ struct PoolSettings {
   int processes = 0; ///< 0: one per core of the machine
   /// CPU time > 0; the limit of the wall time is ten times as large
   double instance_seconds = 60.0;
+  /// Asked several times per second; true ends all processes. Null: never.
+  bool (*is_interrupted)() = nullptr;
 };
 
 /// The function that a child runs on an instance: run_instance(), except in
@@ -28,7 +30,8 @@ using RunOne = std::function<InstanceReport(const Instance&)>;
 /// process that dies or exceeds the time limit is reported for the instance it
 /// was running, and another process continues. The assignment of instances to
 /// processes affects nothing in the reports but the run time. The calling
-/// process must have a single thread.
+/// process must have a single thread. After an interrupt, the instances that
+/// have not ended are not reported.
 /// @throws std::system_error  no process could be started
 /// @throws std::domain_error   instance_seconds is not positive
 void run_instances(std::span<const Instance> instances,
