@@ -71,7 +71,7 @@ std::string digits_text(double value, int digits) {
   if (value == 0.0)
     return "0";
   const int power = first_digit(value, digits);
-  if (power < -4 || power >= 7)
+  if (power < -4 || power >= 6)
     return fmt::format("{:.{}g}", value, digits);
   const double step = std::pow(10.0, power - digits + 1);
   const double rounded = std::round(value / step) * step;

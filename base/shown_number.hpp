@@ -20,7 +20,7 @@ struct Shown {
 std::string shown_text(Shown number, std::string_view format);
 
 /// Rounds to significant digits as a person writes them: "3.33", "0.00231",
-/// "12 100"; with an exponent below 1e-4 and from 1e7 on, "2.46e-18". "–" if it
+/// "12 100"; with an exponent below 1e-4 and from 1e6 on, "2.46e-18". "–" if it
 /// is not finite.
 std::string digits_text(double value, int digits);
 
