@@ -83,6 +83,7 @@ TEST(ShippedCases, HaveTheirClaimAndTheirReferences) {
                                                  "paper/finite-size-2",
                                                  "paper/finite-size-4",
                                                  "peers/full-contact",
+                                                 "plastic-rough",
                                                  "seal"};
   for (const std::string& name : shipped()) {
     const std::string folder = "cases/" + name;
