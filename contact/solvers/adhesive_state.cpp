@@ -207,7 +207,6 @@ double AdhesiveState::repulsion(std::size_t i) const {
 void AdhesiveState::precondition(std::span<const double> field,
                                  std::span<double> answer) {
   const double stiffness = wave_stiffness_;
-  const double softness = 1.0 / stiffness;
   const double mean_field =
       by_spring() && n_free > 0.0
           ? sum([=](std::size_t i) { return field[i]; }) / n_free
@@ -220,13 +219,11 @@ void AdhesiveState::precondition(std::span<const double> field,
   const double unit = size > 0.0 && std::isfinite(size)
                           ? std::ldexp(1.0, std::ilogb(size))
                           : 1.0;
-  // S at a node. Roots and divisions cost as much as the transforms.
-  const auto scale_of = [this, softness](double repelled) {
-    return has_wall_ ? 1.0 : 1.0 / std::sqrt(1.0 + repelled * softness);
-  };
-  each([&, inverse_unit = 1.0 / unit](std::size_t i) {
-    scratch_[i] =
-        static_cast<float>(scale_of(repulsion(i)) * own(i) * inverse_unit);
+  // With a wall S is 1, and its roots would cost as much as the transforms.
+  each([&](std::size_t i) {
+    const double scale =
+        has_wall_ ? 1.0 : 1.0 / std::sqrt(1.0 + repulsion(i) / stiffness);
+    scratch_[i] = static_cast<float>(scale * own(i) / unit);
   });
   const auto mean_of_scratch = [&] {
     return sum([s = scratch_.data()](std::size_t i) {
@@ -241,14 +238,14 @@ void AdhesiveState::precondition(std::span<const double> field,
   const double mean = mean_of_scratch();
   each([&](std::size_t i) {
     const double repelled = repulsion(i);
-    const double scale = scale_of(repelled);
+    const double square = has_wall_ ? 1.0 : 1.0 / (1.0 + repelled / stiffness);
+    const double scale = has_wall_ ? 1.0 : std::sqrt(square);
     const double waves =
         (scale * own(i) -
-         (static_cast<double>(scratch_[i]) * unit - mean) * softness) *
-        softness;
-    answer[i] = scale * (waves + uniform);
-    if (!has_wall_)
-      answer[i] += (1.0 - scale * scale) / (repelled + stiffest_waves) * own(i);
+         (static_cast<double>(scratch_[i]) * unit - mean) / stiffness) /
+        stiffness;
+    answer[i] = scale * (waves + uniform) +
+                (1.0 - square) / (repelled + stiffest_waves) * own(i);
   });
   restrict_to_free(answer, by_gap() || by_spring());
   if (by_spring()) {
