@@ -64,7 +64,7 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
     figure.panels.push_back(std::move(panel));
     figure.width = 860;
     figure.height = 400;
-    figure.grid = side_by_side(0.2);
+    figure.grid = side_by_side(0.25);
     figure.grid->across = 0.14;
     figure.grid->has_shared_legend = true;
     figure.caption += " Right: the same around the largest tension.";

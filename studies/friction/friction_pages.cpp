@@ -129,7 +129,7 @@ std::optional<Figure> slip_figure(const ReportEntry& entry, std::size_t index,
   figure.width = 860;
   figure.height = 400;
   figure.panels.resize(2);
-  figure.grid = side_by_side(0.2);
+  figure.grid = side_by_side(0.25);
   figure.grid->has_shared_legend = true;
   CsvTable table = slip_table();
   std::size_t next = 0;

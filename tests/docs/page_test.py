@@ -9,7 +9,7 @@ may differ by 2 %, and a line that ends with ... may go on. The count before a
 load step, as in 4/12, is not compared, because jobs run beside each other.
 Afterwards each file `out/...` and each figure `name.svg` that the page names
 must exist, and each picture figures/PAGE-NAME.svg of the page must say what the
-last figure NAME.svg of these commands says; with ASPERITY_UPDATE_GOLDEN=1 it is
+first figure NAME.svg of these commands says; with ASPERITY_UPDATE_GOLDEN=1 it is
 replaced by this figure.
 """
 import os
@@ -109,9 +109,9 @@ def check_pictures(page, source, name, folder):
         if not made:
             sys.exit(f"{stored} is a picture of {figure}, which no command has drawn")
         if os.environ.get("ASPERITY_UPDATE_GOLDEN") == "1":
-            shutil.copyfile(made[-1], stored)
-        if not is_same(says(stored), says(made[-1])):
-            sys.exit(f"{stored} says\n{says(stored)}\nand {made[-1]}\n{says(made[-1])}")
+            shutil.copyfile(made[0], stored)
+        if not is_same(says(stored), says(made[0])):
+            sys.exit(f"{stored} says\n{says(stored)}\nand {made[0]}\n{says(made[0])}")
 
 
 def check_itself():
