@@ -99,12 +99,12 @@ def blocked(at):
     for s in 1, 2:
         rows = "".join(f"{s}e-9 -{j}e-9 {j}e-9 0\n" for j in range(1, 5))
         (maps / f"{s}.txt").write_text("# Channel: Z\n# Width: 4 um\n# Height: 4 um\n# Value units: m\n" + rows)
-    (maps / "notes.txt").write_text("measured in 2024\n")
+    (maps / "plain.txt").write_text(rows) # a map without its length
     words = ("run", maps, "--contact-modulus", "2 GPa", "--no-report", "--out", out)
     refused = at.ended(*words)
-    assert refused.returncode == 2 and "notes.txt" in refused.stderr, refused
+    assert refused.returncode == 2 and "plain.txt" in refused.stderr, refused
     assert not out.exists()
-    (maps / "notes.txt").unlink()
+    (maps / "plain.txt").unlink()
     at.answer(*words)
 
 

@@ -190,7 +190,7 @@ def check_figures():
     assert len(shapes) >= 13, sorted((FOLDER / "map/figures").iterdir())
     assert set(shapes.values()) == {(ROWS, COLUMNS)}, shapes
     words = (FOLDER / "map/methods.txt").read_text()
-    assert f"{COLUMNS} × {ROWS} points over 0.4 × 0.3 µm" in words, words
+    assert f"{COLUMNS} × {ROWS} points over 400 nm × 300 nm" in words, words
     # The load of the table is that of the map.
     page = (FOLDER / "map/report.html").read_text()
     assert "240 nN" in page and "2.4 µN" in page  # 2 MPa and 20 MPa on .12 um^2

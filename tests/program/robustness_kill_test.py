@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 
-PATIENCE = 60  # seconds until the first table, which is written after ten; the run takes a minute
+PATIENCE = 240  # seconds until the first table, which a busy machine writes after a minute
 WANTED = 20000  # to be killed
 FEW = 4000     # to be ended after a second
 

@@ -70,10 +70,10 @@ void name_values(CLI::App& program) {
       {"--out", "DIR"},        {"--problem", "DIR"},    {"--junit", "FILE"},
       {"--set", "KEY=VALUE"},  {"--methods", "NAMES"},  {"--method", "NAME"},
       {"--target-error", "E"}, {"--threads", "N"},      {"--instances", "N"},
-      {"--instance", "N"},     {"--seed", "N"},         {"--repeats", "N"},
-      {"--realizations", "N"}, {"--budget", "SECONDS"}, {"--tolerance", "X"},
-      {"--map", "FILE"},       {"--part", "I/N"},       {"--parts", "N"},
-      {"--time", "T"}};
+      {"--instance", "N"},     {"--first", "INDEX"},    {"--seed", "N"},
+      {"--repeats", "N"},      {"--realizations", "N"}, {"--budget", "SECONDS"},
+      {"--tolerance", "X"},    {"--map", "FILE"},       {"--part", "I/N"},
+      {"--parts", "N"},        {"--time", "T"}};
   for (CLI::App* command :
        program.get_subcommands([](CLI::App*) { return true; }))
     for (const auto& [name, value] : values)
