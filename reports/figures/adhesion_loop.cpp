@@ -36,12 +36,11 @@ std::optional<Figure> adhesion_loop_figure(const ReportEntry& entry) {
         if (row.is_unloading == is_unloading &&
             row.status == results::StepStatus::converged &&
             std::isfinite(row[columns::adhesive_energy])) {
-          table.add(title, {static_cast<double>(index), row.mean_gap * in_nm,
-                            row.nominal_pressure / result.contact_modulus});
-          least =
-              std::min(least, row.nominal_pressure / result.contact_modulus);
-          largest =
-              std::max(largest, row.nominal_pressure / result.contact_modulus);
+          const double p = row.nominal_pressure / result.contact_modulus;
+          table.add(title,
+                    {static_cast<double>(index), row.mean_gap * in_nm, p});
+          least = std::min(least, p);
+          largest = std::max(largest, p);
           has_row = true;
         }
       if (has_row)

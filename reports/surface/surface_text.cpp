@@ -85,6 +85,7 @@ std::string maps_text(const std::vector<surfaces::MapAnalysis>& maps) {
   std::string deviations = padded("standard deviation", name_width);
   std::string outliers;
   std::vector<std::string> rows;
+  rows.reserve(maps.size());
   for (const surfaces::MapAnalysis& map : maps)
     rows.push_back(padded(map.name, name_width));
   for (const char* key : shown) {

@@ -308,9 +308,9 @@ void set_banner(Json& page, const Results& results, const std::string& answer) {
                                                    : "";
 }
 
-std::string page_text(const SweepRecord& record, const Results& results,
-                      const std::vector<SweepLimit>& limits,
-                      const SampleLoads& loads,
+/// @param page  what the page says of limits and common loads
+std::string page_text(Json page, const SweepRecord& record,
+                      const Results& results,
                       const std::vector<DrawnGroup>& groups,
                       const std::filesystem::path& out, bool is_for_print) {
   const std::vector<std::string> quantities = shown_quantities(results);
@@ -318,7 +318,7 @@ std::string page_text(const SweepRecord& record, const Results& results,
   for (std::string& head : heads) // allows line breaks
     std::ranges::replace(head, '_', ' ');
   const bool is_sampled = has_samples(record);
-  Json page = record_json(record);
+  page.update(record_json(record));
   page["page_title"] = "Sweep: " + record.title;
   page["lead"] = fmt::format(
       "Case {}: {} points{}.", record.case_name, record.points.size(),
@@ -326,15 +326,11 @@ std::string page_text(const SweepRecord& record, const Results& results,
       : record.combine == cases::Combine::zip
           ? ", the lists of values side by side"
           : ", every value of each key with every value of the others");
-  set_banner(page, results, sample_sentence(loads));
-  set_loads(page, loads);
   page["keys"] = key_rows(record);
   page["quantity_heads"] = heads;
   page["rows"] = point_rows(record, results, quantities, out);
   page["scatter"] = is_sampled ? scatter_rows(record, results) : Json::array();
   page["gallery"] = is_sampled ? gallery(record, out) : Json::array();
-  page["limit_heads"] = quantities_with_limits;
-  page["limits"] = limit_rows(limits);
   const Json laws = law_rows(results);
   page["laws"] = laws.size() > 1 ? laws : Json::array();
   page["failed"] = failed_rows(record, results);
@@ -373,12 +369,16 @@ SweepReport write_sweep_report(const SweepRecord& record,
                 [](const FigureGroup& group) { return group.figures.empty(); });
   const std::vector<DrawnGroup> groups =
       drawn_groups_of(figures, out, gnuplot, extras.journal, report.undrawn);
-  write_file_atomically(
-      out / "report.html",
-      page_text(record, results, limits, loads, groups, out, false));
+  Json page;
+  page["limit_heads"] = quantities_with_limits;
+  page["limits"] = limit_rows(limits);
+  set_banner(page, results, sample_sentence(loads));
+  set_loads(page, loads);
+  write_file_atomically(out / "report.html",
+                        page_text(page, record, results, groups, out, false));
   if (extras.has_pdf)
     if (const std::string problem = print_report(
-            page_text(record, results, limits, loads, groups, out, true), out);
+            page_text(page, record, results, groups, out, true), out);
         !problem.empty())
       report.undrawn.push_back(problem);
   write_file_atomically(folder / sweep_file, sweep_json(record, results));
