@@ -69,6 +69,11 @@ private:
 
   int kept_of(int row) const { return kept_[static_cast<std::size_t>(row)]; }
 
+  bool is_beside_eliminated(std::size_t row) const {
+    return std::ranges::any_of(neighbours(row),
+                               [&](int j) { return kept_of(j) == eliminated; });
+  }
+
   /// Chooses the eliminated nodes: those at an even number of links from the
   /// first of each part, but for the neighbours of another one.
   void choose() {
@@ -85,12 +90,9 @@ private:
           const auto other = static_cast<std::size_t>(j);
           if (kept_[other] != unknown)
             continue;
-          const bool is_odd =
-              kept_[i] == eliminated ||
-              std::ranges::any_of(neighbours(other), [&](int beside) {
-                return kept_of(beside) == eliminated;
-              });
-          kept_[other] = is_odd ? kept : eliminated;
+          kept_[other] = kept_[i] == eliminated || is_beside_eliminated(other)
+                             ? kept
+                             : eliminated;
           reached.push_back(other);
         }
       }
