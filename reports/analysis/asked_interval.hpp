@@ -32,9 +32,8 @@ struct HalfWidths {
 
 /// The intervals of the load steps of one method.
 ///
-/// - Grid: the counted area has an error of first order in the spacing, of
-/// which
-///   the correction leaves a part (docs/numerics/area.md); the half-width is
+/// - Grid: the counted area has an error of first order in the spacing. The
+///   correction leaves a part of it (docs/numerics/area.md); the half-width is
 ///   the correction itself. The mean gap converges an order faster.
 /// - Solver: the certified bound of the mean gap on the grid.
 /// - Short waves, of a map: what Persson's theory, at the load at which it has
@@ -64,7 +63,7 @@ private:
   std::shared_ptr<const theory::PerssonContact> all_, long_;
 };
 
-/// "The intervals contain grid and solver, not level and form (unknown)."; ""
+/// "The intervals contain: grid of the area, solver; not: level and form."; ""
 /// without parts.
 std::string parts_sentence(const std::vector<IntervalPart>& parts);
 

@@ -6,6 +6,7 @@
 #include "input/text/toml_text.hpp"
 #include "input/units.hpp"
 #include "run/arguments/physics.hpp"
+#include "studies/flow/flow_study.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -369,11 +370,11 @@ std::string CaseOptions::with_options(const std::string& refusal,
 }
 
 std::vector<std::string> flow_overrides(const std::string& fluid) {
-  const std::map<std::string, std::string> viscosities{{"air", "1.85e-5 Pa s"},
-                                                       {"water", "0.89 mPa s"}};
+  const auto named = std::ranges::find(
+      studies::named_fluids, fluid, [](const auto& one) { return one.first; });
   std::string viscosity = fluid;
-  if (const auto named = viscosities.find(fluid); named != viscosities.end())
-    viscosity = named->second;
+  if (named != studies::named_fluids.end())
+    viscosity = fmt::format("{} Pa s", named->second);
   else if (fluid.empty() ||
            std::isalpha(static_cast<unsigned char>(fluid.front())) != 0)
     throw input::InputError(fmt::format(

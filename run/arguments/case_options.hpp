@@ -67,11 +67,9 @@ private:
   std::map<std::string, std::string, std::less<>> values_;
 };
 
-/// A fluid flows through the gap, under a pressure drop of 100 kPa. Viscosities
-/// at 25 C and 100 kPa.
-/// @param fluid  "water", "air", or a viscosity, "0.1 Pa s"
+/// A fluid flows through the gap, under a pressure drop of 100 kPa.
+/// @param fluid  one of studies::named_fluids, or a viscosity, "0.1 Pa s"
 /// @throws input::InputError  it is none of them
-/// @see  W. M. Haynes (ed.), CRC Handbook of Chemistry and Physics
 std::vector<std::string> flow_overrides(const std::string& fluid);
 
 /// Returns loads that are easy to read, from the largest below `low` to the

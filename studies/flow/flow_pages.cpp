@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -182,8 +183,10 @@ std::string fluid_words(const FlowStudy& study) {
   std::string name =
       fmt::format("A fluid of {} mPa s", digits_text(1e3 * study.viscosity, 3));
   for (const auto& [fluid, viscosity] : named_fluids)
-    if (std::abs(study.viscosity / viscosity - 1.0) < 1e-6)
+    if (std::abs(study.viscosity / viscosity - 1.0) < 1e-6) {
       name = fluid;
+      name.front() = static_cast<char>(std::toupper(name.front()));
+    }
   return name + " at " + quantity_text(study.pressure_drop, "Pa", 3);
 }
 

@@ -10,9 +10,11 @@
 
 namespace asperity::studies {
 
-/// Fluids that answers call by their names, and their viscosities [Pa s].
+/// Fluids that users and answers call by their names, and their viscosities at
+/// 25 C and 100 kPa [Pa s].
+/// @see  W. M. Haynes (ed.), CRC Handbook of Chemistry and Physics
 inline constexpr std::array<std::pair<const char*, double>, 2> named_fluids{
-    {{"Water", 0.89e-3}, {"Air", 1.85e-5}}};
+    {{"water", 0.89e-3}, {"air", 1.85e-5}}};
 
 /// [flow]: a fluid that a pressure drop drives through the gap.
 struct FlowStudy {

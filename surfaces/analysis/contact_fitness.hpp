@@ -35,9 +35,7 @@ struct ContactFitness {
   bool serves_gap() const { return waves_per_scan >= least_waves; }
 };
 
-/// @param rings    of the whole spectrum, ascending, with the mean square
-/// height
-///                 of each
+/// @param rings    of the whole spectrum, ascending
 /// @param noise    wavevector beyond which there is noise [rad/m]; empty: none
 /// @param spacing  the larger one [m]
 /// @param side     the shorter one [m]

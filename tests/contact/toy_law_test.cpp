@@ -3,53 +3,21 @@
 #include "contact/solvers/load_sequence.hpp"
 #include "input/reader/case_schema.hpp"
 #include "input/reader/read_case.hpp"
+#include "tests/contact/power_law.hpp"
 #include "tests/contact/problems.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace asperity::contact::toy_law_test {
 
 using mechanics::ContactInterface;
 
-/// 1 - g/rho where g < rho
-double depth(const ContactInterface& own, double gap) {
-  return std::max(0.0, 1.0 - gap / own.adhesion_range);
-}
-
-/// A hard wall with W = -w (1 - g/rho)^2 up to the gap rho.
 mechanics::ContactLawTraits parabolic() {
-  mechanics::ContactLawTraits law;
-  law.name = "parabolic";
-  law.words = "a hard wall with parabolic adhesion";
-  law.has_wall = true;
-  law.surface_solver = mechanics::SurfaceSolver::adhesive;
-  law.energy = [](const ContactInterface& own, double gap) {
-    return -own.work_of_adhesion * depth(own, gap) * depth(own, gap);
-  };
-  law.pressure = [](const ContactInterface& own, double gap) {
-    return -2.0 * own.work_of_adhesion / own.adhesion_range * depth(own, gap);
-  };
-  law.stiffness = [](const ContactInterface& own, double gap) {
-    return gap < own.adhesion_range
-               ? 2.0 * own.work_of_adhesion /
-                     (-own.adhesion_range * own.adhesion_range)
-               : 0.0;
-  };
-  law.pressure_bounds = [](const ContactInterface& own) {
-    return mechanics::PressureBounds{own.pressure(0.0),
-                                     std::numeric_limits<double>::infinity()};
-  };
-  law.range = [](const ContactInterface& own) { return own.adhesion_range; };
-  law.least_gap =
-      law.strongest_gap = [](const ContactInterface&) { return 0.0; };
-  return law;
+  return tests::power_law<2>("parabolic");
 }
 
 constexpr const char* text = R"(schema = 1
