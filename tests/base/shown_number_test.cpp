@@ -13,6 +13,7 @@ TEST(ShownNumber, QuantitiesHavePrefixesAndNoExponents) {
   EXPECT_EQ(quantity_text(12.1e-9, "m^2", 3), "12 100 µm²");
   EXPECT_EQ(quantity_text(2e9, "Pa"), "2 GPa");
   EXPECT_EQ(quantity_text(999.96e3, "Pa", 3), "1 MPa");
+  EXPECT_EQ(quantity_text(700e3, "Pa", 3), "700 kPa");
   EXPECT_EQ(quantity_text(-1500.0, "Pa"), "-1.5 kPa");
   EXPECT_EQ(quantity_text(9.94e-10, "m", 3), "0.994 nm");
   EXPECT_EQ(quantity_text(0.0, "Pa"), "0 Pa");

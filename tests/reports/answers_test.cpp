@@ -79,12 +79,15 @@ TEST_F(Answers, HaveIntervalsFromTheShortWavesOfAMap) {
 
 // Where a node has yielded, the area is not corrected, but it is counted.
 TEST_F(Answers, SayTheCountedAreaWhereNoneIsCorrected) {
-  for (results::Curve& curve : result.methods.back().realizations)
-    for (results::CurvePoint& row : curve.points)
-      if (row.step > 0)
-        row.area_fraction_corrected = std::numeric_limits<double>::quiet_NaN();
+  for (results::MethodRecord& method : result.methods)
+    for (results::Curve& curve : method.realizations)
+      for (std::size_t i = 1; i < curve.points.size(); ++i)
+        curve.points[i].area_fraction_corrected =
+            std::numeric_limits<double>::quiet_NaN();
   write(result);
-  for (const nlohmann::json& answer : summary()["answers"])
+  const nlohmann::json answers = summary()["answers"];
+  ASSERT_FALSE(answers.empty());
+  for (const nlohmann::json& answer : answers)
     EXPECT_EQ(answer.get<std::string>().find("–"), std::string::npos) << answer;
 }
 
