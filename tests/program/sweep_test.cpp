@@ -97,7 +97,9 @@ TEST_F(SweepRuns, ResumesAfterAKill) {
   EXPECT_EQ(fs::last_write_time(point(0) + "/result.h5"), written);
   EXPECT_NE(again.output.find("4/4"), std::string::npos) << again.output;
   EXPECT_NE(again.output.find("is complete already"), std::string::npos);
-  for (const Json& one : sweep_json()["points"])
+  const Json points = sweep_json()["points"];
+  ASSERT_EQ(points.size(), 4U);
+  for (const Json& one : points)
     EXPECT_EQ(one["status"], "complete");
 }
 
