@@ -72,6 +72,16 @@ inline EvenColumn columns_of(const EvenSymbol& symbol) {
   };
 }
 
+/// The columns of the inverse of a symbol, which must outlive them: 0 where the
+/// symbol is 0, as in the uniform mode.
+inline EvenColumn inverse_columns_of(const EvenSymbol& symbol) {
+  return [&symbol](int jx, std::span<double> of_jy) {
+    columns_of(symbol)(jx, of_jy);
+    for (double& value : of_jy)
+      value = value > 0.0 ? 1.0 / value : 0.0;
+  };
+}
+
 /// All columns of the half spectrum of a grid.
 inline SpectrumColumns all_columns(const Grid& grid) {
   return {0, grid.half_spectrum_columns()};

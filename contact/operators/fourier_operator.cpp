@@ -2,6 +2,7 @@
 
 #include "base/ranks/rank_sums.hpp"
 #include "base/require.hpp"
+#include "contact/operators/mirrored_operator.hpp"
 #include "contact/operators/tile_operator.hpp"
 
 #include <algorithm>
@@ -252,6 +253,17 @@ FourierOperator::do_periodic_extension() const {
       shared_->compliance.grid(), columns_of(shared_->compliance), threads());
 }
 
+std::unique_ptr<SurfaceOperator> FourierOperator::do_mirrored() const {
+  if (!is_periodic() || shared_rows() != nullptr || grid().points_x % 2 != 0 ||
+      grid().points_y % 2 != 0)
+    return nullptr;
+  return std::make_unique<MirroredOperator>(
+      MirroredOperator::Symbol{
+          std::shared_ptr<const EvenSymbol>(shared_, &shared_->compliance),
+          shared_->softest, shared_->short_wave},
+      threads());
+}
+
 void FourierOperator::do_displacement(std::span<const double> pressure,
                                       std::span<double> displacement) {
   if (is_periodic()) {
@@ -272,13 +284,7 @@ void FourierOperator::do_pressure_of(std::span<const double> displacement,
     SurfaceOperator::do_pressure_of(displacement, pressure);
     return;
   }
-  const EvenColumn compliance = columns_of(shared_->compliance);
-  const EvenColumn inverse = [&](int jx, std::span<double> of_jy) {
-    compliance(jx, of_jy);
-    for (double& value : of_jy)
-      value = value > 0.0 ? 1.0 / value : 0.0; // 0 of the uniform mode
-  };
-  exact_.apply(displacement, inverse, pressure);
+  exact_.apply(displacement, inverse_columns_of(shared_->compliance), pressure);
 }
 
 void FourierOperator::do_displacement_change(

@@ -77,6 +77,9 @@ protected:
                       std::span<double> pressure) override;
   std::unique_ptr<SurfaceOperator> do_periodic_extension() const override;
 
+  /// See mirrored_operator.hpp. Null if a number of points is odd.
+  std::unique_ptr<SurfaceOperator> do_mirrored() const override;
+
   /// The operator on half the points per side, which keeps C(q) of the
   /// wavevectors that the coarse grid resolves. Null if the number of points is
   /// odd or the coarse grid would have fewer than 32 points per side.

@@ -152,6 +152,13 @@ public:
     return timed(do_periodic_extension());
   }
 
+  /// The operator between fields that equal their mirror images about the
+  /// middle lines of grid(), on quarter_of(grid()); null if there is none, or
+  /// if ranks share the rows.
+  std::unique_ptr<SurfaceOperator> mirrored() const {
+    return timed(do_mirrored());
+  }
+
   /// The operator of the same block on a coarse_grid(); null if there is none,
   /// or if ranks share the rows.
   std::unique_ptr<SurfaceOperator> coarsened() const {
@@ -193,6 +200,10 @@ protected:
                               std::span<double> pressure);
 
   virtual std::unique_ptr<SurfaceOperator> do_periodic_extension() const {
+    return nullptr;
+  }
+
+  virtual std::unique_ptr<SurfaceOperator> do_mirrored() const {
     return nullptr;
   }
 
