@@ -125,34 +125,9 @@ struct FourierOperator::Shared {
                           own.empty() ? 0.0 : std::ranges::max(own));
   }
 
-  /// C(q) of the waves of a window of 128^2 nodes, all of which are waves of
-  /// the grid.
-  std::vector<double> of_window() const {
-    constexpr std::size_t half = tile_side;
-    const Grid& grid = rows.grid();
-    const std::size_t along_x = (grid.half_spectrum_columns() - 1) / half;
-    const std::size_t along_y =
-        static_cast<std::size_t>(grid.points_y) / (2 * half);
-    std::vector<double> picked;
-    for (std::size_t jx = 0; jx <= half; ++jx) {
-      const auto column = compliance.column(static_cast<int>(jx * along_x));
-      for (std::size_t k = 0; k <= half; ++k)
-        picked.push_back(column[k * along_y]);
-    }
-    return picked;
-  }
-
   std::shared_ptr<const TileOperator::Symbols> of_tiles() const {
-    const Grid& fine = rows.grid();
-    const Grid grid{fine.points_x / 4, fine.points_y / 4, fine.length_x,
-                    fine.length_y};
-    const EvenSymbol kept = compliance.coarsened(grid);
     return TileOperator::symbols(
-        fine,
-        [&](int jx, std::span<double> of_jy) {
-          std::ranges::copy(kept.column(jx), of_jy.begin());
-        },
-        of_window(), short_wave, convolution.threads(),
+        compliance, short_wave, convolution.threads(),
         [](const Grid& whole, const EvenColumn& column,
            int threads) -> std::unique_ptr<SurfaceOperator> {
           return std::make_unique<FourierOperator>(whole, column, threads);
@@ -238,7 +213,7 @@ std::unique_ptr<SurfaceOperator> FourierOperator::do_coarsened() const {
 
 std::unique_ptr<SurfaceOperator>
 FourierOperator::do_on_tiles(const Tiles& tiles) const {
-  if (!is_periodic() || !has_tiles(grid()) || shared_rows() != nullptr)
+  if (!has_tiles(grid()) || shared_rows() != nullptr)
     return nullptr;
   std::call_once(shared_->tiles_are_made,
                  [&] { shared_->tiles = shared_->of_tiles(); });

@@ -79,18 +79,50 @@ EvenColumn window_column(const std::vector<double>& values) {
   };
 }
 
-/// C(q) erf(q s / sqrt 2) of a window.
-EvenColumn sharp_part(const Grid& window, const std::vector<double>& values) {
-  return [&, s = part_width * window.spacing_x() /
-                 std::numbers::sqrt2](int jx, std::span<double> of_jy) {
-    window_column(values)(jx, of_jy);
+/// C(q) of the waves of a window, all of which are waves of the grid: jy =
+/// 0..64 of each jx = 0..64, the first without meaning.
+std::vector<double> of_window(const EvenSymbol& compliance) {
+  const auto stride = [](int points) {
+    return static_cast<std::size_t>(points) / window_side;
+  };
+  const std::size_t along_x = stride(compliance.grid().points_x);
+  const std::size_t along_y = stride(compliance.grid().points_y);
+  std::vector<double> picked;
+  for (std::size_t jx = 0; jx <= tile_side; ++jx) {
+    const auto column = compliance.column(static_cast<int>(jx * along_x));
+    for (std::size_t jy = 0; jy <= tile_side; ++jy)
+      picked.push_back(column[jy * along_y]);
+  }
+  return picked;
+}
+
+/// C(q) erf(q s / sqrt 2) of a window: the displacement by a unit pressure on a
+/// node, which ends within half a window.
+EvenSymbol sharp_part(const EvenSymbol& compliance, const Grid& window,
+                      int threads) {
+  const Grid& grid = compliance.grid();
+  const double s = part_width * grid.spacing_x() / std::numbers::sqrt2;
+  const EvenColumn sharp = [&](int jx, std::span<double> of_jy) {
+    columns_of(compliance)(jx, of_jy);
     for (std::size_t jy = 0; jy < of_jy.size(); ++jy)
       of_jy[jy] *=
-          std::erf(s * wavevector_size(window, jx, static_cast<int>(jy)));
+          std::erf(s * wavevector_size(grid, jx, static_cast<int>(jy)));
     if (jx == 0) // the limit if C(q) is proportional to 1/q
-      of_jy[0] = values[1] * wavevector_size(window, 0, 1) * s * 2.0 *
-                 std::numbers::inv_sqrtpi;
+      of_jy[0] = compliance.column(0)[1] * wavevector_size(grid, 0, 1) * s *
+                 2.0 * std::numbers::inv_sqrtpi;
   };
+  constexpr int nodes = tile_points + 1; // the others are their mirror images
+  const Grid held{nodes, nodes, nodes * grid.spacing_x(),
+                  nodes * grid.spacing_y()};
+  std::vector<double> kernel(held.size());
+  kernel[0] = 1.0;
+  Convolution<double>(held, grid, threads).apply(kernel, sharp, kernel);
+  return {window,
+          [&](int iy, std::span<double> of_ix) {
+            std::copy_n(&kernel[held.index(0, iy)], of_ix.size(),
+                        of_ix.begin());
+          },
+          threads};
 }
 
 Grid window_of(const Grid& fine) {
@@ -105,10 +137,18 @@ Grid coarse_of(const Grid& fine) {
 }
 
 /// The tiles one below the other.
-Grid grid_of(const Grid& fine, const Tiles& tiles) {
+Grid grid_of(double spacing, const Tiles& tiles) {
   const int n = static_cast<int>(tiles.numbers.size());
-  const double length = tile_points * fine.spacing_x();
+  const double length = tile_points * spacing;
   return {tile_points, n * tile_points, length, n * length};
+}
+
+std::unique_ptr<SurfaceOperator>
+smooth_operator(const EvenSymbol& compliance, const Grid& coarse, int threads,
+                TileOperator::WholeGrid whole) {
+  const EvenSymbol kept = compliance.coarsened(coarse);
+  const EvenColumn columns = columns_of(kept);
+  return whole(coarse, smooth_part(coarse, columns), threads);
 }
 
 /// Calls do_node(coarse node, place in the patch) for each coarse node of the
@@ -137,7 +177,8 @@ void apply(SurfaceOperator& smooth, std::span<const float> pressure,
 } // namespace
 
 struct TileOperator::Symbols {
-  Grid fine, window, coarse;
+  double spacing; ///< of the nodes [m]
+  Grid window, coarse;
   std::vector<double> compliance; ///< of the window
   double short_wave;
   int threads;
@@ -147,33 +188,33 @@ struct TileOperator::Symbols {
   Convolution<float>::Symbol sharp;
   Convolution<double>::Symbol exact_sharp;
 
-  Symbols(const Grid& fine_, const EvenColumn& coarse_compliance,
-          std::vector<double> window_compliance, double short_wave_,
-          int threads_, WholeGrid whole)
-      : fine(fine_),
-        window(window_of(fine)),
-        coarse(coarse_of(fine)),
-        compliance(std::move(window_compliance)),
+  Symbols(const EvenSymbol& of_nodes, double short_wave_, int threads_,
+          WholeGrid whole)
+      : spacing(of_nodes.grid().spacing_x()),
+        window(window_of(of_nodes.grid())),
+        coarse(coarse_of(of_nodes.grid())),
+        compliance(of_window(of_nodes)),
         short_wave(short_wave_),
         threads(threads_),
-        smooth(whole(coarse, smooth_part(coarse, coarse_compliance), threads)),
+        smooth(smooth_operator(of_nodes, coarse, threads, whole)),
         convolution(window),
-        exact(window),
-        sharp(convolution.arranged(sharp_part(window, compliance))),
-        exact_sharp(exact.arranged(sharp_part(window, compliance))) {}
+        exact(window) {
+    const EvenSymbol of_window = sharp_part(of_nodes, window, threads);
+    sharp = convolution.arranged(columns_of(of_window));
+    exact_sharp = exact.arranged(columns_of(of_window));
+  }
 };
 
 std::shared_ptr<const TileOperator::Symbols>
-TileOperator::symbols(const Grid& fine, const EvenColumn& coarse,
-                      std::vector<double> window, double short_wave,
+TileOperator::symbols(const EvenSymbol& compliance, double short_wave,
                       int threads, WholeGrid whole) {
-  return std::make_shared<const Symbols>(fine, coarse, std::move(window),
-                                         short_wave, threads, whole);
+  return std::make_shared<const Symbols>(compliance, short_wave, threads,
+                                         whole);
 }
 
 TileOperator::TileOperator(const std::shared_ptr<const Symbols>& symbols,
                            Tiles tiles)
-    : SurfaceOperator({.rows = SharedRows(grid_of(symbols->fine, tiles)),
+    : SurfaceOperator({.rows = SharedRows(grid_of(symbols->spacing, tiles)),
                        .short_wave_compliance = symbols->short_wave,
                        .threads = symbols->threads}),
       symbols_(symbols),

@@ -15,9 +15,9 @@
 
 namespace asperity::contact {
 
-/// An approximation of a periodic operator with a C(q) between the nodes of
-/// some tiles, whose work grows with their number and not with the grid. C(q)
-/// is divided into two positive parts (Ewald's method with a plane of charges),
+/// An approximation of an operator with a C(q) between the nodes of some tiles,
+/// whose work grows with their number and not with the grid. C(q) is divided
+/// into two positive parts (Ewald's method with a plane of charges),
 ///
 ///     C(q) = C(q) erf(q s / sqrt 2) + C(q) erfc(q s / sqrt 2),
 ///
@@ -45,15 +45,13 @@ public:
   using WholeGrid = std::unique_ptr<SurfaceOperator> (*)(
       const Grid& grid, const EvenColumn& compliance, int threads);
 
-  /// @param fine        of the nodes, spacings equal, points a multiple of 128
-  /// @param coarse      C(q) [m/Pa] of the waves of every fourth node
-  /// @param window      C(q) of the waves of a window, jy = 0..64 of each jx =
-  ///                    0..64, the first without meaning
+  /// @param compliance  C(q) [m/Pa] of the grid of the nodes, or with free
+  ///                    boundaries of one of twice the points and lengths,
+  ///                    whose first columns and rows are the nodes; spacings
+  ///                    equal, points a multiple of 128
   /// @param short_wave  see SurfaceOperator
   /// @param whole       for the coarse nodes
-  static std::shared_ptr<const Symbols> symbols(const Grid& fine,
-                                                const EvenColumn& coarse,
-                                                std::vector<double> window,
+  static std::shared_ptr<const Symbols> symbols(const EvenSymbol& compliance,
                                                 double short_wave, int threads,
                                                 WholeGrid whole);
 

@@ -27,10 +27,16 @@ inline bool has_tiles(const Grid& grid) {
 /// Some tiles of a grid that has_tiles().
 struct Tiles {
   int per_row = 0, per_column = 0; ///< of the grid
-  std::vector<int> numbers;        ///< row by row, in rising order
+  bool is_periodic = true;       ///< whether there are tiles beyond the border
+  std::vector<int> numbers = {}; ///< row by row, in rising order
 
-  /// The number of a tile that may lie outside, on the periodic continuation.
+  /// The number of a tile that may lie outside, on the periodic continuation;
+  /// -1 if there is none.
   int number(int tx, int ty) const {
+    const bool is_outside =
+        tx < 0 || tx >= per_row || ty < 0 || ty >= per_column;
+    if (is_outside && !is_periodic)
+      return -1;
     return (ty + per_column) % per_column * per_row + (tx + per_row) % per_row;
   }
 };

@@ -12,8 +12,9 @@
 namespace asperity::contact {
 namespace {
 
-/// Largest part of the surface that tiles may cover.
-constexpr double largest_share = 1.0 / 16.0;
+/// Largest part of the surface that tiles may cover. With free boundaries,
+/// whose operator works on four times the nodes, tiles save more.
+constexpr double largest_share = 1.0 / 16.0, largest_free_share = 1.0 / 4.0;
 
 /// Error to which the problem on the tiles is solved over that before, and
 /// largest error over that before with which another one is solved.
@@ -25,10 +26,13 @@ constexpr int most_tile_iterations = 100;
 /// much.
 /// @param is_active  is_active(i) of the node i
 template <class IsActive>
-std::optional<Tiles> few_tiles(const Grid& grid, const IsActive& is_active) {
+std::optional<Tiles> few_tiles(const SurfaceOperator& elasticity,
+                               const IsActive& is_active) {
+  const Grid& grid = elasticity.grid();
   constexpr int points = tile_points, near = points / 8;
   const auto width = static_cast<std::size_t>(grid.points_x);
-  Tiles tiles{grid.points_x / points, grid.points_y / points, {}};
+  Tiles tiles{grid.points_x / points, grid.points_y / points,
+              elasticity.is_periodic()};
   const std::size_t n = static_cast<std::size_t>(tiles.per_row) *
                         static_cast<std::size_t>(tiles.per_column);
   std::vector<std::uint8_t> is_used(n);
@@ -39,15 +43,18 @@ std::optional<Tiles> few_tiles(const Grid& grid, const IsActive& is_active) {
     const int y = static_cast<int>(i / width) + points;
     for (const int dx : {-near, near})
       for (const int dy : {-near, near})
-        is_used[static_cast<std::size_t>(
-            tiles.number((x + dx) / points - 1, (y + dy) / points - 1))] = 1;
+        if (const int tile =
+                tiles.number((x + dx) / points - 1, (y + dy) / points - 1);
+            tile >= 0)
+          is_used[static_cast<std::size_t>(tile)] = 1;
   }
   for (std::size_t tile = 0; tile < n; ++tile)
     if (is_used[tile] != 0)
       tiles.numbers.push_back(static_cast<int>(tile));
+  const double share = tiles.is_periodic ? largest_share : largest_free_share;
   const bool are_few =
       !tiles.numbers.empty() && static_cast<double>(tiles.numbers.size()) <=
-                                    largest_share * static_cast<double>(n);
+                                    share * static_cast<double>(n);
   return are_few ? std::optional(std::move(tiles)) : std::nullopt;
 }
 
@@ -116,7 +123,7 @@ tile_problem(const SurfaceOperator& elasticity, const ContactProblem& problem,
     return std::nullopt;
   if (elasticity.shared_rows() != nullptr)
     return std::nullopt;
-  const std::optional<Tiles> tiles = few_tiles(elasticity.grid(), is_active);
+  const std::optional<Tiles> tiles = few_tiles(elasticity, is_active);
   std::unique_ptr<SurfaceOperator> on_tiles =
       tiles ? elasticity.on_tiles(*tiles) : nullptr;
   if (!on_tiles)
