@@ -28,8 +28,6 @@ struct Fftw<double> {
   static constexpr auto forward_row = fftw_execute_dft_r2c;
   static constexpr auto backward_row = fftw_execute_dft_c2r;
   static constexpr auto columns = fftw_execute_dft;
-  static constexpr auto plan_even = fftw_plan_r2r_1d;
-  static constexpr auto even = fftw_execute_r2r;
   static constexpr auto destroy = fftw_destroy_plan;
 };
 
@@ -43,8 +41,6 @@ struct Fftw<float> {
   static constexpr auto forward_row = fftwf_execute_dft_r2c;
   static constexpr auto backward_row = fftwf_execute_dft_c2r;
   static constexpr auto columns = fftwf_execute_dft;
-  static constexpr auto plan_even = fftwf_plan_r2r_1d;
-  static constexpr auto even = fftwf_execute_r2r;
   static constexpr auto destroy = fftwf_destroy_plan;
 };
 

@@ -169,6 +169,27 @@ void Convolution<Real>::analyse(std::span<const Real> field,
 }
 
 template <class Real>
+void Convolution<Real>::change(std::span<const Real> field,
+                               const ChangeColumn& change,
+                               std::span<Real> answer) {
+  assert(!slabs_ && field.size() == held_.size() &&
+         answer.size() == held_.size());
+  prepare();
+  const std::size_t stride = transforms_->column_stride();
+  transforms_->forward(field, threads_, scratch_.pairs.data(),
+                       scratch_.spectrum.data());
+  each_block(
+      {}, [&](std::size_t first, std::size_t n, Complex* columns, std::size_t) {
+        transforms_->transform_columns(columns);
+        for (std::size_t k = 0; k < n; ++k)
+          change(static_cast<int>(first + k), {columns + k * stride, height()});
+        transforms_->transform_columns_back(columns);
+      });
+  transforms_->backward(scratch_.spectrum.data(), threads_,
+                        scratch_.pairs.data(), answer);
+}
+
+template <class Real>
 void Convolution<Real>::prepare() {
   const auto workers = static_cast<std::size_t>(threads_);
   scratch_.pairs.resize(workers * transforms_->pair_stride());

@@ -102,6 +102,16 @@ public:
   /// @param take   called once for each column of this rank
   void analyse(std::span<const Real> field, const TakeColumn& take);
 
+  using ChangeColumn = std::function<void(int jx, std::span<Complex> column)>;
+
+  /// Transforms a field, changes each column of its half spectrum and
+  /// transforms back, without a factor, where all rows are in this process.
+  /// @param change  called once for each column; threads call it at the same
+  ///                time
+  /// @param answer  as many values, overwritten; may be `field`
+  void change(std::span<const Real> field, const ChangeColumn& change,
+              std::span<Real> answer);
+
   /// Frees the scratch memory of this process, which the next apply() allocates
   /// again.
   void free_scratch() { scratch_ = {}; }

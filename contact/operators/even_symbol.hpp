@@ -87,16 +87,18 @@ inline SpectrumColumns all_columns(const Grid& grid) {
   return {0, grid.half_spectrum_columns()};
 }
 
-/// The symbol of (C + c)^-1, which is found again when c changes.
+/// The symbol of (C + c)^-1, which is found again when c changes. Transform is
+/// Convolution<float> or MirroredConvolution<float>.
+template <class Transform>
 class InverseSymbol {
 public:
-  using Symbol = Convolution<float>::Symbol;
+  using Symbol = typename Transform::Symbol;
 
   /// @param convolution       always the same one
   /// @param compliance        C [m/Pa] > 0 of the columns of this rank
   /// @param local_compliance  c [m/Pa] >= 0
-  const Symbol& of(const Convolution<float>& convolution,
-                   const EvenColumn& compliance, double local_compliance) {
+  const Symbol& of(const Transform& convolution, const EvenColumn& compliance,
+                   double local_compliance) {
     require_not_negative("local_compliance", local_compliance, "m/Pa");
     if (local_compliance_ != local_compliance) {
       symbol_ = convolution.arranged([&](int jx, std::span<double> of_jy) {

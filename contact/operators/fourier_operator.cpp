@@ -235,7 +235,7 @@ std::unique_ptr<SurfaceOperator> FourierOperator::do_mirrored() const {
   return std::make_unique<MirroredOperator>(
       MirroredOperator::Symbol{
           std::shared_ptr<const EvenSymbol>(shared_, &shared_->compliance),
-          shared_->softest, shared_->short_wave},
+          shared_->softest, shared_->short_wave, clone()},
       threads());
 }
 

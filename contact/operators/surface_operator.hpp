@@ -39,6 +39,8 @@ struct SurfaceTraits {
   /// Whether the surface continues periodically; otherwise it is pressed inside
   /// the rectangle of the grid only, and its displacement vanishes at infinity.
   bool is_periodic = true;
+  /// Whether it continues by mirror images instead: see MirroredOperator.
+  bool is_mirrored = false;
   /// Whether a pressure that is shifted by nodes has the same displacement,
   /// shifted: one column then stands for all.
   bool is_shift_invariant = false;
@@ -91,6 +93,8 @@ public:
   std::size_t n_nodes() const { return traits_.rows.size(); }
 
   bool is_periodic() const { return traits_.is_periodic; }
+
+  bool is_mirrored() const { return traits_.is_mirrored; }
 
   std::span<const double> nodal_weights() const {
     return traits_.nodal_weights;

@@ -97,7 +97,7 @@ private:
   std::unique_ptr<SurfaceOperator> smooth_; ///< on the coarse nodes
   Windows<float> windows_;
   Windows<double> exact_windows_;
-  InverseSymbol inverse_;
+  InverseSymbol<Convolution<float>> inverse_;
 };
 
 } // namespace asperity::contact

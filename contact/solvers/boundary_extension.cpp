@@ -29,9 +29,11 @@ void each_active_run(const BlockFlags& blocks, std::size_t first, std::size_t n,
 
 } // namespace
 
-BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers)
+BoundaryExtension::BoundaryExtension(const Grid& grid, const Workers& workers,
+                                     Continuation continuation)
     : rows_(workers.rows != nullptr ? *workers.rows : SharedRows(grid)),
       threads_(workers.threads),
+      continuation_(continuation),
       levels_(extension_levels(rows_)) {}
 
 /// Calls do_row(iy, scratch) for each row of this process; the arrays of
@@ -99,14 +101,25 @@ void BoundaryExtension::build(double share,
 /// @param scratch  for a row of the level
 void BoundaryExtension::interpolate(ExtensionLevel& level, std::size_t points,
                                     int iy, std::vector<float>& scratch,
-                                    float* fine) {
+                                    float* fine) const {
   const std::size_t n = level.own.width();
   scratch.resize(n);
   const int cells = level.offset() + iy / 2;
   const float* const own = level.row(cells);
   const float* const other = level.row(iy % 2 == 0 ? cells - 1 : cells + 1);
   mix_rows(n, own, other, scratch.data());
-  widen_row(scratch.data(), points, fine);
+  widen_row(scratch.data(), points, continuation_, fine);
+}
+
+/// Sets the rows beyond the first and the last one that this process stores.
+void BoundaryExtension::fill_ghost_rows(ExtensionLevel& level) const {
+  if (!is_mirrored()) {
+    level.stored.fill_ghost_rows(std::span(level.values));
+    return;
+  }
+  const int count = level.stored.count();
+  std::copy_n(level.row(0), level.stored.width(), level.row(-1));
+  std::copy_n(level.row(count - 1), level.stored.width(), level.row(count));
 }
 
 void BoundaryExtension::extend(const Active& active,
@@ -127,7 +140,7 @@ void BoundaryExtension::extend(const Active& active,
       add_beyond(n, level.variance, level.shares_row(iy), scratch.row.data(),
                  level.row(iy));
     });
-    level.stored.fill_ghost_rows(std::span(level.values));
+    fill_ghost_rows(level);
   }
   each_row(rows_, [&](int iy, Scratch& scratch) {
     const std::size_t first = rows_.grid().index(0, iy);
@@ -150,20 +163,23 @@ void BoundaryExtension::gather(const SharedRows& fine, const Row& row,
                                ExtensionLevel& level) const {
   const std::size_t width = fine.width();
   const bool has_row_before = // that has a cell of this process as neighbour
-      fine.first() > 0 || fine.grid().points_y % 2 == 0;
+      is_mirrored() || fine.first() > 0 || fine.grid().points_y % 2 == 0;
   each_row(level.own, [&](int iy, Scratch& scratch) {
     scratch.row.resize(width);
     const bool has_second = 2 * iy + 1 < fine.count();
     const bool has_before = iy > 0 || has_row_before;
+    const bool has_after = has_second || !is_mirrored();
     const float* const before = row(2 * iy - 1, scratch);
     const float* const first = row(2 * iy, scratch);
     const float* const second = row(2 * iy + (has_second ? 1 : 0), scratch);
     const float* const after = row(2 * iy + (has_second ? 2 : 1), scratch);
     sum_rows(width, {first, second, before, after},
              {own_weight, has_second ? own_weight : 0.0F,
-              has_before ? other_weight : 0.0F, other_weight},
+              has_before ? other_weight : 0.0F,
+              has_after ? other_weight : 0.0F},
              scratch.row.data());
-    narrow_row(scratch.row.data(), width, level.shares_row(level.offset() + iy),
+    narrow_row(scratch.row.data(), width, continuation_,
+               level.shares_row(level.offset() + iy),
                level.row(level.offset() + iy));
   });
   level.complete(level.stored_values());
@@ -189,15 +205,16 @@ void BoundaryExtension::swap_edges(const Active& active,
                              std::as_writable_bytes(edge(3))});
 }
 
-/// A row of a field, on the periodic continuation of the grid.
+/// A row of a field, on the continuation of the grid.
 MaskedRow BoundaryExtension::row_of(const Active& active, const float* field,
                                     int iy) const {
   const bool is_outside = iy < 0 || iy >= rows_.count();
   if (is_outside && rows_.ranks() != nullptr)
     return {edges_.data() + (iy < 0 ? 0 : 3 * rows_.width()),
             no_freedom_.data()};
-  const std::size_t first =
-      rows_.grid().index(0, is_outside ? (iy < 0 ? rows_.count() - 1 : 0) : iy);
+  const int last = rows_.count() - 1;
+  const int beyond = (iy < 0) == is_mirrored() ? 0 : last;
+  const std::size_t first = rows_.grid().index(0, is_outside ? beyond : iy);
   return {field + first, &active.is_free[first]};
 }
 
@@ -226,7 +243,7 @@ void BoundaryExtension::fold(const Active& active, std::span<float> field) {
       },
       levels_[0]);
   for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
-    levels_[l].stored.fill_ghost_rows(std::span(levels_[l].values));
+    fill_ghost_rows(levels_[l]);
     gather(
         levels_[l].stored,
         [&](int iy, Scratch&) { return std::as_const(levels_[l]).row(iy); },

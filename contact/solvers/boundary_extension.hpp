@@ -33,8 +33,8 @@ namespace asperity::contact {
 ///     e_l = k_l (v_l r_l + interpolation of e_(l+1))
 ///
 /// On inactive nodes, E r is the interpolation of e_1. The interpolation is
-/// bilinear between the centres of the cells, on the periodic continuation of
-/// the grid; on the coarsest level it is 0. s <= 1 is the share of the
+/// bilinear between the centres of the cells, on the continuation of the grid;
+/// on the coarsest level it is 0. s <= 1 is the share of the
 /// compliance of short waves in that of a node, which also has the compliance
 /// of a penalty: the latter is noise of the nodes.
 ///
@@ -50,7 +50,9 @@ namespace asperity::contact {
 class BoundaryExtension {
 public:
   /// @param workers  whose ranks share the rows of the grid, if there are any
-  BoundaryExtension(const Grid& grid, const Workers& workers);
+  /// @param continuation  mirrored only without ranks
+  BoundaryExtension(const Grid& grid, const Workers& workers,
+                    Continuation continuation = Continuation::periodic);
 
   /// Determines k_l. Required before the other calls.
   /// @param share    s in 0..1
@@ -93,8 +95,11 @@ private:
                          ExtensionLevel& level, const SumRow& sum_row) const;
   template <class Value, class SumRow>
   void sum_levels(const Value* nodes, const SumRow& sum_row);
-  static void interpolate(ExtensionLevel& level, std::size_t points, int iy,
-                          std::vector<float>& scratch, float* fine);
+  void interpolate(ExtensionLevel& level, std::size_t points, int iy,
+                   std::vector<float>& scratch, float* fine) const;
+  void fill_ghost_rows(ExtensionLevel& level) const;
+
+  bool is_mirrored() const { return continuation_ == Continuation::mirrored; }
   template <class Row>
   void gather(const SharedRows& fine, const Row& row,
               ExtensionLevel& level) const;
@@ -106,6 +111,7 @@ private:
 
   SharedRows rows_;
   int threads_;
+  Continuation continuation_;
   float share_ = 1.0F; ///< s
   std::vector<ExtensionLevel> levels_;
   /// The first and the last row of this process between those of other ranks

@@ -38,12 +38,17 @@ double beyond(double end, double inner, double spacings) {
 }
 
 /// Sets the values beyond the ends of a line of coarse values: those at the
-/// other end of a periodic surface, otherwise by linear extrapolation.
+/// other end of a periodic surface, mirror images, or by linear extrapolation.
 /// @param value  value(i), i from 0: the i-th of the line with its ghosts
 template <class Value>
-void set_ghosts(std::size_t n, bool is_periodic, const Value& value) {
+void set_ghosts(std::size_t n, const SurfaceOperator& elasticity,
+                const Value& value) {
   const std::size_t first = ghosts_before, last = ghosts_before + n - 1;
-  if (is_periodic) {
+  if (elasticity.is_mirrored()) {
+    value(0) = value(first);
+    value(last + 1) = value(last);
+    value(last + 2) = value(last - 1);
+  } else if (elasticity.is_periodic()) {
     value(0) = value(last);
     value(last + 1) = value(first);
     value(last + 2) = value(first + 1);
@@ -85,6 +90,11 @@ std::vector<double> interpolated(std::span<const double> coarse,
   std::vector<const double*> rows(count + n_ghosts);
   for (std::size_t i = 0; i < rows.size(); ++i)
     rows[i] = row(i);
+  if (elasticity.is_mirrored()) {
+    rows[0] = rows[1];
+    rows[count + 1] = rows[count];
+    rows[count + 2] = rows[count - 1];
+  }
   if (!is_periodic) {
     beyond_rows(1, 2, 1.0);
     beyond_rows(count, count - 1, 1.0);
@@ -101,7 +111,7 @@ std::vector<double> interpolated(std::span<const double> coarse,
     std::vector<double> line(width + n_ghosts);
     double* const own = line.data() + ghosts_before;
     const auto put = [&](std::span<double> to) {
-      set_ghosts(width, is_periodic,
+      set_ghosts(width, elasticity,
                  [&](std::size_t i) -> double& { return line[i]; });
       widen(line, to);
     };

@@ -96,15 +96,17 @@ void mix_rows(std::size_t n, const float* own, const float* other,
       });
 }
 
-void widen_row(const float* cells, std::size_t points, float* fine) {
+void widen_row(const float* cells, std::size_t points,
+               Continuation continuation, float* fine) {
   const std::size_t n = (points + 1) / 2;
+  const bool is_mirrored = continuation == Continuation::mirrored;
   const auto put = [=](std::size_t p, float before, float after) {
     const float own = own_weight * cells[p];
     fine[2 * p] = own + other_weight * before;
     if (2 * p + 1 < points)
       fine[2 * p + 1] = own + other_weight * after;
   };
-  put(0, cells[n - 1], cells[n > 1 ? 1 : 0]);
+  put(0, cells[is_mirrored ? 0 : n - 1], cells[n > 1 ? 1 : 0]);
   if (n > 2)
     each_node(
         n - 2, [=](std::size_t i) __attribute__((always_inline)) {
@@ -113,21 +115,27 @@ void widen_row(const float* cells, std::size_t points, float* fine) {
           fine[2 * i + 3] = own + other_weight * cells[i + 2];
         });
   if (n > 1)
-    put(n - 1, cells[n - 2], cells[0]);
+    put(n - 1, cells[n - 2], cells[is_mirrored ? n - 1 : 0]);
 }
 
-void narrow_row(const float* fine, std::size_t points, const float* shares,
-                float* cells) {
+void narrow_row(const float* fine, std::size_t points,
+                Continuation continuation, const float* shares, float* cells) {
   const std::size_t n = (points + 1) / 2;
+  const bool is_even = points % 2 == 0;
+  const bool is_mirrored = continuation == Continuation::mirrored;
+  // The nodes beyond the ends that have the first or the last cell beside them.
+  const float before = is_mirrored ? fine[0]
+                       : is_even   ? fine[points - 1]
+                                   : 0.0F;
+  const float after = !is_mirrored ? fine[0]
+                      : is_even    ? fine[points - 1]
+                                   : 0.0F;
   const auto at_end = [=](std::size_t p) {
     float own = fine[2 * p];
     if (2 * p + 1 < points)
       own += fine[2 * p + 1];
-    float other = fine[p + 1 < n ? 2 * p + 2 : 0];
-    if (p > 0)
-      other += fine[2 * p - 1];
-    else if (points % 2 == 0)
-      other += fine[points - 1];
+    const float other = (p + 1 < n ? fine[2 * p + 2] : after) +
+                        (p > 0 ? fine[2 * p - 1] : before);
     cells[p] = shares[p] * (own_weight * own + other_weight * other);
   };
   at_end(0);

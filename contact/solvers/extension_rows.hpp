@@ -16,6 +16,10 @@ namespace asperity::contact {
 inline constexpr float own_weight = 0.75F;
 inline constexpr float other_weight = 0.25F;
 
+/// How cells continue beyond the borders of the grid: periodically, or by their
+/// mirror images.
+enum class Continuation { periodic, mirrored };
+
 /// The two rows of nodes, or of finer cells, that a row of cells consists of.
 /// The second one is null where there is none.
 template <class Value>
@@ -42,12 +46,13 @@ void share_precision(std::size_t points, const RowPair<std::uint8_t>& rows,
 void mix_rows(std::size_t n, const float* own, const float* other,
               float* mixed);
 
-/// fine[x] = interpolation along x of a periodic row of cells.
-void widen_row(const float* cells, std::size_t points, float* fine);
+/// fine[x] = interpolation along x of a row of cells.
+void widen_row(const float* cells, std::size_t points,
+               Continuation continuation, float* fine);
 
 /// cells = shares times the transpose of widen_row().
-void narrow_row(const float* fine, std::size_t points, const float* shares,
-                float* cells);
+void narrow_row(const float* fine, std::size_t points,
+                Continuation continuation, const float* shares, float* cells);
 
 /// field = residual where a node is active.
 void take_active(std::size_t n, const std::uint8_t* freedom,

@@ -143,8 +143,6 @@ LoadSequence::LoadSequence(std::unique_ptr<SurfaceOperator> elasticity,
     require_positive("adhesion_range", interface_.adhesion_range, "m");
     if (!elasticity_->is_periodic())
       free_adhesion_.emplace(*elasticity_, heights_, interface_);
-    else
-      mirrored_adhesion_ = MirroredAdhesion::of(*elasticity_, heights_);
   }
 }
 
@@ -265,8 +263,6 @@ LoadSequence::step_with_adhesion(const mechanics::LoadTarget& target,
                                 load_tolerance()};
   if (free_adhesion_)
     return free_adhesion_->solve(problem, target, state);
-  if (mirrored_adhesion_)
-    return mirrored_adhesion_->solve(problem, target, state);
   ContactSolution solution =
       solve_adhesive(*elasticity_, problem, target, std::move(state));
   state = solution.gap;

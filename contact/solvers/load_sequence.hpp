@@ -6,7 +6,6 @@
 
 #include "contact/solvers/contact_problem.hpp"
 #include "contact/solvers/free_adhesion.hpp"
-#include "contact/solvers/mirrored_adhesion.hpp"
 #include "mechanics/contact_law.hpp"
 
 #include <memory>
@@ -131,8 +130,6 @@ private:
   std::optional<double> error_of_coarse_guess_; ///< likewise
   std::optional<double> adhesive_scale_;        ///< [Pa/m], likewise
   std::optional<FreeAdhesion> free_adhesion_;   ///< with free boundaries
-  /// Heights that equal their mirror images, as those of a mirrored map.
-  std::optional<MirroredAdhesion> mirrored_adhesion_;
   mechanics::ContactInterface interface_;
   mechanics::SurfaceSolver solver_;
   double gap_tolerance_;

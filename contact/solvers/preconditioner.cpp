@@ -25,7 +25,9 @@ Preconditioner::Preconditioner(const SurfaceOperator& elasticity)
     : grid_(elasticity.grid()),
       wide_grid_(elasticity.wide_grid()),
       threads_(elasticity.threads()),
-      extension_(wide_grid_, elasticity.workers()) {
+      extension_(wide_grid_, elasticity.workers(),
+                 elasticity.is_mirrored() ? Continuation::mirrored
+                                          : Continuation::periodic) {
   if (wide_grid_ == grid_)
     return;
   const std::size_t nodes = wide_grid_.size();

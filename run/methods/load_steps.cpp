@@ -6,6 +6,7 @@
 #include "base/ranks/node_sums.hpp"
 #include "base/ranks/rank_sums.hpp"
 #include "contact/certificate/certificate.hpp"
+#include "contact/operators/mirrored_operator.hpp"
 #include "results/types/method_columns.hpp"
 
 #include <algorithm>
@@ -38,7 +39,10 @@ constexpr double rounding_of_sums = 1e-13;
 
 class LoadSteps final : public StepSolver {
 public:
-  LoadSteps(std::unique_ptr<contact::SurfaceOperator> elasticity,
+  /// @param cell        of the answers
+  /// @param elasticity  of its nodes, or of quarter_of(cell)
+  LoadSteps(const Grid& cell,
+            std::unique_ptr<contact::SurfaceOperator> elasticity,
             std::vector<double> heights, const LoadStepsSetting& setting)
       : threads_(setting.threads),
         gap_tolerance_(setting.gap_tolerance),
@@ -48,7 +52,7 @@ public:
                   setting.interface, setting.gap_tolerance,
                   setting.max_iterations) {
     const contact::SurfaceOperator& c = sequence_.elasticity();
-    surface_.record.grid = c.grid();
+    surface_.record.grid = cell;
     surface_.scales.rms_height = setting.rms_height;
     rows_ = c.rows();
     if (rows_.ranks() != nullptr)
@@ -66,6 +70,7 @@ public:
     const CpuClock clock(threads_);
     gather(solution);
     const Reached reached = reached_by(solution);
+    unfold(solution);
     StepAnswer answer = observe(std::move(solution), observation_, surface_);
     answer.reached = reached;
     certify(answer);
@@ -104,6 +109,23 @@ private:
     for (std::vector<double>* field :
          {&solution.pressure, &solution.gap, &solution.displacement})
       *field = rows_.gathered(*field);
+  }
+
+  /// Completes the fields of a quarter by their mirror images.
+  void unfold(contact::ContactSolution& solution) {
+    if (!sequence_.elasticity().is_mirrored())
+      return;
+    for (std::vector<double>* field :
+         {&solution.pressure, &solution.gap, &solution.displacement})
+      *field = contact::unfolded(*field, surface_.record.grid);
+  }
+
+  /// The values of a field at the nodes of the operator.
+  std::vector<double> at_operator(std::span<const double> field) {
+    if (sequence_.elasticity().is_mirrored())
+      return contact::first_quarter(field, surface_.record.grid);
+    const auto own = rows_.own(field);
+    return {own.begin(), own.end()};
   }
 
   Reached reached_by(const contact::ContactSolution& solution) {
@@ -149,12 +171,13 @@ private:
         answer.row.nominal_pressure > observation_.hardness)
       return; // without contact the mean gap is prescribed; the bound assumes
               // that the problem is convex and has a solution
+    const std::vector<double> pressure = at_operator(answer.pressure);
     results::RowObserver observe(answer.row);
     observe("certified_gap_error", [&] {
       return contact::check_field(
                  sequence_.elasticity(),
                  {sequence_.heights(), observation_.local_compliance,
-                  answer.row.nominal_pressure, rows_.own(answer.pressure),
+                  answer.row.nominal_pressure, pressure,
                   answer.row.mean_gap + sequence_.mean_imprint(),
                   observation_.hardness})
           .mean_gap_error;
@@ -178,8 +201,15 @@ private:
 std::unique_ptr<StepSolver>
 make_load_steps(std::unique_ptr<contact::SurfaceOperator> elasticity,
                 std::vector<double> heights, const LoadStepsSetting& setting) {
-  return std::make_unique<LoadSteps>(std::move(elasticity), std::move(heights),
-                                     setting);
+  const Grid cell = elasticity->grid();
+  if (elasticity->shared_rows() == nullptr &&
+      contact::equals_mirror_images(heights, cell))
+    if (auto quarter = elasticity->mirrored()) {
+      heights = contact::first_quarter(heights, cell);
+      elasticity = std::move(quarter);
+    }
+  return std::make_unique<LoadSteps>(cell, std::move(elasticity),
+                                     std::move(heights), setting);
 }
 
 } // namespace asperity::methods

@@ -23,10 +23,12 @@ struct LoadStepsSetting {
   double saved_setup_time = 0.0; ///< see StepSolver
 };
 
-/// Solves the load steps on one surface, see contact::LoadSequence. If ranks
-/// share the rows of the operator, the heights are those of this rank, and all
-/// calls are collective, as are those that pass the maps of an answer and the
-/// state to rank 0; a state is read on rank 0.
+/// Solves the load steps on one surface, see contact::LoadSequence; on a
+/// quarter of it if the heights equal their mirror images, as those of a
+/// mirrored map do (contact/operators/mirrored_operator.hpp). If ranks share
+/// the rows of the operator, the heights are those of this rank, and all calls
+/// are collective, as are those that pass the maps of an answer and the state
+/// to rank 0; a state is read on rank 0.
 std::unique_ptr<StepSolver>
 make_load_steps(std::unique_ptr<contact::SurfaceOperator> elasticity,
                 std::vector<double> heights, const LoadStepsSetting& setting);

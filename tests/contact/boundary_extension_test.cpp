@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -37,10 +38,12 @@ std::vector<float> random_field(std::size_t size, unsigned seed) {
   return field;
 }
 
-std::vector<float> extended(const Grid& grid, double own_share,
-                            const std::vector<std::uint8_t>& is_free,
-                            const std::vector<float>& residual) {
-  BoundaryExtension extension(grid, 1);
+std::vector<float>
+extended(const Grid& grid, double own_share,
+         const std::vector<std::uint8_t>& is_free,
+         const std::vector<float>& residual,
+         Continuation continuation = Continuation::periodic) {
+  BoundaryExtension extension(grid, 1, continuation);
   extension.build(own_share, is_free);
   std::vector<float> field(grid.size(), 7.0F);
   extension.extend({is_free, blocks_with(is_free)}, residual, field);
@@ -98,16 +101,36 @@ TEST(BoundaryExtension, FallsOffAroundANode) {
   }
 }
 
+// Mirror images do not bring the opposite corner near.
+TEST(BoundaryExtension, FallsOffToTheOppositeCornerOfMirrorImages) {
+  const Grid grid{64, 64, 1.0, 1.0};
+  std::vector<std::uint8_t> is_free(grid.size());
+  std::vector<float> residual(grid.size());
+  is_free[grid.index(0, 0)] = 2;
+  residual[grid.index(0, 0)] = 1.0F;
+
+  const std::vector<float> field =
+      extended(grid, 1.0, is_free, residual, Continuation::mirrored);
+
+  EXPECT_GT(field[grid.index(1, 1)], 0.3F);
+  EXPECT_LT(field[grid.index(63, 63)], 0.02F);
+  EXPECT_LT(field[grid.index(63, 0)], 0.05F);
+  EXPECT_LT(field[grid.index(0, 63)], 0.05F);
+}
+
 // Verifies that fold is the transpose of extend, also after nodes have become
-// active, on even and odd sides, on one thread and on two: (E r) . y = r . (E^T
-// y). Tolerance: single precision of sums of some thousand terms.
-TEST(BoundaryExtension, FoldIsItsTranspose) {
+// active, on even and odd sides, on one thread and on two, of both
+// continuations: (E r) . y = r . (E^T y). Tolerance: single precision of sums
+// of some thousand terms.
+class FoldOfExtension : public testing::TestWithParam<Continuation> {};
+
+TEST_P(FoldOfExtension, IsItsTranspose) {
   for (const Grid& grid :
        {Grid{72, 80, 1.0, 1.0}, Grid{71, 45, 1.0, 1.0}, Grid{30, 33, 1.0, 1.0},
         Grid{90, 1, 1.0, 1.0}, Grid{1, 2, 1.0, 1.0}, Grid{3, 5, 1.0, 1.0}})
     for (const int threads : {1, 2}) {
       std::vector<std::uint8_t> is_free = patches(grid);
-      BoundaryExtension extension(grid, threads);
+      BoundaryExtension extension(grid, threads, GetParam());
       extension.build(share, is_free);
       for (std::size_t i = 0; i < grid.size(); i += 37)
         is_free[i] = 1;
@@ -133,5 +156,9 @@ TEST(BoundaryExtension, FoldIsItsTranspose) {
       EXPECT_GT(size, 0.0);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Continuations, FoldOfExtension,
+                         testing::Values(Continuation::periodic,
+                                         Continuation::mirrored));
 
 } // namespace asperity::contact::boundary_extension_test
