@@ -38,6 +38,9 @@ constexpr double doubles_per_atom = 60.0;
 /// L-BFGS and the vectors of the test for a minimum.
 constexpr double more_arrays_of_adhesion = 10.0;
 constexpr double more_arrays_of_hardness = 2.0; ///< imprint, lower heights
+/// Of a mirrored map, of which all others have a quarter: heights and answers
+/// of the cell.
+constexpr double arrays_of_mirrored_cell = 9.0;
 /// Of Laplace's equation on a block, per node of the mesh in first and in
 /// second order: the matrix and its relaxation [B].
 constexpr double conduction_memory_q1 = 400.0, conduction_memory_q2 = 800.0;
@@ -72,12 +75,18 @@ struct NeedsInput {
   int ranks;
 };
 
+bool is_mirrored(const NeedsInput& input) {
+  return input.contact_case.surface.edges == mechanics::Edges::mirror;
+}
+
 MethodNeeds needs_on_face(const mechanics::ContactSettings& contact,
-                          const Grid& grid) {
-  const double arrays =
+                          const Grid& grid, bool is_mirrored = false) {
+  double arrays =
       arrays_per_job +
       (mechanics::is_adhesive(contact.law) ? more_arrays_of_adhesion : 0.0) +
       (contact.hardness ? more_arrays_of_hardness : 0.0);
+  if (is_mirrored)
+    arrays = 0.25 * arrays + arrays_of_mirrored_cell;
   return {nodes(grid), arrays * sizeof(double) * nodes(grid)};
 }
 
@@ -89,7 +98,7 @@ MethodNeeds needs_of_settings(const mechanics::TheorySettings&,
 MethodNeeds needs_of_settings(const mechanics::HalfspaceSettings& settings,
                               const NeedsInput& input) {
   if (!settings.has_free_boundaries)
-    return needs_on_face(settings.contact, input.grid);
+    return needs_on_face(settings.contact, input.grid, is_mirrored(input));
   const Grid pressed =
       methods::pressed_grid(input.contact_case, input.method, input.grid);
   Grid padded = pressed;
@@ -109,7 +118,7 @@ MethodNeeds needs_of_settings(const mechanics::WinklerSettings&,
 MethodNeeds needs_of_settings(const mechanics::FemSettings& settings,
                               const NeedsInput& input) {
   if (settings.solver != mechanics::FemSolver::full)
-    return needs_on_face(settings.contact, input.grid);
+    return needs_on_face(settings.contact, input.grid, is_mirrored(input));
   const fem::BlockTraits block = block_of(
       input.contact_case, input.method,
       methods::pressed_grid(input.contact_case, input.method, input.grid),

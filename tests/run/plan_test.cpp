@@ -121,6 +121,23 @@ TEST_F(PlannedRun, MemoryIsProportionalToTheNodes) {
   }
 }
 
+// Three of the four images have heights and answers only.
+TEST_F(PlannedRun, AMirroredMapNeedsLessMemory) {
+  const Grid cell{64, 64, 1e-6, 1e-6};
+  cases::Case contact_case = read();
+  for (const std::size_t method : {1u, 2u}) {
+    contact_case.surface.edges = mechanics::Edges::periodic;
+    const MethodNeeds periodic =
+        needs_of(contact_case, contact_case.methods[method], cell);
+    contact_case.surface.edges = mechanics::Edges::mirror;
+    const MethodNeeds mirrored =
+        needs_of(contact_case, contact_case.methods[method], cell);
+
+    EXPECT_LT(mirrored.memory, 0.8 * periodic.memory);
+    EXPECT_GT(mirrored.memory, 0.25 * periodic.memory);
+  }
+}
+
 // The result lists the work that the cache saved.
 TEST_F(PlannedRun, TheResultStatesWhatTheCacheSaved) {
   const RunOptions options{folder / "out", {"halfspace"}, false, 1, "", &cache};
