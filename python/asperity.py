@@ -98,12 +98,16 @@ class Method:
                 if values.shape != (length,):
                     raise Error(f"{values.name} has the shape {values.shape}, but must have "
                                 f"{(length,)}, as nominal_pressure")
-        length = max(lengths)
+        places = [curve["step"][()].astype(int) if "step" in curve else np.arange(length)
+                  for curve, length in zip(curves, lengths)]
+        last = max((place.max(initial=0) for place in places), default=0)
+        if last >= 100_000 or any(place.min(initial=0) < 0 for place in places):
+            raise Error(f"{group.name} has other steps than 0 to 99999")
         for name in self.columns:
-            table = np.full((len(curves), length), np.nan)
-            for row, curve in zip(table, curves):
+            table = np.full((len(curves), last + 1), np.nan)
+            for row, place, curve in zip(table, places, curves):
                 if name in curve:
-                    row[:len(curve[name])] = curve[name]
+                    row[place] = curve[name]
             setattr(self, name, table)
         self._by_gap = str(group.attrs.get("contact", "pressure")) == "gap"
         self.fields = {}  # of realisation 0: step -> (pressure [Pa], gap [m]), each [y, x]

@@ -343,11 +343,11 @@ void ResultWriter::finish(const std::string& status) {
   file_.fold([&](Hdf5File& file) {
     file.set_attribute("status", status);
     if (status != "complete")
-      return; // a resumed curve will be extended, so its ends are not final
+      return; // a resumed curve will be extended and its ends are not final
     for (const auto& [curve_of, steps] : steps_) {
       Hdf5Group curve =
           curve_group(file, curve_of.first, curve_of.second).open("curve");
-      fill_stored_stiffness(curve);
+      complete_rows(curve);
     }
   });
 }

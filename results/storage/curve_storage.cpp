@@ -15,6 +15,7 @@ namespace asperity::results {
 namespace {
 
 constexpr const char* note = "note";
+constexpr const char* step = "step";
 constexpr const char* stiffness = "contact_stiffness";
 constexpr const char* length_column = "nominal_pressure";
 
@@ -113,19 +114,20 @@ std::vector<CurvePoint> read_points(const Hdf5Group& curve) {
   return points;
 }
 
-void fill_stored_stiffness(Hdf5Group& curve) {
-  // Rows are stored in the order in which they were written, so they are
-  // identified by their steps.
+void complete_rows(Hdf5Group& curve) {
+  const std::vector<double> stored = curve.numbers(step);
   std::vector<CurvePoint> points = read_points(curve);
   fill_contact_stiffness(points);
-  std::vector<double> stored = curve.numbers("step");
-  for (double& number : stored) {
-    const auto point = std::find_if(
-        points.begin(), points.end(),
-        [&](const CurvePoint& candidate) { return candidate.step == number; });
-    number = point->contact_stiffness;
+  if (std::ranges::is_sorted(stored)) {
+    std::vector<double> numbers;
+    for (const CurvePoint& point : points)
+      numbers.push_back(point.contact_stiffness);
+    curve.overwrite(stiffness, numbers);
+    return;
   }
-  curve.overwrite(stiffness, stored);
+  for (const std::string& column : curve.children())
+    curve.remove(column);
+  append_points(curve, points);
 }
 
 } // namespace asperity::results

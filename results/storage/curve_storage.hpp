@@ -20,7 +20,9 @@ void append_points(Hdf5Group& curve, std::span<const CurvePoint> points);
 ///                            columns differ in length
 std::vector<CurvePoint> read_points(const Hdf5Group& curve);
 
-/// Computes each contact stiffness that is NaN by finite differences.
-void fill_stored_stiffness(Hdf5Group& curve);
+/// Puts the rows, which are stored as they were written, into the order of
+/// their steps, and computes each contact stiffness that is NaN by finite
+/// differences.
+void complete_rows(Hdf5Group& curve);
 
 } // namespace asperity::results

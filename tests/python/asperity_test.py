@@ -71,6 +71,15 @@ def check_run(asperity, folder):
         file["methods/halfspace/0/curve/mean_gap"][...] += 1
     theirs = asperity.read(other)
     assert np.array_equal(theirs["halfspace"].mean_gap, curve.mean_gap + 1)
+    with h5py.File(other, "r+") as file:  # rows may be in any order
+        for column in file["methods/halfspace/0/curve"].values():
+            column[...] = column[()][[2, 0, 1]]
+    assert np.array_equal(asperity.read(other)["halfspace"].mean_gap, curve.mean_gap + 1)
+    with h5py.File(other, "r+") as file:
+        file["methods/halfspace/0/curve/step"][0] = 3
+    missing = asperity.read(other)["halfspace"].mean_gap
+    assert missing.shape == (1, 4) and np.isnan(missing[0, 2]), missing
+    assert np.array_equal(missing[0, [0, 1, 3]], curve.mean_gap[0] + 1), missing
     with h5py.File(other, "r+") as file:
         del file["methods/halfspace/0/curve/mean_gap"]
         file["methods/halfspace/0/curve"].create_dataset("mean_gap", (10**9,), "f8", chunks=(1000,))

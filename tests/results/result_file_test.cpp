@@ -156,7 +156,7 @@ std::vector<double> stored_stiffness(const std::filesystem::path& path) {
 // p = exp(-2 u): the stiffness that no method stated is 2 p. The reader derives
 // it from the curve; the file contains it once the run is complete, not before,
 // because the ends of an interrupted curve are not yet ends. The steps arrive
-// out of order.
+// out of order, and the complete file has them in their order.
 TEST_F(ResultFile, TakesAMissingStiffnessFromTheCurve) {
   ResultWriter writer(folder_, sample_case());
   writer.begin_method("fem", "fem", "");
@@ -181,8 +181,29 @@ TEST_F(ResultFile, TakesAMissingStiffnessFromTheCurve) {
     EXPECT_NEAR(point.contact_stiffness / point.nominal_pressure, 2.0, 1e-14);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     EXPECT_TRUE(std::isnan(stored_before[i]));
-    EXPECT_NEAR(stored[i] / std::exp(-2.0 * (4.0 - steps[i])), 2.0, 1e-14);
+    EXPECT_NEAR(stored[i] / std::exp(-2.0 * (4.0 - static_cast<double>(i))),
+                2.0, 1e-14);
   }
+}
+
+// As a run whose steps with maps come from the cache before the others.
+TEST_F(ResultFile, HasItsRowsInTheOrderOfTheStepsWhenComplete) {
+  ResultWriter writer(folder_, sample_case());
+  writer.begin_method("fem", "fem", "");
+  for (const int step : {0, 2, 3, 1})
+    writer.append_step("fem", 0, sample_point(step));
+
+  writer.finish("complete");
+
+  {
+    const std::lock_guard lock(hdf5_mutex());
+    const Hdf5File file(writer.path(), Hdf5File::Mode::read);
+    EXPECT_EQ(file.open_path("methods/fem/0/curve").numbers("step"),
+              (std::vector{0.0, 1.0, 2.0, 3.0}));
+  }
+  const Result result = read_result(folder_);
+  for (const CurvePoint& point : result.methods[0].realizations[0].points)
+    expect_same(point, sample_point(point.step));
 }
 
 TEST_F(ResultFile, RefusesWhatWouldNotReadBack) {
