@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -73,8 +76,45 @@ ChartCurve curve(std::string label, CurveStyle style, std::size_t index, int x,
           .y = y};
 }
 
+namespace {
+
+/// A legend tells lines apart by their dashes, or by a width of a pixel more.
+bool looks_like(const CurveStyle& one, const CurveStyle& other) {
+  if (one.color != other.color || one.has_markers != other.has_markers ||
+      one.has_line != other.has_line)
+    return false;
+  return one.has_markers ? one.marker == other.marker
+                         : one.dash == other.dash &&
+                               std::abs(one.width - other.width) < 1.0;
+}
+
+/// The same colour with the next symbol, open ones after open ones, or dash.
+CurveStyle next_style(CurveStyle style) {
+  static constexpr std::array filled{7, 5, 9, 13, 11}; // each before it open
+  if (style.has_markers) {
+    const int open = style.marker % 2 == 0 ? 1 : 0;
+    const auto* const found = std::ranges::find(filled, style.marker + open);
+    const bool is_last = found == filled.end() || found + 1 == filled.end();
+    style.marker = (is_last ? filled.front() : found[1]) - open;
+  } else {
+    style.dash = style.dash % 3 + 1;
+    style.width += style.dash == 1 ? 1.5 : 0.0;
+  }
+  return style;
+}
+
+} // namespace
+
 ChartCurve& ChartPanel::add(std::string label, CurveStyle style,
                             std::size_t index, int x_column, int y_column) {
+  const auto is_taken = [&] {
+    return std::ranges::any_of(curves, [&](const ChartCurve& other) {
+      return !other.label.empty() && looks_like(style, other.style);
+    });
+  };
+  constexpr int most_styles = 9; // of one colour
+  for (int i = 1; i < most_styles && !label.empty() && is_taken(); ++i)
+    style = next_style(style);
   return curves.emplace_back(
       curve(std::move(label), std::move(style), index, x_column, y_column));
 }

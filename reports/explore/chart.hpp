@@ -117,7 +117,8 @@ struct ChartPanel {
       {};                         ///< of the plot, shares of the figure's width
   bool has_narrow_legend = false; ///< of at most two columns
 
-  /// Adds the curve with these columns.
+  /// Adds the curve with these columns. In the legend it has another symbol or
+  /// dash if an earlier one of this colour has that of the style.
   ChartCurve& add(std::string label, CurveStyle style, std::size_t index,
                   int x_column, int y_column);
 };

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
+#include <tuple>
 
 namespace asperity::reports::hardness_figure_test {
 
@@ -45,6 +47,47 @@ TEST(PlasticAreaFigure, HasBothAreasOfNumbersAndTheory) {
                            "\"halfspace\",1,0.001,0.375,0.125\n"
                            "\"halfspace\",1,0.002,0.375,0.125\n");
   EXPECT_EQ(found[0].panels.front().curves.size(), 4U);
+}
+
+// Two methods of one kind have the same colours for both areas.
+TEST(PlasticAreaFigure, TellsMethodsOfOneKindApart) {
+  results::Result result;
+  result.contact_modulus = 1e9;
+  for (const char* kind : {"theory", "halfspace"})
+    for (const char* name : {".soft", ".hard", ".harder"})
+      result.methods.push_back(
+          {std::string(kind) + name, kind, "", {curve_of(0.25)}});
+  cases::Case contact_case;
+
+  const std::vector<Figure> found = drawn({&result, &contact_case, {}});
+
+  ASSERT_EQ(found.size(), 1U);
+  std::set<std::tuple<std::string, bool, int, int>> looks;
+  for (const ChartCurve& curve : found[0].panels.front().curves)
+    looks.emplace(curve.style.color, curve.style.has_markers,
+                  curve.style.has_markers ? curve.style.marker : 0,
+                  curve.style.has_markers ? 0 : curve.style.dash);
+  EXPECT_EQ(looks.size(), 12U);
+}
+
+// Of flow and conductance: one colour, and open symbols stay open.
+TEST(ChartPanel, GivesEachCurveOfALegendItsOwnStyle) {
+  ChartPanel panel;
+  for (int i = 0; i < 4; ++i)
+    panel.add("theory", line("#222222", 1.6), 0, 3, 4);
+  for (int i = 0; i < 2; ++i)
+    panel.add("open", markers("#222222", 10, 1.0), 0, 3, 4);
+  for (int i = 0; i < 2; ++i)
+    panel.add("", line("#222222", 1.6), 0, 3, 4);
+
+  std::vector<int> dashes, signs;
+  for (const ChartCurve& curve : panel.curves)
+    (curve.style.has_markers ? signs : dashes)
+        .push_back(curve.style.has_markers ? curve.style.marker
+                                           : curve.style.dash);
+  EXPECT_EQ(dashes, (std::vector{1, 2, 3, 1, 1, 1})); // two are in no legend
+  EXPECT_GT(panel.curves[3].style.width, panel.curves[0].style.width + 1.0);
+  EXPECT_EQ(signs, (std::vector{10, 6}));
 }
 
 TEST(PlasticAreaFigure, NeedsAHardness) {
