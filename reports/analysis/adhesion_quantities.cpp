@@ -3,6 +3,8 @@
 #include "theory/exact/adhesive_sphere.hpp"
 #include "theory/exact/westergaard.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,6 +30,17 @@ double largest_tension(const std::vector<CurvePoint>& rows) {
     largest = std::max({largest, -row.nominal_pressure,
                         std::fmax(0.0, -row[columns::jump_pressure])});
   return largest;
+}
+
+/// The largest tension of a path over E*, which one that was interrupted has
+/// not reached.
+FittedValue pull_off(const results::Curve& curve,
+                     const cases::Case& contact_case, double contact_modulus) {
+  const std::size_t steps = contact_case.load.targets.size();
+  if (curve.points.size() < steps)
+    return {.reason = fmt::format("the path has {} of its {} steps",
+                                  curve.points.size(), steps)};
+  return {.value = largest_tension(converged_rows(curve)) / contact_modulus};
 }
 
 /// -sum p du by the trapezoidal rule [J/m^2]; NaN for a path that does not
@@ -229,8 +242,7 @@ void add_adhesion_quantities(const results::Result& result,
   const bool is_wave = surface.kind == mechanics::SurfaceKind::wave_1d;
   for (const results::Curve& curve : method.realizations) {
     const std::vector<CurvePoint> rows = converged_rows(curve);
-    tension.push_back(
-        {.value = largest_tension(rows) / result.contact_modulus});
+    tension.push_back(pull_off(curve, contact_case, result.contact_modulus));
     dissipated.push_back({.value = dissipated_energy(rows) / work});
     if (is_wave)
       error =

@@ -133,14 +133,16 @@ std::string adhesive_sentence(const ReportEntry& entry,
       *law, modulus, judged_roughness(contact_case, method, *surface));
   const bool is_judged = std::isfinite(criterion) && criterion > 0.0;
   const auto tension = summary->quantities.find("pull_off_pressure");
-  const bool has_tension =
-      tension != summary->quantities.end() && tension->second.has_value();
+  const bool is_known = tension != summary->quantities.end();
   std::string words = is_judged && criterion >= 1.0 ? "It does not stick"
                       : is_judged                   ? "It sticks"
                                                     : "The faces attract";
-  if (has_tension)
+  if (is_known && tension->second.has_value())
     words += ": the largest tension is " +
              pressure_in_pascal(tension->second.value * modulus);
+  else if (is_known)
+    words +=
+        ": the largest tension is not known, because " + tension->second.remark;
   words += fmt::format(" (adhesion of {} mJ/m² over {}",
                        digits_text(1e3 * law->work_of_adhesion, 3),
                        quantity_text(law->adhesion_range, "m", 3));

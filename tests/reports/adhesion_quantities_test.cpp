@@ -33,8 +33,11 @@ CurvePoint row_at(const Branch& branch, double mean_gap, bool is_unloading) {
   return row;
 }
 
-MethodSummary summary_of(const std::vector<CurvePoint>& rows) {
+/// @param steps  of the path of the case; 0: not known
+MethodSummary summary_of(const std::vector<CurvePoint>& rows,
+                         std::size_t steps = 0) {
   cases::Case contact_case;
+  contact_case.load.targets.resize(steps);
   mechanics::HalfspaceSettings settings;
   settings.contact.law = mechanics::ContactLaw::exponential;
   settings.contact.work_of_adhesion = work;
@@ -90,6 +93,21 @@ TEST(AdhesionQuantities, FindTheStatesWithoutLoadOfBothBranches) {
   EXPECT_NEAR(quantities["effective_work_retraction"].value, 0.8, near);
   EXPECT_NEAR(quantities["pull_off_pressure"].value, stiffness * 1e-8 / 1e9,
               near);
+}
+
+// The largest tension of an interrupted path may be one of a jump into contact,
+// and is none of the pull-off that it has not reached.
+TEST(AdhesionQuantities, HaveNoPullOffOfAnInterruptedPath) {
+  std::vector<CurvePoint> rows{row_at(outside, 4e-8, false),
+                               row_at(outside, 3.3e-8, false)};
+  rows.back()[columns::jump_pressure] = -5.0 * stiffness * 1e-8;
+
+  const Estimate whole = summary_of(rows, 2).quantities["pull_off_pressure"];
+  const Estimate part = summary_of(rows, 7).quantities["pull_off_pressure"];
+
+  EXPECT_NEAR(whole.value, 5.0 * stiffness * 1e-8 / 1e9, 1e-12);
+  EXPECT_FALSE(part.has_value());
+  EXPECT_EQ(part.remark, "the path has 2 of its 7 steps");
 }
 
 // A path by pressures has rows without load. Faces that a tension has parted
