@@ -67,25 +67,15 @@ std::vector<Source> sources_of(const RobustnessCommand& command) {
   return sources;
 }
 
-/// Returns the requested instances: the first ones of the seed from `first` on
-/// that match the filter.
-std::vector<Instance> instances_of(const Source& source,
-                                   const RobustnessCommand& command) {
-  // The search ends if fewer than one instance in this many matches.
-  constexpr int most_drawn_for_one = 10000;
-  const robustness::InstanceFilter filter(command.only);
-  std::vector<Instance> instances;
-  const auto wanted = static_cast<std::size_t>(command.instances);
-  for (int index = command.first;
-       instances.size() < wanted && !run::is_interrupted(); ++index) {
-    const Instance instance = source.draw(command.seed, index);
-    if (filter.takes(instance))
-      instances.push_back(instance);
-    if ((index - command.first) / most_drawn_for_one >
-        static_cast<int>(instances.size()))
-      break;
-  }
-  return instances;
+/// The requested instances: the first ones of the seed from `first` on that
+/// match the filter.
+robustness::InstanceSequence instances_of(const Source& source,
+                                          const RobustnessCommand& command) {
+  return {[&source, seed = command.seed](int index) {
+            return source.draw(seed, index);
+          },
+          robustness::InstanceFilter(command.only), command.first,
+          static_cast<std::size_t>(command.instances)};
 }
 
 std::string rerun_of(const Source& source, const RobustnessCommand& command) {
@@ -111,11 +101,8 @@ void write_table(const fs::path& folder, const Results& results) {
 
 /// Runs all instances. Reports arrive in any order and are sorted by index.
 /// Every ten seconds the table of those that have ended is written.
-Results results_of(const std::vector<Instance>& instances,
+Results results_of(robustness::InstanceSequence& instances,
                    const RobustnessCommand& command, const fs::path& folder) {
-  std::map<int, Instance> by_index;
-  for (const Instance& instance : instances)
-    by_index[instance.index] = instance;
   Results results;
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
@@ -123,8 +110,8 @@ Results results_of(const std::vector<Instance>& instances,
   std::fflush(stdout); // otherwise a child process would print it again
   robustness::run_instances(
       instances, {command.threads, 60.0, run::is_interrupted},
-      [&](const robustness::InstanceReport& report) {
-        results[report.index] = {by_index.at(report.index), report};
+      [&](const Instance& instance, const robustness::InstanceReport& report) {
+        results[report.index] = {instance, report};
         const auto now = Clock::now();
         if (now - last_line < std::chrono::seconds(10))
           return;
@@ -133,10 +120,9 @@ Results results_of(const std::vector<Instance>& instances,
         const double elapsed =
             std::chrono::duration<double>(now - begin).count();
         const auto n_done = static_cast<double>(results.size());
-        const double n_left =
-            static_cast<double>(instances.size() - results.size());
+        const double n_left = command.instances - n_done;
         fmt::print("{} of {} problem instances, {}\n", results.size(),
-                   instances.size(),
+                   command.instances,
                    run::remaining_text(elapsed / n_done * n_left));
         std::fflush(stdout);
       },
@@ -148,27 +134,26 @@ Results results_of(const std::vector<Instance>& instances,
 
 /// The command for what an interrupted run has left: the instances from the
 /// first one on that has not ended, some of which may have.
-std::string rest_of(const std::vector<Instance>& instances,
+std::string rest_of(robustness::InstanceSequence& instances,
                     const Results& results, const Source& source,
                     const RobustnessCommand& command) {
-  const auto left =
-      std::ranges::find_if(instances, [&](const Instance& instance) {
-        return !results.contains(instance.index);
-      });
-  if (left == instances.end() && !instances.empty())
+  std::size_t place = 0;
+  const Instance* left = instances.at(place);
+  while (left != nullptr && results.contains(left->index))
+    left = instances.at(++place);
+  if (left == nullptr)
     return "nothing is left";
   return fmt::format(
       "continue with {}{} --first {} --instances {} --out {}-rest",
       rerun_of(source, command),
-      command.only.empty() ? "" : " --only " + command.only,
-      instances.empty() ? command.first : left->index,
-      command.instances - (left - instances.begin()), command.out);
+      command.only.empty() ? "" : " --only " + command.only, left->index,
+      command.instances - static_cast<int>(place), command.out);
 }
 
 run::ExitCode run_source(const Source& source, const RobustnessCommand& command,
                          std::string& json) {
   const auto begin = std::chrono::steady_clock::now();
-  const std::vector<Instance> instances = instances_of(source, command);
+  robustness::InstanceSequence instances = instances_of(source, command);
   const fs::path folder = fs::path(command.out) / source.name;
   const run::OutputFolder lock(folder, "robustness",
                                {"stress.csv", "stress.json"}, {source.word});

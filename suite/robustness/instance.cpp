@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace asperity::robustness {
 namespace {
@@ -153,6 +154,30 @@ bool InstanceFilter::takes(const Instance& instance) const {
            return label.second == label_ &&
                   (axis_.empty() || label.first == axis_);
          });
+}
+
+InstanceSequence::InstanceSequence(std::function<Instance(int)> draw,
+                                   InstanceFilter filter, int first,
+                                   std::size_t most)
+    : draw_(std::move(draw)),
+      filter_(std::move(filter)),
+      first_(first),
+      next_(first),
+      most_(most) {}
+
+const Instance* InstanceSequence::at(std::size_t place) {
+  constexpr int most_drawn_for_one = 10000;
+  while (drawn_.size() <= place && drawn_.size() < most_ &&
+         (next_ - first_) / most_drawn_for_one <=
+             static_cast<int>(drawn_.size()))
+    if (Instance instance = draw_(next_++); filter_.takes(instance))
+      drawn_.push_back(std::move(instance));
+  return place < drawn_.size() ? &drawn_[place] : nullptr;
+}
+
+void InstanceSequence::release_before(std::size_t place) {
+  for (; released_ < place; ++released_)
+    drawn_[released_] = Instance{};
 }
 
 } // namespace asperity::robustness

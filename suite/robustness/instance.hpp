@@ -7,6 +7,8 @@
 #include "surfaces/maps/height_map.hpp"
 
 #include <cstdint>
+#include <deque>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -89,6 +91,33 @@ public:
 private:
   std::string axis_; ///< empty: any axis
   std::string label_;
+};
+
+/// The first instances that match a filter, in the order of their indices. Each
+/// is drawn when it, or a later one, is asked for.
+class InstanceSequence {
+public:
+  /// @param draw   returns the instance of an index
+  /// @param first  index of the first instance that is drawn
+  /// @param most   length of the sequence; it ends earlier if fewer than one
+  ///               instance in 10000 matches
+  InstanceSequence(std::function<Instance(int)> draw, InstanceFilter filter,
+                   int first, std::size_t most);
+
+  /// The instance at a place of the sequence; null beyond the end.
+  const Instance* at(std::size_t place);
+
+  /// Frees the instances before a place, which are not asked for again.
+  void release_before(std::size_t place);
+
+private:
+  std::function<Instance(int)> draw_;
+  InstanceFilter filter_;
+  int first_;
+  int next_; ///< index that is drawn next
+  std::size_t most_;
+  std::size_t released_ = 0;
+  std::deque<Instance> drawn_ = {}; ///< at stable addresses
 };
 
 } // namespace asperity::robustness

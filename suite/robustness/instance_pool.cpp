@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 /// one line for each.
 struct Worker {
   std::optional<ChildProcess> child;
-  std::size_t next = 0;        ///< index of the current instance
+  std::size_t next = 0;        ///< place of the current instance
   std::string text;            ///< received data that do not yet form a line
   double seconds_before = 0.0; ///< CPU time used before this instance [s]
   double seconds_seen = 0.0;   ///< the same up to `since` [s]
@@ -43,14 +43,13 @@ void write_all(int pipe, const std::string& text) {
 
 class Pool {
 public:
-  Pool(std::span<const Instance> instances, const PoolSettings& settings,
-       const std::function<void(const InstanceReport&)>& take,
-       const RunOne& run_one)
+  Pool(InstanceSequence& instances, const PoolSettings& settings,
+       const TakeReport& take, const RunOne& run_one)
       : instances_(instances),
         settings_(settings),
         take_(take),
         run_one_(run_one),
-        stride_(std::min(instances.size(), processes_of(settings))) {}
+        stride_(processes_of(settings)) {}
 
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
@@ -81,11 +80,14 @@ private:
   void start(Worker& worker, std::size_t first) {
     worker = Worker{};
     worker.next = first;
-    if (first >= instances_.size())
+    if (instances_.at(first) == nullptr)
       return;
     worker.child = ChildProcess::forked([this, first](int pipe) {
-      for (std::size_t i = first; i < instances_.size(); i += stride_)
-        write_all(pipe, to_line(run_one_(instances_[i])) + "\n");
+      for (std::size_t place = first;
+           const Instance* instance = instances_.at(place); place += stride_) {
+        write_all(pipe, to_line(run_one_(*instance)) + "\n");
+        instances_.release_before(place);
+      }
     });
     worker.since = Clock::now();
   }
@@ -145,7 +147,8 @@ private:
     for (std::size_t end_of_line = worker.text.find('\n');
          end_of_line != std::string::npos;
          end_of_line = worker.text.find('\n')) {
-      take_(from_line(worker.text.substr(0, end_of_line)));
+      take_(*instances_.at(worker.next),
+            from_line(worker.text.substr(0, end_of_line)));
       worker.text.erase(0, end_of_line + 1);
       worker.next += stride_;
       worker.since = Clock::now();
@@ -156,7 +159,7 @@ private:
   /// Handles a closed pipe: the process has finished, or it died at an
   /// instance.
   void finish(Worker& worker) {
-    if (worker.next < instances_.size())
+    if (instances_.at(worker.next) != nullptr)
       report_and_restart(worker, Outcome::crashed,
                          worker.child->wait().failure);
     else
@@ -165,18 +168,19 @@ private:
 
   void report_and_restart(Worker& worker, Outcome outcome,
                           const std::string& reason) {
+    const Instance& instance = *instances_.at(worker.next);
     InstanceReport report;
-    report.index = instances_[worker.next].index;
+    report.index = instance.index;
     report.outcome = outcome;
     report.reason = reason;
-    take_(report);
+    take_(instance, report);
     worker.child->kill(); // a hanging process does not respond to requests
     start(worker, worker.next + stride_);
   }
 
-  std::span<const Instance> instances_;
+  InstanceSequence& instances_;
   const PoolSettings& settings_;
-  const std::function<void(const InstanceReport&)>& take_;
+  const TakeReport& take_;
   const RunOne& run_one_;
   std::size_t stride_;
   std::vector<Worker> workers_;
@@ -184,13 +188,10 @@ private:
 
 } // namespace
 
-void run_instances(std::span<const Instance> instances,
-                   const PoolSettings& settings,
-                   const std::function<void(const InstanceReport&)>& take,
-                   const RunOne& run_one) {
+void run_instances(InstanceSequence& instances, const PoolSettings& settings,
+                   const TakeReport& take, const RunOne& run_one) {
   require_positive("instance_seconds", settings.instance_seconds, "s");
-  if (!instances.empty())
-    Pool(instances, settings, take, run_one).run();
+  Pool(instances, settings, take, run_one).run();
 }
 
 } // namespace asperity::robustness

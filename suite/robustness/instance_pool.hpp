@@ -8,7 +8,6 @@
 #include "suite/robustness/instance_report.hpp"
 
 #include <functional>
-#include <span>
 
 namespace asperity::robustness {
 
@@ -25,18 +24,19 @@ struct PoolSettings {
 /// tests.
 using RunOne = std::function<InstanceReport(const Instance&)>;
 
-/// Runs every instance once, in forked processes that run one instance after
-/// another, and passes each report to `take` in this process as it arrives. A
-/// process that dies or exceeds the time limit is reported for the instance it
-/// was running, and another process continues. The assignment of instances to
-/// processes affects nothing in the reports but the run time. The calling
-/// process must have a single thread. After an interrupt, the instances that
-/// have not ended are not reported.
+/// Takes an instance that has ended, and its report.
+using TakeReport = std::function<void(const Instance&, const InstanceReport&)>;
+
+/// Runs every instance once, in forked processes that draw and run one instance
+/// after another, and passes each report to `take` in this process as it
+/// arrives. A process that dies or exceeds the time limit is reported for the
+/// instance it was running, and another process continues. The assignment of
+/// instances to processes affects nothing in the reports but the run time. The
+/// calling process must have a single thread. After an interrupt, the instances
+/// that have not ended are not reported.
 /// @throws std::system_error  no process could be started
 /// @throws std::domain_error   instance_seconds is not positive
-void run_instances(std::span<const Instance> instances,
-                   const PoolSettings& settings,
-                   const std::function<void(const InstanceReport&)>& take,
-                   const RunOne& run_one);
+void run_instances(InstanceSequence& instances, const PoolSettings& settings,
+                   const TakeReport& take, const RunOne& run_one);
 
 } // namespace asperity::robustness

@@ -5,25 +5,40 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 namespace asperity::robustness {
 namespace {
 
-/// A few waves in random directions.
-double roughness(const Draft& draft, double x, double y) {
-  double height = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    const auto waves = [&](const char* axis) {
+/// A wave of unit amplitude in a random direction.
+struct Wave {
+  double along_x = 0.0; ///< waves per side
+  double along_y = 0.0;
+  double phase = 0.0; ///< [2 pi]
+};
+
+std::array<Wave, 4> draw_waves(const Draft& draft) {
+  std::array<Wave, 4> waves;
+  for (std::size_t i = 0; i < waves.size(); ++i) {
+    const auto count = [&](const char* axis) {
       return std::floor(
           draft.uniform(fmt::format("terraces {} {}", axis, i), -2.0, 3.0));
     };
-    height +=
-        std::cos(2.0 * std::numbers::pi *
-                 ((i + 1) * (waves("x") * x + waves("y") * y) +
-                  draft.uniform(fmt::format("terraces {}", i), 0.0, 1.0)));
+    waves[i] = {count("x"), count("y"),
+                draft.uniform(fmt::format("terraces {}", i), 0.0, 1.0)};
   }
+  return waves;
+}
+
+double roughness(const std::array<Wave, 4>& waves, double x, double y) {
+  double height = 0.0;
+  int harmonic = 0;
+  for (const Wave& wave : waves)
+    height += std::cos(
+        2.0 * std::numbers::pi *
+        (++harmonic * (wave.along_x * x + wave.along_y * y) + wave.phase));
   return height;
 }
 
@@ -44,6 +59,7 @@ void cut_terraces(std::vector<double>& heights) {
 surfaces::HeightMap map_of_shape(const std::string& shape, int points,
                                  double length, double rms_slope,
                                  const Draft& draft) {
+  const std::array<Wave, 4> waves = draw_waves(draft);
   surfaces::HeightMap map{{points, points, length, length}, {}};
   for (int iy = 0; iy < points; ++iy)
     for (int ix = 0; ix < points; ++ix)
@@ -53,7 +69,7 @@ surfaces::HeightMap map_of_shape(const std::string& shape, int points,
           : shape == "sawtooth" ? ix % std::max(2, points / 4)
           : shape == "checkerboard"
               ? ((ix + iy) % 2 == 0 ? 1.0 : -1.0)
-              : roughness(draft, 1.0 * ix / points, 1.0 * iy / points));
+              : roughness(waves, 1.0 * ix / points, 1.0 * iy / points));
   if (shape == "terraces")
     cut_terraces(map.heights);
   surfaces::remove_mean(map);

@@ -9,23 +9,24 @@
 #include <cstdlib>
 #include <map>
 #include <stdexcept>
-#include <vector>
 
 namespace asperity::robustness::instance_pool_test {
 
-std::vector<Instance> instances(int count) {
-  std::vector<Instance> all(static_cast<std::size_t>(count));
-  for (int index = 0; index < count; ++index)
-    all[static_cast<std::size_t>(index)].index = index;
-  return all;
+Instance numbered(int index) {
+  Instance instance;
+  instance.index = index;
+  return instance;
 }
 
 std::map<int, InstanceReport> run(int count, const PoolSettings& settings,
                                   const RunOne& run_one) {
   std::map<int, InstanceReport> reports;
+  InstanceSequence instances(numbered, InstanceFilter(), 0,
+                             static_cast<std::size_t>(count));
   run_instances(
-      instances(count), settings,
-      [&](const InstanceReport& report) {
+      instances, settings,
+      [&](const Instance& instance, const InstanceReport& report) {
+        EXPECT_EQ(instance.index, report.index);
         EXPECT_TRUE(reports.emplace(report.index, report).second);
       },
       run_one);
@@ -78,6 +79,47 @@ TEST(InstancePool, StopsAnEndlessInstance) {
   ASSERT_EQ(reports.size(), 6u);
   EXPECT_EQ(reports.at(3).outcome, Outcome::timed_out);
   EXPECT_EQ(reports.at(5).outcome, Outcome::verified);
+}
+
+// Problems run while later ones have not been drawn.
+TEST(InstancePool, DrawsAnInstanceWhenItIsRun) {
+  int drawn = 0;
+  InstanceSequence instances(
+      [&](int index) {
+        ++drawn;
+        return numbered(index);
+      },
+      InstanceFilter(), 0, 1000);
+  int drawn_at_first = 0;
+  run_instances(
+      instances, {2, 60.0},
+      [&](const Instance&, const InstanceReport&) {
+        if (drawn_at_first == 0)
+          drawn_at_first = drawn;
+      },
+      verified);
+
+  EXPECT_EQ(drawn_at_first, 2); // one for each process
+  EXPECT_EQ(drawn, 1000);
+}
+
+// The same problems in the same order as if all had been drawn before.
+TEST(InstanceSequence, HasTheInstancesThatMatch) {
+  InstanceSequence coarse(
+      [](int index) {
+        Instance instance = numbered(index);
+        instance.labels["points"] = index % 3 == 0 ? "8" : "16";
+        return instance;
+      },
+      InstanceFilter("points=8"), 1, 3);
+
+  EXPECT_EQ(coarse.at(1)->index, 6);
+  EXPECT_EQ(coarse.at(0)->index, 3);
+  EXPECT_EQ(coarse.at(2)->index, 9);
+  EXPECT_EQ(coarse.at(3), nullptr);
+
+  InstanceSequence none(numbered, InstanceFilter("points=8"), 0, 3);
+  EXPECT_EQ(none.at(0), nullptr);
 }
 
 TEST(InstancePool, RefusesAnInvalidTimeLimit) {
