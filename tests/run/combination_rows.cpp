@@ -19,6 +19,14 @@ const std::string turned = "CombinedStudies.OfATurnedMapAreTurned";
 const std::string any_method =
     "CombinedStudies.OfTheTheoryDoNotDependOnTheMethods";
 const std::string any_path = "CombinedStudies.OfALoadDoNotDependOnThePath";
+const std::string reached = "AllMethods.ReachWhatIsAskedFor";
+const std::string falling = "CombinedStudies.OfAListThatFallsAreThoseOfACycle";
+const std::string contact_sets = "program/contact_sets_test";
+const std::string by_pressure =
+    "nominal_pressure load|nominal_pressure load-unload";
+const std::string by_gap = "mean_gap load|mean_gap load-unload";
+const std::string no_spring =
+    "needs adhesion in all methods, none of them [md]";
 const std::string on_ranks = "program/shared_halfspace_test";
 
 } // namespace
@@ -154,6 +162,78 @@ std::vector<Row> method_study_rows() {
       {"fem full", "vtu of [report]", tested, "BlockFiles.AreListedStepByStep"},
       {"halfspace|theory|winkler|md|fem auto|fem condensed", "vtu of [report]",
        omitted, "needs [fem] with solver = \"full\""},
+  };
+}
+
+std::vector<Row> law_method_rows() {
+  const std::string laws = elastic + "|" + adhesive;
+  return {
+      {laws, "halfspace", tested, contact_sets},
+      {elastic, "fem auto|fem condensed", tested, contact_sets},
+      {elastic, "fem full", tested, reached},
+      {adhesive, "fem auto|fem condensed|fem full", refused,
+       "only blocks with element = \"Q1\" and solver = \"condensed\" have "
+       "adhesion"},
+      {laws, "theory|winkler|md", refused,
+       "contact is not a key of this table; it belongs to [halfspace] or "
+       "[fem]"},
+      {"hardness", "halfspace", tested, reached},
+      {"hardness", "theory", tested,
+       "CombinedStudies.OfATheoryWithAHardnessEndAtTheLargestLoad"},
+      {"hardness", "winkler|md|fem auto|fem condensed|fem full", refused,
+       "hardness is not a key of this table; it belongs to [theory] or "
+       "[halfspace]"},
+  };
+}
+
+std::vector<Row> method_edges_rows() {
+  const std::string others =
+      "theory|winkler|md|fem auto|fem condensed|fem full";
+  return {
+      {"halfspace", "periodic|free", tested, limit},
+      {"halfspace", "window|mirror", tested, cell},
+      {others, "*", tested,
+       "CombinedStudies.OfEveryMethodOfAContinuedMapAreThoseOfItsCell"},
+  };
+}
+
+std::vector<Row> method_path_rows() {
+  const std::string fields =
+      "halfspace|winkler|md|fem auto|fem condensed|fem full";
+  return {
+      {fields, "nominal_pressure load|mean_gap load", tested, reached},
+      {"theory", "nominal_pressure load|mean_gap load", tested,
+       "CombinedStudies.OfEveryMethodDoNotDependOnThePath"},
+      {"*", "nominal_pressure load-unload|mean_gap load-unload|falling list",
+       tested, "CombinedStudies.OfEveryMethodDoNotDependOnThePath"},
+      {"*", "spring", refused, no_spring},
+  };
+}
+
+std::vector<Row> edges_path_rows() {
+  return {
+      {"free", by_gap, refused, "halfspace has free boundaries"},
+      {"free", by_pressure + "|falling list", tested,
+       "CombinedStudies.OfEveryEdgesDoNotDependOnThePath"},
+      {"periodic|window|mirror", by_pressure + "|falling list|" + by_gap,
+       tested, "CombinedStudies.OfEveryEdgesDoNotDependOnThePath"},
+      {"*", "spring", refused, no_spring},
+  };
+}
+
+std::vector<Row> study_path_rows() {
+  return {
+      {of_the_theory, by_pressure + "|falling list|" + by_gap, tested,
+       any_method},
+      {"[flow]|[spots]|[conductance]|[friction]|normal_stiffness of "
+       "[conductance]|stress_inside of [report]",
+       by_pressure + "|" + by_gap, tested, any_path},
+      {"[flow]|[spots]|[conductance]|[friction]|normal_stiffness of "
+       "[conductance]|stress_inside of [report]",
+       "falling list", tested, falling},
+      {"vtu of [report]", by_pressure + "|falling list|" + by_gap, omitted,
+       "needs [fem] with solver = \"full\""},
+      {"*", "spring", refused, no_spring},
   };
 }
 

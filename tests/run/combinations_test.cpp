@@ -1,10 +1,10 @@
-// Combinations have an owner. Each pair of (law, study), (edges, study),
-// (method, study), (law, path), (law, edges) and (ranks, everything else) has
-// one row, with the refusal of the reader, what the method says that it leaves
-// out, or the name of a test of a property of the pair: a limit, a symmetry or
-// a second way to the number. The values come from the registries of the
-// program: a new law, study, kind of edges, method or path fails here until its
-// rows are there, and the failure says what the program does with the pair.
+// Combinations have an owner. Each pair of two of law, method, edges, study,
+// path and ranks has one row, with the refusal of the reader, what the method
+// says that it leaves out, or the name of a test of a property of the pair: a
+// limit, a symmetry or a second way to the number. The values come from the
+// registries of the program: a new law, study, kind of edges, method or path
+// fails here until its rows are there, and the failure says what the program
+// does with the pair.
 #include "input/input_error.hpp"
 #include "input/reader/read_case.hpp"
 #include "input/reader/study_keys.hpp"
@@ -173,6 +173,15 @@ const std::map<std::string, Entries>& entries_of_values() {
   return entries;
 }
 
+/// The table of the one of two values that is a method, else that of the
+/// half-space.
+std::string method_table(const std::string& first, const std::string& second) {
+  for (const std::string& name : methods())
+    if (name == first || name == second)
+      return name.substr(0, name.find(' '));
+  return "halfspace";
+}
+
 /// Whether a value is among "a|b|c"; "*" stands for all.
 bool names(const std::string& list, const std::string& value) {
   std::istringstream parts(list);
@@ -236,11 +245,11 @@ protected:
     std::ranges::stable_partition(entries, [](const std::string& entry) {
       return entry.starts_with("surface={");
     });
-    // The keys of a method that another one has replaced.
-    if (std::ranges::find(entries, "halfspace=") != entries.end())
-      std::erase_if(entries, [](const std::string& entry) {
-        return entry.starts_with("halfspace.");
-      });
+    // The law is that of the method that has replaced the half-space.
+    const std::string table = method_table(first, second);
+    for (std::string& entry : entries)
+      if (entry.starts_with("halfspace."))
+        entry = table + entry.substr(entry.find('.'));
     try {
       const cases::Case read = cases::read_case_text(
           pressed_map, (folder / "case.toml").string(), entries);
@@ -312,6 +321,26 @@ TEST_F(Combinations, OfEdgesAndStudies) {
 
 TEST_F(Combinations, OfMethodsAndStudies) {
   check(methods(), studies(), method_study_rows());
+}
+
+TEST_F(Combinations, OfLawsAndMethods) {
+  check(laws(), methods(), law_method_rows());
+}
+
+TEST_F(Combinations, OfMethodsAndEdges) {
+  check(methods(), edges(), method_edges_rows());
+}
+
+TEST_F(Combinations, OfMethodsAndPaths) {
+  check(methods(), paths(), method_path_rows());
+}
+
+TEST_F(Combinations, OfEdgesAndPaths) {
+  check(edges(), paths(), edges_path_rows());
+}
+
+TEST_F(Combinations, OfStudiesAndPaths) {
+  check(studies(), paths(), study_path_rows());
 }
 
 TEST_F(Combinations, OfLawsAndPaths) {

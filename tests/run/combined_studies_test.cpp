@@ -96,6 +96,10 @@ protected:
                            ix + 1 == grid.points_x ? '\n' : ' ');
   }
 
+  /// Expects the same rows of the only method of a problem on the way back, by
+  /// a list that falls, and, if it can be, by the mean gap.
+  void expect_no_path(const Entries& problem, bool has_gaps);
+
   cases::Case case_; ///< of the last run
 
 private:
@@ -331,6 +335,161 @@ TEST_F(CombinedStudies, OfAContinuedMapAreThoseOfItsCell) {
   write_map("images.txt", images, heights);
   const Result cell = pressed("images.txt", "periodic", images.length_x);
   expect_same_methods(mirrored, cell, 4.0);
+}
+
+void CombinedStudies::expect_no_path(const Entries& problem, bool has_gaps) {
+  constexpr double tolerance = 1e-5; // of full blocks; atoms: 1e-8 of forces
+  const auto by = [&](const std::string& load) {
+    Entries entries = problem;
+    entries.push_back("load={ " + load + " }");
+    return run(entries).methods.front().realizations.front().points;
+  };
+  const std::vector<CurvePoint> rows =
+      by("nominal_pressure = [\"2e-3 E*\", \"1e-2 E*\"], cycle = "
+         "\"load-unload\"");
+  const std::vector<CurvePoint> list =
+      by("nominal_pressure = [\"2e-3 E*\", \"1e-2 E*\", \"2e-3 E*\"]");
+  ASSERT_EQ(rows.size(), 3U);
+  ASSERT_EQ(list.size(), 3U);
+  const std::vector<const char*> columns{"area_fraction", "mean_gap"};
+  expect_same(rows[2], rows[0], columns, tolerance);
+  for (std::size_t i = 0; i < 3; ++i)
+    expect_same(list[i], rows[i], columns, tolerance);
+  if (!has_gaps)
+    return;
+  const std::vector<CurvePoint> gaps =
+      by(fmt::format("mean_gap = [{:.17e}, {:.17e}], cycle = \"load-unload\"",
+                     rows[0].mean_gap, rows[1].mean_gap));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(gaps[i].nominal_pressure / rows[i].nominal_pressure, 1.0,
+                10.0 * tolerance)
+        << i;
+}
+
+/// A surface of 16 x 16 atoms.
+const std::string of_atoms =
+    "kind = \"self-affine\", length = \"4.16 nm\", points = 16, seed = 5, "
+    "rms_slope = 0.1, hurst = 0.8, wavelength_long = \"1 length\", "
+    "wavelength_roll_off = \"1 length\", wavelength_short = \"4 h\"";
+
+/// What every method can press, atoms too.
+const Entries of_any_method{"flow=",
+                            "friction=",
+                            "conductance=",
+                            "spots=",
+                            "report.stress_inside=false",
+                            "material.youngs_modulus=77.2 GPa"};
+
+std::vector<Entries> each_method() {
+  const Entries fem{"halfspace=", "fem.element=Q1", "fem.growth=2.0",
+                    "fem.tolerance=1e-11"};
+  Entries full = fem;
+  full.back() = "fem.tolerance=1e-9";
+  full.emplace_back("fem.solver=full");
+  return {{},
+          {"halfspace=", "theory.gamma=0.4"},
+          {"halfspace=", "winkler.stiffness=1 E*/h"},
+          {"halfspace=", "md.atoms=16", "md.interaction_energy=74.4 meV",
+           "md.interaction_distance=3.28 angstrom", "md.cutoff=10 angstrom",
+           "md.contact_distance=4.3615 angstrom", "md.tolerance=1e-8"},
+          fem,
+          full};
+}
+
+/// Mirror images of the first half of the columns and rows of a periodic map.
+std::vector<double> mirrored_quarter(const Grid& grid,
+                                     const std::vector<double>& heights) {
+  std::vector<double> images(grid.size());
+  for (int iy = 0; iy < grid.points_y; ++iy)
+    for (int ix = 0; ix < grid.points_x; ++ix)
+      images[grid.index(ix, iy)] =
+          heights[grid.index(std::min(ix, grid.points_x - 1 - ix),
+                             std::min(iy, grid.points_y - 1 - iy))];
+  return images;
+}
+
+// So does every method, on a problem that atoms can have, too. Without images
+// on a free surface, the methods without free boundaries have mirror images.
+TEST_F(CombinedStudies, OfEveryMethodOfAContinuedMapAreThoseOfItsCell) {
+  Entries methods = of_any_method;
+  for (const Entries& method : each_method())
+    for (const std::string& entry : method)
+      if (entry != "halfspace=" && !entry.starts_with("fem."))
+        methods.push_back(entry);
+  methods.insert(methods.end(),
+                 {"halfspace=", "fem.element=Q1", "fem.growth=2.0",
+                  "fem.tolerance=1e-11", "fem.full.solver=full",
+                  "fem.full.tolerance=1e-9",
+                  "load.nominal_pressure=[\"2e-3 E*\", \"1e-2 E*\"]"});
+  const auto pressed = [&](const std::string& surface) {
+    Entries entries = methods;
+    entries.push_back("surface={ " + surface + " }");
+    return run(entries);
+  };
+  const auto map = [&](const std::string& file, const Grid& grid,
+                       const std::vector<double>& heights,
+                       const std::string& edges) {
+    write_map(file, grid, heights);
+    return pressed(fmt::format(
+        "kind = \"measured\", file = \"{}\", length = {:.17e}, height_unit = "
+        "1.0, level = \"none\", edges = \"{}\"{}",
+        file, grid.length_x, edges,
+        edges == "window" ? ", press_windowed_map = true" : ""));
+  };
+  const Result periodic = pressed(of_atoms);
+  const results::SurfaceRecord& surface = periodic.surfaces.front();
+  const Grid& grid = surface.grid;
+  const Grid quarter{grid.points_x / 2, grid.points_y / 2, 0.5 * grid.length_x,
+                     0.5 * grid.length_y};
+  std::vector<double> corner(quarter.size());
+  for (int iy = 0; iy < quarter.points_y; ++iy)
+    for (int ix = 0; ix < quarter.points_x; ++ix)
+      corner[quarter.index(ix, iy)] = surface.heights[grid.index(ix, iy)];
+
+  const auto expect_same_contact = [](const Result& one, const Result& other) {
+    ASSERT_EQ(one.methods.size(), 5U);
+    for (const MethodRecord& method : one.methods)
+      for (std::size_t i = 0; i < 2; ++i) {
+        SCOPED_TRACE(method.name);
+        expect_same(rows_of(other, method.name)[i],
+                    method.realizations.front().points[i],
+                    {"area_fraction", "mean_gap"}, 1e-6);
+      }
+  };
+  const Result window = map("map.txt", grid, surface.heights, "window");
+  expect_same_contact(map("windowed.txt", window.surfaces.front().grid,
+                          window.surfaces.front().heights, "periodic"),
+                      window);
+  const Result cell = map("cell.txt", grid,
+                          mirrored_quarter(grid, surface.heights), "periodic");
+  for (const char* edges : {"mirror", "free"})
+    expect_same_contact(map("corner.txt", quarter, corner, edges), cell);
+}
+
+TEST_F(CombinedStudies, OfEveryMethodDoNotDependOnThePath) {
+  for (const Entries& method : each_method()) {
+    SCOPED_TRACE(method.empty() ? "halfspace" : method[1]);
+    Entries entries = of_any_method;
+    entries.insert(entries.end(), method.begin(), method.end());
+    entries.push_back("surface={ " + of_atoms + " }");
+    expect_no_path(entries, true);
+  }
+}
+
+TEST_F(CombinedStudies, OfEveryEdgesDoNotDependOnThePath) {
+  const Result made = run({"report.stress_inside=false"});
+  write_map("map.txt", made.surfaces.front().grid,
+            made.surfaces.front().heights);
+  for (const std::string edges : {"periodic", "window", "mirror", "free"}) {
+    SCOPED_TRACE(edges);
+    Entries entries = of_any_method;
+    entries.push_back(
+        "surface={ kind = \"measured\", file = \"map.txt\", length = \"1 um\", "
+        "height_unit = 1.0, level = \"none\", edges = \"" +
+        edges + "\"" +
+        (edges == "window" ? ", press_windowed_map = true }" : " }"));
+    expect_no_path(entries, edges != "free");
+  }
 }
 
 // A surface that has yielded is stiff as in its elastic unloading, because
